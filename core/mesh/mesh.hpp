@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/mesh/indices.hpp"
+#include "core/mesh/topology.hpp"
+
+namespace contactsim {
+
+/// One element block, as the mesh file holds it.
+struct ElementBlock {
+  std::int64_t id = 0;
+  std::string name;       ///< as stored, "" when the file has none; see Mesh::block_name
+  std::string type_name;  ///< the file's elem_type, "" when missing
+  Shape shape = Shape::unknown;
+  ElementIndex first_element;
+  std::uint32_t n_elements = 0;
+  int nodes_per_element = 0;
+  std::vector<NodeIndex>
+      nodes;  ///< n_elements x nodes_per_element, element by element; empty for unknown shapes
+  bool has_repeated_nodes = false;           ///< some element names a node twice (degenerate)
+  std::vector<std::string> attribute_names;  ///< n_attributes; "" where the file has no name
+  std::vector<double> attributes;            ///< n_elements x n_attributes, element by element
+
+  std::span<const NodeIndex> element_nodes(std::uint32_t element_in_block) const {
+    const auto n = static_cast<std::size_t>(nodes_per_element);
+    return {nodes.data() + element_in_block * n, n};
+  }
+};
+
+/// A list of element sides. Sides may repeat, overlap other sets and lie inside the mesh.
+struct SideSet {
+  std::int64_t id = 0;
+  std::string name;
+  std::vector<ElementSide> sides;
+  std::vector<double> distribution_factors;  ///< passed through to results; may be empty
+};
+
+struct NodeSet {
+  std::int64_t id = 0;
+  std::string name;
+  std::vector<NodeIndex> nodes;
+  std::vector<double> distribution_factors;  ///< passed through to results; may be empty
+};
+
+/// The kinds of mesh entity that a deck can name.
+enum class EntityKind : std::uint8_t { block, side_set, node_set, assembly };
+
+/// "block", "side set", "node set", "assembly".
+std::string_view to_string(EntityKind kind);
+
+/// A named list of entities of one kind; nested assemblies are resolved by Mesh::members.
+struct Assembly {
+  std::int64_t id = 0;
+  std::string name;
+  std::optional<EntityKind>
+      member_kind;                     ///< absent: a kind that contactsim does not use (edge set, blob, ...)
+  std::vector<std::uint32_t> members;  ///< positions in the mesh's list of that kind
+};
+
+/// The parts of a mesh, before they are joined into an immutable Mesh.
+struct MeshParts {
+  std::string path;  ///< of the file, for messages
+  std::string title;
+  Eigen::Matrix3Xd coordinates;  ///< 3 x n_nodes [length]
+  std::vector<ElementBlock> blocks;
+  std::vector<SideSet> side_sets;
+  std::vector<NodeSet> node_sets;
+  std::vector<Assembly> assemblies;
+  std::vector<std::int64_t> node_ids;     ///< empty when ids are 1..n
+  std::vector<std::int64_t> element_ids;  ///< empty when ids are 1..n
+};
+
+/// One mesh entity that a name means.
+struct Entity {
+  EntityKind kind = EntityKind::block;
+  std::uint32_t index = 0;  ///< position in the mesh's list of that kind
+  auto operator<=>(const Entity&) const = default;
+};
+
+/// A three-dimensional finite element mesh. Immutable.
+class Mesh {
+ public:
+  Mesh() = default;
+  explicit Mesh(MeshParts parts);
+
+  const std::string& path() const { return parts_.path; }
+  const std::string& title() const { return parts_.title; }
+  const Eigen::Matrix3Xd& coordinates() const { return parts_.coordinates; }
+  std::uint32_t n_nodes() const { return static_cast<std::uint32_t>(parts_.coordinates.cols()); }
+  std::uint32_t n_elements() const { return n_elements_; }
+  std::span<const ElementBlock> blocks() const { return parts_.blocks; }
+  std::span<const SideSet> side_sets() const { return parts_.side_sets; }
+  std::span<const NodeSet> node_sets() const { return parts_.node_sets; }
+  std::span<const Assembly> assemblies() const { return parts_.assemblies; }
+
+  /// The user's ids (Exodus number maps).
+  std::int64_t node_id(NodeIndex node) const;
+  std::int64_t element_id(ElementIndex element) const;
+  /// The element of a user id, if there is one.
+  std::optional<ElementIndex> find_element(std::int64_t id) const;
+  std::optional<NodeIndex> find_node(std::int64_t id) const;
+
+  /// Position of the block that holds the element.
+  std::uint32_t block_of(ElementIndex element) const;
+  /// Connectivity of one element. Precondition: its block has a known shape.
+  std::span<const NodeIndex> element_nodes(ElementIndex element) const;
+  /// Mesh nodes of one side's corners, 4, 3, 2 or 1 of them (n_corners of the side).
+  std::array<NodeIndex, 4> side_nodes(ElementSide side) const;
+
+  /// The name to show for an entity: the stored one, else block_<id>, surface_<id>, nodelist_<id>,
+  /// assembly_<id>.
+  std::string name(Entity entity) const;
+  /// Every entity that a deck name means, at most one of a kind, in the order of EntityKind. Case is ignored,
+  /// a blank equals an underscore; block_<id>, surface_<id>, sideset_<id>, nodelist_<id>, nodeset_<id> and
+  /// assembly_<id> always work.
+  std::vector<Entity> find(std::string_view name) const;
+  std::optional<std::uint32_t> find(EntityKind kind, std::string_view name) const;
+  /// All names of a kind as name() gives them, for suggestions.
+  std::vector<std::string> names(EntityKind kind) const;
+
+  /// The blocks, side sets or node sets of an assembly, nested ones opened, each once, in order of first
+  /// mention.
+  std::vector<Entity> members(std::uint32_t assembly) const;
+
+ private:
+  MeshParts parts_;
+  std::uint32_t n_elements_ = 0;
+  std::array<std::unordered_map<std::string, std::uint32_t>, 4> by_name_;  ///< of each EntityKind, folded
+  std::unordered_map<std::int64_t, std::uint32_t> node_by_id_, element_by_id_;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+PhraseIndex index_of(const std::vector<RowText>& rows, bool blocks) {
+  std::vector<std::string> phrases;
+  for (const RowText& row : rows) {
+    const bool is_listed = row.is_block == blocks && row.matches == RowText::Matches::phrase;
+    phrases.push_back(is_listed ? row.phrase : "");
+  }
+  return PhraseIndex(phrases);
+}
+
+std::size_t find_row(const std::vector<RowText>& rows, RowText::Matches matches) {
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const RowText& r) { return r.matches == matches; });
+  return static_cast<std::size_t>(row - rows.begin());
+}
+
+/// The words of an item by which it is known: of a command all, of a block its title.
+const std::vector<Word>& words_of(const Item& item) {
+  const Block* block = std::get_if<Block>(&item.value);
+  return block ? block->title : std::get<Command>(item.value).words;
+}
+
+std::optional<MatchedItem> find_row(const Item& item, const TableText& table) {
+  const bool is_block = std::holds_alternative<Block>(item.value);
+  const auto& words = words_of(item);
+  if (const auto match = (is_block ? table.blocks : table.commands).find(words)) {
+    return MatchedItem{match->phrase, match->n_words};
+  }
+  if (is_block || words.empty()) return std::nullopt;
+  const bool is_table_line = is_number(words.front().text) && table.numbers_row < table.rows.size();
+  if (is_table_line) return MatchedItem{table.numbers_row, 0};
+  if (table.anything_row < table.rows.size()) return MatchedItem{table.anything_row, 0};
+  return std::nullopt;
+}
+
+std::string shown(const std::vector<Word>& words, std::size_t n) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(n, words.size()); ++i) texts.push_back(words[i].text);
+  return fmt::format("{}", fmt::join(texts, " "));
+}
+
+int underline(const std::vector<Word>& words, std::size_t n) {
+  return static_cast<int>(shown(words, n).size());
+}
+
+std::string block_title(const Block& block) {
+  return block.title.empty() ? "the deck's top level"
+                             : fmt::format("'{}'", shown(block.title, block.title.size()));
+}
+
+void report_unknown(const Item& item, const Block& block, const TableText& table, Binding& binding) {
+  const auto& words = words_of(item);
+  const bool is_block = std::holds_alternative<Block>(item.value);
+  const std::string nearest = (is_block ? table.blocks : table.commands).nearest(words);
+  const std::string other = (is_block ? table.commands : table.blocks).nearest(words);
+  std::string hint;
+  if (!nearest.empty()) {
+    hint = fmt::format("did you mean '{}{}'?", is_block ? "begin " : "", nearest);
+  } else if (!other.empty()) {
+    hint = fmt::format("'{}' is a {} here", other,
+                       is_block ? "command line, not a block" : "block: begin it with BEGIN");
+  }
+  const std::size_t n_shown = 4;
+  std::string text =
+      fmt::format("unknown {} '{}{}' in {}", is_block ? "block" : "command", shown(words, n_shown),
+                  words.size() > n_shown ? " ..." : "", block_title(block));
+  const DeckLocation& place = words.empty() ? block.location : words.front().location;
+  if (binding.is_lenient) {
+    binding.diagnostics.add_warning("deck-unknown", place, text + ", passed over", hint,
+                                    underline(words, n_shown));
+  } else {
+    binding.diagnostics.add_error(place, text, hint, underline(words, n_shown));
+  }
+}
+
+/// Reports a row that is not supported; returns whether the item may be bound.
+bool check_support(const Item& item, const MatchedItem& matched, const RowText& row, Binding& binding) {
+  if (row.support == Support::supported) return true;
+  const auto& words = words_of(item);
+  const DeckLocation& place = words.front().location;
+  const int length = underline(words, matched.n_words);
+  const std::string what = fmt::format("{}'{}'", row.is_block ? "block " : "", row.phrase);
+  if (row.support == Support::ignored) {
+    binding.diagnostics.add_warning("deck-ignored", place, what + " has no effect here", row.help, length);
+  } else if (binding.is_lenient) {
+    binding.diagnostics.add_warning("deck-refused", place, what + " is not supported, passed over", row.help,
+                                    length);
+  } else {
+    binding.diagnostics.add_error(place, what + " is not supported and would change the answer", row.help,
+                                  length);
+  }
+  return false;
+}
+
+}  // namespace
+
+TableText::TableText(std::vector<RowText> row_texts)
+    : rows(std::move(row_texts)),
+      commands(index_of(rows, false)),
+      blocks(index_of(rows, true)),
+      numbers_row(find_row(rows, RowText::Matches::numbers)),
+      anything_row(find_row(rows, RowText::Matches::anything)) {}
+
+void bind_items(const Block& block, const TableText& table, Binding& binding,
+                const std::function<void(const Item&, const MatchedItem&)>& bind) {
+  for (const Item& item : block.items) {
+    const auto matched = find_row(item, table);
+    if (!matched) {
+      report_unknown(item, block, table, binding);
+      continue;
+    }
+    if (!check_support(item, *matched, table.rows[matched->row], binding)) continue;
+    try {
+      bind(item, *matched);
+    } catch (const ArgumentError& error) {
+      binding.diagnostics.add(error.diagnostic);
+    }
+  }
+}
+
+DeckName block_name(const Block& block, std::size_t n_type_words) {
+  if (block.title.size() <= n_type_words) return {"", block.location};
+  DeckName name{block.title[n_type_words].text, block.title[n_type_words].location};
+  for (std::size_t i = n_type_words + 1; i < block.title.size(); ++i) name.text += " " + block.title[i].text;
+  return name;
+}
+
+Arguments make_arguments(const Command& command, const MatchedItem& matched) {
+  const std::size_t n_named = std::max<std::size_t>(matched.n_words, 1);
+  return Arguments(shown(command.words, n_named), std::span(command.words).subspan(matched.n_words), command,
+                   command.words.front().location);
+}
+
+}  // namespace contactsim
