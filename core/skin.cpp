@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
-#include <numeric>
+#include <tuple>
+
+#include "core/mesh/side_tables.hpp"
 
 namespace contactsim {
 
@@ -15,31 +17,54 @@ namespace {
 /// A face by its corner nodes; a triangle repeats its last node.
 using Corners = std::array<std::uint32_t, 4>;
 
+constexpr std::uint32_t no_node = UINT32_MAX;
+
+/// The corners of a face but the smallest, ascending, in 64 bits: for meshes of fewer than 2^21 - 1 nodes.
+class ShortKey {
+ public:
+  static constexpr std::uint32_t max_nodes = (1u << 21) - 1;
+
+  ShortKey() = default;
+  ShortKey(std::uint32_t a, std::uint32_t b, std::uint32_t c)
+      : low_(a | b << 21), high_(b >> 11 | (c & max_nodes) << 10) {}
+  auto operator<=>(const ShortKey&) const = default;
+
+ private:
+  std::uint32_t low_, high_;  ///< two words, so that a record takes 12 bytes
+};
+
+/// The same for meshes of any size.
+class LongKey {
+ public:
+  LongKey() = default;
+  LongKey(std::uint32_t a, std::uint32_t b, std::uint32_t c) : a_(a), b_(b), c_(c) {}
+  auto operator<=>(const LongKey&) const = default;
+
+ private:
+  std::uint32_t a_, b_, c_;
+};
+
 /// One face of one element, filed under its smallest node.
+template <class Key>
 struct FaceRecord {
-  std::uint32_t node_sum;  ///< of its corners, modulo 2^32: equal for equal faces, seldom for others
+  Key others;
   ElementSide side;
 };
 
-/// The faces of a shape that matter to skins: every face of a solid, one of a shell.
-struct SkinFaces {
-  int n = 0;
-  std::array<std::array<std::uint8_t, 4>, 6> corners{};  ///< positions in the element's nodes
-};
-
-SkinFaces skin_faces(const Topology& shape) {
-  SkinFaces faces;
-  if (shape.family == Family::solid) {
-    for (const Side& side : shape.sides) faces.corners[static_cast<std::size_t>(faces.n++)] = side.corners;
-  } else if (shape.family == Family::shell) {
-    faces.n = 1;
-    faces.corners[0] = {0, 1, 2, static_cast<std::uint8_t>(shape.n_corners - 1)};
-  }
-  return faces;
-}
-
-Corners corners_of(const std::array<std::uint8_t, 4>& corners, const NodeIndex* nodes) {
-  return {nodes[corners[0]].value, nodes[corners[1]].value, nodes[corners[2]].value, nodes[corners[3]].value};
+template <class Key>
+Key make_key(Corners c) {
+  if (c[3] == c[2]) c[3] = no_node;
+  const auto order = [&c](std::size_t i, std::size_t j) {
+    const std::uint32_t low = std::min(c[i], c[j]), high = std::max(c[i], c[j]);
+    c[i] = low;
+    c[j] = high;
+  };
+  order(0, 1);  // a sorting network: no branch to mispredict
+  order(2, 3);
+  order(0, 2);
+  order(1, 3);
+  order(1, 2);
+  return {c[1], c[2], c[3]};
 }
 
 /// Turns a face with repeated nodes into a triangle, or into nothing (false) when fewer than three nodes are
@@ -59,90 +84,162 @@ bool reduce(Corners& corners) {
 
 std::uint32_t smallest(const Corners& c) { return std::min(std::min(c[0], c[1]), std::min(c[2], c[3])); }
 
-/// Independent of the corners' order; a triangle's repeated node counts once.
-std::uint32_t node_sum(const Corners& c) { return c[0] + c[1] + c[2] + (c[3] == c[2] ? 0u : c[3]); }
+/// Elements of a block, by position in the mesh.
+struct ElementRange {
+  std::uint32_t begin = 0, end = 0;
+};
 
-/// Calls `visit(side, corners)` for every face of the present elements of a block from `first` up to `last`
-/// (positions in the block).
-template <class Visit>
-void visit_faces(const ElementBlock& block, std::span<const std::uint8_t> present, std::uint32_t first,
-                 std::uint32_t last, Visit&& visit) {
-  const SkinFaces faces = skin_faces(topology(block.shape));
-  if (faces.n == 0) return;
-  const NodeIndex* nodes = block.nodes.data() + static_cast<std::size_t>(first) * block.nodes_per_element;
-  for (std::uint32_t i = first; i < last; ++i, nodes += block.nodes_per_element) {
-    const ElementIndex element{block.first_element.value + i};
-    if (!present[element.value]) continue;
-    for (int f = 0; f < faces.n; ++f) {
-      Corners corners = corners_of(faces.corners[static_cast<std::size_t>(f)], nodes);
+/// Calls `visit(side, corners)` for the faces of a block's present elements. The sides are known to the
+/// compiler, which makes the usual shapes fast.
+template <const auto& sides, std::size_t n_faces = sides.size(), class Visit>
+void visit_faces_of(const ElementBlock& block, std::span<const std::uint8_t> present, ElementRange range,
+                    Visit& visit) {
+  const NodeIndex* nodes = block.element_nodes(range.begin - block.first_element.value).data();
+  for (std::uint32_t element = range.begin; element < range.end;
+       ++element, nodes += block.nodes_per_element) {
+    if (!present[element]) continue;
+    for (std::size_t face = 0; face < n_faces; ++face) {
+      const auto& c = sides[face].corners;
+      Corners corners{nodes[c[0]].value, nodes[c[1]].value, nodes[c[2]].value, nodes[c[3]].value};
       if (block.has_repeated_nodes && !reduce(corners)) continue;
-      visit(ElementSide(element, f + 1), corners);
+      visit(ElementSide({element}, static_cast<int>(face) + 1), corners);
     }
   }
 }
 
-/// The same over all blocks, for the elements from `first` up to `last` (positions in the mesh).
+/// Every face of a solid matters to a skin, and one of a shell.
 template <class Visit>
-void visit_faces(const Mesh& mesh, std::span<const std::uint8_t> present, std::uint32_t first,
-                 std::uint32_t last, Visit&& visit) {
-  for (const ElementBlock& block : mesh.blocks()) {
-    const std::uint32_t begin = std::max(first, block.first_element.value);
-    const std::uint32_t end = std::min(last, block.first_element.value + block.n_elements);
-    if (begin >= end) continue;
-    visit_faces(block, present, begin - block.first_element.value, end - block.first_element.value, visit);
+void visit_faces(const ElementBlock& block, std::span<const std::uint8_t> present, ElementRange range,
+                 Visit& visit) {
+  using namespace side_tables;
+  const Topology& shape = topology(block.shape);
+  if (shape.family == Family::shell && shape.n_corners == 4) {
+    visit_faces_of<shell_quad_sides, 1>(block, present, range, visit);
+  } else if (shape.family == Family::shell) {
+    visit_faces_of<shell_tri_sides, 1>(block, present, range, visit);
+  } else if (shape.sides.data() == hex_sides.data()) {
+    visit_faces_of<hex_sides>(block, present, range, visit);
+  } else if (shape.sides.data() == tet_sides.data()) {
+    visit_faces_of<tet_sides>(block, present, range, visit);
+  } else if (shape.sides.data() == wedge_sides.data()) {
+    visit_faces_of<wedge_sides>(block, present, range, visit);
+  } else if (shape.sides.data() == pyramid_sides.data()) {
+    visit_faces_of<pyramid_sides>(block, present, range, visit);
   }
 }
 
-/// All faces of the present elements, sorted by smallest node; within one node in element order.
+/// The same over all blocks.
+template <class Visit>
+void visit_faces(const Mesh& mesh, std::span<const std::uint8_t> present, ElementRange range, Visit&& visit) {
+  for (const ElementBlock& block : mesh.blocks()) {
+    const std::uint32_t first = block.first_element.value;
+    const ElementRange part{std::max(range.begin, first), std::min(range.end, first + block.n_elements)};
+    if (part.begin < part.end) visit_faces(block, present, part, visit);
+  }
+}
+
+/// A half-open range of node numbers.
+struct NodeRange {
+  std::uint32_t begin = 0, end = 0;
+};
+
+/// All faces of the present elements, sorted by smallest node; within one node in element order. Holds the
+/// records of one range of nodes at a time, which bounds its memory.
+template <class Key>
 class FaceBuckets {
  public:
   FaceBuckets(const Mesh& mesh, std::span<const std::uint8_t> present);
 
-  std::span<const FaceRecord> of_node(std::uint32_t node) const {
-    return {records_.get() + begin_[node], records_.get() + begin_[node + 1]};
+  /// Ranges that cover all nodes: one for short keys, two with half of the faces each for long ones.
+  std::vector<NodeRange> ranges() const;
+  /// Makes the buckets of a range ready. Ranges must be loaded in ascending order, each once.
+  void load(NodeRange range);
+  /// Precondition: the node lies in the range loaded last.
+  std::span<const FaceRecord<Key>> of_node(std::uint32_t node) const {
+    return {records_.get() + (begin_[node] - offset_), records_.get() + (begin_[node + 1] - offset_)};
   }
 
  private:
-  std::vector<std::uint32_t> begin_;       ///< [n_nodes + 1]
-  std::unique_ptr<FaceRecord[]> records_;  ///< not initialised before it is filled
+  /// Calls `work(chunk, elements)` for pieces of the mesh, on several threads.
+  template <class Work>
+  void for_each_chunk(Work&& work) const;
+
+  const Mesh& mesh_;
+  std::span<const std::uint8_t> present_;
+  std::vector<std::uint32_t> begin_;  ///< [n_nodes + 1] first record of each node
+  std::vector<std::vector<std::uint32_t>>
+      cursor_;                                  ///< [n_chunks][n_nodes] where the chunk's next record goes
+  std::unique_ptr<FaceRecord<Key>[]> records_;  ///< from offset_ on; not initialised before they are filled
+  std::uint32_t capacity_ = 0, offset_ = 0;
 };
 
 /// More histograms than this cost more memory than they save time.
 constexpr int max_counting_threads = 8;
 
-FaceBuckets::FaceBuckets(const Mesh& mesh, std::span<const std::uint8_t> present)
-    : begin_(mesh.n_nodes() + 1) {
-  const int n_chunks = std::clamp(omp_get_max_threads(), 1, max_counting_threads);
-  const auto chunk_begin = [&](int chunk) {
-    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(mesh.n_elements()) * chunk / n_chunks);
+template <class Key>
+template <class Work>
+void FaceBuckets<Key>::for_each_chunk(Work&& work) const {
+  const int n_chunks = static_cast<int>(cursor_.size());
+  const auto begin = [&](int chunk) {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(mesh_.n_elements()) * chunk / n_chunks);
   };
-  std::vector<std::vector<std::uint32_t>> cursor(static_cast<std::size_t>(n_chunks));
 #pragma omp parallel for schedule(static, 1) num_threads(n_chunks)
   for (int chunk = 0; chunk < n_chunks; ++chunk) {
-    auto& count = cursor[static_cast<std::size_t>(chunk)];
-    count.assign(mesh.n_nodes(), 0);
-    visit_faces(mesh, present, chunk_begin(chunk), chunk_begin(chunk + 1),
-                [&](ElementSide, const Corners& corners) { ++count[smallest(corners)]; });
+    work(static_cast<std::size_t>(chunk), ElementRange{begin(chunk), begin(chunk + 1)});
   }
+}
+
+template <class Key>
+FaceBuckets<Key>::FaceBuckets(const Mesh& mesh, std::span<const std::uint8_t> present)
+    : mesh_(mesh),
+      present_(present),
+      begin_(mesh.n_nodes() + 1),
+      cursor_(static_cast<std::size_t>(std::clamp(omp_get_max_threads(), 1, max_counting_threads))) {
+  for_each_chunk([&](std::size_t chunk, ElementRange elements) {
+    std::vector<std::uint32_t> count(mesh_.n_nodes(), 0);
+    visit_faces(mesh_, present_, elements,
+                [&](ElementSide, const Corners& corners) { ++count[smallest(corners)]; });
+    cursor_[chunk] = std::move(count);
+  });
   std::uint32_t total = 0;
   for (std::uint32_t node = 0; node < mesh.n_nodes(); ++node) {
     begin_[node] = total;
-    for (auto& count : cursor) {
-      const std::uint32_t n_faces = count[node];
-      count[node] = total;
+    for (auto& cursor : cursor_) {
+      const std::uint32_t n_faces = cursor[node];
+      cursor[node] = total;
       total += n_faces;
     }
   }
   begin_[mesh.n_nodes()] = total;
-  records_ = std::make_unique_for_overwrite<FaceRecord[]>(total);
-#pragma omp parallel for schedule(static, 1) num_threads(n_chunks)
-  for (int chunk = 0; chunk < n_chunks; ++chunk) {
-    auto& next = cursor[static_cast<std::size_t>(chunk)];
-    visit_faces(mesh, present, chunk_begin(chunk), chunk_begin(chunk + 1),
-                [&](ElementSide side, const Corners& corners) {
-                  records_[next[smallest(corners)]++] = {node_sum(corners), side};
-                });
+}
+
+template <class Key>
+std::vector<NodeRange> FaceBuckets<Key>::ranges() const {
+  const auto n_nodes = static_cast<std::uint32_t>(begin_.size() - 1);
+  if constexpr (std::is_same_v<Key, ShortKey>) return {{0, n_nodes}};
+  const std::uint32_t half = begin_.back() / 2;
+  const auto middle = std::upper_bound(begin_.begin(), begin_.end(), half) - begin_.begin() - 1;
+  const auto split = static_cast<std::uint32_t>(middle);
+  return {{0, split}, {split, n_nodes}};
+}
+
+template <class Key>
+void FaceBuckets<Key>::load(NodeRange range) {
+  offset_ = begin_[range.begin];
+  const std::uint32_t n = begin_[range.end] - offset_;
+  if (n > capacity_) {
+    records_.reset();
+    records_ = std::make_unique_for_overwrite<FaceRecord<Key>[]>(n);
+    capacity_ = n;
   }
+  for_each_chunk([&](std::size_t chunk, ElementRange elements) {
+    auto& next = cursor_[chunk];
+    visit_faces(mesh_, present_, elements, [&](ElementSide side, const Corners& corners) {
+      const std::uint32_t node = smallest(corners);
+      if (node - range.begin >= range.end - range.begin) return;
+      records_[next[node]++ - offset_] = {make_key<Key>(corners), side};
+    });
+  });
 }
 
 /// Which faces are alone, and which faces of solids are shared with other blocks only.
@@ -152,69 +249,67 @@ struct SkinPart {
 };
 
 /// Takes bucket after bucket and tells the exterior faces from the shared ones. One per thread.
+template <class Key>
 class FaceMatcher {
- public:
-  explicit FaceMatcher(const Mesh& mesh) : mesh_(mesh) {
-    for (const ElementBlock& block : mesh.blocks()) faces_.push_back(skin_faces(topology(block.shape)));
-  }
+  using Record = FaceRecord<Key>;
 
-  void match(std::span<const FaceRecord> bucket, SkinPart& part) {
-    bucket_.assign(bucket.begin(), bucket.end());
-    const auto by_sum = [](const FaceRecord& a, const FaceRecord& b) {
-      return std::pair(a.node_sum, a.side) < std::pair(b.node_sum, b.side);
-    };
-    std::sort(bucket_.begin(), bucket_.end(), by_sum);
-    for (auto first = bucket_.begin(); first != bucket_.end();) {
-      auto last = first + 1;
-      while (last != bucket_.end() && last->node_sum == first->node_sum) ++last;
-      match_candidates({first, last}, part);
+ public:
+  explicit FaceMatcher(const Mesh& mesh) : mesh_(mesh) {}
+
+  void match(std::span<const Record> bucket, SkinPart& part) {
+    constexpr std::size_t small = 32;
+    if (bucket.size() <= small) return match_pairwise(bucket, part);
+    sorted_.assign(bucket.begin(), bucket.end());
+    std::sort(sorted_.begin(), sorted_.end(), [](const Record& a, const Record& b) {
+      return std::tie(a.others, a.side) < std::tie(b.others, b.side);
+    });
+    for (auto first = sorted_.begin(); first != sorted_.end();) {
+      const auto last =
+          std::find_if_not(first, sorted_.end(), [&](const Record& r) { return r.others == first->others; });
+      const auto n = static_cast<std::size_t>(last - first);
+      if (n == 1) add_single(first->side, part);
+      if (n > 1) add_shared({first, last}, part);
       first = last;
     }
   }
 
  private:
-  /// Splits faces of one node sum into groups of equal faces; nearly always they are one group.
-  void match_candidates(std::span<FaceRecord> candidates, SkinPart& part) {
-    while (!candidates.empty()) {
-      std::size_t n_equal = 1;
-      if (candidates.size() > 1) {
-        const Corners corners = sorted_corners(candidates[0].side);
-        for (std::size_t i = 1; i < candidates.size(); ++i) {
-          if (sorted_corners(candidates[i].side) == corners) std::swap(candidates[i], candidates[n_equal++]);
-        }
+  /// For the usual few faces of a node comparing all pairs is fastest.
+  void match_pairwise(std::span<const Record> bucket, SkinPart& part) {
+    std::uint32_t done = 0;  // bit i: face i was found in a group
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      if (done >> i & 1u) continue;
+      std::uint32_t same = 0;
+      for (std::size_t j = i + 1; j < bucket.size(); ++j) {
+        same |= static_cast<std::uint32_t>(bucket[i].others == bucket[j].others) << j;
       }
-      add_group(candidates.first(n_equal), part);
-      candidates = candidates.subspan(n_equal);
+      if (same == 0) {
+        add_single(bucket[i].side, part);
+      } else if (mesh_.blocks().size() > 1) {
+        group_.assign(1, bucket[i]);
+        for (std::size_t j = i + 1; j < bucket.size(); ++j) {
+          if (same >> j & 1u) group_.push_back(bucket[j]);
+        }
+        add_shared(group_, part);
+      }
+      done |= same;
     }
   }
 
-  void add_group(std::span<const FaceRecord> group, SkinPart& part) {
-    if (group.size() == 1) {
-      const ElementSide side = group[0].side;
-      const Shape shape = mesh_.blocks()[block_of(side.element())].shape;
-      if (topology(shape).family == Family::solid) part.exterior.push_back(side);
-      return;
-    }
-    if (mesh_.blocks().size() == 1) return;
-    for (const FaceRecord& record : group) {
+  void add_single(ElementSide side, SkinPart& part) {
+    const Shape shape = mesh_.blocks()[block_of(side.element())].shape;
+    if (topology(shape).family == Family::solid) part.exterior.push_back(side);
+  }
+
+  void add_shared(std::span<const Record> group, SkinPart& part) {
+    for (const Record& record : group) {
       const std::uint32_t block = block_of(record.side.element());
-      const auto of_same_block = std::count_if(group.begin(), group.end(), [&](const FaceRecord& other) {
+      const auto of_same_block = std::count_if(group.begin(), group.end(), [&](const Record& other) {
         return block_of(other.side.element()) == block;
       });
       const bool is_solid = topology(mesh_.blocks()[block].shape).family == Family::solid;
       if (is_solid && of_same_block == 1) ++part.in_between[block];
     }
-  }
-
-  Corners sorted_corners(ElementSide side) {
-    const std::uint32_t block_index = block_of(side.element());
-    const ElementBlock& block = mesh_.blocks()[block_index];
-    const auto nodes = block.element_nodes(side.element().value - block.first_element.value);
-    const auto face = static_cast<std::size_t>(side.side() - 1);
-    Corners corners = corners_of(faces_[block_index].corners[face], nodes.data());
-    if (block.has_repeated_nodes) reduce(corners);
-    std::sort(corners.begin(), corners.end());
-    return corners;
   }
 
   /// Nearly always the block asked for last.
@@ -225,31 +320,49 @@ class FaceMatcher {
   }
 
   const Mesh& mesh_;
-  std::vector<SkinFaces> faces_;  ///< [n_blocks]
-  std::vector<FaceRecord> bucket_;
+  std::vector<Record> sorted_, group_;
   std::uint32_t last_block_ = 0;
 };
 
 /// Pieces of node numbers that threads take in turn; their number does not show in the result.
-constexpr std::uint32_t n_node_ranges = 64;
+constexpr std::uint32_t n_pieces = 64;
 
-std::vector<SkinPart> match_all(const Mesh& mesh, const FaceBuckets& buckets) {
-  std::vector<SkinPart> parts(n_node_ranges);
+template <class Key>
+std::vector<SkinPart> match_all(const Mesh& mesh, const FaceBuckets<Key>& buckets, NodeRange nodes) {
+  std::vector<SkinPart> parts(n_pieces);
+  const auto begin = [&](std::uint32_t piece) {
+    const auto n_nodes = static_cast<std::uint64_t>(nodes.end - nodes.begin);
+    return nodes.begin + static_cast<std::uint32_t>(n_nodes * piece / n_pieces);
+  };
 #pragma omp parallel
   {
-    FaceMatcher matcher(mesh);
+    FaceMatcher<Key> matcher(mesh);
 #pragma omp for schedule(dynamic)
-    for (std::uint32_t range = 0; range < n_node_ranges; ++range) {
-      SkinPart& part = parts[range];
-      part.in_between.assign(mesh.blocks().size(), 0);
-      const auto begin = static_cast<std::uint64_t>(mesh.n_nodes()) * range / n_node_ranges;
-      const auto end = static_cast<std::uint64_t>(mesh.n_nodes()) * (range + 1) / n_node_ranges;
-      for (auto node = begin; node < end; ++node) {
-        matcher.match(buckets.of_node(static_cast<std::uint32_t>(node)), part);
+    for (std::uint32_t piece = 0; piece < n_pieces; ++piece) {
+      parts[piece].in_between.assign(mesh.blocks().size(), 0);
+      for (std::uint32_t node = begin(piece); node < begin(piece + 1); ++node) {
+        matcher.match(buckets.of_node(node), parts[piece]);
       }
     }
   }
   return parts;
+}
+
+template <class Key>
+Skin make_skin_with(const Mesh& mesh, std::span<const std::uint8_t> present) {
+  Skin skin;
+  skin.in_between.assign(mesh.blocks().size(), 0);
+  FaceBuckets<Key> buckets(mesh, present);
+  for (const NodeRange range : buckets.ranges()) {
+    buckets.load(range);
+    for (const SkinPart& part : match_all(mesh, buckets, range)) {
+      skin.exterior.insert(skin.exterior.end(), part.exterior.begin(), part.exterior.end());
+      std::transform(part.in_between.begin(), part.in_between.end(), skin.in_between.begin(),
+                     skin.in_between.begin(), std::plus<>());
+    }
+  }
+  std::sort(skin.exterior.begin(), skin.exterior.end());
+  return skin;
 }
 
 }  // namespace
@@ -262,16 +375,8 @@ std::span<const ElementSide> Skin::of_block(const ElementBlock& block) const {
 }
 
 Skin make_skin(const Mesh& mesh, std::span<const std::uint8_t> present) {
-  Skin skin;
-  skin.in_between.assign(mesh.blocks().size(), 0);
-  const FaceBuckets buckets(mesh, present);
-  for (const SkinPart& part : match_all(mesh, buckets)) {
-    skin.exterior.insert(skin.exterior.end(), part.exterior.begin(), part.exterior.end());
-    std::transform(part.in_between.begin(), part.in_between.end(), skin.in_between.begin(),
-                   skin.in_between.begin(), std::plus<>());
-  }
-  std::sort(skin.exterior.begin(), skin.exterior.end());
-  return skin;
+  return mesh.n_nodes() < ShortKey::max_nodes ? make_skin_with<ShortKey>(mesh, present)
+                                              : make_skin_with<LongKey>(mesh, present);
 }
 
 }  // namespace contactsim
