@@ -102,6 +102,16 @@ bool check_support(const Item& item, const MatchedItem& matched, const RowText& 
   return false;
 }
 
+void report(const ArgumentError& error, Binding& binding) {
+  Diagnostic diagnostic = error.diagnostic;
+  if (error.is_refusal && binding.is_lenient) {
+    diagnostic.severity = Severity::warning;
+    diagnostic.id = "deck-refused";
+    diagnostic.text += ", passed over";
+  }
+  binding.diagnostics.add(std::move(diagnostic));
+}
+
 }  // namespace
 
 TableText::TableText(std::vector<RowText> row_texts)
@@ -123,7 +133,7 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
     try {
       bind(item, *matched);
     } catch (const ArgumentError& error) {
-      binding.diagnostics.add(error.diagnostic);
+      report(error, binding);
     }
   }
 }
