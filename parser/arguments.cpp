@@ -142,6 +142,11 @@ std::string Arguments::rest() {
   return std::string(rest);
 }
 
+std::string Arguments::all() {
+  next_ = 0;
+  return rest();
+}
+
 Eigen::Vector3d Arguments::vector() {
   const double x = real(), y = real(), z = real();
   return {x, y, z};

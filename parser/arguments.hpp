@@ -49,6 +49,7 @@ class Arguments {
   DeckName name();                       ///< bare or quoted word
   std::string text();                    ///< one bare or quoted word, such as a file name
   std::string rest();                    ///< the rest of the line as it was written, both ends trimmed
+  std::string all();                     ///< the same from the end of the phrase on, a separator word too
   Eigen::Vector3d vector();              ///< three numbers
   std::vector<DeckName> names();         ///< all remaining words, at least one
   std::vector<double> reals();           ///< all remaining words, at least one

@@ -57,10 +57,19 @@ std::string default_of(const Reader<V>& reader, const F& field) {
   }
 }
 
+template <class F>
+constexpr bool is_list = false;
+template <class E>
+constexpr bool is_list<std::vector<E>> = true;
+
+/// Whether a second value replaces the first in a field; lists grow.
+template <class V, class F>
+constexpr bool replaces = std::is_assignable_v<F&, V> && !is_list<F>;
+
 /// Puts a value into a field: sets it, or adds it to a list of such values.
 template <class V, class F>
 void store(V value, F& field) {
-  if constexpr (std::is_assignable_v<F&, V> && !std::is_same_v<F, std::vector<DeckName>>) {
+  if constexpr (replaces<V, F>) {
     field = std::move(value);
   } else if constexpr (std::is_same_v<V, F>) {
     field.insert(field.end(), value.begin(), value.end());
@@ -75,8 +84,9 @@ template <class T, class V, class F>
 Row<T> row(std::string phrase, const Reader<V>& reader, F T::*field, std::string help,
            std::string default_text = "") {
   if (default_text.empty()) default_text = default_of(reader, T{}.*field);
-  return {{std::move(phrase), "= " + reader.syntax, std::move(help), std::move(default_text)},
-          [read_value = reader.read, field](Arguments& arguments, T& target) {
+  RowText text{std::move(phrase), "= " + reader.syntax, std::move(help), std::move(default_text)};
+  text.is_single = replaces<V, F>;
+  return {std::move(text), [read_value = reader.read, field](Arguments& arguments, T& target) {
             store(read_value(arguments), target.*field);
           }};
 }
@@ -87,6 +97,20 @@ Row<T> row(std::string phrase, std::string syntax, std::function<void(Arguments&
            std::string help, std::string default_text) {
   return {{std::move(phrase), std::move(syntax), std::move(help), std::move(default_text)},
           std::move(read_command)};
+}
+
+/// The lines of a table: those that begin with a number.
+template <class T>
+Row<T> numbers(std::string syntax, std::function<void(Arguments&, T&)> read_line, std::string help) {
+  return {{"", std::move(syntax), std::move(help), "none", Support::supported, RowText::Matches::numbers},
+          std::move(read_line)};
+}
+
+/// The lines of an opaque block: those that no other row knows.
+template <class T>
+Row<T> anything(std::string syntax, std::function<void(Arguments&, T&)> read_line, std::string help) {
+  return {{"", std::move(syntax), std::move(help), "none", Support::supported, RowText::Matches::anything},
+          std::move(read_line)};
 }
 
 /// A command without arguments that switches a field on.
@@ -112,6 +136,14 @@ template <class T>
 Row<T> ignored_block(std::string phrase, std::string help) {
   return {{std::move(phrase), "[<name>]", std::move(help), "none", Support::ignored, RowText::Matches::phrase,
            true}};
+}
+
+/// An ignored block whose lines `explain` can list; they are not read.
+template <class T>
+Row<T> ignored_block(std::string phrase, std::function<const TableText&()> contents, std::string help) {
+  Row<T> made = ignored_block<T>(std::move(phrase), std::move(help));
+  made.text.contents = std::move(contents);
+  return made;
 }
 
 template <class T>
@@ -157,6 +189,29 @@ Row<T> block(std::string phrase, Naming naming, const Table<Part>& (*table)(),
     add(target, std::move(part));
   };
   return made;
+}
+
+/// The same block row, whose problems count only when the definition is used: an unused definition is not
+/// judged as if it were used.
+///   kind  "material", the first part of the definition's use_key
+template <class T>
+Row<T> held(std::string kind, Row<T> row) {
+  row.read_block = [kind = std::move(kind), read_block = std::move(row.read_block)](
+                       const Block& found, const DeckName& name, T& target, Binding& binding) {
+    Diagnostics problems;
+    Binding inner{problems, binding.is_lenient, binding.held};
+    try {
+      read_block(found, name, target, inner);
+    } catch (const ArgumentError& error) {
+      problems.add(error.diagnostic);
+    }
+    if (binding.held == nullptr) {
+      binding.diagnostics.append(problems);
+    } else if (!problems.empty()) {
+      binding.held->push_back({use_key(kind, name.text), std::move(problems)});
+    }
+  };
+  return row;
 }
 
 /// A block that is added to a list.

@@ -9,15 +9,6 @@ namespace contactsim {
 
 namespace {
 
-PhraseIndex index_of(const std::vector<RowText>& rows, bool blocks) {
-  std::vector<std::string> phrases;
-  for (const RowText& row : rows) {
-    const bool is_listed = row.is_block == blocks && row.matches == RowText::Matches::phrase;
-    phrases.push_back(is_listed ? row.phrase : "");
-  }
-  return PhraseIndex(phrases);
-}
-
 std::size_t find_row(const std::vector<RowText>& rows, RowText::Matches matches) {
   const auto row =
       std::find_if(rows.begin(), rows.end(), [&](const RowText& r) { return r.matches == matches; });
@@ -33,9 +24,7 @@ const std::vector<Word>& words_of(const Item& item) {
 std::optional<MatchedItem> find_row(const Item& item, const TableText& table) {
   const bool is_block = std::holds_alternative<Block>(item.value);
   const auto& words = words_of(item);
-  if (const auto match = (is_block ? table.blocks : table.commands).find(words)) {
-    return MatchedItem{match->phrase, match->n_words};
-  }
+  if (const auto match = (is_block ? table.blocks : table.commands).find(words)) return match;
   if (is_block || words.empty()) return std::nullopt;
   const bool is_table_line = is_number(words.front().text) && table.numbers_row < table.rows.size();
   if (is_table_line) return MatchedItem{table.numbers_row, 0};
@@ -112,17 +101,63 @@ void report(const ArgumentError& error, Binding& binding) {
   binding.diagnostics.add(std::move(diagnostic));
 }
 
+/// Notices lines that replace an earlier line of the same block.
+class RepeatedLines {
+ public:
+  explicit RepeatedLines(const TableText& table) : table_(&table), latest_(table.rows.size(), nullptr) {}
+
+  void check(const Item& item, const MatchedItem& matched, Diagnostics& diagnostics) {
+    const RowText& row = table_->rows[matched.row];
+    if (!row.is_single) return;
+    const auto& words = words_of(item);
+    const Word*& latest = latest_[matched.row];
+    if (latest != nullptr) {
+      diagnostics.add_warning("deck-repeated", words.front().location,
+                              fmt::format("'{}' is given twice in one block, this one counts", row.phrase),
+                              "the other stands at " + to_string(latest->location),
+                              underline(words, matched.n_words));
+    }
+    latest = &words.front();
+  }
+
+ private:
+  const TableText* table_;
+  std::vector<const Word*> latest_;  ///< of each row: the latest line of it
+};
+
 }  // namespace
+
+RowPhrases::RowPhrases(const std::vector<RowText>& rows, bool of_blocks) {
+  std::vector<std::string> phrases;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].is_block != of_blocks || rows[i].matches != RowText::Matches::phrase) continue;
+    phrases.push_back(rows[i].phrase);
+    phrases.insert(phrases.end(), rows[i].spellings.begin(), rows[i].spellings.end());
+    rows_.resize(phrases.size(), i);
+  }
+  index_ = PhraseIndex(phrases);
+}
+
+std::optional<MatchedItem> RowPhrases::find(std::span<const Word> words) const {
+  const auto match = index_.find(words);
+  if (!match) return std::nullopt;
+  return MatchedItem{rows_[match->phrase], match->n_words};
+}
+
+std::string use_key(std::string_view kind, std::string_view name) {
+  return fmt::format("{}/{}", kind, fold(name));
+}
 
 TableText::TableText(std::vector<RowText> row_texts)
     : rows(std::move(row_texts)),
-      commands(index_of(rows, false)),
-      blocks(index_of(rows, true)),
+      commands(rows, false),
+      blocks(rows, true),
       numbers_row(find_row(rows, RowText::Matches::numbers)),
       anything_row(find_row(rows, RowText::Matches::anything)) {}
 
 void bind_items(const Block& block, const TableText& table, Binding& binding,
                 const std::function<void(const Item&, const MatchedItem&)>& bind) {
+  RepeatedLines repeated(table);
   for (const Item& item : block.items) {
     const auto matched = find_row(item, table);
     if (!matched) {
@@ -130,6 +165,7 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
       continue;
     }
     if (!check_support(item, *matched, table.rows[matched->row], binding)) continue;
+    repeated.check(item, *matched, binding.diagnostics);
     try {
       bind(item, *matched);
     } catch (const ArgumentError& error) {
