@@ -2,8 +2,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "parser/rows.hpp"
@@ -25,14 +23,6 @@ std::vector<Row<T>> lift_all(const std::vector<Row<Part>>& rows_of_part, Part T:
   std::vector<Row<T>> lifted;
   for (const Row<Part>& row_of_part : rows_of_part) lifted.push_back(lift(row_of_part, part));
   return lifted;
-}
-
-/// The row under another spelling of its phrase.
-template <class T>
-Row<T> also_spelled(std::string phrase, Row<T> row) {
-  row.text.help = "Another spelling of " + row.text.phrase + ": " + row.text.help;
-  row.text.phrase = std::move(phrase);
-  return row;
 }
 
 }  // namespace contactsim

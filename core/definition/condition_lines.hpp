@@ -12,8 +12,8 @@ namespace contactsim {
 
 /// Which way a condition acts: one of components, a direction, an axis; or none of them.
 struct DirectionChoice {
-  std::array<bool, 3> components{};  ///< COMPONENTS = X Y Z: the global axes, each with the same value
-  std::optional<DeckName> direction;         ///< DIRECTION: defined by DEFINE DIRECTION
+  std::array<bool, 3> components{};   ///< COMPONENTS = X Y Z: the global axes, each with the same value
+  std::optional<DeckName> direction;  ///< DIRECTION: defined by DEFINE DIRECTION
   std::optional<DeckName> cylindrical_axis;  ///< CYLINDRICAL AXIS: about an axis of DEFINE AXIS
 
   bool has_components() const { return components[0] || components[1] || components[2]; }
@@ -35,7 +35,12 @@ struct ActivePeriods {
 /// Values of a condition that are read from the mesh file. Source: Sierra/SM 5.22, READ VARIABLE.
 struct MeshVariable {
   enum class Object { node, face };
-  enum class Time { run_time, given, first, last };  ///< which stored time; run_time: interpolated as the run goes
+  enum class Time {
+    run_time,
+    given,
+    first,
+    last
+  };  ///< which stored time; run_time: interpolated as the run goes
 
   std::optional<DeckName> variable;  ///< absent: nothing is read
   Time time = Time::run_time;

@@ -15,7 +15,8 @@ struct EntityId {
 };
 
 /// The mesh parts that a command acts on: the union of what its lines add less the union of what they remove.
-/// In a condition a side set or block stands for all of its nodes. Source: Sierra/SM 5.22, mesh entity commands.
+/// In a condition a side set or block stands for all of its nodes. Source: Sierra/SM 5.22, mesh entity
+/// commands.
 struct EntitySet {
   bool includes_all_blocks = false;
   std::vector<DeckName> node_sets, side_sets, blocks, assemblies, rigid_bodies;
