@@ -30,6 +30,10 @@ std::optional<double> find_real(std::string_view text) {
   return value;
 }
 
+int underline(const Word& word) {
+  return static_cast<int>(word.text.size()) + (word.kind == WordKind::quoted ? 2 : 0);
+}
+
 std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
 
 }  // namespace
@@ -47,9 +51,18 @@ void Arguments::skip_separator() {
   if (peek().kind == WordKind::symbol ? peek().text == "=" : is_next("is") || is_next("are")) ++next_;
 }
 
+void Arguments::warn(std::string_view id, const Word& at, std::string text, std::string hint) {
+  warnings_.push_back(
+      {Severity::warning, std::string(id), at.location, underline(at), std::move(text), std::move(hint)});
+}
+
+void Arguments::refuse(const Word& at, std::string text, std::string hint) const {
+  throw ArgumentError{{Severity::error, "", at.location, underline(at), std::move(text), std::move(hint)},
+                      true};
+}
+
 void Arguments::fail(const Word& at, std::string text, std::string hint) const {
-  const int length = static_cast<int>(at.text.size()) + (at.kind == WordKind::quoted ? 2 : 0);
-  throw ArgumentError{{Severity::error, "", at.location, length, std::move(text), std::move(hint)}};
+  throw ArgumentError{{Severity::error, "", at.location, underline(at), std::move(text), std::move(hint)}};
 }
 
 void Arguments::fail_here(std::string text, std::string hint) const {

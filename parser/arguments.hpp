@@ -20,6 +20,7 @@ namespace contactsim {
 /// and goes on with the next line.
 struct ArgumentError {
   Diagnostic diagnostic;
+  bool is_refusal = false;  ///< understood, but not supported: a warning with --lenient
 };
 
 /// Reads the words of a command after its keyword phrase, left to right. Every reading function throws
@@ -64,6 +65,12 @@ class Arguments {
   /// Ends the reading; a word left over is an error.
   void expect_end();
 
+  /// Notes something that the user should know and goes on; dropped when the line turns out to be wrong.
+  void warn(std::string_view id, const Word& at, std::string text, std::string hint = "");
+  const std::vector<Diagnostic>& warnings() const { return warnings_; }
+
+  /// For a value that is understood and would change the answer, but is not supported.
+  [[noreturn]] void refuse(const Word& at, std::string text, std::string hint = "") const;
   [[noreturn]] void fail(const Word& at, std::string text, std::string hint = "") const;
   [[noreturn]] void fail_here(std::string text,
                               std::string hint = "") const;  ///< at the next word or the line's end
@@ -74,6 +81,7 @@ class Arguments {
   const Command* command_;
   DeckLocation location_;
   std::size_t next_ = 0;
+  std::vector<Diagnostic> warnings_;
 };
 
 /// Whether the text is a number as decks write them.

@@ -91,6 +91,16 @@ bool check_support(const Item& item, const MatchedItem& matched, const RowText& 
   return false;
 }
 
+void report(const ArgumentError& error, Binding& binding) {
+  Diagnostic diagnostic = error.diagnostic;
+  if (error.is_refusal && binding.is_lenient) {
+    diagnostic.severity = Severity::warning;
+    diagnostic.id = "deck-refused";
+    diagnostic.text += ", passed over";
+  }
+  binding.diagnostics.add(std::move(diagnostic));
+}
+
 /// Notices lines that replace an earlier line of the same block.
 class RepeatedLines {
  public:
@@ -174,7 +184,7 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
     try {
       bind(item, *matched);
     } catch (const ArgumentError& error) {
-      binding.diagnostics.add(error.diagnostic);
+      report(error, binding);
     }
   }
 }

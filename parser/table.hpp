@@ -149,6 +149,7 @@ class Table {
         Arguments arguments = make_arguments(std::get<Command>(item.value), matched);
         row.read_command(arguments, target);
         arguments.expect_end();
+        for (const Diagnostic& warning : arguments.warnings()) binding.diagnostics.add(warning);
       }
     });
   }
