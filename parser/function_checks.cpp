@@ -41,7 +41,8 @@ void check_points(const FunctionDefinition& function, Diagnostics& diagnostics) 
 
 void check_used_function(const FunctionDefinition& function, Diagnostics& diagnostics) {
   if (!function.type) {
-    return add(diagnostics, function, function.name.location, "has no type", "add a line such as TYPE = ANALYTIC");
+    return add(diagnostics, function, function.name.location, "has no type",
+               "add a line such as TYPE = ANALYTIC");
   }
   switch (*function.type) {
     case FunctionType::constant:

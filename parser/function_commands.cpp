@@ -6,18 +6,23 @@ namespace contactsim {
 namespace {
 
 const std::vector<std::string>& type_words() {
-  static const std::vector<std::string> words{
-      "piecewise linear",   "piecewise constant",     "constant",
-      "analytic",           "piecewise analytic",     "piecewise multivariate",
-      "multicolumn piecewise linear", "xtable",       "polynomial",
-      "haversine spike"};
+  static const std::vector<std::string> words{"piecewise linear",
+                                              "piecewise constant",
+                                              "constant",
+                                              "analytic",
+                                              "piecewise analytic",
+                                              "piecewise multivariate",
+                                              "multicolumn piecewise linear",
+                                              "xtable",
+                                              "polynomial",
+                                              "haversine spike"};
   return words;
 }
 
 const std::vector<std::string>& source_words() {
   static const std::vector<std::string> words{
-      "global",         "nodal",          "nodal vector",       "nodal tensor", "nodal sym tensor", "element",
-      "element vector", "element tensor", "element sym tensor", "face"};
+      "global",  "nodal",          "nodal vector",   "nodal tensor",       "nodal sym tensor",
+      "element", "element vector", "element tensor", "element sym tensor", "face"};
   return words;
 }
 
@@ -82,10 +87,12 @@ const Table<FunctionDefinition>& function_table() {
       block_into("values", Naming::none, values_table, "The points of a function, one a line"),
       row("abscissa", read::rest_of_line, &F::abscissa_label, "What the abscissa is, for people"),
       row("ordinate", read::rest_of_line, &F::ordinate_label, "What the ordinate is, for people"),
-      row("x scale", read::real, &F::x_scale, "Factor of (abscissa + offset) [1]").or_spelled("abscissa scale"),
+      row("x scale", read::real, &F::x_scale, "Factor of (abscissa + offset) [1]")
+          .or_spelled("abscissa scale"),
       row("x offset", read::real, &F::x_offset, "Added to the abscissa before scaling [abscissa]")
           .or_spelled("abscissa offset"),
-      row("y scale", read::real, &F::y_scale, "Factor of (ordinate + offset) [1]").or_spelled("ordinate scale"),
+      row("y scale", read::real, &F::y_scale, "Factor of (ordinate + offset) [1]")
+          .or_spelled("ordinate scale"),
       row("y offset", read::real, &F::y_offset, "Added to the ordinate before scaling [ordinate]")
           .or_spelled("ordinate offset"),
       row("at discontinuity evaluate to", choice_of<DiscontinuitySide>({"left", "right"}),

@@ -42,10 +42,11 @@ void check_used_model(const MaterialDefinition& material, const MaterialModel& m
       fmt::format("the model '{}' of the material '{}'", model.name.text, material.name.text);
   const ElasticConstants* elastic = find_elastic_constants(model);
   if (elastic != nullptr && count_given(*elastic) != 2) {
-    diagnostics.add_error(model.name.location,
-                          fmt::format("{} needs two elastic constants, found {}", what, count_given(*elastic)),
-                          "give two of youngs modulus, poissons ratio, shear modulus, bulk modulus, lambda",
-                          static_cast<int>(model.name.text.size()));
+    diagnostics.add_error(
+        model.name.location,
+        fmt::format("{} needs two elastic constants, found {}", what, count_given(*elastic)),
+        "give two of youngs modulus, poissons ratio, shear modulus, bulk modulus, lambda",
+        static_cast<int>(model.name.text.size()));
   }
   const Required required = std::visit([](const auto& m) { return required_of(m); }, model.parameters);
   for (const auto& [name, value] : required) {

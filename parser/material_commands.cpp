@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/material_commands.hpp"
 
+#include "parser/row_lists.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -9,8 +11,8 @@ using M = MaterialDefinition;
 
 constexpr const char* no_heat = "temperature has no effect on materials";
 
-std::vector<Row<M>> material_rows() {
-  std::vector<Row<M>> rows{
+std::vector<Row<M>> property_rows() {
+  return {
       row("density", read::positive, &M::density, "Mass per volume [mass/length^3]"),
       ignored<M>("biots coefficient", "= <real>", "there is no pore pressure"),
       ignored<M>("thermal strain function", "= <function>", no_heat),
@@ -22,14 +24,12 @@ std::vector<Row<M>> material_rows() {
       ignored<M>("thermal conductivity", "= <words>", no_heat),
       ignored<M>("specific heat", "= <words>", no_heat),
   };
-  for (Row<M>& model : material_model_rows()) rows.push_back(std::move(model));
-  return rows;
 }
 
 }  // namespace
 
 const Table<MaterialDefinition>& material_table() {
-  static const Table<M> table(material_rows());
+  static const Table<M> table(joined({property_rows(), material_model_rows()}));
   return table;
 }
 

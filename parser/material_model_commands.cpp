@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/material_commands.hpp"
+#include "parser/row_lists.hpp"
 
 namespace contactsim {
 
@@ -9,8 +10,9 @@ void read_poissons_ratio(Arguments& arguments, ElasticConstants& elastic) {
   const Word* written = arguments.at_end() ? nullptr : &arguments.peek();
   const double ratio = arguments.real();
   if (ratio <= -1.0 || ratio >= 0.5) {
-    arguments.fail(*written, fmt::format("'poissons ratio' must be greater than -1 and less than 0.5, found '{}'",
-                                         written->text));
+    arguments.fail(
+        *written,
+        fmt::format("'poissons ratio' must be greater than -1 and less than 0.5, found '{}'", written->text));
   }
   elastic.poissons_ratio = ratio;
 }
@@ -19,7 +21,8 @@ std::vector<Row<ElasticConstants>> elastic_rows() {
   using E = ElasticConstants;
   return {
       row("youngs modulus", read::positive, &E::youngs_modulus, "Young's modulus [force/length^2]"),
-      row<E>("poissons ratio", "= <real > -1, < 0.5>", read_poissons_ratio, "Poisson's ratio [1]", "none").once(),
+      row<E>("poissons ratio", "= <real > -1, < 0.5>", read_poissons_ratio, "Poisson's ratio [1]", "none")
+          .once(),
       row("shear modulus", read::positive, &E::shear_modulus, "Shear modulus [force/length^2]"),
       row("bulk modulus", read::positive, &E::bulk_modulus, "Bulk modulus [force/length^2]"),
       row("lambda", read::real, &E::lambda, "Lame's first constant [force/length^2]"),
@@ -34,10 +37,7 @@ std::vector<Row<ElasticConstants>> elastic_rows() {
 /// A model's own rows after those of its elastic constants.
 template <class Model>
 std::vector<Row<Model>> with_elastic_rows(std::vector<Row<Model>> own_rows) {
-  std::vector<Row<Model>> rows;
-  add_lifted(elastic_rows(), &Model::elastic, rows);
-  rows.insert(rows.end(), own_rows.begin(), own_rows.end());
-  return rows;
+  return joined({lift_all(elastic_rows(), &Model::elastic), std::move(own_rows)});
 }
 
 template <class Model>
@@ -97,7 +97,10 @@ void read_parameter(Arguments& arguments, OpaqueModel& model) {
     return next.kind != WordKind::bare || is_number(next.text) || arguments.is_next("is") ||
            arguments.is_next("are");
   };
-  while (!arguments.at_end() && !is_value()) parameter.key.text += " " + arguments.name().text;
+  while (!arguments.at_end() && !is_value()) {
+    parameter.key.text += ' ';
+    parameter.key.text += arguments.name().text;
+  }
   arguments.skip_separator();
   if (!arguments.at_end()) parameter.values = arguments.names();
   model.parameters.push_back(std::move(parameter));
@@ -113,10 +116,11 @@ const Table<OpaqueModel>& opaque_table() {
 
 constexpr const char* model_phrase = "parameters for model";
 
-/// The row of a model. The name of a model that contactsim knows is part of the phrase, so its row goes before
-/// that of all others.
+/// The row of a model. The name of a model that contactsim knows is part of the phrase, so its row goes
+/// before that of all others.
 template <class Model>
-Row<MaterialDefinition> model_row(const std::string& model, const Table<Model>& (*table)(), std::string help) {
+Row<MaterialDefinition> model_row(const std::string& model, const Table<Model>& (*table)(),
+                                  std::string help) {
   const std::string phrase = model.empty() ? model_phrase : fmt::format("{} {}", model_phrase, model);
   Row<MaterialDefinition> made{{phrase, model.empty() ? "<model>" : "", std::move(help), "none",
                                 Support::supported, RowText::Matches::phrase, true,
@@ -126,7 +130,10 @@ Row<MaterialDefinition> model_row(const std::string& model, const Table<Model>& 
     const std::vector<DeckName> words = block_names(found, model_phrase);
     if (words.empty()) check_name(found, {}, Naming::required);
     DeckName name{"", words.front().location};
-    for (const DeckName& word : words) name.text += (name.text.empty() ? "" : "_") + word.text;
+    for (const DeckName& word : words) {
+      if (!name.text.empty()) name.text += '_';
+      name.text += word.text;
+    }
     Model parameters;
     bind_held(binding, model_use_key(material.name.text, name.text),
               [&](Binding& inner) { table().bind(found, parameters, inner); });

@@ -28,7 +28,8 @@ const Table<P>& block_parameters_table() {
       row("hourglass viscosity", read::non_negative, &P::hourglass_viscosity,
           "Viscosity against hourglass modes [1]")
           .or_spelled("hex hourglass viscosity"),
-      row("effective moduli model", choice_of<EffectiveModuliModel>({"elastic", "pronto", "presto", "current"}),
+      row("effective moduli model",
+          choice_of<EffectiveModuliModel>({"elastic", "pronto", "presto", "current"}),
           &P::effective_moduli_model, "Moduli by which viscosity and hourglass stiffness are scaled"),
       refused<P>("element numerical formulation", "= <words>", "choose the formulation in a section"),
       refused<P>("active periods", "= <period> ...", "blocks are active all the time"),

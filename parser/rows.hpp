@@ -177,12 +177,6 @@ Row<T> lift(const Row<Part>& row_of_part, Part T::*part) {
   return lift<T, Part>(row_of_part, [part](T& target) -> Part& { return target.*part; });
 }
 
-/// Lifts rows of a shared table and adds them to `rows`.
-template <class T, class Part>
-void add_lifted(const std::vector<Row<Part>>& rows_of_part, Part T::*part, std::vector<Row<T>>& rows) {
-  for (const Row<Part>& row_of_part : rows_of_part) rows.push_back(lift(row_of_part, part));
-}
-
 /// Whether a block must carry a name.
 enum class Naming { none, optional, required };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/section_commands.hpp"
 
+#include "parser/row_lists.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -56,7 +58,8 @@ template <class S>
 std::vector<Row<S>> thickness_rows() {
   return {
       row("thickness", read::positive, &S::thickness, "Thickness, else the mesh's attribute counts [length]"),
-      row("thickness scale factor", read::positive, &S::thickness_scale_factor, "Factor of the thickness [1]"),
+      row("thickness scale factor", read::positive, &S::thickness_scale_factor,
+          "Factor of the thickness [1]"),
       row("thickness mesh variable", read::name, &S::thickness_mesh_variable,
           "Attribute or variable of the mesh that holds the thickness [length]"),
       row("lofting factor", share(), &S::lofting_factor,
@@ -157,13 +160,9 @@ std::vector<Row<DamperSection>> rows_of(const DamperSection&) {
 template <class P>
 const Table<SectionOf<P>>& table_of() {
   using S = SectionOf<P>;
-  static const Table<S> table([] {
-    std::vector<Row<S>> rows;
-    add_lifted(rows_of(P{}), &S::properties, rows);
-    rows.push_back(
-        row("rigid body", read::name, &S::rigid_body, "Rigid body that the section's blocks belong to"));
-    return rows;
-  }());
+  static const Table<S> table(joined(
+      {lift_all(rows_of(P{}), &S::properties),
+       {row("rigid body", read::name, &S::rigid_body, "Rigid body that the section's blocks belong to")}}));
   return table;
 }
 

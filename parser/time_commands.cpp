@@ -14,7 +14,8 @@ const Table<ExplicitTimeParameters>& explicit_parameters_table() {
           "Share of the critical step that is taken [1]"),
       row("time step increase factor", read::positive, &P::time_step_increase_factor,
           "Largest growth from one step to the next [1]"),
-      row("step interval", read::positive_integer, &P::step_interval, "Steps between two lines of the log [1]"),
+      row("step interval", read::positive_integer, &P::step_interval,
+          "Steps between two lines of the log [1]"),
       row("user time step", read::positive, &P::user_time_step, "Step in place of the critical one [time]"),
       ignored<P>("time step selector", "= AUTO", "the smallest step of all elements is taken"),
       ignored<P>("print banner interval for solution control", "= <integer>", "STEP INTERVAL sets the log"),
@@ -72,7 +73,8 @@ void check_time_control(const TimeControl& control, Diagnostics& diagnostics) {
   const TimeSteppingBlock* last = nullptr;
   for (const TimeSteppingBlock& block : control.blocks) {
     if (std::isnan(block.start_time)) {
-      add_at(diagnostics, block.name, fmt::format("the time stepping block '{}' has no START TIME", block.name.text));
+      add_at(diagnostics, block.name,
+             fmt::format("the time stepping block '{}' has no START TIME", block.name.text));
       continue;
     }
     if (last != nullptr && block.start_time <= last->start_time) {
