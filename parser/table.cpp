@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "parser/syntax.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -161,8 +163,12 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
   for (const Item& item : block.items) {
     const auto matched = find_row(item, table);
     if (!matched) {
-      report_unknown(item, block, table, binding);
+      // Behind a missing END stands what belongs to the block around.
+      if (block.is_closed) report_unknown(item, block, table, binding);
       continue;
+    }
+    if (const Block* inner = std::get_if<Block>(&item.value)) {
+      check_end(*inner, matched->n_words, binding.diagnostics);
     }
     if (!check_support(item, *matched, table.rows[matched->row], binding)) continue;
     repeated.check(item, *matched, binding.diagnostics);
