@@ -120,6 +120,14 @@ std::int64_t Arguments::positive_integer() {
   return value;
 }
 
+std::int64_t Arguments::non_negative_integer() {
+  const std::size_t at = next_;
+  const std::int64_t value = integer();
+  if (value < 0)
+    fail(words_[at], fmt::format("'{}' must not be negative, found {}", what_, quote(words_[at])));
+  return value;
+}
+
 bool Arguments::on_off() {
   static const std::string choices[] = {"on", "true", "yes", "off", "false", "no"};
   return choice(choices) < 3;

@@ -44,7 +44,8 @@ class Arguments {
   double positive();      ///< > 0
   double non_negative();  ///< >= 0
   std::int64_t integer();
-  std::int64_t positive_integer();
+  std::int64_t positive_integer();       ///< >= 1
+  std::int64_t non_negative_integer();   ///< >= 0
   bool on_off();                         ///< ON TRUE YES / OFF FALSE NO
   DeckName name();                       ///< bare or quoted word
   std::string text();                    ///< one bare or quoted word, such as a file name

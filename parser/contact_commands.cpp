@@ -16,8 +16,9 @@ std::vector<Row<ContactDefinition>> refused_rows() {
   using C = ContactDefinition;
   const std::string planes = "Write BEGIN ANALYTIC OBJECT, TYPE = PLANE, in the region";
   return {
-      refused<C>("contact smooth surface", "<name> CONTAINS <item> ...",
-                 "Smoothed surfaces are a feature in development; CONTACT SURFACE takes the faces as they are"),
+      refused<C>(
+          "contact smooth surface", "<name> CONTAINS <item> ...",
+          "Smoothed surfaces are a feature in development; CONTACT SURFACE takes the faces as they are"),
       refused_block<C>("analytic plane", planes),
       refused_block<C>("analytic cylinder", "Only planes are known: " + planes),
       refused_block<C>("analytic sphere", "Only planes are known: " + planes),

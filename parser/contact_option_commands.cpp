@@ -15,8 +15,8 @@ const Table<SearchOptions>& search_options_table() {
           "Steps [1] between two global searches"),
       row("global search once", read::on_off, &S::global_search_once, "Searches globally at the start only"),
       row("search tolerance", tolerance, &S::tolerance, "Whether the tolerances below are taken"),
-      row("normal tolerance", read::non_negative, &S::normal_tolerance, "Reach of the search off a face [length]",
-          "automatic"),
+      row("normal tolerance", read::non_negative, &S::normal_tolerance,
+          "Reach of the search off a face [length]", "automatic"),
       row("tangential tolerance", read::non_negative, &S::tangential_tolerance,
           "Reach of the search beyond a face's edge [length]", "automatic"),
       row("capture tolerance", read::non_negative, &S::capture_tolerance,
@@ -36,7 +36,8 @@ const Table<DashOptions>& dash_options_table() {
       row("accuracy level", read::positive, &D::accuracy_level, "Higher finds and enforces more exactly [1]"),
       row("subdivision level", read::non_negative_integer, &D::subdivision_level,
           "How often [1] faces are halved before they are paired"),
-      ignored<D>("interaction definition scheme", "= {EXPLICIT|AUTOMATIC}", "The deck's interactions are taken"),
+      ignored<D>("interaction definition scheme", "= {EXPLICIT|AUTOMATIC}",
+                 "The deck's interactions are taken"),
   });
   return table;
 }
@@ -74,14 +75,13 @@ const Table<SurfaceOptions>& surface_options_table() {
   using S = SurfaceOptions;
   static const auto thickness = choice_of<S::ShellThickness>({"actual_thickness", "let_contact_choose"});
   static const auto shells = choice_of<S::CoincidentShells>({"disallow", "ignore", "simple"});
-  static const auto hexes =
-      choice_of<S::CoincidentShellHexes>({"disallow", "ignore", "tapered", "embedded"});
+  static const auto hexes = choice_of<S::CoincidentShellHexes>({"disallow", "ignore", "tapered", "embedded"});
   static const Table<S> table({
       row("surface", read::names, &S::surfaces, "Contact surfaces that these options are for", "all"),
       row("remove surface", read::names, &S::removed_surfaces, "Contact surfaces that they are not for"),
       row("beam radius", read::positive, &S::beam_radius, "Radius of lofted beams [length]", "the section's"),
-      row<S>("lofting algorithm", "= {ON|OFF}", read_lofting, "OFF is refused: lofted geometry is always used",
-             "ON"),
+      row<S>("lofting algorithm", "= {ON|OFF}", read_lofting,
+             "OFF is refused: lofted geometry is always used", "ON"),
       row("contact shell thickness", thickness, &S::shell_thickness, "Which thickness lofted shells have"),
       row<S>("allowable shell thickness", "= <low> TO <high>", read_allowable_thickness,
              "Bounds of LET_CONTACT_CHOOSE as multiples of the edge length [1]", "0.1 TO 1"),
@@ -99,7 +99,8 @@ const Table<OverlapRemoval>& overlap_removal_table() {
       row("overlap tangential tolerance", read::non_negative, &O::tangential_tolerance,
           "Overlap beyond a face's edge that is removed [length]", "automatic"),
       row("overlap iterations", read::positive_integer, &O::iterations, "Passes [1] at most"),
-      row("shell overlap iterations", read::positive_integer, &O::shell_iterations, "Passes [1] over shells at most"),
+      row("shell overlap iterations", read::positive_integer, &O::shell_iterations,
+          "Passes [1] over shells at most"),
       row("shell overlap tolerance", read::non_negative, &O::shell_tolerance,
           "Overlap of shells that is left [length]"),
       ignored<O>("debug iteration plot", "= {ON|OFF}", "The passes are reported in the log"),
@@ -114,7 +115,8 @@ const Table<ContactDebug>& debug_table() {
           "Contact facets become a mesh of their own in the results"),
       row("output contact surfaces and constraints", read::on_off, &D::writes_constraints,
           "Surfaces and pairs are written out"),
-      row("output level", read::non_negative_integer, &D::output_level, "More is logged with a higher level [1]"),
+      row("output level", read::non_negative_integer, &D::output_level,
+          "More is logged with a higher level [1]"),
       ignored<D>("write salinas mpcs to", "<file> AT TIME <t>", "Constraints for Salinas are not written"),
   });
   return table;
@@ -125,7 +127,8 @@ void read_search(Arguments& arguments, ContactDefinition&) {
   if (arguments.at_end()) arguments.fail_here("expected DASH after 'search'");
   const Word& value = arguments.peek();
   if (arguments.choice(choices) == 1) {
-    arguments.warn("deck-old", value, "the search ACME is no more, contactsim's own is used", "write SEARCH = DASH");
+    arguments.warn("deck-old", value, "the search ACME is no more, contactsim's own is used",
+                   "write SEARCH = DASH");
   }
 }
 
@@ -140,11 +143,14 @@ void read_death_update(Arguments& arguments, ContactDefinition&) {
   if (arguments.at_end()) return;
   const Word& value = arguments.peek();
   if (!arguments.on_off()) {
-    arguments.refuse(value, "contact surfaces always follow element death", "leave the line out, or write ON");
+    arguments.refuse(value, "contact surfaces always follow element death",
+                     "leave the line out, or write ON");
   }
 }
 
-void mark_overlap_removal(Arguments&, ContactDefinition& contact) { contact.overlap_removal.is_asked_for = true; }
+void mark_overlap_removal(Arguments&, ContactDefinition& contact) {
+  contact.overlap_removal.is_asked_for = true;
+}
 
 void read_overlap_block(const Block& found, const DeckName&, ContactDefinition& contact, Binding& binding) {
   contact.overlap_removal.has_block = true;
@@ -162,7 +168,8 @@ std::vector<Row<ContactDefinition>> overlap_rows() {
           {
               row("initial overlap removal", read::on_off, &O::is_asked_for,
                   "Moves nodes before the first step so that surfaces do not overlap", "OFF"),
-              row("overlap removal only", read::on_off, &O::is_all_there_is, "Stops the run after overlap removal"),
+              row("overlap removal only", read::on_off, &O::is_all_there_is,
+                  "Stops the run after overlap removal"),
           },
           &C::overlap_removal),
       {
@@ -180,7 +187,8 @@ std::vector<Row<ContactDefinition>> contact_option_rows() {
   return joined<C>({
       {
           row<C>("search", "= {DASH|ACME}", read_search, "Search algorithm; ACME is taken as DASH", "DASH"),
-          ignored<C>("enforcement", "= {AL|KINEMATIC}", "Of implicit runs only; contact is enforced by penalties"),
+          ignored<C>("enforcement", "= {AL|KINEMATIC}",
+                     "Of implicit runs only; contact is enforced by penalties"),
           ignored<C>("contact residual norm scale factor", "= <real>", "Of implicit runs only"),
           block<C, SearchOptions>("search options", Naming::optional, search_options_table, &C::search,
                                   "Reach and rhythm of the search"),
@@ -188,12 +196,13 @@ std::vector<Row<ContactDefinition>> contact_option_rows() {
                                 "Fine tuning of the search"),
           block<C, EnforcementOptions>("enforcement options", Naming::optional, enforcement_options_table,
                                        &C::enforcement, "Passes of the enforcement"),
-          block<C, SurfaceOptions>("surface options", Naming::optional, surface_options_table, &C::surface_options,
-                                   "Geometry of lofted shells and beams")
+          block<C, SurfaceOptions>("surface options", Naming::optional, surface_options_table,
+                                   &C::surface_options, "Geometry of lofted shells and beams")
               .or_spelled("shell lofting"),
           row<C>("compute contact variables", "= {ON|OFF|EVERY_STEP}", read_contact_variables,
                  "When contact output is computed: as it is written, or in every step", "OFF"),
-          block<C, ContactDebug>("debug", Naming::optional, debug_table, &C::debug, "What is shown of contact"),
+          block<C, ContactDebug>("debug", Naming::optional, debug_table, &C::debug,
+                                 "What is shown of contact"),
           row<C>("update all surfaces for element death", "= {ON|OFF}", read_death_update,
                  "Older line: surfaces always follow element death", "ON"),
       },

@@ -8,7 +8,8 @@
 
 namespace contactsim {
 
-/// The lines and blocks of a contact definition that steer search, enforcement, lofting, overlap removal and output.
+/// The lines and blocks of a contact definition that steer search, enforcement, lofting, overlap removal and
+/// output.
 std::vector<Row<ContactDefinition>> contact_option_rows();
 
 }  // namespace contactsim

@@ -16,10 +16,10 @@ std::vector<Row<PairSettings>> pair_rows() {
   return {
       row("friction model", read::name, &P::friction_model, "Friction model of the pair", "frictionless"),
       row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
-      row("interaction behavior", behavior, &P::behavior, "How the pair moves; NO_INTERACTION switches it off",
-          "SLIDING"),
-      row("normal tolerance", read::non_negative, &P::normal_tolerance, "Reach of the search off a face [length]",
-          "automatic"),
+      row("interaction behavior", behavior, &P::behavior,
+          "How the pair moves; NO_INTERACTION switches it off", "SLIDING"),
+      row("normal tolerance", read::non_negative, &P::normal_tolerance,
+          "Reach of the search off a face [length]", "automatic"),
       row("tangential tolerance", read::non_negative, &P::tangential_tolerance,
           "Reach of the search beyond a face's edge [length]", "automatic"),
       row("overlap normal tolerance", read::non_negative, &P::overlap_normal_tolerance,
@@ -28,7 +28,8 @@ std::vector<Row<PairSettings>> pair_rows() {
           "Overlap beyond a face's edge that is removed at the start [length]", "automatic"),
       row("capture tolerance", read::non_negative, &P::capture_tolerance,
           "Gap that is closed at the start [length]", "0"),
-      ignored<P>("automatic kinematic partition", "[= {ON|OFF}]", "Of ACME's enforcement; penalties are balanced"),
+      ignored<P>("automatic kinematic partition", "[= {ON|OFF}]",
+                 "Of ACME's enforcement; penalties are balanced"),
   };
 }
 
@@ -38,7 +39,8 @@ const Table<InteractionDefaults>& interaction_defaults_table() {
       {
           row("general contact", read::on_off, &D::general_contact, "Every surface meets every other"),
           row("self contact", read::on_off, &D::self_contact, "Every surface meets itself"),
-          row("surfaces", read::names, &D::surfaces, "Contact surfaces that general and self contact take", "all")
+          row("surfaces", read::names, &D::surfaces, "Contact surfaces that general and self contact take",
+              "all")
               .or_spelled("contact surfaces"),
       },
       lift_all(pair_rows(), &D::pair),

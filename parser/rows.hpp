@@ -27,7 +27,7 @@ struct Reader {
 
 namespace read {
 extern const Reader<double> real, positive, non_negative;
-extern const Reader<std::int64_t> integer, positive_integer;
+extern const Reader<std::int64_t> integer, positive_integer, non_negative_integer;
 extern const Reader<bool> on_off;
 extern const Reader<DeckName> name;
 extern const Reader<std::string> text, rest_of_line;

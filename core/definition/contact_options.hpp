@@ -31,12 +31,12 @@ struct DashOptions {
 
 /// BEGIN ENFORCEMENT OPTIONS. Source: Sierra/SM 5.22, 8.2 and 8.9.
 struct EnforcementOptions {
-  std::int64_t momentum_balance_iterations = 5;                ///< >= 1
-  std::optional<std::int64_t> geometry_update_iterations;      ///< of the active set within a step, >= 1
+  std::int64_t momentum_balance_iterations = 5;            ///< >= 1
+  std::optional<std::int64_t> geometry_update_iterations;  ///< of the active set within a step, >= 1
 };
 
-/// BEGIN SURFACE OPTIONS, older SHELL LOFTING: how lofted elements of some contact surfaces get their geometry.
-/// Source: Sierra/SM 5.22, 8.9.
+/// BEGIN SURFACE OPTIONS, older SHELL LOFTING: how lofted elements of some contact surfaces get their
+/// geometry. Source: Sierra/SM 5.22, 8.9.
 struct SurfaceOptions {
   enum class ShellThickness : std::uint8_t { actual_thickness, let_contact_choose };
   enum class CoincidentShells : std::uint8_t { disallow, ignore, simple };
@@ -57,13 +57,15 @@ struct SurfaceOptions {
 /// first step so that surfaces do not overlap. Source: Sierra/SM 5.22, 8.9.4.
 struct OverlapRemoval {
   std::optional<bool> is_asked_for;  ///< INITIAL OVERLAP REMOVAL = ON or OFF
-  bool has_block = false;            ///< BEGIN REMOVE INITIAL OVERLAP, which asks for it when no such line stands
-  bool is_all_there_is = false;      ///< OVERLAP REMOVAL ONLY: the run stops after it
-  std::optional<double> normal_tolerance;      ///< deepest overlap that is removed; absent: automatic, >= 0 [length]
-  std::optional<double> tangential_tolerance;  ///< the same beyond a face's edge; absent: automatic, >= 0 [length]
-  std::int64_t iterations = 10;                ///< >= 1
-  std::int64_t shell_iterations = 10;          ///< >= 1
-  double shell_tolerance = 0.0;                ///< overlap of shells that is left, >= 0 [length]
+  bool has_block = false;        ///< BEGIN REMOVE INITIAL OVERLAP, which asks for it when no such line stands
+  bool is_all_there_is = false;  ///< OVERLAP REMOVAL ONLY: the run stops after it
+  std::optional<double>
+      normal_tolerance;  ///< deepest overlap that is removed; absent: automatic, >= 0 [length]
+  std::optional<double>
+      tangential_tolerance;            ///< the same beyond a face's edge; absent: automatic, >= 0 [length]
+  std::int64_t iterations = 10;        ///< >= 1
+  std::int64_t shell_iterations = 10;  ///< >= 1
+  double shell_tolerance = 0.0;        ///< overlap of shells that is left, >= 0 [length]
 
   bool is_on() const { return is_asked_for.value_or(has_block); }
 };

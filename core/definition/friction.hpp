@@ -71,7 +71,7 @@ struct Adhesion {
 /// COHESIVE ZONE MODEL: with lambda = sqrt((u_n / g_n)^2 + (u_t / g_t)^2) and traction s(lambda), the normal
 /// traction is s / lambda * u_n / g_n, the tangential one s / lambda * g_n / g_t * u_t / g_t.
 struct CohesiveZone {
-  ScaledFunction traction;                                                    ///< lambda [1] to traction [force/length^2]
+  ScaledFunction traction;  ///< lambda [1] to traction [force/length^2]
   double critical_normal_gap = std::numeric_limits<double>::quiet_NaN();      ///< g_n > 0 [length]
   double critical_tangential_gap = std::numeric_limits<double>::quiet_NaN();  ///< g_t > 0 [length]
   bool operator==(const CohesiveZone&) const = default;
@@ -80,8 +80,8 @@ struct CohesiveZone {
 /// JUNCTION MODEL: apart, the normal traction is f(gap); the tangential traction is at most g(slip rate), and
 /// zero when the gap reaches the cutoff.
 struct Junction {
-  ScaledFunction normal;      ///< gap [length] to traction [force/length^2]
-  ScaledFunction tangential;  ///< slip rate [length/time] to traction [force/length^2]
+  ScaledFunction normal;                    ///< gap [length] to traction [force/length^2]
+  ScaledFunction tangential;                ///< slip rate [length/time] to traction [force/length^2]
   std::optional<double> tangential_cutoff;  ///< NORMAL CUTOFF DISTANCE FOR TANGENTIAL TRACTION >= 0 [length]
   bool operator==(const Junction&) const = default;
 };
@@ -98,12 +98,12 @@ struct Threaded {
   bool operator==(const Threaded&) const = default;
 };
 
-/// PV_DEPENDENT MODEL: mu(v) = mu_d + (mu_s - mu_d) exp(-decay * v) at the slip rate v; the tangential traction
-/// is at most mu(v) * ((p + offset) / reference)^exponent at the pressure p.
+/// PV_DEPENDENT MODEL: mu(v) = mu_d + (mu_s - mu_d) exp(-decay * v) at the slip rate v; the tangential
+/// traction is at most mu(v) * ((p + offset) / reference)^exponent at the pressure p.
 struct PressureVelocityFriction {
-  double static_coefficient = 0.0;   ///< mu_s >= 0 [1]
-  double dynamic_coefficient = 0.0;  ///< mu_d >= 0 [1]
-  double velocity_decay = 0.0;       ///< >= 0 [time/length]
+  double static_coefficient = 0.0;                                       ///< mu_s >= 0 [1]
+  double dynamic_coefficient = 0.0;                                      ///< mu_d >= 0 [1]
+  double velocity_decay = 0.0;                                           ///< >= 0 [time/length]
   double reference_pressure = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
   double offset_pressure = 0.0;                                          ///< >= 0 [force/length^2]
   double pressure_exponent = 1.0;                                        ///< [1]
@@ -129,9 +129,9 @@ struct TimeVariantFriction {
   bool operator==(const TimeVariantFriction&) const = default;
 };
 
-using FrictionLaw = std::variant<Frictionless, ConstantFriction, Tied, Glued, SpringWeld, SurfaceWeld, Adhesion,
-                                 CohesiveZone, Junction, Threaded, PressureVelocityFriction, HybridFriction,
-                                 TimeVariantFriction>;
+using FrictionLaw =
+    std::variant<Frictionless, ConstantFriction, Tied, Glued, SpringWeld, SurfaceWeld, Adhesion, CohesiveZone,
+                 Junction, Threaded, PressureVelocityFriction, HybridFriction, TimeVariantFriction>;
 
 /// BEGIN ... MODEL <name>. Interactions use it by name.
 struct FrictionModel {
