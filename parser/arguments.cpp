@@ -30,6 +30,10 @@ std::optional<double> find_real(std::string_view text) {
   return value;
 }
 
+int underline(const Word& word) {
+  return static_cast<int>(word.text.size()) + (word.kind == WordKind::quoted ? 2 : 0);
+}
+
 std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
 
 }  // namespace
@@ -47,9 +51,18 @@ void Arguments::skip_separator() {
   if (peek().kind == WordKind::symbol ? peek().text == "=" : is_next("is") || is_next("are")) ++next_;
 }
 
+void Arguments::warn(std::string_view id, const Word& at, std::string text, std::string hint) {
+  warnings_.push_back(
+      {Severity::warning, std::string(id), at.location, underline(at), std::move(text), std::move(hint)});
+}
+
+void Arguments::refuse(const Word& at, std::string text, std::string hint) const {
+  throw ArgumentError{{Severity::error, "", at.location, underline(at), std::move(text), std::move(hint)},
+                      true};
+}
+
 void Arguments::fail(const Word& at, std::string text, std::string hint) const {
-  const int length = static_cast<int>(at.text.size()) + (at.kind == WordKind::quoted ? 2 : 0);
-  throw ArgumentError{{Severity::error, "", at.location, length, std::move(text), std::move(hint)}};
+  throw ArgumentError{{Severity::error, "", at.location, underline(at), std::move(text), std::move(hint)}};
 }
 
 void Arguments::fail_here(std::string text, std::string hint) const {
@@ -107,6 +120,14 @@ std::int64_t Arguments::positive_integer() {
   return value;
 }
 
+std::int64_t Arguments::non_negative_integer() {
+  const std::size_t at = next_;
+  const std::int64_t value = integer();
+  if (value < 0)
+    fail(words_[at], fmt::format("'{}' must not be negative, found {}", what_, quote(words_[at])));
+  return value;
+}
+
 bool Arguments::on_off() {
   static const std::string choices[] = {"on", "true", "yes", "off", "false", "no"};
   return choice(choices) < 3;
@@ -127,6 +148,11 @@ std::string Arguments::rest() {
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t')) rest.remove_suffix(1);
   next_ = words_.size();
   return std::string(rest);
+}
+
+std::string Arguments::all() {
+  next_ = 0;
+  return rest();
 }
 
 Eigen::Vector3d Arguments::vector() {

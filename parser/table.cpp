@@ -5,18 +5,11 @@
 
 #include <algorithm>
 
+#include "parser/syntax.hpp"
+
 namespace contactsim {
 
 namespace {
-
-PhraseIndex index_of(const std::vector<RowText>& rows, bool blocks) {
-  std::vector<std::string> phrases;
-  for (const RowText& row : rows) {
-    const bool is_listed = row.is_block == blocks && row.matches == RowText::Matches::phrase;
-    phrases.push_back(is_listed ? row.phrase : "");
-  }
-  return PhraseIndex(phrases);
-}
 
 std::size_t find_row(const std::vector<RowText>& rows, RowText::Matches matches) {
   const auto row =
@@ -33,9 +26,7 @@ const std::vector<Word>& words_of(const Item& item) {
 std::optional<MatchedItem> find_row(const Item& item, const TableText& table) {
   const bool is_block = std::holds_alternative<Block>(item.value);
   const auto& words = words_of(item);
-  if (const auto match = (is_block ? table.blocks : table.commands).find(words)) {
-    return MatchedItem{match->phrase, match->n_words};
-  }
+  if (const auto match = (is_block ? table.blocks : table.commands).find(words)) return match;
   if (is_block || words.empty()) return std::nullopt;
   const bool is_table_line = is_number(words.front().text) && table.numbers_row < table.rows.size();
   if (is_table_line) return MatchedItem{table.numbers_row, 0};
@@ -102,28 +93,104 @@ bool check_support(const Item& item, const MatchedItem& matched, const RowText& 
   return false;
 }
 
+void report(const ArgumentError& error, Binding& binding) {
+  Diagnostic diagnostic = error.diagnostic;
+  if (error.is_refusal && binding.is_lenient) {
+    diagnostic.severity = Severity::warning;
+    diagnostic.id = "deck-refused";
+    diagnostic.text += ", passed over";
+  }
+  binding.diagnostics.add(std::move(diagnostic));
+}
+
+/// Notices lines that replace an earlier line of the same block.
+class RepeatedLines {
+ public:
+  explicit RepeatedLines(const TableText& table) : table_(&table), latest_(table.rows.size(), nullptr) {}
+
+  void check(const Item& item, const MatchedItem& matched, Diagnostics& diagnostics) {
+    const RowText& row = table_->rows[matched.row];
+    if (!row.is_single) return;
+    const auto& words = words_of(item);
+    const Word*& latest = latest_[matched.row];
+    if (latest != nullptr) {
+      diagnostics.add_warning("deck-repeated", words.front().location,
+                              fmt::format("'{}' is given twice in one block, this one counts", row.phrase),
+                              "the other stands at " + to_string(latest->location),
+                              underline(words, matched.n_words));
+    }
+    latest = &words.front();
+  }
+
+ private:
+  const TableText* table_;
+  std::vector<const Word*> latest_;  ///< of each row: the latest line of it
+};
+
 }  // namespace
+
+RowPhrases::RowPhrases(const std::vector<RowText>& rows, bool of_blocks) {
+  std::vector<std::string> phrases;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i].is_block != of_blocks || rows[i].matches != RowText::Matches::phrase) continue;
+    phrases.push_back(rows[i].phrase);
+    phrases.insert(phrases.end(), rows[i].spellings.begin(), rows[i].spellings.end());
+    rows_.resize(phrases.size(), i);
+  }
+  index_ = PhraseIndex(phrases);
+}
+
+std::optional<MatchedItem> RowPhrases::find(std::span<const Word> words) const {
+  const auto match = index_.find(words);
+  if (!match) return std::nullopt;
+  return MatchedItem{rows_[match->phrase], match->n_words};
+}
+
+std::string use_key(std::string_view kind, std::string_view name) {
+  return fmt::format("{}/{}", kind, fold(name));
+}
 
 TableText::TableText(std::vector<RowText> row_texts)
     : rows(std::move(row_texts)),
-      commands(index_of(rows, false)),
-      blocks(index_of(rows, true)),
+      commands(rows, false),
+      blocks(rows, true),
       numbers_row(find_row(rows, RowText::Matches::numbers)),
       anything_row(find_row(rows, RowText::Matches::anything)) {}
 
+void bind_held(Binding& binding, const std::string& key, const std::function<void(Binding&)>& bind) {
+  Diagnostics problems;
+  Binding inner{problems, binding.is_lenient, binding.held};
+  try {
+    bind(inner);
+  } catch (const ArgumentError& error) {
+    problems.add(error.diagnostic);
+  }
+  if (binding.held == nullptr) {
+    binding.diagnostics.append(problems);
+  } else if (!problems.empty()) {
+    binding.held->push_back({key, std::move(problems)});
+  }
+}
+
 void bind_items(const Block& block, const TableText& table, Binding& binding,
                 const std::function<void(const Item&, const MatchedItem&)>& bind) {
+  RepeatedLines repeated(table);
   for (const Item& item : block.items) {
     const auto matched = find_row(item, table);
     if (!matched) {
-      report_unknown(item, block, table, binding);
+      // Behind a missing END stands what belongs to the block around.
+      if (block.is_closed) report_unknown(item, block, table, binding);
       continue;
     }
+    if (const Block* inner = std::get_if<Block>(&item.value)) {
+      check_end(*inner, matched->n_words, binding.diagnostics);
+    }
     if (!check_support(item, *matched, table.rows[matched->row], binding)) continue;
+    repeated.check(item, *matched, binding.diagnostics);
     try {
       bind(item, *matched);
     } catch (const ArgumentError& error) {
-      binding.diagnostics.add(error.diagnostic);
+      report(error, binding);
     }
   }
 }
@@ -133,6 +200,15 @@ DeckName block_name(const Block& block, std::size_t n_type_words) {
   DeckName name{block.title[n_type_words].text, block.title[n_type_words].location};
   for (std::size_t i = n_type_words + 1; i < block.title.size(); ++i) name.text += " " + block.title[i].text;
   return name;
+}
+
+std::vector<DeckName> block_names(const Block& block, std::string_view phrase) {
+  std::vector<DeckName> names;
+  const std::size_t n_type_words = match_phrase(split_phrase(phrase), block.title);
+  for (std::size_t i = n_type_words; i < block.title.size(); ++i) {
+    names.push_back({block.title[i].text, block.title[i].location});
+  }
+  return names;
 }
 
 Arguments make_arguments(const Command& command, const MatchedItem& matched) {
