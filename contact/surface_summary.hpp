@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "contact/contact_model.hpp"
-#include "core/facet_mesh.hpp"
 
 namespace contactsim {
 
@@ -37,8 +36,5 @@ struct FacetRow {
 
 /// By surface, then block, element and side. A prism is one row, whatever its facets.
 std::vector<FacetRow> list_facets(const ContactModel& model, const Mesh& mesh);
-
-/// All surfaces as facets to draw. Spheres become 24 quadrilaterals, analytic planes one, nodes points.
-FacetMesh draw_surfaces(const ContactModel& model, const Mesh& mesh);
 
 }  // namespace contactsim
