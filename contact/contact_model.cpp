@@ -39,7 +39,9 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
                                 Diagnostics& diagnostics) {
   ContactModel model;
   model.planes = region.analytic_planes;
-  model.surfaces = resolve_surfaces(*region.contact, model.planes, mesh, alive, diagnostics);
+  const FiniteElementModel* parts = find_finite_element_model(definition, region);
+  const RegionNames names{model.planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{}};
+  model.surfaces = resolve_surfaces(*region.contact, names, mesh, alive, diagnostics);
   const auto owned = owned_elements(model.surfaces.surfaces);
   const auto sizes = find_loft_sizes(definition, region, mesh, model.surfaces.surfaces, owned, diagnostics);
   std::vector<ElementIndex> elements;

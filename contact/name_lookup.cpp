@@ -28,9 +28,18 @@ void NameLookup::add_error(const DeckName& name, std::string text, std::string h
   diagnostics_.add_error(name.location, std::move(text), std::move(hint), static_cast<int>(name.text.size()));
 }
 
+/// What the name means on the mesh; the first alias of that spelling counts when the mesh itself has none.
+std::vector<Entity> NameLookup::find_all(const DeckName& name) const {
+  std::vector<Entity> found = mesh_.find(name.text);
+  for (const MeshAlias& alias : aliases_) {
+    if (found.empty() && fold(alias.alias.text) == fold(name.text)) found = mesh_.find(alias.mesh_name.text);
+  }
+  return found;
+}
+
 void NameLookup::report_unknown(const DeckName& name, std::span<const EntityKind> kinds,
                                 std::string_view command) {
-  const auto elsewhere = mesh_.find(name.text);
+  const auto elsewhere = find_all(name);
   if (!elsewhere.empty()) {
     std::vector<EntityKind> found;
     for (const Entity& entity : elsewhere) found.push_back(entity.kind);
@@ -51,7 +60,7 @@ void NameLookup::report_unknown(const DeckName& name, std::span<const EntityKind
 
 std::optional<Entity> NameLookup::find(const DeckName& name, std::span<const EntityKind> kinds,
                                        std::string_view command) {
-  std::vector<Entity> found = mesh_.find(name.text);
+  std::vector<Entity> found = find_all(name);
   std::erase_if(found, [&](const Entity& entity) { return !contains(kinds, entity.kind); });
   if (found.empty()) {
     report_unknown(name, kinds, command);

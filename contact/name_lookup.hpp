@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/definition/finite_element_model.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/names.hpp"
@@ -17,7 +18,9 @@ namespace contactsim {
 /// function takes the command that uses the name, for messages.
 class NameLookup {
  public:
-  NameLookup(const Mesh& mesh, Diagnostics& diagnostics) : mesh_(mesh), diagnostics_(diagnostics) {}
+  /// `aliases` are further names that the deck gives to parts of the mesh.
+  NameLookup(const Mesh& mesh, std::span<const MeshAlias> aliases, Diagnostics& diagnostics)
+      : mesh_(mesh), aliases_(aliases), diagnostics_(diagnostics) {}
 
   /// The entity of one of the kinds that the name means. Unknown names and names of two of the kinds are
   /// errors.
@@ -43,10 +46,12 @@ class NameLookup {
   bool check_is_block(const Entity& entity, const DeckName& name, std::string_view command);
 
  private:
+  std::vector<Entity> find_all(const DeckName& name) const;
   void report_unknown(const DeckName& name, std::span<const EntityKind> kinds, std::string_view command);
   void add_error(const DeckName& name, std::string text, std::string hint = "");
 
   const Mesh& mesh_;
+  std::span<const MeshAlias> aliases_;
   Diagnostics& diagnostics_;
 };
 

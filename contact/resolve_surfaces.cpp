@@ -208,10 +208,9 @@ void add_left_out_warning(const SurfaceRequest& request, const Mesh& mesh, Conta
 
 }  // namespace
 
-ContactSurfaces resolve_surfaces(const ContactDefinition& contact, std::span<const AnalyticPlane> planes,
-                                 const Mesh& mesh, std::span<const std::uint8_t> alive,
-                                 Diagnostics& diagnostics) {
-  const auto requests = make_surface_requests(contact, planes, mesh, diagnostics);
+ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionNames& names, const Mesh& mesh,
+                                 std::span<const std::uint8_t> alive, Diagnostics& diagnostics) {
+  const auto requests = make_surface_requests(contact, names, mesh, diagnostics);
   const ContactDomain domain(mesh, contact.subdomain, alive);
   Candidates candidates = make_candidates(requests, mesh, domain);
   ContactSurfaces result;

@@ -33,8 +33,11 @@ SurfaceRequest make_request(std::string name, SurfaceKind kind, std::string comm
 /// Turns the commands of one contact definition into requests.
 class RequestMaker {
  public:
-  RequestMaker(std::span<const AnalyticPlane> planes, const Mesh& mesh, Diagnostics& diagnostics)
-      : planes_(planes), mesh_(mesh), names_(mesh, diagnostics), diagnostics_(diagnostics) {}
+  RequestMaker(const RegionNames& names, const Mesh& mesh, Diagnostics& diagnostics)
+      : planes_(names.planes),
+        mesh_(mesh),
+        names_(mesh, names.aliases, diagnostics),
+        diagnostics_(diagnostics) {}
 
   void add(const ContactSurfaceLine& line) {
     auto request = make_request(line.name.text, SurfaceKind::face, "CONTACT SURFACE", line.location);
@@ -256,10 +259,9 @@ void RequestMaker::finish(SurfaceRequest request, const DeckName& name) {
 
 }  // namespace
 
-std::vector<SurfaceRequest> make_surface_requests(const ContactDefinition& contact,
-                                                  std::span<const AnalyticPlane> planes, const Mesh& mesh,
-                                                  Diagnostics& diagnostics) {
-  RequestMaker maker(planes, mesh, diagnostics);
+std::vector<SurfaceRequest> make_surface_requests(const ContactDefinition& contact, const RegionNames& names,
+                                                  const Mesh& mesh, Diagnostics& diagnostics) {
+  RequestMaker maker(names, mesh, diagnostics);
   for (const SurfaceCommand& command : contact.surface_commands) {
     std::visit([&](const auto& made) { maker.add(made); }, command);
   }

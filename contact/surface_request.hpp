@@ -9,6 +9,7 @@
 
 #include "contact/contact_surface.hpp"
 #include "core/definition/contact.hpp"
+#include "core/definition/finite_element_model.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -39,14 +40,18 @@ struct SurfaceRequest {
   std::vector<std::uint32_t> particle_blocks_left_out;  ///< by INCLUDE ALL BLOCKS
 };
 
+/// Names that a region adds to those of the mesh.
+struct RegionNames {
+  std::span<const AnalyticPlane> planes;
+  std::span<const MeshAlias> aliases;
+};
+
 /// Looks up every name of the surface-making commands, SKIN ALL BLOCKS taken apart into one request per
 /// block. Wrong names, wrong kinds, names taken twice and side sets without faces are errors in
 /// `diagnostics`.
-///   planes  analytic objects of the region
 /// Throws FileError when contact needs a block whose element type is not known.
 /// Source: Sierra/SM 5.22, 8.4.
-std::vector<SurfaceRequest> make_surface_requests(const ContactDefinition& contact,
-                                                  std::span<const AnalyticPlane> planes, const Mesh& mesh,
-                                                  Diagnostics& diagnostics);
+std::vector<SurfaceRequest> make_surface_requests(const ContactDefinition& contact, const RegionNames& names,
+                                                  const Mesh& mesh, Diagnostics& diagnostics);
 
 }  // namespace contactsim
