@@ -5,7 +5,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 #include "parser/phrases.hpp"
 
@@ -13,7 +12,14 @@ namespace contactsim {
 
 namespace {
 
-/// A number in the deck's spelling: 1, 1., .9, -50, +2, 1e-4, 1.0d0.
+int underline(const Word& word) {
+  return static_cast<int>(word.text.size()) + (word.kind == WordKind::quoted ? 2 : 0);
+}
+
+std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
+
+}  // namespace
+
 std::optional<double> find_real(std::string_view text) {
   std::string plain(text.starts_with('+') ? text.substr(1) : text);
   const std::string_view digits = std::string_view(plain).substr(plain.starts_with('-') ? 1 : 0);
@@ -29,14 +35,6 @@ std::optional<double> find_real(std::string_view text) {
   if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
-
-int underline(const Word& word) {
-  return static_cast<int>(word.text.size()) + (word.kind == WordKind::quoted ? 2 : 0);
-}
-
-std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
-
-}  // namespace
 
 bool is_number(std::string_view text) { return find_real(text).has_value(); }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -84,6 +85,9 @@ class Arguments {
   std::size_t next_ = 0;
   std::vector<Diagnostic> warnings_;
 };
+
+/// A number in the deck's spelling: 1, 1., .9, -50, +2, 1e-4, 1.0d0.
+std::optional<double> find_real(std::string_view text);
 
 /// Whether the text is a number as decks write them.
 bool is_number(std::string_view text);
