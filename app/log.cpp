@@ -15,8 +15,10 @@ Log::Log(const std::string& path) : file_(path, std::ios::binary) {
 
 void Log::write(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stdout);
-  file_ << text << std::flush;
+  write_to_file(text);
 }
+
+void Log::write_to_file(std::string_view text) { file_ << text << std::flush; }
 
 void Log::write(const Diagnostics& diagnostics) {
   const bool is_terminal = isatty(STDERR_FILENO) != 0;

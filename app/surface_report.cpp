@@ -19,14 +19,15 @@ double rounded(double area) { return std::stod(fmt::format("{:.{}g}", area, n_ar
 constexpr const char* row_format = "{:>4}  {:<28} {:<22} {:>6} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9} {:>13}\n";
 
 std::string format_rows(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
-  std::string text = fmt::format(row_format, "no", "surface", "made by", "line", "claimed", "owned", "triangle",
-                                 "quad", "lofted", "nodes", "area");
+  std::string text = fmt::format(row_format, "no", "surface", "made by", "line", "claimed", "owned",
+                                 "triangle", "quad", "lofted", "nodes", "area");
   SurfaceSummary total;
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     const ContactSurface& surface = model.surfaces.surfaces[i];
     const SurfaceSummary& s = summaries[i];
-    text += fmt::format(row_format, i + 1, surface.name, surface.command, surface.location.line, s.claimed, s.owned,
-                        s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes, fmt::format("{:.6g}", s.area));
+    text += fmt::format(row_format, i + 1, surface.name, surface.command, surface.location.line, s.claimed,
+                        s.owned, s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes,
+                        fmt::format("{:.6g}", s.area));
     total.claimed += s.claimed;
     total.owned += s.owned;
     total.triangles += s.triangles;
@@ -45,8 +46,8 @@ std::string format_lost_claims(const ContactModel& model) {
   std::string text;
   for (const ContactSurface& surface : model.surfaces.surfaces) {
     for (const LostClaims& lost : surface.lost_to) {
-      text += fmt::format(lost_format, surface.name, model.surfaces.surfaces[lost.winner].name, lost.faces, lost.lofted,
-                          lost.nodes);
+      text += fmt::format(lost_format, surface.name, model.surfaces.surfaces[lost.winner].name, lost.faces,
+                          lost.lofted, lost.nodes);
     }
   }
   if (text.empty()) return "";
@@ -140,8 +141,8 @@ std::string format_surfaces_csv(const ContactModel& model, std::span<const Facet
   fmt::format_to(std::back_inserter(text), "surface,block,element,side,kind,area\n");
   for (const FacetRow& row : rows) {
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.{}g}\n",
-                   csv_field(model.surfaces.surfaces[row.surface].name), csv_field(row.block), row.element, row.side,
-                   row.kind, row.area, n_area_digits);
+                   csv_field(model.surfaces.surfaces[row.surface].name), csv_field(row.block), row.element,
+                   row.side, row.kind, row.area, n_area_digits);
   }
   return fmt::to_string(text);
 }

@@ -5,6 +5,7 @@
 
 #include "contact/loft_sizes.hpp"
 #include "contact/resolve_surfaces.hpp"
+#include "contact/surface_names.hpp"
 
 namespace contactsim {
 
@@ -42,6 +43,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
   const FiniteElementModel* parts = find_finite_element_model(definition, region);
   const RegionNames names{model.planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{}};
   model.surfaces = resolve_surfaces(*region.contact, names, mesh, alive, diagnostics);
+  check_surface_names(*region.contact, model.surfaces, diagnostics);
   const auto owned = owned_elements(model.surfaces.surfaces);
   const auto sizes = find_loft_sizes(definition, region, mesh, model.surfaces.surfaces, owned, diagnostics);
   std::vector<ElementIndex> elements;
