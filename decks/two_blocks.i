@@ -3,8 +3,8 @@
 # Two bricks that share nodes at their joint, a patch of eight faces on top across the joint (a side set), and a
 # shell that lies on half of the right brick's top. Expected, with the patch named first (order = 1, as it stands):
 #   top    the 8 faces of the patch, 4 of each brick
-#   left   60 skin faces less 4                    (4x4x2 brick: 64 faces, 8 of them at the joint are interior)
-#   right  48 skin faces less 4                    (8 more are covered by the shell, which always lies outside)
+#   left   56 skin faces less 4    (a 4x4x2 brick has 64 faces, the 8 at the joint are interior)
+#   right  48 skin faces less 4    (8 more are covered by the shell, which always lies outside)
 #   cladding  8 lofted shells: 8 top, 8 bottom and 12 side facets
 # With the skins first (-D order=2) the patch comes too late and gets nothing, which is warned about:
 #   contactsim two_blocks.i two_blocks.g --check -D order=2
