@@ -101,15 +101,11 @@ const Table<SolutionTermination>& termination_table() {
 std::vector<Row<Region>> unsupported_rows() {
   using R = Region;
   const std::string estimate = "The element-based estimate of the time step is used, which is safe";
-  const std::string implicit = "Of implicit runs only";
   return {
       ignored_block<R>("node based time step parameters", estimate),
       ignored_block<R>("lanczos parameters", estimate),
       ignored_block<R>("power method parameters", estimate),
       ignored_block<R>("rebalance", "Of parallel runs only"),
-      ignored_block<R>("solver", implicit),
-      ignored_block<R>("adaptive time stepping", implicit),
-      ignored_block<R>("implicit dynamics", implicit),
       refused_block<R>("line weld", "SPOT WELD joins nodes to faces"),
       refused_block<R>("mpc", "Constraints between nodes are not supported; a TIED MODEL joins surfaces"),
       refused_block<R>("tied joint", "A TIED MODEL joins surfaces"),
