@@ -18,7 +18,6 @@ std::vector<std::string> split_phrase(std::string_view phrase) {
       words.emplace_back();
     }
   }
-  if (words.back().ends_with(':')) words.back().pop_back();
   if (words.back().empty()) words.pop_back();
   return words;
 }

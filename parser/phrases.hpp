@@ -12,8 +12,8 @@
 
 namespace contactsim {
 
-/// The keyword words of a phrase in lower case, cut at blanks and underscores, without a final colon:
-/// "node_set" gives {"node", "set"}, "parameter:" gives {"parameter"}.
+/// The keyword words of a phrase in lower case, cut at blanks and underscores: "node_set" gives {"node",
+/// "set"}.
 std::vector<std::string> split_phrase(std::string_view phrase);
 
 /// How many words of a line the phrase takes when the line begins with it, 0 when it does not. Case is

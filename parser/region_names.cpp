@@ -3,6 +3,6 @@
 
 namespace contactsim {
 
-void resolve_region_names(const Region&, const OutsideNames&, Diagnostics&) {}
+void resolve_region_names(const Region&, OutsideNames&, Diagnostics&) {}
 
 }  // namespace contactsim

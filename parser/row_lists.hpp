@@ -17,7 +17,7 @@ std::vector<Row<T>> joined(std::initializer_list<std::vector<Row<T>>> lists) {
   return all;
 }
 
-/// Command rows of a Part, bound into that member of T.
+/// Rows of a Part, bound into that member of T.
 template <class T, class Part>
 std::vector<Row<T>> lift_all(const std::vector<Row<Part>>& rows_of_part, Part T::*part) {
   std::vector<Row<T>> lifted;

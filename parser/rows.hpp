@@ -152,16 +152,29 @@ Row<T> refused_block(std::string phrase, std::string help) {
            true}};
 }
 
-/// A command that may stand in many block types, bound into a part of T: one row of a shared table, lifted.
+/// A row of a shared table, lifted into a T that holds the Part it binds into.
+///   part_of  finds the part of a target
 template <class T, class Part>
-Row<T> lift(const Row<Part>& row_of_part, Part T::*part) {
+Row<T> lift(const Row<Part>& row_of_part, std::function<Part&(T&)> part_of) {
   Row<T> lifted{row_of_part.text};
   if (row_of_part.read_command) {
-    lifted.read_command = [read_part = row_of_part.read_command, part](Arguments& arguments, T& target) {
-      read_part(arguments, target.*part);
+    lifted.read_command = [read_part = row_of_part.read_command, part_of](Arguments& arguments, T& target) {
+      read_part(arguments, part_of(target));
+    };
+  }
+  if (row_of_part.read_block) {
+    lifted.read_block = [read_part = row_of_part.read_block, part_of](
+                            const Block& found, const DeckName& name, T& target, Binding& binding) {
+      read_part(found, name, part_of(target), binding);
     };
   }
   return lifted;
+}
+
+/// The same for a part that is a member.
+template <class T, class Part>
+Row<T> lift(const Row<Part>& row_of_part, Part T::*part) {
+  return lift<T, Part>(row_of_part, [part](T& target) -> Part& { return target.*part; });
 }
 
 /// Whether a block must carry a name.
@@ -198,18 +211,8 @@ template <class T>
 Row<T> held(std::string kind, Row<T> row) {
   row.read_block = [kind = std::move(kind), read_block = std::move(row.read_block)](
                        const Block& found, const DeckName& name, T& target, Binding& binding) {
-    Diagnostics problems;
-    Binding inner{problems, binding.is_lenient, binding.held};
-    try {
-      read_block(found, name, target, inner);
-    } catch (const ArgumentError& error) {
-      problems.add(error.diagnostic);
-    }
-    if (binding.held == nullptr) {
-      binding.diagnostics.append(problems);
-    } else if (!problems.empty()) {
-      binding.held->push_back({use_key(kind, name.text), std::move(problems)});
-    }
+    bind_held(binding, use_key(kind, name.text),
+              [&](Binding& inner) { read_block(found, name, target, inner); });
   };
   return row;
 }
@@ -233,6 +236,18 @@ Row<T> block(std::string phrase, Naming naming, const Table<Part>& (*table)(), P
                                           Binding& binding) {
     check_name(found, name, naming);
     table().bind(found, target.*part, binding);
+  };
+  return made;
+}
+
+/// A block whose commands go into the definition around it.
+template <class T>
+Row<T> block_into(std::string phrase, Naming naming, const Table<T>& (*table)(), std::string help) {
+  Row<T> made{{std::move(phrase), syntax_of(naming), std::move(help), "none", Support::supported,
+               RowText::Matches::phrase, true, [table]() -> const TableText& { return table().text(); }}};
+  made.read_block = [naming, table](const Block& found, const DeckName& name, T& target, Binding& binding) {
+    check_name(found, name, naming);
+    table().bind(found, target, binding);
   };
   return made;
 }

@@ -157,6 +157,21 @@ TableText::TableText(std::vector<RowText> row_texts)
       numbers_row(find_row(rows, RowText::Matches::numbers)),
       anything_row(find_row(rows, RowText::Matches::anything)) {}
 
+void bind_held(Binding& binding, const std::string& key, const std::function<void(Binding&)>& bind) {
+  Diagnostics problems;
+  Binding inner{problems, binding.is_lenient, binding.held};
+  try {
+    bind(inner);
+  } catch (const ArgumentError& error) {
+    problems.add(error.diagnostic);
+  }
+  if (binding.held == nullptr) {
+    binding.diagnostics.append(problems);
+  } else if (!problems.empty()) {
+    binding.held->push_back({key, std::move(problems)});
+  }
+}
+
 void bind_items(const Block& block, const TableText& table, Binding& binding,
                 const std::function<void(const Item&, const MatchedItem&)>& bind) {
   RepeatedLines repeated(table);
@@ -185,6 +200,15 @@ DeckName block_name(const Block& block, std::size_t n_type_words) {
   DeckName name{block.title[n_type_words].text, block.title[n_type_words].location};
   for (std::size_t i = n_type_words + 1; i < block.title.size(); ++i) name.text += " " + block.title[i].text;
   return name;
+}
+
+std::vector<DeckName> block_names(const Block& block, std::string_view phrase) {
+  std::vector<DeckName> names;
+  const std::size_t n_type_words = match_phrase(split_phrase(phrase), block.title);
+  for (std::size_t i = n_type_words; i < block.title.size(); ++i) {
+    names.push_back({block.title[i].text, block.title[i].location});
+  }
+  return names;
 }
 
 Arguments make_arguments(const Command& command, const MatchedItem& matched) {

@@ -92,6 +92,10 @@ struct Binding {
 /// The key under which the problems of a definition are held: "material/steel", names case-blind.
 std::string use_key(std::string_view kind, std::string_view name);
 
+/// Binds with the problems held back under a key when the binding can hold them, else reports them at once.
+/// ArgumentErrors that `bind` throws are collected.
+void bind_held(Binding& binding, const std::string& key, const std::function<void(Binding&)>& bind);
+
 /// Goes through the items of a block in deck order, calls `bind` for every item that has a supported row, and
 /// reports the rest: unknown words with the nearest known ones, ignored and refused commands, and a command
 /// that replaces an earlier one. ArgumentErrors that `bind` throws are collected.
@@ -101,6 +105,9 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
 /// The name in a block's title after its type; the words are joined by blanks. Its text is "" when there is
 /// none.
 DeckName block_name(const Block& block, std::size_t n_type_words);
+
+/// The words of a block's title after its type, one name each.
+std::vector<DeckName> block_names(const Block& block, std::string_view phrase);
 
 /// Makes the arguments of a matched command.
 Arguments make_arguments(const Command& command, const MatchedItem& matched);
@@ -131,6 +138,7 @@ class Table {
   Table(std::vector<Row<T>> rows) : text_(texts_of(rows)), rows_(std::move(rows)) {}
 
   const TableText& text() const { return text_; }
+  const std::vector<Row<T>>& rows() const { return rows_; }
 
   void bind(const Block& block, T& target, Binding& binding) const {
     bind_items(block, text_, binding, [&](const Item& item, const MatchedItem& matched) {
