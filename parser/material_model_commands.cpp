@@ -151,12 +151,12 @@ std::string model_use_key(std::string_view material, std::string_view model) {
 std::vector<Row<MaterialDefinition>> material_model_rows() {
   return {
       model_row("elastic", elastic_only_table<ElasticModel>, "Hypoelastic, finite strain"),
-      model_row("linear elastic", elastic_only_table<LinearElasticModel>, "Linear elastic, small strain"),
-      model_row("neo hookean", elastic_only_table<NeoHookeanModel>, "Hyperelastic"),
-      model_row("elastic plastic", elastic_plastic_table, "Plasticity with linear hardening"),
-      model_row("ep power hard", power_hardening_table, "Plasticity with power-law hardening"),
-      model_row("power law hardening", power_hardening_table, "Plasticity with power-law hardening"),
-      model_row("johnson cook", johnson_cook_table, "Plasticity with rate dependence and failure strain"),
+      model_row("linear_elastic", elastic_only_table<LinearElasticModel>, "Linear elastic, small strain"),
+      model_row("neo_hookean", elastic_only_table<NeoHookeanModel>, "Hyperelastic"),
+      model_row("elastic_plastic", elastic_plastic_table, "Plasticity with linear hardening"),
+      model_row("ep_power_hard", power_hardening_table, "Plasticity with power-law hardening"),
+      model_row("power_law_hardening", power_hardening_table, "Plasticity with power-law hardening"),
+      model_row("johnson_cook", johnson_cook_table, "Plasticity with rate dependence and failure strain"),
       model_row("", opaque_table, "Any other model: kept, an error only when a block uses it"),
   };
 }

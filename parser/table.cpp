@@ -74,20 +74,28 @@ void report_unknown(const Item& item, const Block& block, const TableText& table
   }
 }
 
+/// A row's help as the second part of a message: in lower case, unless it begins with a keyword.
+std::string as_hint(std::string help) {
+  const auto is_capital = [&](std::size_t i) { return i < help.size() && help[i] >= 'A' && help[i] <= 'Z'; };
+  if (is_capital(0) && !is_capital(1)) help[0] = static_cast<char>(help[0] - 'A' + 'a');
+  return help;
+}
+
 /// Reports a row that is not supported; returns whether the item may be bound.
 bool check_support(const Item& item, const MatchedItem& matched, const RowText& row, Binding& binding) {
   if (row.support == Support::supported) return true;
   const auto& words = words_of(item);
   const DeckLocation& place = words.front().location;
   const int length = underline(words, matched.n_words);
+  const std::string hint = as_hint(row.help);
   const std::string what = fmt::format("{}'{}'", row.is_block ? "block " : "", row.phrase);
   if (row.support == Support::ignored) {
-    binding.diagnostics.add_warning("deck-ignored", place, what + " has no effect here", row.help, length);
+    binding.diagnostics.add_warning("deck-ignored", place, what + " has no effect here", hint, length);
   } else if (binding.is_lenient) {
-    binding.diagnostics.add_warning("deck-refused", place, what + " is not supported, passed over", row.help,
+    binding.diagnostics.add_warning("deck-refused", place, what + " is not supported, passed over", hint,
                                     length);
   } else {
-    binding.diagnostics.add_error(place, what + " is not supported and would change the answer", row.help,
+    binding.diagnostics.add_error(place, what + " is not supported and would change the answer", hint,
                                   length);
   }
   return false;
