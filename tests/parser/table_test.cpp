@@ -146,8 +146,8 @@ TEST_CASE("unknown commands and blocks are told with the nearest known one", "[p
   CHECK(bound("begin mass\nend\n").said ==
         "a.i:2:7: error: unknown block 'mass' in 'car'; 'mass' is a command line here, not a block\n");
   CHECK(bound("wheel front\n").said ==
-        "a.i:2:1: error: unknown command 'wheel front' in 'car'; 'wheel' is a block: begin it with BEGIN "
-        "here\n");
+        "a.i:2:1: error: unknown command 'wheel front' in 'car'; 'wheel' is a block here: "
+        "begin wheel\n");
   CHECK(bound("1 2 3 4 5\n").said == "a.i:2:1: error: unknown command '1 2 3 4 ...' in 'car'\n");
 }
 
