@@ -46,7 +46,7 @@ const Table<PrescribedCondition>& prescribed_table() {
   using P = PrescribedCondition;
   static const Table<P> table(joined<P>({
       lift_all(entity_set_rows(), &P::set),
-      lift_all(direction_rows(), &P::direction),
+      lift_all(direction_or_axis_rows(), &P::direction),
       scaled_function_rows("", &P::function, words_of(quantity).value),
       lift_all(mesh_variable_rows(), &P::variable),
       lift_all(period_rows(), &P::periods),

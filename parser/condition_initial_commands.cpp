@@ -12,7 +12,7 @@ const Table<InitialVelocity>& initial_velocity_table() {
   using V = InitialVelocity;
   static const Table<V> table(joined<V>({
       lift_all(entity_set_rows(), &V::set),
-      lift_all(direction_rows(), &V::direction),
+      lift_all(direction_or_axis_rows(), &V::direction),
       {
           row("magnitude", read::real, &V::magnitude,
               "Velocity along the components or the direction [length/time]"),

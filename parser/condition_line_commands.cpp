@@ -44,8 +44,14 @@ std::vector<Row<DirectionChoice>> direction_rows() {
              "none")
           .or_spelled("components"),
       row("direction", read::name, &D::direction, "Acts along a direction of DEFINE DIRECTION"),
-      row("cylindrical axis", read::name, &D::cylindrical_axis, "Acts about an axis of DEFINE AXIS"),
   };
+}
+
+std::vector<Row<DirectionChoice>> direction_or_axis_rows() {
+  std::vector<Row<DirectionChoice>> rows = direction_rows();
+  rows.push_back(row("cylindrical axis", read::name, &DirectionChoice::cylindrical_axis,
+                     "Acts about an axis of DEFINE AXIS"));
+  return rows;
 }
 
 std::vector<Row<ActivePeriods>> period_rows() {

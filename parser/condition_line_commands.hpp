@@ -9,8 +9,11 @@
 
 namespace contactsim {
 
-/// COMPONENT, DIRECTION and CYLINDRICAL AXIS.
+/// COMPONENT and DIRECTION.
 std::vector<Row<DirectionChoice>> direction_rows();
+
+/// The same and CYLINDRICAL AXIS.
+std::vector<Row<DirectionChoice>> direction_or_axis_rows();
 
 /// ACTIVE PERIODS and INACTIVE PERIODS.
 std::vector<Row<ActivePeriods>> period_rows();

@@ -29,6 +29,7 @@ class KnownNames {
   /// one. Returns whether it is known.
   bool use(const DeckName& reference, Diagnostics& diagnostics);
 
+  bool knows(std::string_view name) const { return by_name_.count(fold(name)) > 0; }
   bool is_used(std::string_view name) const;
 
  private:

@@ -78,6 +78,7 @@ Row<Requests> request_row(std::string phrase, VariableLocation location, Request
                           std::string help) {
   const std::string at =
       places == RequestPlaces::entities ? " [{AT <kind> <id>|NEAREST LOCATION <x> <y> <z>}]" : "";
+  if (!at.empty()) help += "; the location is [length]";
   return row<Requests>(
       std::move(phrase), fmt::format("= <variable>{} [AS <alias>] [{{INCLUDE|EXCLUDE}} <part> ...] ...", at),
       [location, places](Arguments& arguments, Requests& requests) {

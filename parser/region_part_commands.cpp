@@ -4,6 +4,7 @@
 #include "parser/condition_line_commands.hpp"
 #include "parser/death_commands.hpp"
 #include "parser/entity_set_commands.hpp"
+#include "parser/implicit_commands.hpp"
 #include "parser/variable_readers.hpp"
 
 namespace contactsim {
@@ -101,15 +102,11 @@ const Table<SolutionTermination>& termination_table() {
 std::vector<Row<Region>> unsupported_rows() {
   using R = Region;
   const std::string estimate = "The element-based estimate of the time step is used, which is safe";
-  const std::string implicit = "Of implicit runs only";
   return {
       ignored_block<R>("node based time step parameters", estimate),
       ignored_block<R>("lanczos parameters", estimate),
       ignored_block<R>("power method parameters", estimate),
       ignored_block<R>("rebalance", "Of parallel runs only"),
-      ignored_block<R>("solver", implicit),
-      ignored_block<R>("adaptive time stepping", implicit),
-      ignored_block<R>("implicit dynamics", implicit),
       refused_block<R>("line weld", "SPOT WELD joins nodes to faces"),
       refused_block<R>("mpc", "Constraints between nodes are not supported; a TIED MODEL joins surfaces"),
       refused_block<R>("tied joint", "A TIED MODEL joins surfaces"),
@@ -136,6 +133,7 @@ std::vector<Row<Region>> region_part_rows() {
                                 "Adds mass for a larger time step"),
       },
       unsupported_rows(),
+      implicit_region_rows<R>(),
   });
 }
 

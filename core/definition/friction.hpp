@@ -90,7 +90,7 @@ struct Junction {
 struct Threaded {
   ScaledFunction normal;          ///< gap [length] to traction [force/length^2]
   ScaledFunction tangential;      ///< slip [length] to traction [force/length^2]
-  ScaledFunction tangential_gap;  ///< gap [length] to the factor of the tangential traction [1]
+  ScaledFunction tangential_gap;  ///< gap [length] to the factor of the tangential traction [1]; absent: 1
   double normal_capacity = std::numeric_limits<double>::quiet_NaN();      ///< > 0 [force/length^2]
   double tangential_capacity = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
   double envelope_exponent = 2.0;                                         ///< > 0 [1]
