@@ -99,25 +99,20 @@ TEST_CASE("user subroutines and copied variables are refused", "[parser][conditi
       "begin prescribed force\n node set subroutine = s\n subroutine real parameter: a = 1\n"
       " copy variable = v from model m\nend\n";
   CHECK(bound_region(deck).messages ==
-        "a.i:2:2: error: 'node set subroutine' is not supported and would change the answer; User "
-        "subroutines cannot "
-        "be run; an analytic FUNCTION may say the same\n"
-        "a.i:3:2: error: 'subroutine real parameter' is not supported and would change the answer; User "
-        "subroutines "
-        "cannot be run; an analytic FUNCTION may say the same\n"
-        "a.i:4:2: error: 'copy variable' is not supported and would change the answer; There is one model "
-        "only; READ "
-        "VARIABLE reads its file\n");
+        "a.i:2:2: error: 'node set subroutine' is not supported and would change the answer; "
+        "user subroutines cannot be run; an analytic FUNCTION may say the same\n"
+        "a.i:3:2: error: 'subroutine real parameter' is not supported and would change the "
+        "answer; user subroutines cannot be run; an analytic FUNCTION may say the same\n"
+        "a.i:4:2: error: 'copy variable' is not supported and would change the answer; there is "
+        "one model only; READ VARIABLE reads its file\n");
   CHECK(bound_region(deck, true).messages.find("error") == std::string::npos);
 }
 
 TEST_CASE("temperatures are ignored, loads that are not modelled are refused", "[parser][condition]") {
   CHECK(bound_region("begin initial temperature\n magnitude = 300\nend\n").messages ==
-        "a.i:1:7: warning: block 'initial temperature' has no effect here; temperatures act through thermal "
-        "strains "
-        "only, which are not supported [deck-ignored]\n");
+        "a.i:1:7: warning: block 'initial temperature' has no effect here; temperatures act "
+        "through thermal strains only, which are not supported [deck-ignored]\n");
   CHECK(bound_region("begin silent boundary\n surface = s\nend\n").messages ==
-        "a.i:1:7: error: block 'silent boundary' is not supported and would change the answer; boundaries "
-        "reflect "
-        "waves\n");
+        "a.i:1:7: error: block 'silent boundary' is not supported and would change the answer; "
+        "boundaries reflect waves\n");
 }

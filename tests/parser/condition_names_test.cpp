@@ -34,41 +34,38 @@ TEST_CASE("names that a condition uses must be defined", "[parser][condition]") 
 }
 
 TEST_CASE("a condition must pick mesh parts, a direction and a value", "[parser][condition]") {
-  CHECK(
-      name_messages(
-          "begin fixed rotation hinge\nend\nbegin prescribed acceleration\nend\nbegin pressure\nend\n"
-          "begin traction\nend\nbegin gravity\nend\n") ==
-      "a.i:1:22: error: the fixed rotation picks no part of the mesh; give it a NODE SET, SURFACE, BLOCK, "
-      "ASSEMBLY "
-      "or RIGID BODY line\n"
-      "a.i:1:22: error: the fixed rotation has no direction; give it a COMPONENT or a DIRECTION line\n"
-      "a.i:3:1: error: the prescribed acceleration picks no part of the mesh; give it a NODE SET, SURFACE, "
-      "BLOCK, "
-      "ASSEMBLY or RIGID BODY line\n"
-      "a.i:3:1: error: the prescribed acceleration has no direction; give it a COMPONENT or a DIRECTION "
-      "line\n"
-      "a.i:3:1: error: the prescribed acceleration has no value; give it a FUNCTION or a READ VARIABLE line\n"
-      "a.i:5:1: error: the pressure picks no part of the mesh; give it a NODE SET, SURFACE, BLOCK, ASSEMBLY "
-      "or RIGID "
-      "BODY line\n"
-      "a.i:5:1: error: the pressure has no value; give it a FUNCTION or a READ VARIABLE line\n"
-      "a.i:7:1: error: the traction picks no part of the mesh; give it a NODE SET, SURFACE, BLOCK, ASSEMBLY "
-      "or RIGID "
-      "BODY line\n"
-      "a.i:7:1: error: the traction has no direction; give it a COMPONENT or a DIRECTION line\n"
-      "a.i:7:1: error: the traction has no value; give it a FUNCTION line\n"
-      "a.i:9:1: error: the gravity has no direction; give it a COMPONENT or a DIRECTION line\n");
+  CHECK(name_messages(
+            "begin fixed rotation hinge\nend\nbegin prescribed acceleration\nend\nbegin pressure\nend\n"
+            "begin traction\nend\nbegin gravity\nend\n") ==
+        "a.i:1:22: error: the fixed rotation picks no part of the mesh; give it a NODE SET, "
+        "SURFACE, BLOCK, ASSEMBLY or RIGID BODY line\n"
+        "a.i:1:22: error: the fixed rotation has no direction; give it a COMPONENT or a "
+        "DIRECTION line\n"
+        "a.i:3:1: error: the prescribed acceleration picks no part of the mesh; give it a NODE "
+        "SET, SURFACE, BLOCK, ASSEMBLY or RIGID BODY line\n"
+        "a.i:3:1: error: the prescribed acceleration has no direction; give it a COMPONENT or a "
+        "DIRECTION line\n"
+        "a.i:3:1: error: the prescribed acceleration has no value; give it a FUNCTION or a READ "
+        "VARIABLE line\n"
+        "a.i:5:1: error: the pressure picks no part of the mesh; give it a NODE SET, SURFACE, "
+        "BLOCK, ASSEMBLY or RIGID BODY line\n"
+        "a.i:5:1: error: the pressure has no value; give it a FUNCTION or a READ VARIABLE line\n"
+        "a.i:7:1: error: the traction picks no part of the mesh; give it a NODE SET, SURFACE, "
+        "BLOCK, ASSEMBLY or RIGID BODY line\n"
+        "a.i:7:1: error: the traction has no direction; give it a COMPONENT or a DIRECTION line\n"
+        "a.i:7:1: error: the traction has no value; give it a FUNCTION line\n"
+        "a.i:9:1: error: the gravity has no direction; give it a COMPONENT or a DIRECTION line\n");
 }
 
 TEST_CASE("a condition has one direction and one value only", "[parser][condition]") {
   CHECK(name_messages("begin prescribed moment\n block = b\n component = x\n direction = up\n function = f\n"
                       " read variable = v\n active periods = p1\n inactive periods = p2\nend\n") ==
-        "a.i:1:1: error: the prescribed moment has more than one kind of direction; keep one of COMPONENT, "
-        "DIRECTION "
-        "and CYLINDRICAL AXIS\n"
-        "a.i:1:1: error: the prescribed moment has two values; keep one of FUNCTION and READ VARIABLE\n"
-        "a.i:8:21: error: ACTIVE PERIODS and INACTIVE PERIODS in one block; the active ones stand at "
-        "a.i:7:19\n");
+        "a.i:1:1: error: the prescribed moment has more than one kind of direction; keep one of "
+        "COMPONENT, DIRECTION and CYLINDRICAL AXIS\n"
+        "a.i:1:1: error: the prescribed moment has two values; keep one of FUNCTION and READ "
+        "VARIABLE\n"
+        "a.i:8:21: error: ACTIVE PERIODS and INACTIVE PERIODS in one block; the active ones "
+        "stand at a.i:7:19\n");
 }
 
 TEST_CASE("an initial velocity is of one kind", "[parser][condition]") {
@@ -76,13 +73,11 @@ TEST_CASE("an initial velocity is of one kind", "[parser][condition]") {
     return name_messages("begin initial velocity\n block = b\n" + lines + "end\n");
   };
   CHECK(velocity(" component = x\n") ==
-        "a.i:1:1: error: the initial velocity has no value; give it a MAGNITUDE, an ANGULAR VELOCITY or a "
-        "FUNCTION "
-        "line\n");
+        "a.i:1:1: error: the initial velocity has no value; give it a MAGNITUDE, an ANGULAR "
+        "VELOCITY or a FUNCTION line\n");
   CHECK(velocity(" component = x\n magnitude = 1\n function = f\n") ==
-        "a.i:1:1: error: the initial velocity has more than one value; keep one of MAGNITUDE, ANGULAR "
-        "VELOCITY and "
-        "FUNCTION\n");
+        "a.i:1:1: error: the initial velocity has more than one value; keep one of MAGNITUDE, "
+        "ANGULAR VELOCITY and FUNCTION\n");
   CHECK(velocity(" cylindrical axis = spin\n magnitude = 1\n") ==
         "a.i:1:1: error: the initial velocity needs both or none of CYLINDRICAL AXIS and ANGULAR VELOCITY\n");
 }
