@@ -16,6 +16,10 @@ enum class WordKind : std::uint8_t {
   symbol   ///< one of = == < <= > >=
 };
 
+/// A word of a line. Blanks, tabs and commas separate words; symbols need none round them. A group in
+/// parentheses directly behind a bare word belongs to it, blanks taken out: "stress(xx, 1)" is the word
+/// "stress(xx,1)". A colon that ends a bare word is dropped: "EXPRESSION VARIABLE: v" has the words
+/// EXPRESSION, VARIABLE, v.
 struct Word {
   std::string text;
   WordKind kind = WordKind::bare;
@@ -23,7 +27,8 @@ struct Word {
   DeckLocation location;
 };
 
-/// One deck line after comments are stripped and continuations joined. Knows no command names.
+/// One deck line that is neither BEGIN nor END, after comments are stripped and continuations joined. Knows
+/// no command names.
 struct Command {
   std::vector<Word> words;  ///< at least one; commas and blanks between words are gone
   std::string text;         ///< the joined line, for commands that take the rest of it as it is (TITLE)
@@ -36,6 +41,8 @@ struct Block {
   std::vector<Word> title;  ///< the words after BEGIN: block type, then name
   DeckLocation location;    ///< of BEGIN
   std::vector<Item> items;  ///< in deck order
+  std::vector<Word> end;    ///< the words after END where they differ from the title; see check_end()
+  bool is_closed = true;    ///< false when END is missing: an unknown item may belong to the block around
 };
 
 struct Item {
