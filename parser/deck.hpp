@@ -13,7 +13,7 @@ namespace contactsim {
 /// How a deck is to be read.
 struct ParseOptions {
   std::vector<std::string> overrides;  ///< Aprepro variables from the command line, "name=value"
-  bool is_lenient = false;                                     ///< refused and unknown commands are warnings
+  bool is_lenient = false;             ///< refused and unknown commands are warnings
 };
 
 /// Reads a deck into the definition tree. All problems of the deck go to `diagnostics`; the definition is

@@ -74,8 +74,9 @@ EntityLookup::EntityLookup(EntityKind kind, std::vector<std::int64_t> ids,
 std::optional<std::uint32_t> EntityLookup::find(std::string_view name) const {
   if (const auto id = find_default_id(kind_, name)) return by_id_.find(ids_, *id);
   const std::string folded = fold(name);
-  const auto found = std::lower_bound(by_name_.begin(), by_name_.end(), folded,
-                                      [](const auto& row, const std::string& key) { return row.first < key; });
+  const auto found =
+      std::lower_bound(by_name_.begin(), by_name_.end(), folded,
+                       [](const auto& row, const std::string& key) { return row.first < key; });
   if (found == by_name_.end() || found->first != folded) return std::nullopt;
   return found->second;
 }
