@@ -67,6 +67,7 @@ void BlockReader::read_connectivity(ElementBlock& block) const {
     if (block.shape == Shape::unknown) block.shape = Shape::null;
     return;
   }
+  if (block.shape == Shape::null) block.shape = Shape::unknown;
   // Polyhedra list their faces in a variable of their own.
   if (!connectivity && !file_.find_variable("facconn" + suffix_)) {
     fail(fmt::format("has {} elements but no connectivity (variable connect{})", block.n_elements, suffix_));
@@ -75,12 +76,8 @@ void BlockReader::read_connectivity(ElementBlock& block) const {
 }
 
 void BlockReader::read_nodes(const NetcdfVariable& connectivity, ElementBlock& block) const {
-  static_assert(sizeof(NodeIndex) == sizeof(std::uint32_t));
-  block.nodes.resize(connectivity.size());
   const auto columns = static_cast<std::size_t>(block.nodes_per_element);
-  const std::span<std::uint32_t> positions(reinterpret_cast<std::uint32_t*>(block.nodes.data()),
-                                           block.nodes.size());
-  const IndexArray found = read_positions(file_, connectivity, columns, n_nodes_, positions);
+  const IndexArray found = read_positions(file_, connectivity, n_nodes_, block.nodes);
   block.has_repeated_nodes = found.has_repeats;
   if (!found.bad) return;
   fail(fmt::format("element {} of the block: node {} of {} is {}, but the mesh has nodes 1 to {}",

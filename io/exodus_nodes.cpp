@@ -28,25 +28,60 @@ NetcdfVariable require_variable(const NetcdfFile& file, const std::string& name,
   return *variable;
 }
 
-// Copies one axis into its row; returns the first value that is not finite, n when all are.
-std::ptrdiff_t copy_axis(std::span<const double> values, Eigen::Index axis, Eigen::Matrix3Xd& coordinates) {
-  const auto n = static_cast<std::ptrdiff_t>(values.size());
-  std::ptrdiff_t first_bad = n;
-#pragma omp parallel for schedule(static) reduction(min : first_bad)
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const double value = values[static_cast<std::size_t>(i)];
-    if (!std::isfinite(value)) first_bad = std::min(first_bad, i);
-    coordinates(axis, i) = value;
+// Puts values of one axis at their nodes, the first of which is given.
+void copy_axis(const NetcdfFile& file, std::span<const double> values, std::size_t axis, std::size_t first,
+               Eigen::Matrix3Xd& coordinates) {
+  double* target = coordinates.data() + 3 * first + axis;
+  unsigned is_bad = 0;
+  for (double value : values) {
+    is_bad |= std::abs(value) <= std::numeric_limits<double>::max() ? 0u : 1u;
+    *target = value;
+    target += 3;
   }
-  return first_bad;
+  if (is_bad == 0) return;
+  const auto bad =
+      std::find_if_not(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  const std::size_t node = first + static_cast<std::size_t>(bad - values.begin());
+  file.fail(fmt::format("node {} (counted from 1): its {} coordinate is {}", node + 1, axes[axis], *bad));
+}
+
+// coordx, coordy, coordz: parts of all three in turn, so that each node's cache line is filled at once.
+void read_split(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coordinates) {
+  std::array<NetcdfVariable, 3> variables;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    variables[axis] = require_variable(file, std::string("coord") + axes[axis], {n});
+  }
+  coordinates.resize(3, static_cast<Eigen::Index>(n));
+  const std::size_t n_at_once =
+      std::min(n, std::max({file.rows_per_read(variables[0]), file.rows_per_read(variables[1]),
+                            file.rows_per_read(variables[2])}));
+  const auto buffer = std::make_unique_for_overwrite<double[]>(n_at_once);
+  for (std::size_t first = 0; first < n; first += n_at_once) {
+    const std::span<double> values(buffer.get(), std::min(n_at_once, n - first));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      file.read_double(variables[axis], {first, values.size()}, values);
+      copy_axis(file, values, axis, first, coordinates);
+    }
+  }
+}
+
+// coord: all of x, then all of y, then all of z.
+void read_combined(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coordinates) {
+  const NetcdfVariable variable = require_variable(file, "coord", {3, n});
+  coordinates.resize(3, static_cast<Eigen::Index>(n));
+  const auto buffer = std::make_unique_for_overwrite<double[]>(n);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    file.read_double(variable, {axis, 1}, {buffer.get(), n});
+    copy_axis(file, {buffer.get(), n}, axis, 0, coordinates);
+  }
 }
 
 bool is_counting(std::span<const std::int32_t> ids) {
-  const auto n = static_cast<std::ptrdiff_t>(ids.size());
-  bool counts = true;
-#pragma omp parallel for schedule(static) reduction(&& : counts)
-  for (std::ptrdiff_t i = 0; i < n; ++i) counts = counts && ids[static_cast<std::size_t>(i)] == i + 1;
-  return counts;
+  std::uint32_t differs = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    differs |= static_cast<std::uint32_t>(ids[i]) ^ static_cast<std::uint32_t>(i + 1);
+  }
+  return differs == 0;
 }
 
 std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVariable& variable) {
@@ -58,8 +93,9 @@ std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVari
   }
   const auto narrow = std::make_unique_for_overwrite<std::int32_t[]>(n);
   const std::span<std::int32_t> values(narrow.get(), n);
-  if (!file.read_int32(variable, values))
+  if (!file.read_int32(variable, {0, n}, values)) {
     file.fail("variable " + variable.name + " holds numbers beyond 32 bits");
+  }
   return is_counting(values) ? std::vector<std::int64_t>()
                              : std::vector<std::int64_t>(values.begin(), values.end());
 }
@@ -69,28 +105,12 @@ std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVari
 Eigen::Matrix3Xd read_coordinates(const NetcdfFile& file) {
   const std::size_t n = file.dimension("num_nodes");
   if (n > max_nodes) file.fail(fmt::format("has {} nodes; at most {} are possible", n, max_nodes));
-  if (n == 0) return Eigen::Matrix3Xd(3, 0);
-  const bool is_split = file.find_variable("coordx").has_value();
-  const std::size_t n_values = is_split ? n : 3 * n;
-  std::array<NetcdfVariable, 3> split;
-  NetcdfVariable combined;
-  for (std::size_t axis = 0; axis < 3 && is_split; ++axis) {
-    split[axis] = require_variable(file, std::string("coord") + axes[axis], {n});
-  }
-  if (!is_split) combined = require_variable(file, "coord", {3, n});
-
-  // Only after the file was found large enough for n nodes.
-  Eigen::Matrix3Xd coordinates(3, static_cast<Eigen::Index>(n));
-  const auto buffer = std::make_unique_for_overwrite<double[]>(n_values);
-  if (!is_split) file.read_double(combined, {buffer.get(), n_values});
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::span<double> values(buffer.get() + (is_split ? 0 : axis * n), n);
-    if (is_split) file.read_double(split[axis], values);
-    const auto bad =
-        static_cast<std::size_t>(copy_axis(values, static_cast<Eigen::Index>(axis), coordinates));
-    if (bad == n) continue;
-    file.fail(
-        fmt::format("node {} (counted from 1): its {} coordinate is {}", bad + 1, axes[axis], values[bad]));
+  Eigen::Matrix3Xd coordinates(3, 0);
+  if (n == 0) return coordinates;
+  if (file.find_variable("coordx")) {
+    read_split(file, n, coordinates);
+  } else {
+    read_combined(file, n, coordinates);
   }
   return coordinates;
 }

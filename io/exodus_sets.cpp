@@ -28,8 +28,8 @@ std::vector<std::uint32_t> read_numbers(const NetcdfFile& file, EntityKind kind,
   const auto variable = file.find_variable(variable_name);
   if (!variable) return {};
   if (variable->shape.size() != 1) fail(file, kind, row, "variable " + variable_name + " is not a list");
-  std::vector<std::uint32_t> positions(variable->size());
-  const IndexArray found = read_positions(file, *variable, 1, limit, positions);
+  std::vector<std::uint32_t> positions;
+  const IndexArray found = read_positions(file, *variable, limit, positions);
   if (!found.bad) return positions;
   fail(file, kind, row,
        fmt::format("entry {}: {} holds {}, which is not in 1 to {}", found.bad->position + 1, variable_name,

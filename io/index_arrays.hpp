@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <string>
+#include <vector>
 
+#include "core/mesh/indices.hpp"
 #include "io/netcdf_file.hpp"
 
 namespace contactsim {
@@ -22,11 +22,18 @@ struct IndexArray {
   bool has_repeats = false;      ///< some row holds a number twice
 };
 
-/// Reads numbers 1..limit as positions from 0.
-///   columns    numbers per row; repeats are looked for within rows
+/// Reads numbers 1..limit as positions from 0, appending them to `positions`, which may hold anything when
+/// some number is bad.
+///   variable   [n] or [n_rows x n_columns], at most 32 columns
 ///   limit      at most 2^31 - 1
-///   positions  [variable.size()]  undefined when some number is bad
-IndexArray read_positions(const NetcdfFile& file, const NetcdfVariable& variable, std::size_t columns,
-                          std::uint32_t limit, std::span<std::uint32_t> positions);
+///   Index      std::uint32_t or NodeIndex
+template <class Index>
+IndexArray read_positions(const NetcdfFile& file, const NetcdfVariable& variable, std::uint32_t limit,
+                          std::vector<Index>& positions);
+
+extern template IndexArray read_positions(const NetcdfFile&, const NetcdfVariable&, std::uint32_t,
+                                          std::vector<std::uint32_t>&);
+extern template IndexArray read_positions(const NetcdfFile&, const NetcdfVariable&, std::uint32_t,
+                                          std::vector<NodeIndex>&);
 
 }  // namespace contactsim

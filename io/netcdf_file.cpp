@@ -21,6 +21,25 @@ namespace {
 // Deflate packs at most 1032 bytes into one (Deutsch, RFC 1951); no other filter is usual in meshes.
 constexpr std::uint64_t largest_compression = 1100;
 
+/// A part of a variable as netCDF takes it.
+struct Part {
+  std::vector<std::size_t> start, count;
+
+  std::size_t size() const {
+    std::size_t n = 1;
+    for (std::size_t length : count) n *= length;
+    return n;
+  }
+};
+
+Part make_part(const NetcdfVariable& variable, Rows rows) {
+  assert(!variable.shape.empty() && rows.first + rows.count <= variable.shape[0]);
+  Part part{std::vector<std::size_t>(variable.shape.size(), 0), variable.shape};
+  part.start[0] = rows.first;
+  part.count[0] = rows.count;
+  return part;
+}
+
 std::string_view call_damage(FileKind kind) {
   if (kind == FileKind::classic) return "damaged netCDF header";
   if (kind == FileKind::hdf5) return "damaged or truncated HDF5 file";
@@ -78,6 +97,9 @@ std::optional<NetcdfVariable> NetcdfFile::find_variable(const std::string& name)
   }
   variable.is_text = type == NC_CHAR;
   variable.is_64_bit_integer = type == NC_INT64 || type == NC_UINT64;
+  int storage = NC_CONTIGUOUS;
+  check(nc_inq_var_chunking(id_, variable.id, &storage, nullptr), what);
+  variable.is_chunked = storage == NC_CHUNKED;
   check_fits(variable);
   return variable;
 }
@@ -87,9 +109,7 @@ void NetcdfFile::check_fits(const NetcdfVariable& variable) const {
   std::size_t bytes_per_value = 0;
   check(nc_inq_vartype(id_, variable.id, &type), variable.name);
   check(nc_inq_type(id_, type, nullptr, &bytes_per_value), variable.name);
-  int storage = NC_CONTIGUOUS;
-  check(nc_inq_var_chunking(id_, variable.id, &storage, nullptr), variable.name);
-  std::uint64_t room = storage == NC_CHUNKED ? file_size_ * largest_compression : file_size_;
+  std::uint64_t room = variable.is_chunked ? file_size_ * largest_compression : file_size_;
   room /= std::max<std::size_t>(bytes_per_value, 1);
   for (std::size_t length : variable.shape) {
     if (length == 0) return;
@@ -163,13 +183,29 @@ std::optional<std::string> NetcdfFile::find_text_attribute(int variable, const s
   return clean_text(text);
 }
 
-bool NetcdfFile::read_int32(const NetcdfVariable& variable, std::span<std::int32_t> values) const {
-  assert(values.size() == variable.size());
+std::size_t NetcdfFile::rows_per_read(const NetcdfVariable& variable) const {
+  constexpr std::size_t values_in_cache = 1 << 18;
+  if (variable.shape.empty() || variable.is_chunked) return std::max<std::size_t>(variable.size(), 1);
+  const std::size_t n_rows = std::max<std::size_t>(variable.shape[0], 1);
+  return std::max<std::size_t>(1, values_in_cache / std::max<std::size_t>(1, variable.size() / n_rows));
+}
+
+bool NetcdfFile::read_int32(const NetcdfVariable& variable, Rows rows, std::span<std::int32_t> values) const {
   if (values.empty()) return true;
-  const int status = nc_get_var_int(id_, variable.id, values.data());
+  const Part part = make_part(variable, rows);
+  assert(values.size() == part.size());
+  const int status = nc_get_vara_int(id_, variable.id, part.start.data(), part.count.data(), values.data());
   if (status == NC_ERANGE) return false;
   check(status, "variable " + variable.name);
   return true;
+}
+
+void NetcdfFile::read_double(const NetcdfVariable& variable, Rows rows, std::span<double> values) const {
+  if (values.empty()) return;
+  const Part part = make_part(variable, rows);
+  assert(values.size() == part.size());
+  check(nc_get_vara_double(id_, variable.id, part.start.data(), part.count.data(), values.data()),
+        "variable " + variable.name);
 }
 
 void NetcdfFile::read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const {

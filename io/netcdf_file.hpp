@@ -17,8 +17,15 @@ struct NetcdfVariable {
   std::vector<std::size_t> shape;
   bool is_text = false;
   bool is_64_bit_integer = false;
+  bool is_chunked = false;  ///< stored in pieces, perhaps compressed: reading a part may cost as much as all
 
   std::size_t size() const;  ///< product of the shape
+};
+
+/// Consecutive rows of a variable: positions along its first dimension.
+struct Rows {
+  std::size_t first = 0;
+  std::size_t count = 0;
 };
 
 /// A netCDF file of any format, open for reading. Every member throws FileError with the path when the file
@@ -49,8 +56,13 @@ class NetcdfFile {
                                            const std::string& attribute) const;
   std::optional<std::string> find_text(const NetcdfVariable& variable, const std::string& attribute) const;
 
-  /// Read a whole variable; the span has its size. read_int32 returns false when some value does not fit.
-  [[nodiscard]] bool read_int32(const NetcdfVariable& variable, std::span<std::int32_t> values) const;
+  /// How many rows to read at a time so that they stay in the cache; all when parts are costly.
+  std::size_t rows_per_read(const NetcdfVariable& variable) const;
+  /// Reads some rows into a span of their size; false when some value does not fit.
+  [[nodiscard]] bool read_int32(const NetcdfVariable& variable, Rows rows,
+                                std::span<std::int32_t> values) const;
+  void read_double(const NetcdfVariable& variable, Rows rows, std::span<double> values) const;
+  /// Read a whole variable into a span of its size.
   void read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const;
   void read_double(const NetcdfVariable& variable, std::span<double> values) const;
   /// Rows of a text variable n x length, cleaned (clean_text).

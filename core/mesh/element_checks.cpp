@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::size_t n_shown = 5;
 
+// Smaller blocks are done before a second thread is awake.
+constexpr std::int64_t fewest_parallel = 2000;
+
 struct FlatElement {
   ElementIndex element;
   double volume = 0.0;
@@ -53,7 +56,7 @@ std::vector<FlatElement> find_flat(const Mesh& mesh, const ElementBlock& block) 
   const Topology& shape = topology(block.shape);
   std::vector<FlatElement> found;
   const auto n = static_cast<std::int64_t>(block.n_elements);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n >= fewest_parallel)
   for (std::int64_t e = 0; e < n; ++e) {
     const auto nodes = block.element_nodes(static_cast<std::uint32_t>(e));
     const double volume = solid_volume(mesh.coordinates(), nodes, shape);

@@ -41,7 +41,7 @@ TEST_CASE("a classic file that lost any of its end is refused", "[io][layout]") 
   write_bytes(path, whole);
   CHECK_NOTHROW(check_classic_layout(path));
   // The last variable may be padded to four bytes: those are no loss.
-  for (std::size_t size = 4; size + 4 <= whole.size(); size += 7) {
+  for (std::size_t size = 4; size + 4 <= whole.size(); size += 31) {
     write_bytes(path, std::string_view(whole).substr(0, size));
     CHECK_THROWS_AS(check_classic_layout(path), FileError);
   }
@@ -82,7 +82,7 @@ TEST_CASE("no damage to a classic file does more than have it refused", "[io][la
   std::mt19937 random(20250101u + static_cast<unsigned>(format));
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   int n_refused = 0;
-  for (int variant = 0; variant < 1500; ++variant) {
+  for (int variant = 0; variant < 1000; ++variant) {
     std::string bytes = whole;
     // Half of the variants hurt the header, where the counts are.
     const std::size_t reach = variant % 2 == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 5000);
@@ -95,6 +95,6 @@ TEST_CASE("no damage to a classic file does more than have it refused", "[io][la
     write_bytes(path, bytes);
     if (!is_read(path)) ++n_refused;
   }
-  CHECK(n_refused > 300);
-  CHECK(n_refused < 1500);
+  CHECK(n_refused > 200);
+  CHECK(n_refused < 1000);
 }

@@ -13,21 +13,22 @@ using contactsim::test::TemporaryDirectory;
 
 namespace {
 
-// Writes the numbers as an array of the type and reads them back as rows of `columns`.
+// Writes the numbers as rows of `columns` values of the type and reads them back.
 IndexArray round_trip(const std::vector<long long>& numbers, std::size_t columns, std::uint32_t limit,
                       std::vector<std::uint32_t>& positions, nc_type type = NC_INT) {
   const TemporaryDirectory directory;
   const std::string path = directory.file("numbers.nc");
-  int file = 0, dimension = 0, variable = 0;
+  int file = 0, variable = 0, dimensions[2];
   check(nc_create(path.c_str(), NC_64BIT_DATA, &file));
-  check(nc_def_dim(file, "n", numbers.size(), &dimension));
-  check(nc_def_var(file, "numbers", type, 1, &dimension, &variable));
+  check(nc_def_dim(file, "rows", numbers.size() / columns, &dimensions[0]));
+  check(nc_def_dim(file, "columns", columns, &dimensions[1]));
+  check(nc_def_var(file, "numbers", type, columns == 1 ? 1 : 2, dimensions, &variable));
   check(nc_enddef(file));
   check(nc_put_var_longlong(file, variable, numbers.data()));
   check(nc_close(file));
   const NetcdfFile opened(path);
-  positions.assign(numbers.size(), 0);
-  return read_positions(opened, *opened.find_variable("numbers"), columns, limit, positions);
+  positions.clear();
+  return read_positions(opened, *opened.find_variable("numbers"), limit, positions);
 }
 
 }  // namespace
@@ -42,9 +43,10 @@ TEST_CASE("numbers from one become positions from zero", "[io][index]") {
 }
 
 TEST_CASE("the first number out of range is found, wherever it is", "[io][index]") {
-  // Longer than a tile, so that it takes several threads and tiles.
-  std::vector<long long> numbers(30000, 7);
-  const std::size_t at = GENERATE(std::size_t{0}, std::size_t{4095}, std::size_t{4096}, std::size_t{29999});
+  // Longer than what is read at once.
+  std::vector<long long> numbers(600000, 7);
+  const std::size_t at =
+      GENERATE(std::size_t{0}, std::size_t{262143}, std::size_t{262144}, std::size_t{599999});
   const long long value = GENERATE(0, -1, 8, 2147483647LL, -2147483648LL);
   numbers[at] = value;
   numbers.back() = value;
