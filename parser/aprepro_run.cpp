@@ -7,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "parser/aprepro_expression.hpp"
+#include "parser/aprepro_operators.hpp"
 
 namespace contactsim {
 
@@ -69,12 +70,25 @@ void ApreproRunner::run_node(const ApreproNode& node) {
       state_.makes_immutable = node.kind == Kind::immutable_on;
       break;
     case Kind::glued_mark:
-      report(Severity::warning, "aprepro-hidden",
-             {node.at, 1, "this comment mark comes to stand before the next line and hides it",
-              "put a blank between the mark and the brace"});
+    case Kind::joined_text:
+      warn_of_joined_lines(node);
       break;
   }
   check_work(node.at);
+}
+
+void ApreproRunner::warn_of_joined_lines(const ApreproNode& node) {
+  if (node.kind == Kind::glued_mark) {
+    report(Severity::warning, "aprepro-hidden",
+           {node.at, 1, "this comment mark comes to stand before the next line and hides it",
+            "put a blank between the mark and the brace"});
+  } else {
+    report(Severity::warning, "aprepro-joined",
+           {node.at, 1,
+            fmt::format("this text is joined to the next line, as the line end behind {} is dropped",
+                        text_of(node.range)),
+            "put it on a line of its own"});
+  }
 }
 
 void ApreproRunner::run_expression(const ApreproNode& node) {
