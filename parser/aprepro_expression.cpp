@@ -63,7 +63,7 @@ class Evaluator {
 
 void Evaluator::charge(std::size_t work, const Token& at) {
   state_.work += work;
-  if (state_.work > max_aprepro_work) fail_at(at, "the deck expands without end, or to too much");
+  if (state_.work > state_.max_work) fail_at(at, "the deck expands without end, or to too much");
 }
 
 bool Evaluator::accept(std::string_view symbol) {

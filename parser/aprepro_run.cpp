@@ -24,6 +24,7 @@ constexpr std::size_t max_reports = 200;
 ApreproRunner::ApreproRunner(const ApreproOptions& options, Diagnostics& diagnostics)
     : options_(options), diagnostics_(diagnostics) {
   state_.read_file = options.read_file;
+  state_.max_work = options.max_work;
   state_.warn = [this](std::string_view id, const ApreproError& problem) {
     report(Severity::warning, id, problem);
   };
@@ -169,7 +170,7 @@ void ApreproRunner::report(Severity severity, std::string_view id, const Aprepro
 }
 
 void ApreproRunner::check_work(std::size_t offset) {
-  const bool is_too_much = state_.work > max_aprepro_work || output_.text().size() > max_output;
+  const bool is_too_much = state_.work > state_.max_work || output_.text().size() > max_output;
   if (is_too_much) stop(offset, "the deck expands without end, or to too much");
 }
 
