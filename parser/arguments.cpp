@@ -21,8 +21,9 @@ std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
 }  // namespace
 
 std::optional<double> find_real(std::string_view text) {
-  std::string plain(text.starts_with('+') ? text.substr(1) : text);
-  const std::string_view digits = std::string_view(plain).substr(plain.starts_with('-') ? 1 : 0);
+  const bool is_signed = text.starts_with('+') || text.starts_with('-');
+  const std::string_view digits = text.substr(is_signed ? 1 : 0);
+  std::string plain(text.substr(text.starts_with('+') ? 1 : 0));
   const bool starts_well =
       !digits.empty() && (std::isdigit(static_cast<unsigned char>(digits[0])) || digits[0] == '.');
   if (!starts_well) return std::nullopt;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/definition/simulation.hpp"
@@ -13,7 +12,7 @@ namespace contactsim {
 
 /// How a deck is to be read.
 struct ParseOptions {
-  std::vector<std::pair<std::string, std::string>> overrides;  ///< Aprepro variables and their values, -D
+  std::vector<std::string> overrides;  ///< Aprepro variables from the command line, "name=value"
   bool is_lenient = false;                                     ///< refused and unknown commands are warnings
 };
 

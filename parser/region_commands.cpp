@@ -6,7 +6,6 @@
 #include "parser/condition_load_commands.hpp"
 #include "parser/contact_commands.hpp"
 #include "parser/contact_surface_commands.hpp"
-#include "parser/implicit_commands.hpp"
 #include "parser/output_commands.hpp"
 #include "parser/output_user_commands.hpp"
 #include "parser/region_part_commands.hpp"
@@ -71,7 +70,6 @@ const Table<Region>& region_table() {
       initial_condition_rows(),
       other_condition_rows(),
       region_part_rows(),
-      implicit_region_rows<Region>(),
       output_rows(),
       user_output_rows(),
   }));

@@ -60,7 +60,7 @@ void Source::append_part(const Source& from, std::size_t begin, std::size_t end,
     const bool is_last = i + 1 == from.runs_.size();
     const std::size_t stop = is_last ? end : std::min(end, from.runs_[i + 1].begin);
     Origin origin = from.origin(at);
-    origin.trail = trail;
+    if (trail) origin.trail = trail;
     if (from.runs_[i].is_made) {
       append_made(text.substr(at, stop - at), origin);
     } else {

@@ -47,7 +47,8 @@ class Source {
   /// Appends text that was made at one place, such as the value of an expression.
   void append_made(std::string_view text, const Origin& at);
 
-  /// Appends the characters [begin, end) of another source with their origins, under another trail.
+  /// Appends the characters [begin, end) of another source with their origins; a trail that is not
+  /// null replaces theirs.
   void append_part(const Source& from, std::size_t begin, std::size_t end,
                    const std::shared_ptr<const Trail>& trail);
 

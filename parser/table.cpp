@@ -58,8 +58,8 @@ void report_unknown(const Item& item, const Block& block, const TableText& table
   if (!nearest.empty()) {
     hint = fmt::format("did you mean '{}{}'?", is_block ? "begin " : "", nearest);
   } else if (!other.empty()) {
-    hint = fmt::format("'{}' is a {} here", other,
-                       is_block ? "command line, not a block" : "block: begin it with BEGIN");
+    hint = is_block ? fmt::format("'{}' is a command line here, not a block", other)
+                    : fmt::format("'{0}' is a block here: begin {0}", other);
   }
   const std::size_t n_shown = 4;
   std::string text =

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uintmax_t max_file_size = std::uintmax_t{64} << 20;
 
-TextFile refuse(std::string problem, bool is_not_text = false) {
-  return {"", std::move(problem), is_not_text};
+TextFile refuse(std::string problem, TextFile::Failure failure = TextFile::Failure::unreadable) {
+  return {"", std::move(problem), failure};
 }
 
 /// What a text is when it is no deck text; "" when it may be one.
@@ -29,13 +29,14 @@ std::string find_foreign_format(std::string_view text) {
 TextFile read_text_file(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (status.type() == std::filesystem::file_type::not_found) return refuse("there is no such file");
+  if (status.type() == std::filesystem::file_type::not_found)
+    return refuse("there is no such file", TextFile::Failure::missing);
   if (error) return refuse(error.message());
   if (std::filesystem::is_directory(status)) return refuse("it is a directory");
   if (!std::filesystem::is_regular_file(status)) return refuse("it is not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) return refuse(error.message());
-  if (size > max_file_size) return refuse("it is larger than 64 MiB, too large for a deck", true);
+  if (size > max_file_size) return refuse("it is larger than 64 MiB, too large for a deck");
 
   std::ifstream file(path, std::ios::binary);
   std::string text(static_cast<std::size_t>(size), '\0');
@@ -44,8 +45,8 @@ TextFile read_text_file(const std::string& path) {
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (file.bad()) return refuse("it cannot be read");
   const std::string foreign = find_foreign_format(text);
-  if (!foreign.empty()) return refuse("it is " + foreign, true);
-  return {std::move(text), "", false};
+  if (!foreign.empty()) return refuse("it is " + foreign, TextFile::Failure::not_text);
+  return {std::move(text)};
 }
 
 TextFile read_no_file(const std::string&) { return refuse("files are not read here"); }

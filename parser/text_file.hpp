@@ -8,9 +8,11 @@ namespace contactsim {
 
 /// What came of reading a file of deck text.
 struct TextFile {
+  enum class Failure { none, missing, unreadable, not_text };
+
   std::string text;
-  std::string problem;       ///< why it could not be read, "there is no such file"; "" when it was
-  bool is_not_text = false;  ///< it was opened, but holds something else than text
+  std::string problem = {};  ///< why it could not be read, "there is no such file"; "" when it was
+  Failure failure = Failure::none;
 };
 
 /// Reads the file at a path, which is relative to the run directory.

@@ -167,8 +167,8 @@ TEST_CASE("an END with another name is a warning, with another type an error", "
 
 TEST_CASE("the lines of an INCLUDEFILE stand in its place and know the way", "[parser][syntax]") {
   const auto files = [](const std::string& path) -> TextFile {
-    if (path == "rows.txt") return {"0 1 # one\n2, 3", "", false};
-    return {"", "there is no such file", false};
+    if (path == "rows.txt") return {"0 1 # one\n2, 3"};
+    return {"", "there is no such file", TextFile::Failure::missing};
   };
   const Parsed parsed =
       parse("begin values\nIncludeFile rows.txt\n4 5\nend\nincludefile = 'none.txt'\n", files);
@@ -184,7 +184,7 @@ TEST_CASE("the lines of an INCLUDEFILE stand in its place and know the way", "[p
 
 TEST_CASE("INCLUDEFILE refuses rings, depth and malformed lines", "[parser][syntax]") {
   const auto ring = [](const std::string& path) -> TextFile {
-    return {path == "b" ? "includefile ./c" : "includefile b", "", false};
+    return {path == "b" ? "includefile ./c" : "includefile b"};
   };
   CHECK(messages(parse("includefile b", ring).diagnostics) ==
         "./c:1:13: error: cannot include 'b': the file includes itself\n  included from b:1\n  included from "
@@ -192,7 +192,7 @@ TEST_CASE("INCLUDEFILE refuses rings, depth and malformed lines", "[parser][synt
   CHECK(messages(parse("includefile a.i", ring).diagnostics) ==
         "a.i:1:13: error: cannot include 'a.i': the file includes itself\n");
   const auto deeper = [](const std::string& path) -> TextFile {
-    return {"includefile " + path + "x", "", false};
+    return {"includefile " + path + "x"};
   };
   CHECK(messages(parse("includefile x", deeper).diagnostics).find("nested more than 32 deep") !=
         std::string::npos);
@@ -200,7 +200,7 @@ TEST_CASE("INCLUDEFILE refuses rings, depth and malformed lines", "[parser][synt
         "a.i:1:1: error: INCLUDEFILE takes one file name; put a name with blanks in quotes\n");
   CHECK(errors("includefile a b").find("takes one file name") != std::string::npos);
   const auto many = [](const std::string& path) -> TextFile {
-    return {"includefile " + path + "1\nincludefile " + path + "2\n", "", false};
+    return {"includefile " + path + "1\nincludefile " + path + "2\n"};
   };
   CHECK(messages(parse("includefile x", many).diagnostics).find("too many files") != std::string::npos);
 }
