@@ -13,13 +13,8 @@ namespace contactsim {
 
 /// How a deck is to be read.
 struct ParseOptions {
-<<<<<<< HEAD
-  std::vector<std::string> overrides;  ///< Aprepro variables from the command line, "name=value"
-  bool is_lenient = false;             ///< refused and unknown commands are warnings
-=======
   std::vector<std::pair<std::string, std::string>> overrides;  ///< Aprepro variables and their values, -D
   bool is_lenient = false;                                     ///< refused and unknown commands are warnings
->>>>>>> rows-a
 };
 
 /// Reads a deck into the definition tree. All problems of the deck go to `diagnostics`; the definition is
