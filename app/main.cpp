@@ -16,15 +16,19 @@ namespace contactsim {
 
 namespace {
 
-void report(const std::string& text, Log* log) {
+void report(const std::string& text, Log& log) {
   std::fprintf(stderr, "%s\n", text.c_str());
-  if (log != nullptr) log->write_to_file(text + "\n");
+  log.write_to_file(text + "\n");
+}
+
+std::string count(std::size_t n, const std::string& what) {
+  return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
 
 /// Warnings once more at the end, where they are seen.
 void write_summary(const Diagnostics& warnings, Log& log) {
   if (warnings.empty()) return;
-  log.write(fmt::format("\n{} warnings\n", warnings.all().size()));
+  log.write(fmt::format("\n{}\n", count(warnings.all().size(), "warning")));
   log.write(warnings);
 }
 
@@ -37,11 +41,11 @@ ExitCode run(const Options& options, Log& log) {
     return code;
   } catch (const DeckError& error) {
     log.write(error.diagnostics());
-    report(fmt::format("contactsim: {} errors", error.diagnostics().error_count()), &log);
+    report(fmt::format("contactsim: {}", count(error.diagnostics().error_count(), "error")), log);
     return ExitCode::deck;
   } catch (const FileError& error) {
     log.write(warnings);
-    report(fmt::format("error: {}", error.what()), &log);
+    report(fmt::format("error: {}", error.what()), log);
     return ExitCode::file;
   }
 }

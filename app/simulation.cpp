@@ -73,7 +73,7 @@ const Region* choose_region(const SimulationDefinition& definition) {
       chosen = &region;
     }
   }
-  return chosen;
+  return chosen ? *chosen : Region{};
 }
 
 /// Blocks whose elements must be sound because contact skins or lofts them.
@@ -118,17 +118,32 @@ void check_surfaces(const Options& options, const SimulationDefinition& definiti
   add_surface_warnings(model.surfaces, warnings);
 }
 
+/// A deck with errors goes no further, but wrong names of surfaces are found all the same, so that one run
+/// shows all that is wrong. Without a mesh that can be read there is nothing to compare them with.
+void add_name_errors(const Options& options, const SimulationDefinition& definition, Diagnostics& errors) {
+  const Region region = choose_region(definition);
+  if (!region.contact) return;
+  try {
+    Diagnostics mesh_warnings;
+    const Mesh mesh = read_mesh(options.mesh.value_or(mesh_path(definition, region)), mesh_warnings);
+    find_name_errors(definition, region, mesh, errors);
+  } catch (const FileError&) {
+    return;
+  }
+}
+
 }  // namespace
 
 ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
   const SimulationDefinition definition = parse_deck(options.deck, parse_options(options), warnings);
-  stop_on_errors(warnings);
+  if (warnings.has_errors()) {
+    if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
+    throw DeckError(warnings);
+  }
   log.write(fmt::format("Deck {}\n{}", options.deck, describe(definition)));
   if (options.stage == Stage::parse) return ExitCode::done;
 
-  const Region no_region;
-  const Region* chosen = choose_region(definition);
-  const Region& region = chosen ? *chosen : no_region;
+  const Region region = choose_region(definition);
   const Mesh mesh = read_mesh(options.mesh.value_or(mesh_path(definition, region)), warnings);
   log.write(fmt::format("Mesh {}\n{}", mesh.path(), describe(mesh)));
   if (region.contact) {

@@ -33,6 +33,11 @@ std::vector<std::uint32_t> owners_of(const std::vector<Part>& parts, const std::
   return owners;
 }
 
+RegionNames names_of(const SimulationDefinition& definition, const Region& region) {
+  const FiniteElementModel* parts = find_finite_element_model(definition, region);
+  return {region.analytic_planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{}};
+}
+
 }  // namespace
 
 ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
@@ -40,9 +45,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
                                 Diagnostics& diagnostics) {
   ContactModel model;
   model.planes = region.analytic_planes;
-  const FiniteElementModel* parts = find_finite_element_model(definition, region);
-  const RegionNames names{model.planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{}};
-  model.surfaces = resolve_surfaces(*region.contact, names, mesh, alive, diagnostics);
+  model.surfaces = resolve_surfaces(*region.contact, names_of(definition, region), mesh, alive, diagnostics);
   check_surface_names(*region.contact, model.surfaces, diagnostics);
   const auto owned = owned_elements(model.surfaces.surfaces);
   const auto sizes = find_loft_sizes(definition, region, mesh, model.surfaces.surfaces, owned, diagnostics);
@@ -52,6 +55,11 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
   model.surface_of_facet = owners_of(model.loft.facets, owned);
   model.surface_of_sphere = owners_of(model.loft.spheres, owned);
   return model;
+}
+
+void find_name_errors(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                      Diagnostics& diagnostics) {
+  make_surface_requests(*region.contact, names_of(definition, region), mesh, diagnostics);
 }
 
 }  // namespace contactsim

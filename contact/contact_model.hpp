@@ -31,4 +31,9 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
                                 const Mesh& mesh, std::span<const std::uint8_t> alive,
                                 Diagnostics& diagnostics);
 
+/// Only looks up the names of mesh parts in the region's contact surfaces, for decks that have other errors
+/// as well.
+void find_name_errors(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                      Diagnostics& diagnostics);
+
 }  // namespace contactsim

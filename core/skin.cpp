@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/skin.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -10,6 +8,7 @@
 #include <type_traits>
 
 #include "core/skin_faces.hpp"
+#include "core/threads.hpp"
 
 namespace contactsim {
 
@@ -73,7 +72,7 @@ FaceBuckets<Key>::FaceBuckets(const Mesh& mesh, std::span<const std::uint8_t> pr
     : mesh_(mesh),
       present_(present),
       begin_(mesh.n_nodes() + 1),
-      cursor_(static_cast<std::size_t>(std::clamp(omp_get_max_threads(), 1, max_counting_threads))) {
+      cursor_(static_cast<std::size_t>(std::min(threads_for(mesh.n_elements()), max_counting_threads))) {
   for_each_chunk([&](std::size_t chunk, ElementRange elements) {
     std::vector<std::uint32_t> count(mesh_.n_nodes(), 0);
     visit_faces(mesh_, present_, elements,
@@ -213,7 +212,7 @@ std::vector<SkinPart> match_all(const Mesh& mesh, const FaceBuckets<Key>& bucket
     const auto n_nodes = static_cast<std::uint64_t>(nodes.end - nodes.begin);
     return nodes.begin + static_cast<std::uint32_t>(n_nodes * piece / n_pieces);
   };
-#pragma omp parallel
+#pragma omp parallel num_threads(threads_for(mesh.n_elements()))
   {
     FaceMatcher<Key> matcher(mesh);
 #pragma omp for schedule(dynamic)

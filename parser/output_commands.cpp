@@ -107,10 +107,9 @@ Row<Region> misspelt_heartbeat_row(const Row<Region>& heartbeat) {
   misspelt.text.help = "A misspelling of HEARTBEAT OUTPUT that decks carry, taken with a warning";
   misspelt.read_block = [read_block = heartbeat.read_block](const Block& found, const DeckName& name,
                                                             Region& region, Binding& binding) {
-    const Word& word = found.title.at(1);
-    binding.diagnostics.add_warning("deck-misspelt", word.location,
-                                    fmt::format("'{}' is taken as 'OUTPUT'", word.text), "",
-                                    static_cast<int>(word.text.size()));
+    binding.diagnostics.add_warning("deck-misspelt", found.title.front().location,
+                                    "HEARTBEAT OUPUT is taken as HEARTBEAT OUTPUT", "",
+                                    static_cast<int>(found.title.front().text.size()));
     read_block(found, name, region, binding);
   };
   return misspelt;

@@ -16,7 +16,9 @@ using contactsim::test::MeshBuilder;
 
 namespace {
 
-std::vector<std::uint8_t> all_present(const Mesh& mesh) { return std::vector<std::uint8_t>(mesh.n_elements(), 1); }
+std::vector<std::uint8_t> all_present(const Mesh& mesh) {
+  return std::vector<std::uint8_t>(mesh.n_elements(), 1);
+}
 
 /// The slow and obvious skin: a map from node sets to the faces that have them.
 std::vector<ElementSide> brute_force_skin(const Mesh& mesh, const std::vector<std::uint8_t>& present) {
@@ -39,7 +41,8 @@ std::vector<ElementSide> brute_force_skin(const Mesh& mesh, const std::vector<st
   return skin;
 }
 
-/// A brick of mixed shapes: hexahedra, then tetrahedra, wedges and pyramids apart from it, shells on one side.
+/// A brick of mixed shapes: hexahedra, then tetrahedra, wedges and pyramids apart from it, shells on one
+/// side.
 Mesh mixed_mesh() {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {4, 3, 3}, .size = {4, 3, 3}});
@@ -87,12 +90,13 @@ TEST_CASE("a shell on a solid face covers it, and has no face in the skin", "[co
 }
 
 TEST_CASE("a hexahedron that is degenerate to a wedge meets a wedge and a hexahedron", "[core][skin]") {
-  // Nodes 0..7: unit cube; 8, 9: ridge beyond the face x = 1. The hexahedron 1 8 8 2 / 5 9 9 6 is a wedge; the
-  // WEDGE6 1 2 8 / 5 6 9 would be the same body, so it is put on the ridge's other side with nodes 10, 11.
+  // Nodes 0..7: unit cube; 8, 9: ridge beyond the face x = 1. The hexahedron 1 8 8 2 / 5 9 9 6 is a wedge;
+  // the WEDGE6 1 2 8 / 5 6 9 would be the same body, so it is put on the ridge's other side with nodes
+  // 10, 11.
   MeshBuilder b;
   b.add_hexes({.id = 1});
-  for (const Eigen::Vector3d& x : {Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(2, 0, 1), Eigen::Vector3d(1, -1, 0),
-                                  Eigen::Vector3d(1, -1, 1)}) {
+  for (const Eigen::Vector3d& x : {Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(2, 0, 1),
+                                   Eigen::Vector3d(1, -1, 0), Eigen::Vector3d(1, -1, 1)}) {
     b.add_node(x);
   }
   const Mesh brick = b.build();
@@ -164,7 +168,11 @@ TEST_CASE("a node that a thousand faces share is no trouble", "[core][skin]") {
 }
 
 TEST_CASE("the skin does not depend on the number of threads", "[core][skin]") {
-  const Mesh mesh = mixed_mesh();
+  // Enough elements for eight threads to be woken.
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {40, 40, 30}, .size = {40, 40, 30}});
+  b.add_hexes({.id = 2, .cells = {40, 40, 20}, .origin = {0, 0, 30}, .size = {40, 40, 20}});
+  const Mesh mesh = b.build();
   const int n_threads = omp_get_max_threads();
   omp_set_num_threads(1);
   const Skin one = make_skin(mesh, all_present(mesh));
