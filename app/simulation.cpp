@@ -111,7 +111,7 @@ void check_surfaces(const Options& options, const SimulationDefinition& definiti
                     const Mesh& mesh, Log& log, Diagnostics& warnings) {
   const ContactModel model = make_contact_model(definition, region, mesh, {}, warnings);
   stop_on_errors(warnings);
-  check_elements(mesh, blocks_in_contact(model, mesh));
+  check_elements(mesh, blocks_in_contact(model, mesh), warnings);
   const auto summaries = summarize(model, mesh);
   log.write(format_surface_tables(model, summaries));
   write_surface_files(options, model, summaries, mesh);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/errors.hpp"
@@ -20,9 +21,28 @@ constexpr std::size_t n_shown = 5;
 // Smaller blocks are done before a second thread is awake.
 constexpr std::int64_t fewest_parallel = 2000;
 
-struct FlatElement {
+struct DoubtfulElement {
   ElementIndex element;
   double volume = 0.0;
+  bool is_flat = false;
+};
+
+/// Counts elements and describes the first few.
+class ElementList {
+ public:
+  void add(const std::string& block, std::int64_t element_id, double volume) {
+    if (++count_ <= n_shown)
+      text_ += fmt::format("\n  {}: element {}: volume {:g}", block, element_id, volume);
+  }
+  std::size_t count() const { return count_; }
+  std::string describe(std::string_view what) const {
+    const std::string rest = count_ > n_shown ? fmt::format("\n  and {} more", count_ - n_shown) : "";
+    return fmt::format("{} element{} {}:{}{}", count_, count_ == 1 ? " is" : "s are", what, text_, rest);
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string text_;
 };
 
 double triple(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -51,18 +71,20 @@ double round_off(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex>
   return 8.0 * std::numeric_limits<double>::epsilon() * far * extent * extent;
 }
 
-// Elements of a block without positive volume, in order.
-std::vector<FlatElement> find_flat(const Mesh& mesh, const ElementBlock& block) {
+// Elements of a block that are flat or inside out, in order.
+std::vector<DoubtfulElement> find_doubtful(const Mesh& mesh, const ElementBlock& block) {
   const Topology& shape = topology(block.shape);
-  std::vector<FlatElement> found;
+  std::vector<DoubtfulElement> found;
   const auto n = static_cast<std::int64_t>(block.n_elements);
 #pragma omp parallel for schedule(static) if (n >= fewest_parallel)
   for (std::int64_t e = 0; e < n; ++e) {
     const auto nodes = block.element_nodes(static_cast<std::uint32_t>(e));
     const double volume = solid_volume(mesh.coordinates(), nodes, shape);
-    if (volume > round_off(mesh.coordinates(), nodes, shape)) continue;
-#pragma omp critical(contactsim_flat_elements)
-    found.push_back({{block.first_element.value + static_cast<std::uint32_t>(e)}, volume});
+    const double noise = round_off(mesh.coordinates(), nodes, shape);
+    if (volume > noise) continue;
+    const ElementIndex element{block.first_element.value + static_cast<std::uint32_t>(e)};
+#pragma omp critical(contactsim_doubtful_elements)
+    found.push_back({element, volume, volume >= -noise});
   }
   std::sort(found.begin(), found.end(), [](auto& a, auto& b) { return a.element < b.element; });
   return found;
@@ -92,23 +114,21 @@ double solid_volume(const Eigen::Matrix3Xd& coordinates, std::span<const NodeInd
   return sum / 6.0;
 }
 
-void check_elements(const Mesh& mesh, std::span<const std::uint32_t> blocks) {
-  std::size_t n_flat = 0;
-  std::string shown;
+void check_elements(const Mesh& mesh, std::span<const std::uint32_t> blocks, Diagnostics& warnings) {
+  ElementList inverted, flat;
   for (std::uint32_t index : blocks) {
     check_type(mesh, index);
     const ElementBlock& block = mesh.blocks()[index];
     if (topology(block.shape).family != Family::solid) continue;
-    for (const FlatElement& flat : find_flat(mesh, block)) {
-      if (++n_flat > n_shown) continue;
-      shown += fmt::format("\n  {}: element {}: volume {:g}", mesh.name({EntityKind::block, index}),
-                           mesh.element_id(flat.element), flat.volume);
+    const std::string name = mesh.name({EntityKind::block, index});
+    for (const DoubtfulElement& doubtful : find_doubtful(mesh, block)) {
+      (doubtful.is_flat ? flat : inverted).add(name, mesh.element_id(doubtful.element), doubtful.volume);
     }
   }
-  if (n_flat == 0) return;
-  if (n_flat > n_shown) shown += fmt::format("\n  and {} more", n_flat - n_shown);
-  throw FileError(mesh.path(), fmt::format("{} element{} inside out or without volume:{}", n_flat,
-                                           n_flat == 1 ? " is" : "s are", shown));
+  if (flat.count() > 0) {
+    warnings.add_warning("element-without-volume", {}, mesh.path() + ": " + flat.describe("without volume"));
+  }
+  if (inverted.count() > 0) throw FileError(mesh.path(), inverted.describe("inside out"));
 }
 
 }  // namespace contactsim

@@ -39,15 +39,20 @@ double integrate_hex(const Eigen::Matrix3Xd& x) {
   return sum;
 }
 
-std::string refusal(const Mesh& mesh) {
+// The warnings and the refusal of all blocks together, a line each.
+std::string complaints(const Mesh& mesh) {
   std::vector<std::uint32_t> all;
   for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) all.push_back(b);
+  Diagnostics warnings;
+  std::string refusal;
   try {
-    check_elements(mesh, all);
+    check_elements(mesh, all, warnings);
   } catch (const FileError& error) {
-    return error.what();
+    refusal = std::string(error.what()) + "\n";
   }
-  return "";
+  std::string text;
+  for (const Diagnostic& warning : warnings.all()) text += warning.id + ": " + warning.text + "\n";
+  return text + refusal;
 }
 
 }  // namespace
@@ -67,7 +72,7 @@ TEST_CASE("the volumes of a box's solids sum to the box", "[core][elements]") {
     sum += volume_of(mesh, e);
   }
   CHECK(sum == Approx(1.0).epsilon(1e-12));
-  CHECK(refusal(mesh).empty());
+  CHECK(complaints(mesh).empty());
 }
 
 TEST_CASE("the volume of a warped hex is the integral of its Jacobian", "[core][elements]") {
@@ -100,16 +105,17 @@ TEST_CASE("elements inside out or flat are listed by block, id and volume", "[co
     std::swap(hexes[8 + i], hexes[8 + i + 4]);  // element 12: bottom and top swapped
   auto& tets = parts.blocks[1].nodes;
   tets[3] = tets[2];  // element 21: flat
-  CHECK(refusal(Mesh(parts)) ==
-        "plate.g: 2 elements are inside out or without volume:\n"
-        "  lower: element 12: volume -0.333333\n"
-        "  block_20: element 21: volume 0");
+  CHECK(complaints(Mesh(parts)) ==
+        "element-without-volume: plate.g: 1 element is without volume:\n"
+        "  block_20: element 21: volume 0\n"
+        "plate.g: 1 element is inside out:\n"
+        "  lower: element 12: volume -0.333333\n");
 }
 
 TEST_CASE("many bad elements are counted, and the first five shown", "[core][elements]") {
   MeshParts parts = MeshBuilder().add_hexes({.cells = {10, 10, 10}}).parts();
   parts.coordinates.row(2) *= -1.0;
-  const std::string text = refusal(Mesh(parts));
+  const std::string text = complaints(Mesh(parts));
   CHECK(text.find("1000 elements are inside out") != std::string::npos);
   CHECK(text.find("element 5:") != std::string::npos);
   CHECK(text.find("element 6:") == std::string::npos);
@@ -121,18 +127,20 @@ TEST_CASE("only the blocks asked for are checked", "[core][elements]") {
   std::swap(parts.blocks[1].nodes[0], parts.blocks[1].nodes[6]);
   const Mesh mesh(parts);
   const std::uint32_t first[] = {0}, second[] = {1};
-  CHECK_NOTHROW(check_elements(mesh, first));
-  CHECK_THROWS_AS(check_elements(mesh, second), FileError);
+  Diagnostics warnings;
+  CHECK_NOTHROW(check_elements(mesh, first, warnings));
+  CHECK_THROWS_AS(check_elements(mesh, second, warnings), FileError);
 }
 
-TEST_CASE("a hex collapsed to a wedge is legal, one collapsed to a plane is not", "[core][elements]") {
+TEST_CASE("a hex collapsed to a wedge is legal, one collapsed to a plane is worth a warning",
+          "[core][elements]") {
   MeshParts parts = MeshBuilder().add_hexes({}).parts();
   auto& nodes = parts.blocks[0].nodes;
   nodes[3] = nodes[2];
   nodes[7] = nodes[6];
-  CHECK(refusal(Mesh(parts)).empty());
+  CHECK(complaints(Mesh(parts)).empty());
   for (std::size_t i = 0; i < 4; ++i) nodes[4 + i] = nodes[i];
-  CHECK(!refusal(Mesh(parts)).empty());
+  CHECK(complaints(Mesh(parts)).find("element-without-volume") == 0);
 }
 
 TEST_CASE("thin elements far from the origin pass, round-off does not", "[core][elements]") {
@@ -141,6 +149,7 @@ TEST_CASE("thin elements far from the origin pass, round-off does not", "[core][
         .add_hexes({.origin = {1000, 1000, 1000}, .size = {1, 1, thickness}, .share_nodes = false})
         .build();
   };
-  CHECK(refusal(slab(1e-9)).empty());
-  CHECK(!refusal(slab(1e-13)).empty());  // the coordinates themselves are good to 1e-13
+  CHECK(complaints(slab(1e-9)).empty());
+  CHECK(complaints(slab(1e-13)).find("element-without-volume") ==
+        0);  // the coordinates themselves are good to 1e-13
 }
