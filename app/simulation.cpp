@@ -62,7 +62,7 @@ std::string describe(const Mesh& mesh) {
 
 /// The region to work on: with contact before without, of an explicit procedure before an implicit one, then
 /// the first.
-const Region* choose_region(const SimulationDefinition& definition) {
+Region choose_region(const SimulationDefinition& definition) {
   const Region* chosen = nullptr;
   int best = -1;
   for (const Procedure& procedure : definition.procedures) {
