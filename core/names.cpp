@@ -21,6 +21,8 @@ std::string fold(std::string_view name) {
   return folded;
 }
 
+bool operator==(const DeckName& a, const DeckName& b) { return fold(a.text) == fold(b.text); }
+
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> before, last(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<int>(j);

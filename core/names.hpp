@@ -16,6 +16,9 @@ struct DeckName {
   DeckLocation location;
 };
 
+/// Whether two names are the same to the deck, by fold(); where they stand does not matter.
+bool operator==(const DeckName& a, const DeckName& b);
+
 /// The spelling by which user names are compared: lower case, blanks as underscores.
 /// Source: Sierra/SM decks ignore case; IOSS replaces blanks in mesh names by underscores.
 std::string fold(std::string_view name);

@@ -5,7 +5,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <optional>
 
 #include "parser/phrases.hpp"
 
@@ -13,10 +12,18 @@ namespace contactsim {
 
 namespace {
 
-/// A number in the deck's spelling: 1, 1., .9, -50, +2, 1e-4, 1.0d0.
+int underline(const Word& word) {
+  return static_cast<int>(word.text.size()) + (word.kind == WordKind::quoted ? 2 : 0);
+}
+
+std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
+
+}  // namespace
+
 std::optional<double> find_real(std::string_view text) {
-  std::string plain(text.starts_with('+') ? text.substr(1) : text);
-  const std::string_view digits = std::string_view(plain).substr(plain.starts_with('-') ? 1 : 0);
+  const bool is_signed = text.starts_with('+') || text.starts_with('-');
+  const std::string_view digits = text.substr(is_signed ? 1 : 0);
+  std::string plain(text.substr(text.starts_with('+') ? 1 : 0));
   const bool starts_well =
       !digits.empty() && (std::isdigit(static_cast<unsigned char>(digits[0])) || digits[0] == '.');
   if (!starts_well) return std::nullopt;
@@ -29,10 +36,6 @@ std::optional<double> find_real(std::string_view text) {
   if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
   return value;
 }
-
-std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
-
-}  // namespace
 
 bool is_number(std::string_view text) { return find_real(text).has_value(); }
 
@@ -47,9 +50,18 @@ void Arguments::skip_separator() {
   if (peek().kind == WordKind::symbol ? peek().text == "=" : is_next("is") || is_next("are")) ++next_;
 }
 
+void Arguments::warn(std::string_view id, const Word& at, std::string text, std::string hint) {
+  warnings_.push_back(
+      {Severity::warning, std::string(id), at.location, underline(at), std::move(text), std::move(hint)});
+}
+
+void Arguments::refuse(const Word& at, std::string text, std::string hint) const {
+  throw ArgumentError{{Severity::error, "", at.location, underline(at), std::move(text), std::move(hint)},
+                      true};
+}
+
 void Arguments::fail(const Word& at, std::string text, std::string hint) const {
-  const int length = static_cast<int>(at.text.size()) + (at.kind == WordKind::quoted ? 2 : 0);
-  throw ArgumentError{{Severity::error, "", at.location, length, std::move(text), std::move(hint)}};
+  throw ArgumentError{{Severity::error, "", at.location, underline(at), std::move(text), std::move(hint)}};
 }
 
 void Arguments::fail_here(std::string text, std::string hint) const {
@@ -107,6 +119,14 @@ std::int64_t Arguments::positive_integer() {
   return value;
 }
 
+std::int64_t Arguments::non_negative_integer() {
+  const std::size_t at = next_;
+  const std::int64_t value = integer();
+  if (value < 0)
+    fail(words_[at], fmt::format("'{}' must not be negative, found {}", what_, quote(words_[at])));
+  return value;
+}
+
 bool Arguments::on_off() {
   static const std::string choices[] = {"on", "true", "yes", "off", "false", "no"};
   return choice(choices) < 3;
@@ -127,6 +147,11 @@ std::string Arguments::rest() {
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t')) rest.remove_suffix(1);
   next_ = words_.size();
   return std::string(rest);
+}
+
+std::string Arguments::all() {
+  next_ = 0;
+  return rest();
 }
 
 Eigen::Vector3d Arguments::vector() {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,7 @@ namespace contactsim {
 /// and goes on with the next line.
 struct ArgumentError {
   Diagnostic diagnostic;
+  bool is_refusal = false;  ///< understood, but not supported: a warning with --lenient
 };
 
 /// Reads the words of a command after its keyword phrase, left to right. Every reading function throws
@@ -43,11 +45,13 @@ class Arguments {
   double positive();      ///< > 0
   double non_negative();  ///< >= 0
   std::int64_t integer();
-  std::int64_t positive_integer();
+  std::int64_t positive_integer();       ///< >= 1
+  std::int64_t non_negative_integer();   ///< >= 0
   bool on_off();                         ///< ON TRUE YES / OFF FALSE NO
   DeckName name();                       ///< bare or quoted word
   std::string text();                    ///< one bare or quoted word, such as a file name
   std::string rest();                    ///< the rest of the line as it was written, both ends trimmed
+  std::string all();                     ///< the same from the end of the phrase on, a separator word too
   Eigen::Vector3d vector();              ///< three numbers
   std::vector<DeckName> names();         ///< all remaining words, at least one
   std::vector<double> reals();           ///< all remaining words, at least one
@@ -63,6 +67,12 @@ class Arguments {
   /// Ends the reading; a word left over is an error.
   void expect_end();
 
+  /// Notes something that the user should know and goes on; dropped when the line turns out to be wrong.
+  void warn(std::string_view id, const Word& at, std::string text, std::string hint = "");
+  const std::vector<Diagnostic>& warnings() const { return warnings_; }
+
+  /// For a value that is understood and would change the answer, but is not supported.
+  [[noreturn]] void refuse(const Word& at, std::string text, std::string hint = "") const;
   [[noreturn]] void fail(const Word& at, std::string text, std::string hint = "") const;
   [[noreturn]] void fail_here(std::string text,
                               std::string hint = "") const;  ///< at the next word or the line's end
@@ -73,7 +83,11 @@ class Arguments {
   const Command* command_;
   DeckLocation location_;
   std::size_t next_ = 0;
+  std::vector<Diagnostic> warnings_;
 };
+
+/// A number in the deck's spelling: 1, 1., .9, -50, +2, 1e-4, 1.0d0.
+std::optional<double> find_real(std::string_view text);
 
 /// Whether the text is a number as decks write them.
 bool is_number(std::string_view text);

@@ -23,6 +23,8 @@ const Reader<double> positive{"<real > 0>", &Arguments::positive, show_real};
 const Reader<double> non_negative{"<real >= 0>", &Arguments::non_negative, show_real};
 const Reader<std::int64_t> integer{"<integer>", &Arguments::integer, show_integer};
 const Reader<std::int64_t> positive_integer{"<integer > 0>", &Arguments::positive_integer, show_integer};
+const Reader<std::int64_t> non_negative_integer{"<integer >= 0>", &Arguments::non_negative_integer,
+                                                show_integer};
 const Reader<bool> on_off{"{ON|OFF}", &Arguments::on_off, [](bool value) { return value ? "ON" : "OFF"; }};
 const Reader<DeckName> name{"<name>", &Arguments::name,
                             [](const DeckName& value) { return show_text(value.text); }};

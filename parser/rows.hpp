@@ -27,7 +27,7 @@ struct Reader {
 
 namespace read {
 extern const Reader<double> real, positive, non_negative;
-extern const Reader<std::int64_t> integer, positive_integer;
+extern const Reader<std::int64_t> integer, positive_integer, non_negative_integer;
 extern const Reader<bool> on_off;
 extern const Reader<DeckName> name;
 extern const Reader<std::string> text, rest_of_line;
@@ -57,10 +57,19 @@ std::string default_of(const Reader<V>& reader, const F& field) {
   }
 }
 
+template <class F>
+constexpr bool is_list = false;
+template <class E>
+constexpr bool is_list<std::vector<E>> = true;
+
+/// Whether a second value replaces the first in a field; lists grow.
+template <class V, class F>
+constexpr bool replaces = std::is_assignable_v<F&, V> && !is_list<F>;
+
 /// Puts a value into a field: sets it, or adds it to a list of such values.
 template <class V, class F>
 void store(V value, F& field) {
-  if constexpr (std::is_assignable_v<F&, V> && !std::is_same_v<F, std::vector<DeckName>>) {
+  if constexpr (replaces<V, F>) {
     field = std::move(value);
   } else if constexpr (std::is_same_v<V, F>) {
     field.insert(field.end(), value.begin(), value.end());
@@ -75,8 +84,9 @@ template <class T, class V, class F>
 Row<T> row(std::string phrase, const Reader<V>& reader, F T::*field, std::string help,
            std::string default_text = "") {
   if (default_text.empty()) default_text = default_of(reader, T{}.*field);
-  return {{std::move(phrase), "= " + reader.syntax, std::move(help), std::move(default_text)},
-          [read_value = reader.read, field](Arguments& arguments, T& target) {
+  RowText text{std::move(phrase), "= " + reader.syntax, std::move(help), std::move(default_text)};
+  text.is_single = replaces<V, F>;
+  return {std::move(text), [read_value = reader.read, field](Arguments& arguments, T& target) {
             store(read_value(arguments), target.*field);
           }};
 }
@@ -87,6 +97,20 @@ Row<T> row(std::string phrase, std::string syntax, std::function<void(Arguments&
            std::string help, std::string default_text) {
   return {{std::move(phrase), std::move(syntax), std::move(help), std::move(default_text)},
           std::move(read_command)};
+}
+
+/// The lines of a table: those that begin with a number.
+template <class T>
+Row<T> numbers(std::string syntax, std::function<void(Arguments&, T&)> read_line, std::string help) {
+  return {{"", std::move(syntax), std::move(help), "none", Support::supported, RowText::Matches::numbers},
+          std::move(read_line)};
+}
+
+/// The lines of an opaque block: those that no other row knows.
+template <class T>
+Row<T> anything(std::string syntax, std::function<void(Arguments&, T&)> read_line, std::string help) {
+  return {{"", std::move(syntax), std::move(help), "none", Support::supported, RowText::Matches::anything},
+          std::move(read_line)};
 }
 
 /// A command without arguments that switches a field on.
@@ -114,22 +138,43 @@ Row<T> ignored_block(std::string phrase, std::string help) {
            true}};
 }
 
+/// An ignored block whose lines `explain` can list; they are not read.
+template <class T>
+Row<T> ignored_block(std::string phrase, std::function<const TableText&()> contents, std::string help) {
+  Row<T> made = ignored_block<T>(std::move(phrase), std::move(help));
+  made.text.contents = std::move(contents);
+  return made;
+}
+
 template <class T>
 Row<T> refused_block(std::string phrase, std::string help) {
   return {{std::move(phrase), "[<name>]", std::move(help), "none", Support::refused, RowText::Matches::phrase,
            true}};
 }
 
-/// A command that may stand in many block types, bound into a part of T: one row of a shared table, lifted.
+/// A row of a shared table, lifted into a T that holds the Part it binds into.
+///   part_of  finds the part of a target
 template <class T, class Part>
-Row<T> lift(const Row<Part>& row_of_part, Part T::*part) {
+Row<T> lift(const Row<Part>& row_of_part, std::function<Part&(T&)> part_of) {
   Row<T> lifted{row_of_part.text};
   if (row_of_part.read_command) {
-    lifted.read_command = [read_part = row_of_part.read_command, part](Arguments& arguments, T& target) {
-      read_part(arguments, target.*part);
+    lifted.read_command = [read_part = row_of_part.read_command, part_of](Arguments& arguments, T& target) {
+      read_part(arguments, part_of(target));
+    };
+  }
+  if (row_of_part.read_block) {
+    lifted.read_block = [read_part = row_of_part.read_block, part_of](
+                            const Block& found, const DeckName& name, T& target, Binding& binding) {
+      read_part(found, name, part_of(target), binding);
     };
   }
   return lifted;
+}
+
+/// The same for a part that is a member.
+template <class T, class Part>
+Row<T> lift(const Row<Part>& row_of_part, Part T::*part) {
+  return lift<T, Part>(row_of_part, [part](T& target) -> Part& { return target.*part; });
 }
 
 /// Whether a block must carry a name.
@@ -159,6 +204,19 @@ Row<T> block(std::string phrase, Naming naming, const Table<Part>& (*table)(),
   return made;
 }
 
+/// The same block row, whose problems count only when the definition is used: an unused definition is not
+/// judged as if it were used.
+///   kind  "material", the first part of the definition's use_key
+template <class T>
+Row<T> held(std::string kind, Row<T> row) {
+  row.read_block = [kind = std::move(kind), read_block = std::move(row.read_block)](
+                       const Block& found, const DeckName& name, T& target, Binding& binding) {
+    bind_held(binding, use_key(kind, name.text),
+              [&](Binding& inner) { read_block(found, name, target, inner); });
+  };
+  return row;
+}
+
 /// A block that is added to a list.
 template <class T, class Part>
 Row<T> block(std::string phrase, Naming naming, const Table<Part>& (*table)(), std::vector<Part> T::*list,
@@ -178,6 +236,18 @@ Row<T> block(std::string phrase, Naming naming, const Table<Part>& (*table)(), P
                                           Binding& binding) {
     check_name(found, name, naming);
     table().bind(found, target.*part, binding);
+  };
+  return made;
+}
+
+/// A block whose commands go into the definition around it.
+template <class T>
+Row<T> block_into(std::string phrase, Naming naming, const Table<T>& (*table)(), std::string help) {
+  Row<T> made{{std::move(phrase), syntax_of(naming), std::move(help), "none", Support::supported,
+               RowText::Matches::phrase, true, [table]() -> const TableText& { return table().text(); }}};
+  made.read_block = [naming, table](const Block& found, const DeckName& name, T& target, Binding& binding) {
+    check_name(found, name, naming);
+    table().bind(found, target, binding);
   };
   return made;
 }

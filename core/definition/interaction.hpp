@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/definition/condition_lines.hpp"
+
+namespace contactsim {
+
+/// What meets what in a pair of surfaces.
+enum class ConstraintFormulation : std::uint8_t { node_face, face_face };
+
+/// How a pair moves. infinitesimal_sliding keeps the partners found at the start; no_interaction switches the
+/// pair off.
+enum class InteractionBehavior : std::uint8_t { sliding, infinitesimal_sliding, no_interaction };
+
+/// The settings of a pair of surfaces. One that is absent in an INTERACTION comes from INTERACTION DEFAULTS;
+/// one absent there too is the program's.
+struct PairSettings {
+  std::optional<DeckName> friction_model;            ///< program: frictionless
+  std::optional<ConstraintFormulation> formulation;  ///< program: face_face
+  std::optional<InteractionBehavior> behavior;       ///< program: sliding
+  std::optional<double> normal_tolerance;            ///< reach of the search off a face, >= 0 [length]
+  std::optional<double> tangential_tolerance;        ///< reach beyond a face's edge, >= 0 [length]
+  std::optional<double>
+      overlap_normal_tolerance;  ///< deepest overlap that is removed at the start, >= 0 [length]
+  std::optional<double> overlap_tangential_tolerance;  ///< the same beyond a face's edge, >= 0 [length]
+  std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
+};
+
+/// BEGIN INTERACTION DEFAULTS [name]. Without it, and without any INTERACTION, nothing touches.
+/// Source: Sierra/SM 5.22, 8.6.1.
+struct InteractionDefaults {
+  DeckName name;
+  bool general_contact = false;    ///< every surface meets every other
+  bool self_contact = false;       ///< every surface meets itself
+  std::vector<DeckName> surfaces;  ///< the contact surfaces that general and self contact take; none: all
+  PairSettings pair;
+};
+
+/// BEGIN INTERACTION [name]: pairs that are treated their own way; a later one overrides an earlier one for
+/// the same pair. Either `surfaces` or both sides are given. Source: Sierra/SM 5.22, 8.6.2.
+struct Interaction {
+  DeckName name;
+  std::vector<DeckName> surfaces;  ///< every pair among them; one that is alone or listed twice meets itself
+  std::vector<DeckName> side_a;    ///< SIDE A, older MASTER: with node_face these give the faces
+  std::vector<DeckName> side_b;    ///< SIDE B, older SLAVE: with node_face these give the nodes
+  PairSettings pair;
+  std::optional<double> friction_coefficient;  ///< Coulomb, in place of a friction model, >= 0 [1]
+  ActivePeriods periods;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/definition/material_models.hpp"
+
+#include <type_traits>
+
+namespace contactsim {
+
+const ElasticConstants* find_elastic_constants(const MaterialModel& model) {
+  return std::visit(
+      [](const auto& parameters) -> const ElasticConstants* {
+        if constexpr (std::is_same_v<std::decay_t<decltype(parameters)>, OpaqueModel>) {
+          return nullptr;
+        } else {
+          return &parameters.elastic;
+        }
+      },
+      model.parameters);
+}
+
+}  // namespace contactsim

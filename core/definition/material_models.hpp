@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/names.hpp"
+
+namespace contactsim {
+
+/// The constants of isotropic elasticity; a model that is used has exactly two of them.
+struct ElasticConstants {
+  std::optional<double> youngs_modulus;  ///< > 0 [force/length^2]
+  std::optional<double> poissons_ratio;  ///< > -1, < 0.5 [1]
+  std::optional<double> shear_modulus;   ///< > 0 [force/length^2]
+  std::optional<double> bulk_modulus;    ///< > 0 [force/length^2]
+  std::optional<double> lambda;          ///< Lame's first constant [force/length^2]
+};
+
+/// PARAMETERS FOR MODEL ELASTIC: hypoelastic, finite strain.
+struct ElasticModel {
+  ElasticConstants elastic;
+};
+
+/// PARAMETERS FOR MODEL LINEAR_ELASTIC: small strain.
+struct LinearElasticModel {
+  ElasticConstants elastic;
+};
+
+/// PARAMETERS FOR MODEL NEO_HOOKEAN: hyperelastic.
+struct NeoHookeanModel {
+  ElasticConstants elastic;
+};
+
+/// PARAMETERS FOR MODEL ELASTIC_PLASTIC: linear hardening.
+struct ElasticPlasticModel {
+  ElasticConstants elastic;
+  double yield_stress = std::numeric_limits<double>::quiet_NaN();       ///< > 0 [force/length^2]
+  double hardening_modulus = std::numeric_limits<double>::quiet_NaN();  ///< [force/length^2]
+  double beta = 1.0;  ///< 1 isotropic, 0 kinematic hardening [1]
+};
+
+/// PARAMETERS FOR MODEL EP_POWER_HARD, also POWER_LAW_HARDENING:
+/// flow stress = yield_stress + hardening_constant * (eqps - luders_strain)^hardening_exponent.
+struct PowerHardeningModel {
+  ElasticConstants elastic;
+  double yield_stress = std::numeric_limits<double>::quiet_NaN();        ///< > 0 [force/length^2]
+  double hardening_constant = std::numeric_limits<double>::quiet_NaN();  ///< >= 0 [force/length^2]
+  double hardening_exponent = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [1]
+  double luders_strain = 0.0;                                            ///< >= 0 [1]
+};
+
+/// PARAMETERS FOR MODEL JOHNSON_COOK, without temperature:
+/// flow stress = (yield_stress + hardening_constant * eqps^hardening_exponent) * (1 + rate_constant * ln(rate
+/// / reference_rate)). Source: Johnson and Cook, 7th Int. Symp. on Ballistics (1983) 541-547.
+struct JohnsonCookModel {
+  ElasticConstants elastic;
+  double yield_stress = std::numeric_limits<double>::quiet_NaN();        ///< > 0 [force/length^2]
+  double hardening_constant = std::numeric_limits<double>::quiet_NaN();  ///< >= 0 [force/length^2]
+  double hardening_exponent = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [1]
+  double rate_constant = 0.0;                                            ///< >= 0 [1]
+  double reference_rate = 1.0;                                           ///< > 0 [1/time]
+  std::optional<double> d1, d2, d3, d4, d5;  ///< of the failure strain; absent: no failure [1]
+};
+
+/// One line of a model that contactsim does not know.
+struct ModelParameter {
+  DeckName key;  ///< words joined by blanks
+  std::vector<DeckName> values;
+};
+
+/// A model that contactsim does not know: kept as it stands, wrong only when a block uses it.
+struct OpaqueModel {
+  std::vector<ModelParameter> parameters;
+};
+
+/// BEGIN PARAMETERS FOR MODEL <name> inside a material.
+struct MaterialModel {
+  DeckName name;
+  std::variant<OpaqueModel, ElasticModel, LinearElasticModel, NeoHookeanModel, ElasticPlasticModel,
+               PowerHardeningModel, JohnsonCookModel>
+      parameters;
+};
+
+/// The elastic constants of a model, null for an opaque one. `model` must outlive the pointer.
+const ElasticConstants* find_elastic_constants(const MaterialModel& model);
+
+}  // namespace contactsim

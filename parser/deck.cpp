@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/deck.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+
+#include "core/errors.hpp"
+#include "parser/aprepro.hpp"
+#include "parser/deck_commands.hpp"
+#include "parser/deck_source.hpp"
+#include "parser/name_resolution.hpp"
+#include "parser/syntax.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The deck as a tree of blocks; nothing when its text could not be had, or holds nothing.
+std::optional<Block> read_blocks(const std::string& name, const std::function<Source()>& read_source,
+                                 const FileReader& read_file, Diagnostics& diagnostics) {
+  try {
+    Block deck = parse_syntax(read_source(), diagnostics, read_file);
+    if (!deck.items.empty()) return deck;
+    diagnostics.add_error({}, name + ": the deck is empty", "it should have a BEGIN SIERRA block");
+  } catch (const DeckError&) {
+    // What it carries is among the diagnostics already.
+  }
+  return std::nullopt;
+}
+
+SimulationDefinition bind_deck(const std::string& name, const std::optional<Block>& deck, bool is_lenient,
+                               Diagnostics& diagnostics) {
+  SimulationDefinition simulation;
+  simulation.deck_base = std::filesystem::path(name).stem().string();
+  if (!deck) return simulation;
+  simulation.form = find_deck_form(*deck);
+  if (simulation.form != DeckForm::full) simulation.procedures.emplace_back().regions.emplace_back();
+  std::vector<HeldDiagnostics> held;
+  Binding binding{diagnostics, is_lenient, &held};
+  deck_table(simulation.form).bind(*deck, simulation, binding);
+  resolve_names(simulation, held, diagnostics);
+  return simulation;
+}
+
+}  // namespace
+
+SimulationDefinition parse_deck(const std::string& path, const ParseOptions& options,
+                                Diagnostics& diagnostics) {
+  const auto read_source = [&] { return read_deck_source(path, options.overrides, diagnostics); };
+  const auto deck = read_blocks(path, read_source, read_text_file, diagnostics);
+  return bind_deck(path, deck, options.is_lenient, diagnostics);
+}
+
+SimulationDefinition parse_deck_text(const std::string& name, const std::string& text,
+                                     const ParseOptions& options, Diagnostics& diagnostics,
+                                     const FileReader& read_file) {
+  const auto read_source = [&] {
+    return run_aprepro(make_source(name, text), {options.overrides, read_file}, diagnostics);
+  };
+  const auto deck = read_blocks(name, read_source, read_file, diagnostics);
+  return bind_deck(name, deck, options.is_lenient, diagnostics);
+}
+
+}  // namespace contactsim
