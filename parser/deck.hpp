@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@ namespace contactsim {
 /// How a deck is to be read.
 struct ParseOptions {
   std::vector<std::string> overrides;  ///< Aprepro variables from the command line, "name=value"
-  bool is_lenient = false;                                     ///< refused and unknown commands are warnings
+  bool is_lenient = false;             ///< refused and unknown commands are warnings
+  std::size_t max_aprepro_work = std::size_t{1} << 28;  ///< see ApreproOptions
 };
 
 /// Reads a deck into the definition tree. All problems of the deck go to `diagnostics`; the definition is
