@@ -65,7 +65,8 @@ SimulationDefinition parse_deck_text(const std::string& name, const std::string&
                                      const FileReader& read_file) {
   const std::vector<std::string> overrides = assignments_of(options);
   const auto read_source = [&] {
-    return run_aprepro(make_source(name, text), {overrides, read_file}, diagnostics);
+    const ApreproOptions aprepro{overrides, read_file, options.max_aprepro_work};
+    return run_aprepro(make_source(name, text), aprepro, diagnostics);
   };
   const auto deck = read_blocks(name, read_source, read_file, diagnostics);
   return bind_deck(name, deck, options.is_lenient, diagnostics);
