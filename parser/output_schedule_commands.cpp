@@ -19,7 +19,7 @@ void read_time_phase(Arguments& arguments, OutputSchedule& schedule) {
 }
 
 void read_step_phase(Arguments& arguments, OutputSchedule& schedule) {
-  StepPhase phase{arguments.integer(), 1};
+  StepPhase phase{arguments.non_negative_integer(), 1};
   expect_increment(arguments);
   phase.increment = arguments.positive_integer();
   schedule.step_phases.push_back(phase);

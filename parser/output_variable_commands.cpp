@@ -67,8 +67,9 @@ void read_requests(Arguments& arguments, VariableLocation location, RequestPlace
     VariableRequest request;
     request.location = location;
     request.variable = read_variable(arguments);
-    read_single_place(arguments, request, places);
     read_alias(arguments, request);
+    read_single_place(arguments, request, places);
+    if (request.alias.empty()) read_alias(arguments, request);
     read_parts(arguments, request);
     requests.push_back(std::move(request));
   } while (!arguments.at_end());

@@ -38,7 +38,7 @@ void read_parentheses(const Arguments& arguments, const Word& word, std::string_
 
 VariableReference read_variable(Arguments& arguments) {
   const Word& word = arguments.word("a variable");
-  if (word.kind == WordKind::symbol) {
+  if (word.kind == WordKind::symbol || is_number(word.text)) {
     arguments.fail(word,
                    fmt::format("expected a variable after '{}', found '{}'", arguments.what(), word.text));
   }
