@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <set>
-#include <sstream>
 
 #include "core/names.hpp"
 #include "parser/command_tree.hpp"
@@ -19,33 +18,45 @@ constexpr std::size_t line_width = 100;
 constexpr std::size_t help_column = 56;
 constexpr std::size_t n_nearest = 5;
 
-/// The words of a text, from the column on, on lines of the given width; later lines begin at the column too.
-std::string wrapped(const std::string& text, std::size_t first_column, std::size_t column) {
-  std::istringstream words(text);
-  std::string out, word;
+/// The parts of a text that stay on one line: its words, cut behind each '|' of a choice too. A part that
+/// follows a blank begins with it.
+std::vector<std::string> unbroken_parts(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    const bool begins_part = c == ' ' || parts.back().ends_with('|');
+    if (begins_part && !parts.back().empty()) parts.emplace_back();
+    parts.back() += c;
+  }
+  return parts;
+}
+
+/// A text on lines of the given width that begins at a column; later lines begin at `indent`.
+std::string wrapped(const std::string& text, std::size_t first_column, std::size_t indent) {
+  std::string out;
   std::size_t at = first_column;
-  bool is_first = true;
-  while (words >> word) {
-    if (!is_first && at + 1 + word.size() > line_width) {
-      out += '\n' + std::string(column, ' ');
-      at = column;
-    } else if (!is_first) {
-      out += ' ';
-      ++at;
+  for (const std::string& part : unbroken_parts(text)) {
+    const bool breaks = !out.empty() && at + part.size() > line_width;
+    const std::string shown = breaks && part.starts_with(' ') ? part.substr(1) : part;
+    if (breaks) {
+      out += '\n' + std::string(indent, ' ');
+      at = indent;
     }
-    out += word;
-    at += word.size();
-    is_first = false;
+    out += shown;
+    at += shown.size();
   }
   return out + '\n';
 }
 
 /// Left column, then help from help_column on, or on the next line when the left column is too long.
-std::string two_columns(const std::string& left, const std::string& help) {
-  if (left.size() + 2 > help_column) {
-    return left + '\n' + std::string(help_column, ' ') + wrapped(help, help_column, help_column);
+///   indent  of both
+std::string two_columns(std::size_t indent, const std::string& left, const std::string& help) {
+  std::string text = std::string(indent, ' ') + left;
+  if (text.size() + 2 > help_column) {
+    text = std::string(indent, ' ') + wrapped(left, indent, indent + 4) + std::string(help_column, ' ');
+  } else {
+    text += std::string(help_column - text.size(), ' ');
   }
-  return left + std::string(help_column - left.size(), ' ') + wrapped(help, help_column, help_column);
+  return text + wrapped(help, help_column, help_column);
 }
 
 /// A row's help as a sentence begins; as a hint of a message it may begin in lower case.
@@ -73,10 +84,9 @@ std::string block_tree() {
       "A deck may also hold the inside of a region or of a contact definition alone.\n\n";
   for (const TreeRow& entry : command_tree()) {
     if (!entry.row->is_block) continue;
-    const std::string indent(2 * entry.around.size(), ' ');
     std::string help = support_note(*entry.row) + help_of(*entry.row);
     if (entry.same_as != nullptr) help += fmt::format("; inside as in {}", upper(entry.same_as->phrase));
-    text += two_columns(indent + deck_form_of(*entry.row), help);
+    text += two_columns(2 * entry.around.size(), deck_form_of(*entry.row), help);
   }
   return text;
 }
@@ -145,7 +155,7 @@ std::string row_entry(const RowText& row, const std::vector<std::string>& places
 std::string contents_of(const RowText& row) {
   std::string text = "  holds\n";
   for (const RowText& line : row.contents().rows) {
-    text += two_columns("    " + deck_form_of(line), support_note(line) + help_of(line));
+    text += two_columns(4, deck_form_of(line), support_note(line) + help_of(line));
   }
   return text;
 }

@@ -100,35 +100,35 @@ const Table<HeartbeatOutput>& heartbeat_table() {
   return table;
 }
 
-/// Three public decks carry this spelling, and they mean heartbeat output.
-Row<Region> misspelt_heartbeat_row(const Row<Region>& heartbeat) {
-  Row<Region> misspelt = heartbeat;
-  misspelt.text.phrase = "heartbeat ouput";
-  misspelt.text.help = "A misspelling of HEARTBEAT OUTPUT that decks carry, taken with a warning";
-  misspelt.read_block = [read_block = heartbeat.read_block](const Block& found, const DeckName& name,
-                                                            Region& region, Binding& binding) {
-    binding.diagnostics.add_warning("deck-misspelt", found.title.front().location,
-                                    "HEARTBEAT OUPUT is taken as HEARTBEAT OUTPUT", "",
-                                    static_cast<int>(found.title.front().text.size()));
+/// Three public decks carry the spelling HEARTBEAT OUPUT, and they mean heartbeat output.
+Row<Region> heartbeat_row() {
+  Row<Region> made =
+      block<Region, HeartbeatOutput>("heartbeat output", Naming::optional, heartbeat_table,
+                                     &Region::heartbeat_outputs, "Single values over time, as text");
+  made.text.spellings = {"heartbeat ouput"};
+  made.read_block = [read_block = made.read_block](const Block& found, const DeckName& name, Region& region,
+                                                   Binding& binding) {
+    if (match_phrase(split_phrase("heartbeat ouput"), found.title) > 0) {
+      const Word& word = found.title.front();
+      binding.diagnostics.add_warning("deck-misspelt", word.location,
+                                      "HEARTBEAT OUPUT is taken as HEARTBEAT OUTPUT", "",
+                                      static_cast<int>(word.text.size()));
+    }
     read_block(found, name, region, binding);
   };
-  return misspelt;
+  return made;
 }
 
 }  // namespace
 
 std::vector<Row<Region>> output_rows() {
   using R = Region;
-  const Row<R> heartbeat =
-      block<R, HeartbeatOutput>("heartbeat output", Naming::optional, heartbeat_table, &R::heartbeat_outputs,
-                                "Single values over time, as text");
   return {
       block<R, ResultsOutput>("results output", Naming::optional, results_table, &R::results_outputs,
                               "Fields over time, to an Exodus file"),
       block<R, HistoryOutput>("history output", Naming::optional, history_table, &R::history_outputs,
                               "Single values over time, to an Exodus file"),
-      heartbeat,
-      misspelt_heartbeat_row(heartbeat),
+      heartbeat_row(),
       block<R, RestartData>("restart data", Naming::optional, restart_table, &R::restart_data,
                             "Files from which a run can be continued"),
   };

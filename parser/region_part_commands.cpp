@@ -4,6 +4,7 @@
 #include "parser/condition_line_commands.hpp"
 #include "parser/death_commands.hpp"
 #include "parser/entity_set_commands.hpp"
+#include "parser/implicit_commands.hpp"
 #include "parser/variable_readers.hpp"
 
 namespace contactsim {
@@ -132,6 +133,7 @@ std::vector<Row<Region>> region_part_rows() {
                                 "Adds mass for a larger time step"),
       },
       unsupported_rows(),
+      implicit_region_rows<R>(),
   });
 }
 

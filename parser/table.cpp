@@ -111,6 +111,14 @@ void report(const ArgumentError& error, Binding& binding) {
   binding.diagnostics.add(std::move(diagnostic));
 }
 
+/// Whether the END of a block calls its type by another spelling than its BEGIN does: BEGIN HEARTBEAT OUPUT,
+/// END HEARTBEAT OUTPUT.
+bool ends_in_other_spelling(const Block& block, const MatchedItem& matched, const TableText& table) {
+  const auto ended = table.blocks.find(block.end);
+  if (!ended || ended->row != matched.row) return false;
+  return fold(shown(block.end, ended->n_words)) != fold(shown(block.title, matched.n_words));
+}
+
 /// Notices lines that replace an earlier line of the same block.
 class RepeatedLines {
  public:
@@ -190,7 +198,8 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
       if (block.is_closed) report_unknown(item, block, table, binding);
       continue;
     }
-    if (const Block* inner = std::get_if<Block>(&item.value)) {
+    const Block* inner = std::get_if<Block>(&item.value);
+    if (inner != nullptr && !ends_in_other_spelling(*inner, *matched, table)) {
       check_end(*inner, matched->n_words, binding.diagnostics);
     }
     if (!check_support(item, *matched, table.rows[matched->row], binding)) continue;

@@ -111,6 +111,8 @@ TEST_CASE("the misspelling HEARTBEAT OUPUT is taken with a warning", "[parser][o
   CHECK(bound.messages == "a.i:1:7: warning: HEARTBEAT OUPUT is taken as HEARTBEAT OUTPUT [deck-misspelt]\n");
   CHECK(bound.region.heartbeat_outputs.at(0).name.text == "h");
   CHECK(bound.region.heartbeat_outputs.at(0).stream->text == "f");
+  CHECK(bound_region("begin heartbeat ouput\nend heartbeat output\n").messages ==
+        "a.i:1:7: warning: HEARTBEAT OUPUT is taken as HEARTBEAT OUTPUT [deck-misspelt]\n");
   CHECK(bound_region("begin heartbeat_ouput\nend\n").messages ==
         "a.i:1:7: warning: HEARTBEAT OUPUT is taken as HEARTBEAT OUTPUT [deck-misspelt]\n");
 }
