@@ -12,11 +12,13 @@ namespace contactsim {
 /// The facets of one surface, to be drawn.
 struct FacetBlock {
   std::string name;
-  std::vector<std::array<std::uint32_t, 4>> facets;  ///< columns of FacetMesh::coordinates; a triangle repeats its last
-  std::vector<std::uint32_t> points;                 ///< columns of FacetMesh::coordinates, of surfaces of nodes
+  std::vector<std::array<std::uint32_t, 4>>
+      facets;                         ///< columns of FacetMesh::coordinates; a triangle repeats its last
+  std::vector<std::uint32_t> points;  ///< columns of FacetMesh::coordinates, of surfaces of nodes
 };
 
-/// Surfaces as a mesh of their own. The facets of a block are all quadrilaterals and triangles, or all points.
+/// Surfaces as a mesh of their own. The facets of a block are all quadrilaterals and triangles, or all
+/// points.
 struct FacetMesh {
   Eigen::Matrix3Xd coordinates;  ///< 3 x n [length]
   std::vector<FacetBlock> blocks;

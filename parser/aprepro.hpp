@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -16,7 +17,8 @@ struct ApreproOptions {
   /// the deck is read and are immutable: an assignment in the deck is passed over with the warning
   /// "aprepro-override". One that the deck does not use is warned about ("aprepro-unused").
   std::span<const std::string> overrides = {};
-  FileReader read_file = read_text_file;  ///< for include, cinclude and file_to_string
+  FileReader read_file = read_text_file;        ///< for include, cinclude and file_to_string
+  std::size_t max_work = std::size_t{1} << 28;  ///< characters handled before giving up, about three seconds
 };
 
 /// Expands a deck: text outside braces is copied, {expr} is replaced by its value, control lines act. The

@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t max_include_depth = 32;
 constexpr std::size_t max_included_files = 10000;
 constexpr double max_loop_passes = 1e6;
+constexpr std::size_t cost_of_pass = 200;  ///< in characters
 
 std::string_view trim(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n\f";
@@ -160,6 +161,7 @@ void ApreproRunner::run_passes(const ApreproNode& node, double n, const std::str
         Trail{fmt::format("pass {:.0f} of {:.0f} of the loop at {}", pass + 1.0, n, place), outer.trail});
     run_nodes(node.body);
     frame_ = outer;
+    state_.work += cost_of_pass;
     check_work(node.at);
   }
   --loop_depth_;

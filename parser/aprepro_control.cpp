@@ -32,34 +32,6 @@ Form form_of(Kind kind) {
   return {"{loop(...)}", "{endloop}"};
 }
 
-std::optional<Kind> construct_begun_by(Word word) {
-  if (word == Word::if_true || word == Word::if_defined || word == Word::if_undefined)
-    return Kind::conditional;
-  if (word == Word::choose) return Kind::choice;
-  return word == Word::loop ? std::optional(Kind::loop) : std::nullopt;
-}
-
-std::optional<Kind> construct_ended_by(Word word) {
-  if (word == Word::end_if) return Kind::conditional;
-  if (word == Word::end_choose) return Kind::choice;
-  return word == Word::end_loop ? std::optional(Kind::loop) : std::nullopt;
-}
-
-/// The construct of which the word begins another branch.
-std::optional<Kind> construct_split_by(Word word) {
-  if (word == Word::else_if || word == Word::otherwise) return Kind::conditional;
-  const bool is_case = word == Word::one_case || word == Word::default_case;
-  return is_case ? std::optional(Kind::choice) : std::nullopt;
-}
-
-Test test_of(Word word) {
-  if (word == Word::if_defined) return Test::is_defined;
-  if (word == Word::if_undefined) return Test::is_undefined;
-  if (word == Word::one_case) return Test::equals;
-  const bool is_otherwise = word == Word::otherwise || word == Word::default_case;
-  return is_otherwise ? Test::otherwise : Test::is_true;
-}
-
 class StructureReader {
  public:
   StructureReader(const Source& source, Diagnostics& diagnostics)
@@ -86,7 +58,7 @@ class StructureReader {
     const std::string_view part = text_.substr(at, limit == std::string_view::npos ? limit : limit - at);
     return at + std::min(part.find('\n'), part.size());
   }
-  void keep_rest_of_line(std::size_t from);
+  void keep_rest_of_line(const ApreproGroup& group);
   void drop_rest_of_line(std::size_t from) { resume(std::min(line_end(from) + 1, text_.size())); }
 
   const Source& source_;
@@ -200,7 +172,7 @@ void StructureReader::read_control(const ApreproGroup& group) {
   } else if (const auto split = construct_split_by(group.word)) {
     if (close_down_to(*split, group)) begin_branch(group);
     const bool has_condition = group.argument.end > group.argument.begin;
-    has_condition ? keep_rest_of_line(group.end) : drop_rest_of_line(group.end);
+    has_condition ? keep_rest_of_line(group) : drop_rest_of_line(group.end);
   } else {
     read_include(group, is_glued);
   }
@@ -217,7 +189,7 @@ void StructureReader::begin_construct(Kind kind, const ApreproGroup& group) {
   open_.push_back({kind, group.argument, group.at});
   if (kind == Kind::conditional) {
     begin_branch(group);
-    keep_rest_of_line(group.end);
+    keep_rest_of_line(group);
   } else {
     drop_rest_of_line(group.end);
   }
@@ -283,8 +255,8 @@ void StructureReader::flush(std::size_t end) {
   text_from_ = end;
 }
 
-/// Adds the pending text but for the blanks before the control group, and a comment mark with blanks behind
-/// it. Returns whether a mark without blank is left before the group.
+/// Adds the pending text but for the blanks that begin the control group's line, and for a comment mark there
+/// with blanks behind it. Returns whether a mark without blank is left before the group.
 bool StructureReader::flush_before_control(std::size_t at) {
   const auto is_blank = [&](std::size_t i) { return text_[i] == ' ' || text_[i] == '\t'; };
   std::size_t end = at;
@@ -293,17 +265,21 @@ bool StructureReader::flush_before_control(std::size_t at) {
   while (mark > text_from_ && std::string_view("#$/").find(text_[mark - 1]) != std::string_view::npos) --mark;
   std::size_t line_begin = mark;
   while (line_begin > text_from_ && is_blank(line_begin - 1)) --line_begin;
-  const bool is_lone_slash = end == mark + 1 && text_[mark] == '/';
-  const bool has_mark = mark < end && !is_lone_slash && (line_begin == 0 || text_[line_begin - 1] == '\n');
-  const bool is_removed = has_mark && end < at;
-  flush(is_removed ? line_begin : end);
-  return has_mark && !is_removed;
+  const bool is_at_start = line_begin == 0 || text_[line_begin - 1] == '\n';
+  const bool has_mark = mark < end && !(end == mark + 1 && text_[mark] == '/');
+  const bool is_removed = is_at_start && (mark == end || (has_mark && end < at));
+  flush(is_removed ? line_begin : at);
+  return is_at_start && has_mark && !is_removed;
 }
 
-void StructureReader::keep_rest_of_line(std::size_t from) {
-  resume(from);
-  if (next_line_end_ < from) next_line_end_ = line_end(from);
+/// Aprepro copies what follows an if or a case on its line, but not the line end.
+void StructureReader::keep_rest_of_line(const ApreproGroup& group) {
+  resume(group.end);
+  if (next_line_end_ < group.end) next_line_end_ = line_end(group.end);
   dropped_line_end_ = next_line_end_;
+  const std::size_t text = text_.find_first_not_of(" \t\r", group.end);
+  const bool is_text = text < next_line_end_ && text_[text] != '{';
+  if (is_text) add({Kind::joined_text, {group.at, group.end}, text});
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ struct ApreproNode {
     echo_off,
     immutable_on,
     immutable_off,
-    glued_mark  ///< a comment mark without blank before a control line: it comes to hide the next line
+    glued_mark,  ///< a comment mark without blank before a control line: it comes to hide the next line
+    joined_text  ///< text behind an if or a case, `range` being the control group: it is joined to the next
+                 ///< line
   };
   Kind kind = Kind::text;
   TextRange range;

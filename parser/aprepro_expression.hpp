@@ -16,7 +16,4 @@ namespace contactsim {
 /// Source: SEACAS Aprepro, tables of operators.
 ApreproValue evaluate_aprepro(std::string_view expression, std::size_t base, ApreproState& state);
 
-/// Whether a value counts as true: a number other than 0, a string that is not empty.
-bool is_true(const ApreproValue& value);
-
 }  // namespace contactsim

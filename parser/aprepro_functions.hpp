@@ -18,9 +18,6 @@ namespace contactsim {
 /// A string of an expression may not grow past this.
 constexpr std::size_t max_aprepro_string = std::size_t{1} << 20;
 
-/// A deck may not make more work than this, counted in characters handled: about three seconds.
-constexpr std::size_t max_aprepro_work = std::size_t{1} << 28;
-
 /// What expressions read and change.
 struct ApreproState {
   ApreproVariables variables;
@@ -28,6 +25,7 @@ struct ApreproState {
   bool makes_immutable = false;  ///< between {IMMUTABLE(ON)} and {IMMUTABLE(OFF)}
   FileReader read_file = read_no_file;
   std::size_t work = 0;  ///< characters handled so far, against endless loops
+  std::size_t max_work = std::size_t{1} << 28;
   std::function<void(std::string_view id, const ApreproError&)> warn = {};
 };
 

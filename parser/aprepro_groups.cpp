@@ -11,6 +11,8 @@ namespace contactsim {
 namespace {
 
 using Word = ApreproGroup::Word;
+using Kind = ApreproNode::Kind;
+using Test = ApreproBranch::Test;
 
 /// How a control word is written. Words with an argument and the three that end or turn a construct are known
 /// in any case, as decks write {Ifdef(x)} and {EndLoop}; the others only as listed, being likely names too.
@@ -108,9 +110,37 @@ ApreproGroup read_aprepro_group(std::string_view text, std::size_t at) {
   group.inside.end = i;
   const std::string_view closing = group.is_silent ? "}}" : "}";
   group.is_closed = text.substr(i).starts_with(closing);
-  group.end = i + (group.is_closed ? closing.size() : 0);
+  const bool is_half_closed = i < text.size() && text[i] == '}';
+  group.end = i + (group.is_closed ? closing.size() : is_half_closed ? 1 : 0);
   if (group.is_closed && !group.is_silent) find_word(text, group);
   return group;
+}
+
+std::optional<ApreproNode::Kind> construct_begun_by(Word word) {
+  if (word == Word::if_true || word == Word::if_defined || word == Word::if_undefined)
+    return Kind::conditional;
+  if (word == Word::choose) return Kind::choice;
+  return word == Word::loop ? std::optional(Kind::loop) : std::nullopt;
+}
+
+std::optional<ApreproNode::Kind> construct_ended_by(Word word) {
+  if (word == Word::end_if) return Kind::conditional;
+  if (word == Word::end_choose) return Kind::choice;
+  return word == Word::end_loop ? std::optional(Kind::loop) : std::nullopt;
+}
+
+std::optional<ApreproNode::Kind> construct_split_by(Word word) {
+  if (word == Word::else_if || word == Word::otherwise) return Kind::conditional;
+  const bool is_case = word == Word::one_case || word == Word::default_case;
+  return is_case ? std::optional(Kind::choice) : std::nullopt;
+}
+
+ApreproBranch::Test test_of(Word word) {
+  if (word == Word::if_defined) return Test::is_defined;
+  if (word == Word::if_undefined) return Test::is_undefined;
+  if (word == Word::one_case) return Test::equals;
+  const bool is_otherwise = word == Word::otherwise || word == Word::default_case;
+  return is_otherwise ? Test::otherwise : Test::is_true;
 }
 
 const std::vector<std::string>& aprepro_control_words() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,5 +46,17 @@ struct ApreproGroup {
 
 /// Reads the group whose brace stands at `at`. Braces in its strings do not count.
 ApreproGroup read_aprepro_group(std::string_view text, std::size_t at);
+
+/// The construct that the word begins, if any.
+std::optional<ApreproNode::Kind> construct_begun_by(ApreproGroup::Word word);
+
+/// The construct that the word ends, if any.
+std::optional<ApreproNode::Kind> construct_ended_by(ApreproGroup::Word word);
+
+/// The construct of which the word begins another branch, if any.
+std::optional<ApreproNode::Kind> construct_split_by(ApreproGroup::Word word);
+
+/// What decides on the branch that the word begins.
+ApreproBranch::Test test_of(ApreproGroup::Word word);
 
 }  // namespace contactsim

@@ -7,6 +7,7 @@
 
 #include "core/errors.hpp"
 #include "parser/aprepro_expression.hpp"
+#include "parser/aprepro_operators.hpp"
 
 namespace contactsim {
 
@@ -23,6 +24,7 @@ constexpr std::size_t max_reports = 200;
 ApreproRunner::ApreproRunner(const ApreproOptions& options, Diagnostics& diagnostics)
     : options_(options), diagnostics_(diagnostics) {
   state_.read_file = options.read_file;
+  state_.max_work = options.max_work;
   state_.warn = [this](std::string_view id, const ApreproError& problem) {
     report(Severity::warning, id, problem);
   };
@@ -69,12 +71,25 @@ void ApreproRunner::run_node(const ApreproNode& node) {
       state_.makes_immutable = node.kind == Kind::immutable_on;
       break;
     case Kind::glued_mark:
-      report(Severity::warning, "aprepro-hidden",
-             {node.at, 1, "this comment mark comes to stand before the next line and hides it",
-              "put a blank between the mark and the brace"});
+    case Kind::joined_text:
+      warn_of_joined_lines(node);
       break;
   }
   check_work(node.at);
+}
+
+void ApreproRunner::warn_of_joined_lines(const ApreproNode& node) {
+  if (node.kind == Kind::glued_mark) {
+    report(Severity::warning, "aprepro-hidden",
+           {node.at, 1, "this comment mark comes to stand before the next line and hides it",
+            "put a blank between the mark and the brace"});
+  } else {
+    report(Severity::warning, "aprepro-joined",
+           {node.at, 1,
+            fmt::format("this text is joined to the next line, as the line end behind {} is dropped",
+                        text_of(node.range)),
+            "put it on a line of its own"});
+  }
 }
 
 void ApreproRunner::run_expression(const ApreproNode& node) {
@@ -155,7 +170,7 @@ void ApreproRunner::report(Severity severity, std::string_view id, const Aprepro
 }
 
 void ApreproRunner::check_work(std::size_t offset) {
-  const bool is_too_much = state_.work > max_aprepro_work || output_.text().size() > max_output;
+  const bool is_too_much = state_.work > state_.max_work || output_.text().size() > max_output;
   if (is_too_much) stop(offset, "the deck expands without end, or to too much");
 }
 

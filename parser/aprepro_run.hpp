@@ -41,6 +41,7 @@ class ApreproRunner {
   void run_source(const Source& source, const std::shared_ptr<const Trail>& trail);
   void run_nodes(const std::vector<ApreproNode>& nodes);
   void run_node(const ApreproNode& node);
+  void warn_of_joined_lines(const ApreproNode& node);
   void run_expression(const ApreproNode& node);
   void run_branches(const ApreproNode& node);
   bool holds(const ApreproBranch& branch, const ApreproValue& compared);

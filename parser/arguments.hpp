@@ -38,6 +38,8 @@ class Arguments {
   bool at_end() const { return next_ == words_.size(); }
   /// The next word without reading it. Precondition: !at_end().
   const Word& peek() const { return words_[next_]; }
+  /// The words that are not read yet.
+  std::span<const Word> remaining() const { return words_.subspan(next_); }
 
   /// The next word, whatever it is. `expected` completes "expected ..." when the line ends too early.
   const Word& word(std::string_view expected);

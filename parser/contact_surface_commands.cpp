@@ -9,6 +9,7 @@ namespace {
 template <class Line>
 void read_contains(Arguments& arguments, ContactDefinition& contact) {
   Line line;
+  line.location = arguments.location();
   line.name = arguments.name();
   if (arguments.is_next("contacts"))
     arguments.fail_here("unknown word 'contacts'", "did you mean 'contains'?");

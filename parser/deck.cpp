@@ -16,6 +16,13 @@ namespace contactsim {
 
 namespace {
 
+/// The overrides as Aprepro takes them, "name=value".
+std::vector<std::string> assignments_of(const ParseOptions& options) {
+  std::vector<std::string> assignments;
+  for (const auto& [name, value] : options.overrides) assignments.push_back(name + "=" + value);
+  return assignments;
+}
+
 /// The deck as a tree of blocks; nothing when its text could not be had, or holds nothing.
 std::optional<Block> read_blocks(const std::string& name, const std::function<Source()>& read_source,
                                  const FileReader& read_file, Diagnostics& diagnostics) {
@@ -47,7 +54,8 @@ SimulationDefinition bind_deck(const std::string& name, const std::optional<Bloc
 
 SimulationDefinition parse_deck(const std::string& path, const ParseOptions& options,
                                 Diagnostics& diagnostics) {
-  const auto read_source = [&] { return read_deck_source(path, options.overrides, diagnostics); };
+  const std::vector<std::string> overrides = assignments_of(options);
+  const auto read_source = [&] { return read_deck_source(path, overrides, diagnostics); };
   const auto deck = read_blocks(path, read_source, read_text_file, diagnostics);
   return bind_deck(path, deck, options.is_lenient, diagnostics);
 }
@@ -55,8 +63,9 @@ SimulationDefinition parse_deck(const std::string& path, const ParseOptions& opt
 SimulationDefinition parse_deck_text(const std::string& name, const std::string& text,
                                      const ParseOptions& options, Diagnostics& diagnostics,
                                      const FileReader& read_file) {
+  const std::vector<std::string> overrides = assignments_of(options);
   const auto read_source = [&] {
-    return run_aprepro(make_source(name, text), {options.overrides, read_file}, diagnostics);
+    return run_aprepro(make_source(name, text), {overrides, read_file}, diagnostics);
   };
   const auto deck = read_blocks(name, read_source, read_file, diagnostics);
   return bind_deck(name, deck, options.is_lenient, diagnostics);

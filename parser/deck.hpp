@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/definition/simulation.hpp"
@@ -12,7 +13,7 @@ namespace contactsim {
 
 /// How a deck is to be read.
 struct ParseOptions {
-  std::vector<std::string> overrides;  ///< Aprepro variables from the command line, "name=value"
+  std::vector<std::pair<std::string, std::string>> overrides;  ///< Aprepro variables and their values, -D
   bool is_lenient = false;                                     ///< refused and unknown commands are warnings
 };
 

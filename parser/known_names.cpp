@@ -5,6 +5,11 @@
 
 namespace contactsim {
 
+std::string KnownNames::name_for_message(const DeckName& name) const {
+  const std::string of_owner = owner_.empty() ? "" : " of " + owner_;
+  return fmt::format("{} '{}'{}", kind_, name.text, of_owner);
+}
+
 void KnownNames::define(const DeckName& name, Diagnostics& diagnostics) {
   if (name.text.empty()) return;
   const auto [entry, is_new] = by_name_.try_emplace(fold(name.text), Entry{name.location});
@@ -13,7 +18,7 @@ void KnownNames::define(const DeckName& name, Diagnostics& diagnostics) {
     return;
   }
   const std::string first = to_string(entry->second.location);
-  diagnostics.add_error(name.location, fmt::format("the {} '{}' is defined a second time", kind_, name.text),
+  diagnostics.add_error(name.location, fmt::format("the {} is defined a second time", name_for_message(name)),
                         first.empty() ? "the name is built in" : "the first stands at " + first,
                         static_cast<int>(name.text.size()));
 }
@@ -26,9 +31,10 @@ bool KnownNames::use(const DeckName& reference, Diagnostics& diagnostics) {
   }
   if (allows_unknown_) return false;
   std::string hint = suggest(reference.text, spellings_);
-  if (hint.empty() && spellings_.empty()) hint = fmt::format("the deck defines no {}", kind_);
-  diagnostics.add_error(reference.location, fmt::format("unknown {} '{}'", kind_, reference.text),
-                        std::move(hint), static_cast<int>(reference.text.size()));
+  if (hint.empty() && spellings_.empty())
+    hint = fmt::format("{} has no {}", owner_.empty() ? "the deck" : owner_, kind_);
+  diagnostics.add_error(reference.location, "unknown " + name_for_message(reference), std::move(hint),
+                        static_cast<int>(reference.text.size()));
   return false;
 }
 

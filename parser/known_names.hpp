@@ -15,8 +15,10 @@ namespace contactsim {
 /// case.
 class KnownNames {
  public:
-  /// kind  as messages say it: "function"
-  explicit KnownNames(std::string kind) : kind_(std::move(kind)) {}
+  /// kind   as messages say it: "function"
+  /// owner  what the definitions belong to, if not to the deck: "the material 'steel'"
+  explicit KnownNames(std::string kind, std::string owner = "")
+      : kind_(std::move(kind)), owner_(std::move(owner)) {}
 
   /// Adds a definition. A second one of the same name is an error there. An empty name is passed over.
   void define(const DeckName& name, Diagnostics& diagnostics);
@@ -38,7 +40,9 @@ class KnownNames {
     bool is_used = false;
   };
 
-  std::string kind_;
+  std::string name_for_message(const DeckName& name) const;
+
+  std::string kind_, owner_;
   std::vector<std::string> spellings_;  ///< in the order of definition
   std::unordered_map<std::string, Entry> by_name_;
   bool allows_unknown_ = false;

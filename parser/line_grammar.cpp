@@ -25,7 +25,6 @@ struct ProgressTag;
 /// there alone.
 struct QuotedString : x3::parser<QuotedString> {
   using attribute_type = x3::unused_type;
-  static constexpr bool has_attribute = false;
 
   template <class Iterator, class Context, class Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context& context, x3::unused_type,

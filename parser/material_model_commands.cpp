@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
 #include "parser/material_commands.hpp"
 #include "parser/row_lists.hpp"
 
@@ -89,16 +91,21 @@ const Table<JohnsonCookModel>& johnson_cook_table() {
   return table;
 }
 
-/// A line of words: the key up to the separator, or up to the first number; the rest are its values.
+bool is_separator(const Word& word) {
+  return word.kind == WordKind::symbol ||
+         (word.kind == WordKind::bare && (fold(word.text) == "is" || fold(word.text) == "are"));
+}
+
+bool is_value(const Word& word) { return word.kind == WordKind::quoted || is_number(word.text); }
+
+/// The key of a line goes up to its separator, or when it has none up to the first value.
 void read_parameter(Arguments& arguments, OpaqueModel& model) {
-  ModelParameter parameter{arguments.name(), {}};
-  const auto is_value = [&] {
-    const Word& next = arguments.peek();
-    return next.kind != WordKind::bare || is_number(next.text) || arguments.is_next("is") ||
-           arguments.is_next("are");
-  };
-  while (!arguments.at_end() && !is_value()) {
-    parameter.key.text += ' ';
+  const std::span<const Word> words = arguments.remaining();
+  auto key_end = std::find_if(words.begin(), words.end(), is_separator);
+  if (key_end == words.end()) key_end = std::find_if(words.begin(), words.end(), is_value);
+  ModelParameter parameter{{"", arguments.location()}, {}};
+  for (auto word = words.begin(); word != key_end; ++word) {
+    if (!parameter.key.text.empty()) parameter.key.text += ' ';
     parameter.key.text += arguments.name().text;
   }
   arguments.skip_separator();

@@ -88,13 +88,14 @@ class NameResolution {
     define(simulation_.procedures, procedures);
     for (const MaterialDefinition& material : simulation_.materials) {
       const auto [models, is_new] = material_models_.try_emplace(
-          fold(material.name.text), fmt::format("model of the material '{}'", material.name.text));
+          fold(material.name.text),
+          KnownNames("model", fmt::format("the material '{}'", material.name.text)));
       if (is_new) define(material.models, models->second);
     }
   }
 
   void use(const Procedure& procedure) {
-    KnownNames regions("region of this procedure");
+    KnownNames regions("region", "this procedure");
     define(procedure.regions, regions);
     outside_.periods = KnownNames("time stepping block");
     if (is_fragment_) outside_.periods.allow_unknown();

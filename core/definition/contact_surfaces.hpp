@@ -13,6 +13,7 @@ namespace contactsim {
 /// CONTACT SURFACE <name> CONTAINS <items>. Items are side sets, blocks, assemblies of either and analytic
 /// objects. Source: Sierra/SM 5.22, 8.4.1.
 struct ContactSurfaceLine {
+  DeckLocation location;
   DeckName name;
   std::vector<DeckName> items;
 };
@@ -20,6 +21,7 @@ struct ContactSurfaceLine {
 /// CONTACT NODE SET <name> CONTAINS <items>. Items are node sets, side sets, blocks and assemblies of them.
 /// Source: Sierra/SM 5.22, 8.4.2.
 struct ContactNodeSetLine {
+  DeckLocation location;
   DeckName name;
   std::vector<DeckName> items;
 };

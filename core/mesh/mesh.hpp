@@ -2,14 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
+#include "core/mesh/entity_names.hpp"
+#include "core/mesh/id_lookup.hpp"
 #include "core/mesh/indices.hpp"
 #include "core/mesh/topology.hpp"
 
@@ -18,7 +20,7 @@ namespace contactsim {
 /// One element block, as the mesh file holds it.
 struct ElementBlock {
   std::int64_t id = 0;
-  std::string name;       ///< as stored, "" when the file has none; see Mesh::block_name
+  std::string name;       ///< as stored, "" when the file has none; see Mesh::name
   std::string type_name;  ///< the file's elem_type, "" when missing
   Shape shape = Shape::unknown;
   ElementIndex first_element;
@@ -50,12 +52,6 @@ struct NodeSet {
   std::vector<NodeIndex> nodes;
   std::vector<double> distribution_factors;  ///< passed through to results; may be empty
 };
-
-/// The kinds of mesh entity that a deck can name.
-enum class EntityKind : std::uint8_t { block, side_set, node_set, assembly };
-
-/// "block", "side set", "node set", "assembly".
-std::string_view to_string(EntityKind kind);
 
 /// A named list of entities of one kind; nested assemblies are resolved by Mesh::members.
 struct Assembly {
@@ -90,6 +86,8 @@ struct Entity {
 class Mesh {
  public:
   Mesh() = default;
+  /// Sets first_element of every block, and drops id maps that are 1..n. Preconditions: connectivity, sets
+  /// and assemblies name nodes, elements and members that exist.
   explicit Mesh(MeshParts parts);
 
   const std::string& path() const { return parts_.path; }
@@ -105,7 +103,7 @@ class Mesh {
   /// The user's ids (Exodus number maps).
   std::int64_t node_id(NodeIndex node) const;
   std::int64_t element_id(ElementIndex element) const;
-  /// The element of a user id, if there is one.
+  /// The element or node of a user id, if there is one; the first of a repeated id.
   std::optional<ElementIndex> find_element(std::int64_t id) const;
   std::optional<NodeIndex> find_node(std::int64_t id) const;
 
@@ -113,7 +111,8 @@ class Mesh {
   std::uint32_t block_of(ElementIndex element) const;
   /// Connectivity of one element. Precondition: its block has a known shape.
   std::span<const NodeIndex> element_nodes(ElementIndex element) const;
-  /// Mesh nodes of one side's corners, 4, 3, 2 or 1 of them (n_corners of the side).
+  /// Mesh nodes of one side's corners; a side of fewer than four repeats its last. Precondition: the
+  /// element's shape has the side.
   std::array<NodeIndex, 4> side_nodes(ElementSide side) const;
 
   /// The name to show for an entity: the stored one, else block_<id>, surface_<id>, nodelist_<id>,
@@ -128,14 +127,16 @@ class Mesh {
   std::vector<std::string> names(EntityKind kind) const;
 
   /// The blocks, side sets or node sets of an assembly, nested ones opened, each once, in order of first
-  /// mention.
+  /// mention. A nest that holds itself is opened once.
   std::vector<Entity> members(std::uint32_t assembly) const;
 
  private:
+  std::uint32_t count(EntityKind kind) const;
+
   MeshParts parts_;
   std::uint32_t n_elements_ = 0;
-  std::array<std::unordered_map<std::string, std::uint32_t>, 4> by_name_;  ///< of each EntityKind, folded
-  std::unordered_map<std::int64_t, std::uint32_t> node_by_id_, element_by_id_;
+  std::array<EntityLookup, n_entity_kinds> by_name_;  ///< of each EntityKind
+  IdLookup node_by_id_, element_by_id_;
 };
 
 }  // namespace contactsim

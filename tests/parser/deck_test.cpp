@@ -140,7 +140,7 @@ TEST_CASE("all problems of a deck are told in one run, in the order of its lines
         "a.i:4:13: warning: expected a number for 'density', found 'heavy', but nothing uses this definition "
         "[deck-unused]\n"
         "a.i:7:3: error: the TIME CONTROL has no TIME STEPPING BLOCK\n"
-        "a.i:11:30: error: unknown finite element model 'm'; the deck defines no finite element model\n");
+        "a.i:11:30: error: unknown finite element model 'm'; the deck has no finite element model\n");
 }
 
 TEST_CASE("a lenient reading turns unknown and refused commands into warnings", "[parser][deck]") {

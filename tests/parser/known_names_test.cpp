@@ -34,7 +34,7 @@ TEST_CASE("an unknown name is told with the nearest known one", "[parser][names]
   names.define(name_at("Ramp", 2), diagnostics);
   CHECK_FALSE(names.use(name_at("rmap", 3), diagnostics));
   CHECK(messages(diagnostics) ==
-        "a.i:1:5: error: unknown function 'ramp'; the deck defines no function\n"
+        "a.i:1:5: error: unknown function 'ramp'; the deck has no function\n"
         "a.i:3:5: error: unknown function 'rmap'; did you mean 'Ramp'?\n");
 }
 

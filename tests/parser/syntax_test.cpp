@@ -191,9 +191,7 @@ TEST_CASE("INCLUDEFILE refuses rings, depth and malformed lines", "[parser][synt
         "a.i:1\n");
   CHECK(messages(parse("includefile a.i", ring).diagnostics) ==
         "a.i:1:13: error: cannot include 'a.i': the file includes itself\n");
-  const auto deeper = [](const std::string& path) -> TextFile {
-    return {"includefile " + path + "x"};
-  };
+  const auto deeper = [](const std::string& path) -> TextFile { return {"includefile " + path + "x"}; };
   CHECK(messages(parse("includefile x", deeper).diagnostics).find("nested more than 32 deep") !=
         std::string::npos);
   CHECK(errors("includefile") ==

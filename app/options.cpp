@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "core/errors.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr const char* footer =
+    "Exit codes: 0 done, 1 a bug in contactsim, 2 deck or command line, 3 mesh or other file, 4 solution.\n"
+    "Example:    contactsim plate.i plate.g --check --surfaces plate_surfaces.exo";
+
+void add_run_options(CLI::App& app, Options& options) {
+  app.add_option("deck", options.deck, "Input deck")->type_name("DECK");
+  app.add_option("mesh", options.mesh, "Exodus mesh, in place of the deck's DATABASE NAME")
+      ->type_name("MESH");
+  app.add_option("-o,--output", options.results, "Results file, in place of the deck's")->type_name("FILE");
+  app.add_option("-D,--define", options.definitions, "Aprepro variable, name=value; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--log", options.log, "Log file, in place of <deck base>.log")->type_name("FILE");
+  app.add_option("--threads", options.n_threads, "Number of threads; results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--lenient", options.is_lenient, "Pass over unknown and unsupported commands with a warning");
+}
+
+void add_surface_options(CLI::App& app, Options& options) {
+  app.add_option("--surfaces-json", options.surfaces_json, "Write the ownership table as JSON")
+      ->type_name("FILE");
+  app.add_option("--surfaces-csv", options.surfaces_csv, "Write every owned facet as CSV")->type_name("FILE");
+  app.add_option("--surfaces", options.surfaces_exodus, "Write the surfaces as an Exodus mesh to look at")
+      ->type_name("FILE");
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, const char* const* argv) {
+  CommandLine line;
+  Options& options = line.options;
+  bool only_parse = false, only_check = false;
+  CLI::App app(
+      "Contact simulator: reads a Sierra/SM-style deck and an Exodus mesh, tells which contact surface owns "
+      "which face.",
+      "contactsim");
+  app.footer(footer);
+  app.set_version_flag("--version", std::string("contactsim ") + CONTACTSIM_VERSION);
+  add_run_options(app, options);
+  add_surface_options(app, options);
+  auto* parse = app.add_flag("--parse", only_parse, "Read and bind the deck, without a mesh, and stop");
+  app.add_flag("--check", only_check, "Resolve the contact surfaces, print their tables and stop")
+      ->excludes(parse);
+  auto* explain = app.add_subcommand("explain", "Print the reference of deck blocks and commands");
+  explain->add_option("words", options.explain_words, "Block or command to explain")->type_name("WORDS");
+  try {
+    app.parse(argc, argv);
+    options.explains = explain->parsed();
+    if (!options.explains && options.deck.empty()) throw CLI::RequiredError("DECK");
+  } catch (const CLI::ParseError& error) {
+    line.exit_code = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::deck);
+    return line;
+  }
+  if (only_parse) options.stage = Stage::parse;
+  if (only_check) options.stage = Stage::check;
+  return line;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace contactsim {
+
+/// How far a run goes.
+enum class Stage {
+  parse,  ///< read and bind the deck, no mesh
+  check,  ///< resolve the contact surfaces
+  run     ///< everything
+};
+
+/// What the command line asks for.
+struct Options {
+  std::string deck;
+  std::optional<std::string> mesh;     ///< in place of the deck's DATABASE NAME
+  std::optional<std::string> results;  ///< in place of the deck's results file
+  Stage stage = Stage::run;
+  std::optional<std::string> surfaces_json, surfaces_csv,
+      surfaces_exodus;  ///< files to write the surfaces to
+  bool is_lenient = false;
+  int n_threads = 0;                     ///< 0: as many as OpenMP chooses
+  std::optional<std::string> log;        ///< in place of <deck base>.log
+  std::vector<std::string> definitions;  ///< "name=value" for Aprepro
+  bool explains = false;
+  std::vector<std::string> explain_words;  ///< of `contactsim explain`
+};
+
+/// What the command line means: options, or an exit code when all is said and done (--help, --version,
+/// mistakes).
+struct CommandLine {
+  Options options;
+  std::optional<int> exit_code;
+};
+
+/// Reads the command line; prints help, version and mistakes itself.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace contactsim

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/log.hpp"
+#include "app/options.hpp"
+#include "core/diagnostics.hpp"
+#include "core/errors.hpp"
+
+namespace contactsim {
+
+/// Takes a deck as far as the options ask: deck, mesh, contact surfaces, results.
+///   warnings  gains what was found on the way, to be repeated at the end
+/// Throws DeckError, FileError.
+ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings);
+
+}  // namespace contactsim

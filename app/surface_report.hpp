@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "contact/contact_model.hpp"
+#include "contact/surface_summary.hpp"
+
+namespace contactsim {
+
+/// The ownership table of the log: one row per surface and a total, then who lost what to whom, then the
+/// warnings. Holds no times, paths or thread counts, so that the tables of two runs can be compared with
+/// diff.
+std::string format_surface_tables(const ContactModel& model, std::span<const SurfaceSummary> summaries);
+
+/// The same as JSON, schema contactsim-surfaces/1.
+std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries);
+
+/// One line per owned facet: surface,block,element,side,kind,area. Names that hold a comma, a quote or a line
+/// end are quoted.
+std::string format_surfaces_csv(const ContactModel& model, std::span<const FacetRow> rows);
+
+}  // namespace contactsim

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/claims.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace contactsim {
+
+namespace {
+
+template <class T>
+void sort_once(std::vector<T>& list) {
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Both ascending.
+template <class T>
+std::vector<T> without(const std::vector<T>& list, const std::vector<T>& removed) {
+  std::vector<T> rest;
+  std::set_difference(list.begin(), list.end(), removed.begin(), removed.end(), std::back_inserter(rest));
+  return rest;
+}
+
+/// Candidate faces of side sets, ascending.
+std::vector<std::uint32_t> faces_of_side_sets(const std::vector<std::uint32_t>& sets, const Mesh& mesh,
+                                              const Candidates& candidates) {
+  std::vector<std::uint32_t> faces;
+  for (const std::uint32_t set : sets) {
+    for (const ElementSide side : mesh.side_sets()[set].sides) {
+      if (const auto face = candidates.find_face(side)) faces.push_back(*face);
+    }
+  }
+  sort_once(faces);
+  return faces;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> claimed_faces(const SurfaceRequest& request, const Mesh& mesh,
+                                         const Candidates& candidates) {
+  std::vector<std::uint32_t> faces = faces_of_side_sets(request.side_sets, mesh, candidates);
+  for (const std::uint32_t index : request.blocks) {
+    const auto [first, last] = candidates.faces_of(mesh.blocks()[index]);
+    for (std::uint32_t face = first; face < last; ++face) {
+      if (candidates.is_exterior[face]) faces.push_back(face);
+    }
+  }
+  sort_once(faces);
+  if (request.removed_side_sets.empty()) return faces;
+  return without(faces, faces_of_side_sets(request.removed_side_sets, mesh, candidates));
+}
+
+std::vector<std::uint32_t> claimed_lofted(const SurfaceRequest& request, const Mesh& mesh,
+                                          const Candidates& candidates) {
+  std::vector<std::uint32_t> lofted, removed;
+  for (const std::uint32_t index : request.blocks) {
+    const auto [first, last] = candidates.lofted_of(mesh.blocks()[index]);
+    for (std::uint32_t element = first; element < last; ++element) lofted.push_back(element);
+  }
+  const auto add = [&](ElementIndex element, std::vector<std::uint32_t>& list) {
+    if (const auto found = candidates.find_lofted(element)) list.push_back(*found);
+  };
+  for (const ElementIndex element : request.elements) add(element, lofted);
+  for (const std::uint32_t set : request.removed_side_sets) {
+    for (const ElementSide side : mesh.side_sets()[set].sides) add(side.element(), removed);
+  }
+  sort_once(lofted);
+  sort_once(removed);
+  return without(lofted, removed);
+}
+
+std::vector<NodeIndex> claimed_nodes(const SurfaceRequest& request, const Mesh& mesh,
+                                     const ContactDomain& domain) {
+  std::vector<NodeIndex> nodes;
+  for (const std::uint32_t set : request.node_sets) {
+    const auto& members = mesh.node_sets()[set].nodes;
+    nodes.insert(nodes.end(), members.begin(), members.end());
+  }
+  for (const std::uint32_t set : request.side_sets) {
+    for (const ElementSide side : mesh.side_sets()[set].sides) {
+      if (!domain.is_alive(side.element())) continue;
+      const auto corners = mesh.side_nodes(side);
+      nodes.insert(nodes.end(), corners.begin(), corners.end());
+    }
+  }
+  for (const std::uint32_t index : request.blocks) {
+    const ElementBlock& block = mesh.blocks()[index];
+    for (std::uint32_t i = 0; i < block.n_elements; ++i) {
+      if (!domain.is_alive({block.first_element.value + i})) continue;
+      const auto corners = block.element_nodes(i);
+      nodes.insert(nodes.end(), corners.begin(), corners.end());
+    }
+  }
+  std::erase_if(nodes, [&](NodeIndex node) { return !domain.holds(node); });
+  sort_once(nodes);
+  return nodes;
+}
+
+}  // namespace contactsim

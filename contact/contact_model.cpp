@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_model.hpp"
+
+#include <algorithm>
+
+#include "contact/loft_sizes.hpp"
+#include "contact/resolve_surfaces.hpp"
+#include "contact/surface_names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Every lofted element that a surface owns, ascending.
+std::vector<OwnedElement> owned_elements(std::span<const ContactSurface> surfaces) {
+  std::vector<OwnedElement> owned;
+  for (std::uint32_t surface = 0; surface < surfaces.size(); ++surface) {
+    for (const ElementIndex element : surfaces[surface].lofted_elements) owned.push_back({element, surface});
+  }
+  std::sort(owned.begin(), owned.end());
+  return owned;
+}
+
+/// The owners of parts of lofts; parts and owned elements both ascend by element.
+template <class Part>
+std::vector<std::uint32_t> owners_of(const std::vector<Part>& parts, const std::vector<OwnedElement>& owned) {
+  std::vector<std::uint32_t> owners;
+  auto owner = owned.begin();
+  for (const Part& part : parts) {
+    while (owner->element < part.element) ++owner;
+    owners.push_back(owner->surface);
+  }
+  return owners;
+}
+
+RegionNames names_of(const SimulationDefinition& definition, const Region& region) {
+  const FiniteElementModel* parts = find_finite_element_model(definition, region);
+  return {region.analytic_planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{}};
+}
+
+}  // namespace
+
+ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
+                                const Mesh& mesh, std::span<const std::uint8_t> alive,
+                                Diagnostics& diagnostics) {
+  ContactModel model;
+  model.planes = region.analytic_planes;
+  model.surfaces = resolve_surfaces(*region.contact, names_of(definition, region), mesh, alive, diagnostics);
+  check_surface_names(*region.contact, model.surfaces, diagnostics);
+  const auto owned = owned_elements(model.surfaces.surfaces);
+  const auto sizes = find_loft_sizes(definition, region, mesh, model.surfaces.surfaces, owned, diagnostics);
+  std::vector<ElementIndex> elements;
+  for (const OwnedElement& one : owned) elements.push_back(one.element);
+  model.loft = make_loft(mesh, mesh.coordinates(), elements, sizes);
+  model.surface_of_facet = owners_of(model.loft.facets, owned);
+  model.surface_of_sphere = owners_of(model.loft.spheres, owned);
+  return model;
+}
+
+void find_name_errors(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                      Diagnostics& diagnostics) {
+  make_surface_requests(*region.contact, names_of(definition, region), mesh, diagnostics);
+}
+
+}  // namespace contactsim

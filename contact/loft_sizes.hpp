@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/contact_surface.hpp"
+#include "contact/loft.hpp"
+#include "core/definition/simulation.hpp"
+#include "core/diagnostics.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// A lofted element and the contact surface that owns it.
+struct OwnedElement {
+  ElementIndex element;
+  std::uint32_t surface = 0;
+  auto operator<=>(const OwnedElement&) const = default;
+};
+
+/// Thickness or radius of lofted elements, each from the first of: SURFACE OPTIONS of the contact definition
+/// (BEAM RADIUS), the section of its block, the block's attribute on the mesh. A block that has none of them,
+/// and a size that is not positive, are errors at the surface's command.
+///   elements  ascending
+/// Returns [n_elements]; a size that could not be found is 0.
+///
+/// A truss becomes a cylinder of equal area; the cross-section of a beam is enclosed in a circle.
+/// Source: Sierra/SM 5.22, 8.4.8; Abaqus general contact (radius of beams: circumscribed circle, of trusses:
+/// equal area).
+std::vector<LoftSize> find_loft_sizes(const SimulationDefinition& definition, const Region& region,
+                                      const Mesh& mesh, std::span<const ContactSurface> surfaces,
+                                      std::span<const OwnedElement> elements, Diagnostics& diagnostics);
+
+}  // namespace contactsim

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/surface_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "contact/name_lookup.hpp"
+#include "core/errors.hpp"
+
+namespace contactsim {
+
+namespace {
+
+template <class T>
+void add_once(T value, std::vector<T>& list) {
+  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+}
+
+SurfaceRequest make_request(std::string name, SurfaceKind kind, std::string command,
+                            const DeckLocation& location) {
+  SurfaceRequest request;
+  request.name = std::move(name);
+  request.kind = kind;
+  request.command = std::move(command);
+  request.location = location;
+  return request;
+}
+
+/// Turns the commands of one contact definition into requests.
+class RequestMaker {
+ public:
+  RequestMaker(const RegionNames& names, const Mesh& mesh, Diagnostics& diagnostics)
+      : planes_(names.planes),
+        mesh_(mesh),
+        names_(mesh, names.aliases, diagnostics),
+        diagnostics_(diagnostics) {}
+
+  void add(const ContactSurfaceLine& line) {
+    auto request = make_request(line.name.text, SurfaceKind::face, "CONTACT SURFACE", line.location);
+    for (const DeckName& item : line.items) add_item(item, request);
+    finish(std::move(request), line.name);
+  }
+
+  void add(const ContactNodeSetLine& line) {
+    static constexpr EntityKind kinds[] = {EntityKind::node_set, EntityKind::side_set, EntityKind::block,
+                                           EntityKind::assembly};
+    auto request = make_request(line.name.text, SurfaceKind::node, "CONTACT NODE SET", line.location);
+    for (const DeckName& item : line.items) {
+      for (const Entity& entity : names_.find_members(item, kinds, request.command))
+        add_entity(entity, item, request);
+    }
+    finish(std::move(request), line.name);
+  }
+
+  void add(const ContactSurfaceBlock& block);
+  void add(const SkinAllBlocks& skin);
+
+  std::vector<SurfaceRequest> take() { return std::move(requests_); }
+
+ private:
+  void add_item(const DeckName& item, SurfaceRequest& request);
+  void add_entity(const Entity& entity, const DeckName& item, SurfaceRequest& request);
+  void add_block(std::uint32_t block, const DeckLocation& location, SurfaceRequest& request);
+  void add_side_set(std::uint32_t side_set, const DeckName& item, SurfaceRequest& request);
+  void add_elements(const ContactSurfaceBlock& block, SurfaceRequest& request);
+  void add_subsets(const ContactSurfaceBlock& block, SurfaceRequest& request);
+  std::optional<std::uint32_t> find_plane(const DeckName& item) const;
+  void finish(SurfaceRequest request, const DeckName& name);
+  void take_name(const std::string& name, const DeckLocation& location);
+
+  std::span<const AnalyticPlane> planes_;
+  const Mesh& mesh_;
+  NameLookup names_;
+  Diagnostics& diagnostics_;
+  std::vector<SurfaceRequest> requests_;
+  std::map<std::string, DeckLocation> taken_;  ///< folded surface names
+  std::map<std::uint32_t, std::pair<std::string, DeckLocation>> plane_owner_;
+};
+
+std::optional<std::uint32_t> RequestMaker::find_plane(const DeckName& item) const {
+  for (std::uint32_t i = 0; i < planes_.size(); ++i) {
+    if (fold(planes_[i].name.text) == fold(item.text)) return i;
+  }
+  return std::nullopt;
+}
+
+void RequestMaker::add_item(const DeckName& item, SurfaceRequest& request) {
+  static constexpr EntityKind kinds[] = {EntityKind::side_set, EntityKind::block, EntityKind::assembly};
+  const auto plane = find_plane(item);
+  if (!plane) {
+    for (const Entity& entity : names_.find_members(item, kinds, request.command))
+      add_entity(entity, item, request);
+    return;
+  }
+  if (!mesh_.find(item.text).empty()) {
+    diagnostics_.add_error(item.location,
+                           fmt::format("'{}' is both an analytic object and a part of the mesh", item.text),
+                           "rename the analytic object", static_cast<int>(item.text.size()));
+  }
+  const auto [owner, is_free] = plane_owner_.try_emplace(*plane, request.name, item.location);
+  if (is_free) {
+    request.analytic_planes.push_back(*plane);
+  } else {
+    diagnostics_.add_error(
+        item.location,
+        fmt::format("analytic object '{}' is already in surface '{}'", item.text, owner->second.first),
+        "it was claimed at " + to_string(owner->second.second), static_cast<int>(item.text.size()));
+  }
+}
+
+void RequestMaker::add_entity(const Entity& entity, const DeckName& item, SurfaceRequest& request) {
+  switch (entity.kind) {
+    case EntityKind::block:
+      return add_block(entity.index, item.location, request);
+    case EntityKind::side_set:
+      return add_side_set(entity.index, item, request);
+    case EntityKind::node_set:
+      return add_once(entity.index, request.node_sets);
+    case EntityKind::assembly:
+      return;  // find_members opened it
+  }
+}
+
+void RequestMaker::add_block(std::uint32_t block_index, const DeckLocation& location,
+                             SurfaceRequest& request) {
+  const ElementBlock& block = mesh_.blocks()[block_index];
+  if (block.shape == Shape::unknown && block.n_elements > 0) {
+    const std::string type = block.type_name.empty()
+                                 ? "no element type"
+                                 : fmt::format("element type '{}' with {} nodes per element", block.type_name,
+                                               block.nodes_per_element);
+    throw FileError(mesh_.path(),
+                    fmt::format("block {} ({}): {}, which contact at {} cannot use", block.id,
+                                mesh_.name({EntityKind::block, block_index}), type, to_string(location)));
+  }
+  add_once(block_index, request.blocks);
+}
+
+void RequestMaker::add_side_set(std::uint32_t set_index, const DeckName& item, SurfaceRequest& request) {
+  const SideSet& set = mesh_.side_sets()[set_index];
+  const auto is_face = [&](ElementSide side) {
+    const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(side.element())].shape);
+    return shape.sides[static_cast<std::size_t>(side.side() - 1)].kind == SideKind::face;
+  };
+  const auto edge = request.kind == SurfaceKind::face
+                        ? std::find_if_not(set.sides.begin(), set.sides.end(), is_face)
+                        : set.sides.end();
+  if (edge == set.sides.end()) return add_once(set_index, request.side_sets);
+  diagnostics_.add_error(
+      item.location,
+      fmt::format("side set '{}' holds side {} of element {}, which is an edge and no contact face",
+                  mesh_.name({EntityKind::side_set, set_index}), edge->side(),
+                  mesh_.element_id(edge->element())),
+      "", static_cast<int>(item.text.size()));
+}
+
+void RequestMaker::add(const ContactSurfaceBlock& block) {
+  auto request =
+      make_request(block.name.text, SurfaceKind::face, "BEGIN CONTACT SURFACE", block.name.location);
+  request.is_block_form = true;
+  for (std::uint32_t i = 0; block.includes_all_blocks && i < mesh_.blocks().size(); ++i) {
+    const bool is_particles = topology(mesh_.blocks()[i].shape).family == Family::particle;
+    if (is_particles) {
+      request.particle_blocks_left_out.push_back(i);
+    } else {
+      add_block(i, block.name.location, request);
+    }
+  }
+  const auto add_all = [&](const std::vector<DeckName>& items, std::initializer_list<EntityKind> kinds) {
+    for (const DeckName& item : items) {
+      for (const Entity& entity : names_.find_members(item, kinds, request.command)) {
+        if (names_.check_not_particles(entity, item, request.command)) add_entity(entity, item, request);
+      }
+    }
+  };
+  add_all(block.blocks, {EntityKind::block});
+  add_all(block.side_sets, {EntityKind::side_set});
+  add_all(block.assemblies, {EntityKind::assembly});
+  for (const DeckName& item : block.removed_blocks) {
+    if (const auto removed = names_.find(item, {EntityKind::block}, "REMOVE BLOCK")) {
+      std::erase(request.blocks, removed->index);
+      std::erase(request.particle_blocks_left_out, removed->index);
+    }
+  }
+  for (const DeckName& item : block.removed_side_sets) {
+    if (const auto removed = names_.find(item, {EntityKind::side_set}, "REMOVE SURFACE")) {
+      add_once(removed->index, request.removed_side_sets);
+    }
+  }
+  add_elements(block, request);
+  add_subsets(block, request);
+  finish(std::move(request), block.name);
+}
+
+void RequestMaker::add_elements(const ContactSurfaceBlock& block, SurfaceRequest& request) {
+  for (const ElementReference& reference : block.elements) {
+    const int length = static_cast<int>(std::to_string(reference.id).size());
+    const auto element = mesh_.find_element(reference.id);
+    if (!element) {
+      diagnostics_.add_error(reference.location,
+                             fmt::format("the mesh has no element with id {}", reference.id), "", length);
+      continue;
+    }
+    const std::uint32_t owner = mesh_.block_of(*element);
+    const Topology& shape = topology(mesh_.blocks()[owner].shape);
+    if (shape.family == Family::solid || shape.family == Family::none) {
+      diagnostics_.add_error(reference.location,
+                             fmt::format("element {} is a {} of block '{}'; ELEMENT picks lofted elements "
+                                         "only (shells, beams, particles)",
+                                         reference.id, shape.name, mesh_.name({EntityKind::block, owner})),
+                             "", length);
+    } else {
+      add_once(*element, request.elements);
+    }
+  }
+}
+
+void RequestMaker::add_subsets(const ContactSurfaceBlock& block, SurfaceRequest& request) {
+  for (const SurfaceSubset& subset : block.subsets) {
+    request.subsets.push_back(
+        {request.name + "_" + subset.name.text, subset.name.location, subset.normal.normalized()});
+  }
+}
+
+void RequestMaker::add(const SkinAllBlocks& skin) {
+  std::vector<std::uint32_t> excluded;
+  for (const DeckName& item : skin.excluded) {
+    for (const Entity& entity :
+         names_.find_members(item, {EntityKind::block, EntityKind::assembly}, "SKIN ALL BLOCKS EXCLUDE")) {
+      if (names_.check_is_block(entity, item, "EXCLUDE")) excluded.push_back(entity.index);
+    }
+  }
+  for (std::uint32_t i = 0; i < mesh_.blocks().size(); ++i) {
+    if (std::find(excluded.begin(), excluded.end(), i) != excluded.end()) continue;
+    auto request =
+        make_request(mesh_.name({EntityKind::block, i}), SurfaceKind::face, "SKIN ALL BLOCKS", skin.location);
+    add_block(i, skin.location, request);
+    const DeckName name{request.name, skin.location};
+    finish(std::move(request), name);
+  }
+}
+
+void RequestMaker::take_name(const std::string& name, const DeckLocation& location) {
+  const auto [first, is_free] = taken_.try_emplace(fold(name), location);
+  if (is_free) return;
+  diagnostics_.add_error(location, fmt::format("a second contact surface with the name '{}'", name),
+                         "the first stands at " + to_string(first->second), static_cast<int>(name.size()));
+}
+
+void RequestMaker::finish(SurfaceRequest request, const DeckName& name) {
+  take_name(request.name, name.location);
+  for (const SubsetRequest& subset : request.subsets) take_name(subset.name, subset.location);
+  requests_.push_back(std::move(request));
+}
+
+}  // namespace
+
+std::vector<SurfaceRequest> make_surface_requests(const ContactDefinition& contact, const RegionNames& names,
+                                                  const Mesh& mesh, Diagnostics& diagnostics) {
+  RequestMaker maker(names, mesh, diagnostics);
+  for (const SurfaceCommand& command : contact.surface_commands) {
+    std::visit([&](const auto& made) { maker.add(made); }, command);
+  }
+  return maker.take();
+}
+
+}  // namespace contactsim

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace contactsim {
+
+enum class NetcdfType : std::uint8_t { text, int32, float32, float64 };
+
+/// A netCDF file being written whole: first all definitions, then all data, then commit. It has a temporary
+/// name until it is committed, so that nobody ever reads half of it. Every member throws FileError with the
+/// final path when the system or netCDF refuses.
+class NetcdfOutput {
+ public:
+  /// Attributes of the whole file are given to this in place of a variable.
+  static constexpr int global = -1;
+  /// Length of the record dimension.
+  static constexpr std::size_t unlimited = 0;
+
+  /// large  some variable passes 4 GiB: CDF-5 in place of CDF-2
+  NetcdfOutput(std::string path, bool large);
+  /// Removes what was not committed.
+  ~NetcdfOutput();
+  NetcdfOutput(const NetcdfOutput&) = delete;
+  NetcdfOutput& operator=(const NetcdfOutput&) = delete;
+
+  int define_dimension(const std::string& name, std::size_t length);
+  int define_variable(const std::string& name, NetcdfType type, const std::vector<int>& dimensions);
+  void set_text(int variable, const std::string& attribute, const std::string& text);
+  void set_number(int variable, const std::string& attribute, NetcdfType type, double value);
+  void end_definitions();
+
+  void write(int variable, std::span<const std::int32_t> values);
+  void write(int variable, std::span<const double> values);
+  /// Rows of `width` characters, padded with NUL; longer texts are cut.
+  void write(int variable, std::size_t width, const std::vector<std::string>& texts);
+
+  /// Closes the file and gives it its name.
+  void commit();
+
+ private:
+  void check(int status, const std::string& what) const;
+
+  std::string path_;
+  std::string temporary_path_;
+  int id_ = -1;
+  bool is_open_ = false;
+};
+
+}  // namespace contactsim

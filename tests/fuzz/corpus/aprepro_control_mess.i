@@ -1,0 +1,12 @@
+{endif}{else}
+{if(1)}
+{loop(2)}
+{endif}
+{switch(1)}
+{case(1)}
+{if(0)}
+{default}
+{endloop}
+{elseif(2)}
+{else}
+{else}

@@ -1,0 +1,1 @@
+{abs(-1)} {atan2(1,2)} {polarX(1,2)} {Vangled(1,2;3,4)} {rand(0,1)} {srand(3)} {word_count("a b"," ")} {get_word(1,"a b"," ")} {extract("abc","b","")} {strtod("1")} {IO(2.5)} {format(1,"%.3e")} {getenv("HOME")} {tolower("A")} {lgamma(0)} {csv_array("x")}

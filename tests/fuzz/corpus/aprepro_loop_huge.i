@@ -1,0 +1,5 @@
+{loop(1000000)}
+{loop(1000000)}
+{s = s // 'xxxxxxxxxxxxxxxx'}
+{endloop}
+{endloop}

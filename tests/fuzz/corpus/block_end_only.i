@@ -1,0 +1,60 @@
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam
+end
+END a
+end sierra beam

@@ -1,0 +1,10 @@
+begin a
+ begin b
+ end c
+ begin d
+ end a
+end b
+begin
+end
+begin = x
+end = x

@@ -1,0 +1,4 @@
+begin sierra s
+ begin material m
+  density = 1
+  begin parameters for model elastic

@@ -1,0 +1,9 @@
+# c
+$ d
+###
+x # y
+z$w
+\# joined
+q \$ 
+r # s \#
+t

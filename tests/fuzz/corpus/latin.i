@@ -1,0 +1,3 @@
+title Müller â‚¬ ÿþ {é} €
+begin Ã©
+end Ã‰

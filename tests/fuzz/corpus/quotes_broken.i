@@ -1,0 +1,7 @@
+x = "never closed
+y = 'open
+" " " '
+"a\#
+\#
+b" c
+"\#

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "fuzz/deck_run.hpp"
+#include "support/catch.hpp"
+
+TEST_CASE("no text of the fuzzer's corpus, whole or cut short, does harm", "[parser][fuzz]") {
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(CONTACTSIM_SOURCE_DIR "/tests/fuzz/corpus")) {
+    paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  REQUIRE(paths.size() >= 24);
+  for (const auto& path : paths) {
+    INFO(path);
+    std::ifstream file(path, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    for (std::size_t size = text.size(); size > 0; size -= std::max<std::size_t>(1, size / 16)) {
+      CHECK_NOTHROW(contactsim::run_deck(std::string_view(text).substr(0, size)));
+    }
+  }
+}

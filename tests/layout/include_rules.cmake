@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Keeps the modules apart: parser, contact and io include core only, core includes none of them, and each outside package
+# stays in the module that owns it.
+#   cmake -DSOURCE_DIR=<root> -P include_rules.cmake
+
+cmake_minimum_required(VERSION 3.25)
+
+set(allowed_core core)
+set(allowed_parser core parser)
+set(allowed_contact core contact)
+set(allowed_io core io)
+set(allowed_app core parser contact io app)
+
+# package header pattern -> files that may include it
+set(package_boost "boost/")
+set(owners_boost "parser/line_grammar")
+set(package_netcdf "netcdf")
+set(owners_netcdf "io/")
+set(package_hdf5 "hdf5|H5")
+set(owners_hdf5 "io/")
+set(package_fcl "fcl/")
+set(owners_fcl "contact/broad_phase")
+set(package_cli "CLI/")
+set(owners_cli "app/")
+set(package_json "nlohmann/")
+set(owners_json "app/")
+
+set(failures "")
+foreach(module core parser contact io app)
+  file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/${module}/*.hpp ${SOURCE_DIR}/${module}/*.cpp)
+  if(NOT files)
+    list(APPEND failures "no sources found in ${module}")
+  endif()
+  foreach(file ${files})
+    file(STRINGS ${SOURCE_DIR}/${file} includes REGEX "^ *# *include")
+    foreach(include ${includes})
+      if(include MATCHES "\"([a-z]+)/")
+        if(NOT CMAKE_MATCH_1 IN_LIST allowed_${module})
+          list(APPEND failures "${file} includes from ${CMAKE_MATCH_1}: ${include}")
+        endif()
+      elseif(include MATCHES "\"")
+        list(APPEND failures "${file} includes by a path that does not start at the root: ${include}")
+      endif()
+      foreach(package boost netcdf hdf5 fcl cli json)
+        if(include MATCHES "<(${package_${package}})" AND NOT file MATCHES "^${owners_${package}}")
+          list(APPEND failures "${file} includes ${package}, which belongs to ${owners_${package}}")
+        endif()
+      endforeach()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(failures)
+  list(JOIN failures "\n  " text)
+  message(FATAL_ERROR "include rules broken:\n  ${text}")
+endif()
