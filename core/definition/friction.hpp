@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <string>
+#include <span>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -138,5 +139,9 @@ struct FrictionModel {
   DeckName name;
   FrictionLaw law;
 };
+
+/// The law that a name stands for: the first model so called, else one of FRICTIONLESS and TIED, which need
+/// no definition; null when there is none. The result lives as long as `models`.
+const FrictionLaw* find_friction_law(std::span<const FrictionModel> models, std::string_view name);
 
 }  // namespace contactsim

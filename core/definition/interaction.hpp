@@ -30,6 +30,9 @@ struct PairSettings {
   std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
 };
 
+/// The settings of a pair with what is absent taken from the defaults.
+PairSettings with_defaults(PairSettings own, const PairSettings& defaults);
+
 /// BEGIN INTERACTION DEFAULTS [name]. Without it, and without any INTERACTION, nothing touches.
 /// Source: Sierra/SM 5.22, 8.6.1.
 struct InteractionDefaults {

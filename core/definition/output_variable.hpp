@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -64,5 +65,9 @@ struct VariableRequest {
 inline const std::string& output_name(const VariableRequest& request) {
   return request.alias.empty() ? request.variable.name.text : request.alias;
 }
+
+/// The name by which contactsim knows a variable: lower case, spellings of older decks replaced
+/// (kineticenergy is kinetic_energy). Files keep the deck's spelling, see output_name().
+std::string canonical_variable_name(std::string_view name);
 
 }  // namespace contactsim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/definition/interaction.hpp"
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+PairSettings settings(double value) {
+  PairSettings made;
+  made.friction_model = DeckName{value > 1.0 ? "rub" : "glue", {}};
+  made.formulation = value > 1.0 ? ConstraintFormulation::node_face : ConstraintFormulation::face_face;
+  made.behavior = value > 1.0 ? InteractionBehavior::no_interaction : InteractionBehavior::sliding;
+  made.normal_tolerance = made.tangential_tolerance = made.capture_tolerance = value;
+  made.overlap_normal_tolerance = made.overlap_tangential_tolerance = value;
+  return made;
+}
+
+bool are_equal(const PairSettings& a, const PairSettings& b) {
+  return a.friction_model == b.friction_model && a.formulation == b.formulation && a.behavior == b.behavior &&
+         a.normal_tolerance == b.normal_tolerance && a.tangential_tolerance == b.tangential_tolerance &&
+         a.overlap_normal_tolerance == b.overlap_normal_tolerance &&
+         a.overlap_tangential_tolerance == b.overlap_tangential_tolerance &&
+         a.capture_tolerance == b.capture_tolerance;
+}
+
+}  // namespace
+
+TEST_CASE("every setting that a pair lacks comes from the defaults", "[core][interaction]") {
+  CHECK(are_equal(with_defaults({}, settings(2.0)), settings(2.0)));
+}
+
+TEST_CASE("a pair keeps its own settings", "[core][interaction]") {
+  CHECK(are_equal(with_defaults(settings(1.0), settings(2.0)), settings(1.0)));
+  CHECK(are_equal(with_defaults(settings(1.0), {}), settings(1.0)));
+}
