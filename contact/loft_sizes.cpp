@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -62,16 +63,30 @@ SectionSize size_of(const Section&) {
   return {};
 }
 
-/// The attribute of an element: by name when the block has it, else the first column. All columns of a shell
-/// that has one per node count, as their mean. Source: Exodus II attribute order, SAND92-2137.
-std::optional<double> find_attribute(const ElementBlock& block, std::uint32_t element_in_block,
-                                     std::string_view name) {
+bool has_attribute_names(const ElementBlock& block) {
+  return std::any_of(block.attribute_names.begin(), block.attribute_names.end(),
+                     [](const std::string& name) { return !name.empty(); });
+}
+
+/// The attribute of an element by name.
+std::optional<double> find_named_attribute(const ElementBlock& block, std::uint32_t element_in_block,
+                                           std::string_view name) {
+  const auto& names = block.attribute_names;
+  const auto named =
+      std::find_if(names.begin(), names.end(), [&](const std::string& a) { return fold(a) == fold(name); });
+  if (named == names.end()) return std::nullopt;
+  const auto column = static_cast<std::size_t>(named - names.begin());
+  return block.attributes[element_in_block * names.size() + column];
+}
+
+/// The attribute of an element: by its usual name when the block has it, else the first column. All columns
+/// of a shell that has one per node count, as their mean. Source: Exodus II attribute order, SAND92-2137.
+std::optional<double> find_usual_attribute(const ElementBlock& block, std::uint32_t element_in_block,
+                                           std::string_view name) {
   const std::size_t n = block.attribute_names.size();
   if (n == 0) return std::nullopt;
+  if (const auto named = find_named_attribute(block, element_in_block, name)) return named;
   const double* values = block.attributes.data() + element_in_block * n;
-  const auto named = std::find_if(block.attribute_names.begin(), block.attribute_names.end(),
-                                  [&](const std::string& a) { return fold(a) == fold(name); });
-  if (named != block.attribute_names.end()) return values[named - block.attribute_names.begin()];
   const Topology& shape = topology(block.shape);
   const bool is_nodal =
       shape.family == Family::shell && n == static_cast<std::size_t>(block.nodes_per_element);
@@ -97,6 +112,7 @@ class SizeFinder {
   LoftSize find(const OwnedElement& owned);
 
  private:
+  std::vector<std::string> names_of(std::uint32_t block, const FiniteElementModel& model) const;
   SectionSize find_section_size(std::uint32_t block) const;
   std::optional<double> find_thickness(const ElementBlock& block, std::uint32_t i,
                                        const SectionSize& section) const;
@@ -116,18 +132,29 @@ class SizeFinder {
   std::set<std::uint32_t> reported_;   ///< blocks that an error was given for
 };
 
+/// All that a deck may call a block: itself and the assemblies that hold it, by mesh name and by alias.
+std::vector<std::string> SizeFinder::names_of(std::uint32_t block, const FiniteElementModel& model) const {
+  const Entity entity{EntityKind::block, block};
+  std::vector<Entity> parts{entity};
+  for (std::uint32_t i = 0; i < mesh_.assemblies().size(); ++i) {
+    const auto members = mesh_.members(i);
+    const bool holds_it = std::find(members.begin(), members.end(), entity) != members.end();
+    if (holds_it) parts.push_back({EntityKind::assembly, i});
+  }
+  std::vector<std::string> names{default_name(EntityKind::block, mesh_.blocks()[block].id)};
+  for (const Entity& part : parts) names.push_back(mesh_.name(part));
+  for (const MeshAlias& alias : model.aliases) {
+    const auto meant = mesh_.find(alias.mesh_name.text);
+    if (std::find_first_of(meant.begin(), meant.end(), parts.begin(), parts.end()) != meant.end())
+      names.push_back(alias.alias.text);
+  }
+  return names;
+}
+
 SectionSize SizeFinder::find_section_size(std::uint32_t block) const {
   const FiniteElementModel* model = find_finite_element_model(definition_, region_);
   if (model == nullptr) return {};
-  std::vector<std::string> names{mesh_.name({EntityKind::block, block}),
-                                 fmt::format("block_{}", mesh_.blocks()[block].id)};
-  for (std::uint32_t i = 0; i < mesh_.assemblies().size(); ++i) {
-    const auto members = mesh_.members(i);
-    const Entity entity{EntityKind::block, block};
-    if (std::find(members.begin(), members.end(), entity) != members.end()) {
-      names.push_back(mesh_.name({EntityKind::assembly, i}));
-    }
-  }
+  const std::vector<std::string> names = names_of(block, *model);
   const BlockParameters* parameters = find_block_parameters(*model, names);
   const SectionDefinition* section =
       parameters ? contactsim::find_section(definition_, *parameters) : nullptr;
@@ -152,8 +179,11 @@ const SurfaceOptions* SizeFinder::find_options(const ContactSurface& surface) co
 std::optional<double> SizeFinder::find_thickness(const ElementBlock& block, std::uint32_t i,
                                                  const SectionSize& section) const {
   auto thickness = section.thickness;
-  if (!thickness)
-    thickness = find_attribute(block, i, section.attribute.empty() ? "thickness" : section.attribute);
+  if (!thickness) {
+    const bool is_usual = section.attribute.empty() || !has_attribute_names(block);
+    thickness = is_usual ? find_usual_attribute(block, i, "thickness")
+                         : find_named_attribute(block, i, section.attribute);
+  }
   if (thickness) *thickness *= section.thickness_factor;
   return thickness;
 }
@@ -165,7 +195,7 @@ std::optional<double> SizeFinder::find_radius(const ElementBlock& block, std::ui
   const SurfaceOptions* options = is_line ? find_options(surface) : nullptr;
   if (options != nullptr && options->beam_radius) return options->beam_radius;
   if (section.radius) return section.radius;
-  auto attribute = find_attribute(block, i, is_line ? "area" : "radius");
+  auto attribute = find_usual_attribute(block, i, is_line ? "area" : "radius");
   if (attribute && is_line) *attribute = radius_of_area(*attribute);
   return attribute;
 }
@@ -211,12 +241,17 @@ void SizeFinder::report(const OwnedElement& owned, std::uint32_t block, std::str
   const std::string name = mesh_.name({EntityKind::block, block});
   const std::string type(topology(mesh_.blocks()[block].shape).name);
   const ContactSurface& surface = surfaces_[owned.surface];
-  std::string text =
-      value ? fmt::format("block '{}' ({}) cannot be lofted: the {} of element {} is {}", name, type, what,
-                          mesh_.element_id(owned.element), *value)
-            : fmt::format(
-                  "block '{}' ({}) has no {} to loft it with: neither a section nor an attribute on the mesh",
-                  name, type, what);
+  const std::string& attribute = sections_[block].attribute;
+  std::string text = fmt::format("block '{}' ({}) ", name, type);
+  if (value) {
+    text += fmt::format("cannot be lofted: the {} of element {} is {}", what, mesh_.element_id(owned.element),
+                        *value);
+  } else if (!attribute.empty()) {
+    text += fmt::format("has no attribute '{}' on the mesh, from which its section takes the {}", attribute,
+                        what);
+  } else {
+    text += fmt::format("has no {} to loft it with: neither a section nor an attribute on the mesh", what);
+  }
   diagnostics_.add_error(surface.location, std::move(text),
                          fmt::format("it is in contact through surface '{}'", surface.name));
 }

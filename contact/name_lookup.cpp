@@ -5,10 +5,15 @@
 
 #include <algorithm>
 
+#include "core/errors.hpp"
+
 namespace contactsim {
 
 namespace {
 
+std::string_view article_of(EntityKind kind) { return kind == EntityKind::assembly ? "an" : "a"; }
+
+/// "side set, block or assembly"
 std::string list_kinds(std::span<const EntityKind> kinds) {
   std::string text;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -16,6 +21,14 @@ std::string list_kinds(std::span<const EntityKind> kinds) {
     text += to_string(kinds[i]);
   }
   return text;
+}
+
+/// "a block and a side set"
+std::string list_found(std::span<const Entity> entities) {
+  std::vector<std::string> kinds;
+  for (const Entity& entity : entities)
+    kinds.push_back(fmt::format("{} {}", article_of(entity.kind), to_string(entity.kind)));
+  return fmt::format("{}", fmt::join(kinds, " and "));
 }
 
 bool contains(std::span<const EntityKind> kinds, EntityKind kind) {
@@ -41,13 +54,23 @@ void NameLookup::report_unknown(const DeckName& name, std::span<const EntityKind
                                 std::string_view command) {
   const auto elsewhere = find_all(name);
   if (!elsewhere.empty()) {
-    std::vector<EntityKind> found;
-    for (const Entity& entity : elsewhere) found.push_back(entity.kind);
-    const bool is_node_set = contains(found, EntityKind::node_set);
+    const bool is_node_set = std::any_of(elsewhere.begin(), elsewhere.end(), [](const Entity& entity) {
+      return entity.kind == EntityKind::node_set;
+    });
     add_error(name,
-              fmt::format("'{}' is a {} of the mesh, but {} takes a {}", name.text, list_kinds(found),
-                          command, list_kinds(kinds)),
+              fmt::format("'{}' is {} of the mesh, but {} takes {} {}", name.text, list_found(elsewhere),
+                          command, article_of(kinds.front()), list_kinds(kinds)),
               is_node_set ? "nodes go into CONTACT NODE SET" : "");
+    return;
+  }
+  const auto alias = std::find_if(aliases_.begin(), aliases_.end(), [&](const MeshAlias& known) {
+    return fold(known.alias.text) == fold(name.text);
+  });
+  if (alias != aliases_.end()) {
+    add_error(
+        name,
+        fmt::format("the mesh has no '{}', which '{}' is an alias of", alias->mesh_name.text, name.text),
+        "the alias stands at " + to_string(alias->alias.location));
     return;
   }
   std::vector<std::string> candidates;
@@ -67,10 +90,7 @@ std::optional<Entity> NameLookup::find(const DeckName& name, std::span<const Ent
     return std::nullopt;
   }
   if (found.size() == 1) return found.front();
-  std::vector<std::string> kinds_found;
-  for (const Entity& entity : found) kinds_found.push_back(fmt::format("a {}", to_string(entity.kind)));
-  add_error(name,
-            fmt::format("'{}' is the name of {} in the mesh", name.text, fmt::join(kinds_found, " and of ")),
+  add_error(name, fmt::format("'{}' is the name of {} in the mesh", name.text, list_found(found)),
             "use the name with its id, such as block_<id> or surface_<id>");
   return std::nullopt;
 }
@@ -104,11 +124,32 @@ bool NameLookup::check_not_particles(const Entity& entity, const DeckName& name,
   return false;
 }
 
-bool NameLookup::check_is_block(const Entity& entity, const DeckName& name, std::string_view command) {
-  if (entity.kind == EntityKind::block) return true;
-  add_error(name, fmt::format("'{}' holds the {} '{}', but {} takes blocks", name.text,
-                              to_string(entity.kind), mesh_.name(entity), command));
-  return false;
+bool NameLookup::check_faces(std::uint32_t set_index, const DeckName& item) {
+  for (const ElementSide side : mesh_.side_sets()[set_index].sides) {
+    const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(side.element())].shape);
+    if (shape.sides.empty()) continue;
+    const SideKind kind = shape.sides[static_cast<std::size_t>(side.side() - 1)].kind;
+    if (kind == SideKind::face) continue;
+    add_error(item,
+              fmt::format("side set '{}' holds side {} of element {} ({}), which is {} and no contact face",
+                          mesh_.name({EntityKind::side_set, set_index}), side.side(),
+                          mesh_.element_id(side.element()), shape.name,
+                          kind == SideKind::edge ? "an edge" : "a node"));
+    return false;
+  }
+  return true;
+}
+
+void NameLookup::check_shape(std::uint32_t block_index, const DeckLocation& location) const {
+  const ElementBlock& block = mesh_.blocks()[block_index];
+  if (block.shape != Shape::unknown || block.n_elements == 0) return;
+  const std::string type = block.type_name.empty()
+                               ? "no element type"
+                               : fmt::format("element type '{}' with {} nodes per element", block.type_name,
+                                             block.nodes_per_element);
+  throw FileError(mesh_.path(),
+                  fmt::format("block {} ({}): {}, which contact at {} cannot use", block.id,
+                              mesh_.name({EntityKind::block, block_index}), type, to_string(location)));
 }
 
 }  // namespace contactsim

@@ -42,8 +42,11 @@ class NameLookup {
 
   /// Reports a block of particles where the command cannot take one; returns whether the entity may be used.
   bool check_not_particles(const Entity& entity, const DeckName& name, std::string_view command);
-  /// Reports an entity that is no block; returns whether it is one.
-  bool check_is_block(const Entity& entity, const DeckName& name, std::string_view command);
+  /// Reports a side set that holds edges or nodes; returns whether all its sides are faces.
+  bool check_faces(std::uint32_t side_set, const DeckName& item);
+  /// Throws FileError for a block with elements of a type that is not known.
+  ///   location  of the command that puts it into contact
+  void check_shape(std::uint32_t block, const DeckLocation& location) const;
 
  private:
   std::vector<Entity> find_all(const DeckName& name) const;

@@ -206,6 +206,16 @@ void add_left_out_warning(const SurfaceRequest& request, const Mesh& mesh, Conta
                    fmt::join(names, ", "))});
 }
 
+/// A request makes one surface and one for each of its subsets.
+void add_warnings(std::span<const SurfaceRequest> requests, const Mesh& mesh, ContactSurfaces& result) {
+  std::size_t surface = 0;
+  for (const SurfaceRequest& request : requests) {
+    add_left_out_warning(request, mesh, result);
+    const std::size_t end = surface + 1 + request.subsets.size();
+    for (; surface < end; ++surface) add_warnings(result.surfaces[surface], result);
+  }
+}
+
 }  // namespace
 
 ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionNames& names, const Mesh& mesh,
@@ -218,8 +228,7 @@ ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionN
   Ownership ownership(mesh, domain, std::move(candidates));
   for (const SurfaceRequest& request : requests) ownership.add(request);
   result.surfaces = ownership.take();
-  for (const ContactSurface& surface : result.surfaces) add_warnings(surface, result);
-  for (const SurfaceRequest& request : requests) add_left_out_warning(request, mesh, result);
+  add_warnings(requests, mesh, result);
   return result;
 }
 

@@ -75,6 +75,7 @@ class SurfaceDrawing {
 
   void draw_plane(const AnalyticPlane& plane, FacetBlock& block) {
     const auto& x = mesh_.coordinates();
+    if (x.cols() == 0) return;
     const Eigen::Vector3d extent = x.rowwise().maxCoeff() - x.rowwise().minCoeff();
     const double half = 0.5 * plane_size * plane.scale_factor * extent.maxCoeff();
     const Eigen::Vector3d u = plane.normal.unitOrthogonal();

@@ -9,15 +9,17 @@
 #include <utility>
 
 #include "contact/name_lookup.hpp"
-#include "core/errors.hpp"
 
 namespace contactsim {
 
 namespace {
 
-template <class T>
-void add_once(T value, std::vector<T>& list) {
-  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
+bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+void add_once(std::uint32_t value, std::vector<std::uint32_t>& list) {
+  if (!contains(list, value)) list.push_back(value);
 }
 
 SurfaceRequest make_request(std::string name, SurfaceKind kind, std::string command,
@@ -66,6 +68,10 @@ class RequestMaker {
   void add_entity(const Entity& entity, const DeckName& item, SurfaceRequest& request);
   void add_block(std::uint32_t block, const DeckLocation& location, SurfaceRequest& request);
   void add_side_set(std::uint32_t side_set, const DeckName& item, SurfaceRequest& request);
+  void check_names_something(const ContactSurfaceBlock& block);
+  void find_removed(const ContactSurfaceBlock& block, SurfaceRequest& request);
+  void add_all_blocks(const DeckLocation& location, SurfaceRequest& request);
+  void add_named_parts(const ContactSurfaceBlock& block, SurfaceRequest& request);
   void add_elements(const ContactSurfaceBlock& block, SurfaceRequest& request);
   void add_subsets(const ContactSurfaceBlock& block, SurfaceRequest& request);
   std::optional<std::uint32_t> find_plane(const DeckName& item) const;
@@ -125,75 +131,82 @@ void RequestMaker::add_entity(const Entity& entity, const DeckName& item, Surfac
   }
 }
 
-void RequestMaker::add_block(std::uint32_t block_index, const DeckLocation& location,
-                             SurfaceRequest& request) {
-  const ElementBlock& block = mesh_.blocks()[block_index];
-  if (block.shape == Shape::unknown && block.n_elements > 0) {
-    const std::string type = block.type_name.empty()
-                                 ? "no element type"
-                                 : fmt::format("element type '{}' with {} nodes per element", block.type_name,
-                                               block.nodes_per_element);
-    throw FileError(mesh_.path(),
-                    fmt::format("block {} ({}): {}, which contact at {} cannot use", block.id,
-                                mesh_.name({EntityKind::block, block_index}), type, to_string(location)));
-  }
-  add_once(block_index, request.blocks);
+void RequestMaker::add_block(std::uint32_t block, const DeckLocation& location, SurfaceRequest& request) {
+  names_.check_shape(block, location);
+  add_once(block, request.blocks);
 }
 
-void RequestMaker::add_side_set(std::uint32_t set_index, const DeckName& item, SurfaceRequest& request) {
-  const SideSet& set = mesh_.side_sets()[set_index];
-  const auto is_face = [&](ElementSide side) {
-    const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(side.element())].shape);
-    return shape.sides[static_cast<std::size_t>(side.side() - 1)].kind == SideKind::face;
-  };
-  const auto edge = request.kind == SurfaceKind::face
-                        ? std::find_if_not(set.sides.begin(), set.sides.end(), is_face)
-                        : set.sides.end();
-  if (edge == set.sides.end()) return add_once(set_index, request.side_sets);
-  diagnostics_.add_error(
-      item.location,
-      fmt::format("side set '{}' holds side {} of element {}, which is an edge and no contact face",
-                  mesh_.name({EntityKind::side_set, set_index}), edge->side(),
-                  mesh_.element_id(edge->element())),
-      "", static_cast<int>(item.text.size()));
+void RequestMaker::add_side_set(std::uint32_t set, const DeckName& item, SurfaceRequest& request) {
+  for (const ElementSide side : mesh_.side_sets()[set].sides)
+    names_.check_shape(mesh_.block_of(side.element()), item.location);
+  const bool is_usable = request.kind == SurfaceKind::node || names_.check_faces(set, item);
+  if (is_usable) add_once(set, request.side_sets);
 }
 
 void RequestMaker::add(const ContactSurfaceBlock& block) {
   auto request =
       make_request(block.name.text, SurfaceKind::face, "BEGIN CONTACT SURFACE", block.name.location);
   request.is_block_form = true;
-  for (std::uint32_t i = 0; block.includes_all_blocks && i < mesh_.blocks().size(); ++i) {
+  check_names_something(block);
+  find_removed(block, request);
+  if (block.includes_all_blocks) add_all_blocks(block.name.location, request);
+  add_named_parts(block, request);
+  add_elements(block, request);
+  add_subsets(block, request);
+  finish(std::move(request), block.name);
+}
+
+void RequestMaker::check_names_something(const ContactSurfaceBlock& block) {
+  const bool names_something = block.includes_all_blocks || !block.blocks.empty() ||
+                               !block.elements.empty() || !block.side_sets.empty() ||
+                               !block.assemblies.empty();
+  if (names_something) return;
+  diagnostics_.add_error(
+      block.name.location,
+      fmt::format("contact surface '{}' names nothing that it could hold", block.name.text),
+      "add a line BLOCK, ELEMENT, SURFACE, ASSEMBLY or INCLUDE ALL BLOCKS",
+      static_cast<int>(block.name.text.size()));
+}
+
+void RequestMaker::find_removed(const ContactSurfaceBlock& block, SurfaceRequest& request) {
+  for (const DeckName& item : block.removed_blocks) {
+    const auto removed = names_.find(item, {EntityKind::block}, "REMOVE BLOCK");
+    if (removed) add_once(removed->index, request.removed_blocks);
+  }
+  for (const DeckName& item : block.removed_side_sets) {
+    const auto removed = names_.find(item, {EntityKind::side_set}, "REMOVE SURFACE");
+    if (removed && names_.check_faces(removed->index, item))
+      add_once(removed->index, request.removed_side_sets);
+  }
+}
+
+void RequestMaker::add_all_blocks(const DeckLocation& location, SurfaceRequest& request) {
+  for (std::uint32_t i = 0; i < mesh_.blocks().size(); ++i) {
+    if (contains(request.removed_blocks, i)) continue;
     const bool is_particles = topology(mesh_.blocks()[i].shape).family == Family::particle;
     if (is_particles) {
       request.particle_blocks_left_out.push_back(i);
     } else {
-      add_block(i, block.name.location, request);
+      add_block(i, location, request);
     }
   }
-  const auto add_all = [&](const std::vector<DeckName>& items, std::initializer_list<EntityKind> kinds) {
+}
+
+void RequestMaker::add_named_parts(const ContactSurfaceBlock& block, SurfaceRequest& request) {
+  const auto add_part = [&](const Entity& entity, const DeckName& item) {
+    const bool is_removed =
+        entity.kind == EntityKind::block && contains(request.removed_blocks, entity.index);
+    const bool is_usable = !is_removed && names_.check_not_particles(entity, item, request.command);
+    if (is_usable) add_entity(entity, item, request);
+  };
+  const auto add_all = [&](const std::vector<DeckName>& items, EntityKind kind) {
     for (const DeckName& item : items) {
-      for (const Entity& entity : names_.find_members(item, kinds, request.command)) {
-        if (names_.check_not_particles(entity, item, request.command)) add_entity(entity, item, request);
-      }
+      for (const Entity& entity : names_.find_members(item, {kind}, request.command)) add_part(entity, item);
     }
   };
-  add_all(block.blocks, {EntityKind::block});
-  add_all(block.side_sets, {EntityKind::side_set});
-  add_all(block.assemblies, {EntityKind::assembly});
-  for (const DeckName& item : block.removed_blocks) {
-    if (const auto removed = names_.find(item, {EntityKind::block}, "REMOVE BLOCK")) {
-      std::erase(request.blocks, removed->index);
-      std::erase(request.particle_blocks_left_out, removed->index);
-    }
-  }
-  for (const DeckName& item : block.removed_side_sets) {
-    if (const auto removed = names_.find(item, {EntityKind::side_set}, "REMOVE SURFACE")) {
-      add_once(removed->index, request.removed_side_sets);
-    }
-  }
-  add_elements(block, request);
-  add_subsets(block, request);
-  finish(std::move(request), block.name);
+  add_all(block.blocks, EntityKind::block);
+  add_all(block.side_sets, EntityKind::side_set);
+  add_all(block.assemblies, EntityKind::assembly);
 }
 
 void RequestMaker::add_elements(const ContactSurfaceBlock& block, SurfaceRequest& request) {
@@ -214,7 +227,7 @@ void RequestMaker::add_elements(const ContactSurfaceBlock& block, SurfaceRequest
                                          reference.id, shape.name, mesh_.name({EntityKind::block, owner})),
                              "", length);
     } else {
-      add_once(*element, request.elements);
+      request.elements.push_back(*element);
     }
   }
 }
@@ -222,7 +235,7 @@ void RequestMaker::add_elements(const ContactSurfaceBlock& block, SurfaceRequest
 void RequestMaker::add_subsets(const ContactSurfaceBlock& block, SurfaceRequest& request) {
   for (const SurfaceSubset& subset : block.subsets) {
     request.subsets.push_back(
-        {request.name + "_" + subset.name.text, subset.name.location, subset.normal.normalized()});
+        {request.name + "_" + subset.name.text, subset.name.location, subset.normal.stableNormalized()});
   }
 }
 
@@ -231,11 +244,11 @@ void RequestMaker::add(const SkinAllBlocks& skin) {
   for (const DeckName& item : skin.excluded) {
     for (const Entity& entity :
          names_.find_members(item, {EntityKind::block, EntityKind::assembly}, "SKIN ALL BLOCKS EXCLUDE")) {
-      if (names_.check_is_block(entity, item, "EXCLUDE")) excluded.push_back(entity.index);
+      add_once(entity.index, excluded);
     }
   }
   for (std::uint32_t i = 0; i < mesh_.blocks().size(); ++i) {
-    if (std::find(excluded.begin(), excluded.end(), i) != excluded.end()) continue;
+    if (contains(excluded, i)) continue;
     auto request =
         make_request(mesh_.name({EntityKind::block, i}), SurfaceKind::face, "SKIN ALL BLOCKS", skin.location);
     add_block(i, skin.location, request);

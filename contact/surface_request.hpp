@@ -22,8 +22,8 @@ struct SubsetRequest {
   Eigen::Vector3d normal;  ///< unit vector [1]
 };
 
-/// What one command asks to have in its surface: deck names turned into positions in the mesh. Lists hold
-/// each entry once, in the order named.
+/// What one command asks to have in its surface: deck names turned into positions in the mesh. Lists of
+/// blocks and sets hold each entry once, in the order named.
 struct SurfaceRequest {
   std::string name;
   SurfaceKind kind = SurfaceKind::face;
@@ -31,8 +31,9 @@ struct SurfaceRequest {
   DeckLocation location;
   std::vector<std::uint32_t> blocks;  ///< skinned or lofted; of a surface of nodes: all their nodes
   std::vector<std::uint32_t> side_sets;
-  std::vector<std::uint32_t> node_sets;  ///< of surfaces of nodes only
-  std::vector<ElementIndex> elements;    ///< single lofted elements
+  std::vector<std::uint32_t> node_sets;       ///< of surfaces of nodes only
+  std::vector<ElementIndex> elements;         ///< single lofted elements, in the order named; may repeat
+  std::vector<std::uint32_t> removed_blocks;  ///< none of them is in `blocks`
   std::vector<std::uint32_t> removed_side_sets;
   std::vector<std::uint32_t> analytic_planes;
   std::vector<SubsetRequest> subsets;
@@ -47,8 +48,8 @@ struct RegionNames {
 };
 
 /// Looks up every name of the surface-making commands, SKIN ALL BLOCKS taken apart into one request per
-/// block. Wrong names, wrong kinds, names taken twice and side sets without faces are errors in
-/// `diagnostics`.
+/// block. Wrong names, wrong kinds, names taken twice, side sets of edges and block forms that name
+/// nothing are errors in `diagnostics`.
 /// Throws FileError when contact needs a block whose element type is not known.
 /// Source: Sierra/SM 5.22, 8.4.
 std::vector<SurfaceRequest> make_surface_requests(const ContactDefinition& contact, const RegionNames& names,
