@@ -17,11 +17,15 @@ class Log {
   explicit Log(const std::string& path);
 
   void write(std::string_view text);
-  void write_to_file(std::string_view text);
   /// Problems, sorted and grouped; as pictures when standard error is a terminal.
   void write(const Diagnostics& diagnostics);
+  /// One line, without its end, that says why the run stops.
+  void write_error(std::string_view line);
+  /// Throws FileError when anything that was written did not arrive, as on a full disk.
+  void close();
 
  private:
+  std::string path_;
   std::ofstream file_;
 };
 

@@ -2,8 +2,7 @@
 #include "app/options.hpp"
 
 #include <CLI/CLI.hpp>
-
-#include "core/errors.hpp"
+#include <filesystem>
 
 namespace contactsim {
 
@@ -29,20 +28,37 @@ void add_run_options(CLI::App& app, Options& options) {
   app.add_flag("--lenient", options.is_lenient, "Pass over unknown and unsupported commands with a warning");
 }
 
-void add_surface_options(CLI::App& app, Options& options) {
-  app.add_option("--surfaces-json", options.surfaces_json, "Write the ownership table as JSON")
-      ->type_name("FILE");
-  app.add_option("--surfaces-csv", options.surfaces_csv, "Write every owned facet as CSV")->type_name("FILE");
-  app.add_option("--surfaces", options.surfaces_exodus, "Write the surfaces as an Exodus mesh to look at")
-      ->type_name("FILE");
+/// The files that hold the surfaces; a parse alone resolves none.
+///   parse  the option --parse
+void add_surface_options(CLI::App& app, CLI::Option* parse, Options& options) {
+  const auto add = [&](const char* name, std::optional<std::string>& path, const char* help) {
+    app.add_option(name, path, help)->type_name("FILE")->excludes(parse);
+  };
+  add("--surfaces-json", options.surfaces_json, "Write the ownership table as JSON");
+  add("--surfaces-csv", options.surfaces_csv, "Write every owned facet as CSV");
+  add("--surfaces", options.surfaces_exodus, "Write the surfaces as an Exodus mesh to look at");
+}
+
+/// How far to go; the last stage when none is named.
+CLI::Option* add_stages(CLI::App& app, Stage& stage) {
+  auto* parse = app.add_flag_callback(
+      "--parse", [&stage] { stage = Stage::parse; }, "Read and bind the deck, without a mesh, and stop");
+  app.add_flag_callback(
+         "--check", [&stage] { stage = Stage::check; },
+         "Resolve the contact surfaces, print their tables and stop")
+      ->excludes(parse);
+  return parse;
 }
 
 }  // namespace
 
+std::string log_path(const Options& options) {
+  return options.log.value_or(std::filesystem::path(options.deck).stem().string() + ".log");
+}
+
 CommandLine read_command_line(int argc, const char* const* argv) {
   CommandLine line;
   Options& options = line.options;
-  bool only_parse = false, only_check = false;
   CLI::App app(
       "Contact simulator: reads a Sierra/SM-style deck and an Exodus mesh, tells which contact surface owns "
       "which face.",
@@ -50,10 +66,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   app.footer(footer);
   app.set_version_flag("--version", std::string("contactsim ") + CONTACTSIM_VERSION);
   add_run_options(app, options);
-  add_surface_options(app, options);
-  auto* parse = app.add_flag("--parse", only_parse, "Read and bind the deck, without a mesh, and stop");
-  app.add_flag("--check", only_check, "Resolve the contact surfaces, print their tables and stop")
-      ->excludes(parse);
+  add_surface_options(app, add_stages(app, options.stage), options);
   auto* explain = app.add_subcommand("explain", "Print the reference of deck blocks and commands");
   explain->add_option("words", options.explain_words, "Block or command to explain")->type_name("WORDS");
   try {
@@ -61,11 +74,8 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     options.explains = explain->parsed();
     if (!options.explains && options.deck.empty()) throw CLI::RequiredError("DECK");
   } catch (const CLI::ParseError& error) {
-    line.exit_code = app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::deck);
-    return line;
+    line.exit_code = app.exit(error) == 0 ? ExitCode::done : ExitCode::deck;
   }
-  if (only_parse) options.stage = Stage::parse;
-  if (only_check) options.stage = Stage::check;
   return line;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/errors.hpp"
+
 namespace contactsim {
 
 /// How far a run goes.
@@ -20,8 +22,9 @@ struct Options {
   std::optional<std::string> mesh;     ///< in place of the deck's DATABASE NAME
   std::optional<std::string> results;  ///< in place of the deck's results file
   Stage stage = Stage::run;
-  std::optional<std::string> surfaces_json, surfaces_csv,
-      surfaces_exodus;  ///< files to write the surfaces to
+  std::optional<std::string> surfaces_json;    ///< file for the ownership table
+  std::optional<std::string> surfaces_csv;     ///< file for the list of facets
+  std::optional<std::string> surfaces_exodus;  ///< file for the surfaces as a mesh
   bool is_lenient = false;
   int n_threads = 0;                     ///< 0: as many as OpenMP chooses
   std::optional<std::string> log;        ///< in place of <deck base>.log
@@ -30,11 +33,14 @@ struct Options {
   std::vector<std::string> explain_words;  ///< of `contactsim explain`
 };
 
+/// The log file of a run: the one asked for, else <deck base>.log in the run directory.
+std::string log_path(const Options& options);
+
 /// What the command line means: options, or an exit code when all is said and done (--help, --version,
 /// mistakes).
 struct CommandLine {
   Options options;
-  std::optional<int> exit_code;
+  std::optional<ExitCode> exit_code;
 };
 
 /// Reads the command line; prints help, version and mistakes itself.

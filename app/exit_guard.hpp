@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "core/errors.hpp"
+
+namespace contactsim {
+
+/// Runs some work; what it throws is told in one line and becomes an exit code: a file error and lack of
+/// memory are the user's to mend (3), anything else is a bug of ours (1). Deck errors have more to tell than
+/// a line, so the work catches them itself.
+///   tell  takes the line, without its end
+ExitCode guard_exit(const std::function<ExitCode()>& work,
+                    const std::function<void(const std::string&)>& tell);
+
+}  // namespace contactsim
