@@ -17,13 +17,15 @@ bool is_device(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
+fs::path whole_path(const fs::path& path) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+}
+
 /// Links are followed; of files that are not there yet the paths count.
 bool is_same_file(const fs::path& one, const fs::path& other) {
-  std::error_code error;
-  const bool is_same = fs::equivalent(one, other, error);
-  if (!error) return is_same;
-  const fs::path whole = fs::weakly_canonical(fs::absolute(one, error), error);
-  return !error && whole == fs::weakly_canonical(fs::absolute(other, error), error);
+  std::error_code ignored;
+  return fs::equivalent(one, other, ignored) || whole_path(one) == whole_path(other);
 }
 
 }  // namespace

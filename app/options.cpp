@@ -19,7 +19,7 @@ void add_run_options(CLI::App& app, Options& options) {
   app.add_option("-o,--output", options.results, "Results file, in place of the deck's")->type_name("FILE");
   app.add_option("-D,--define", options.definitions, "Aprepro variable, name=value; may be repeated")
       ->type_name("NAME=VALUE")
-      ->expected(1)
+      ->allow_extra_args(false)
       ->take_all();
   app.add_option("--log", options.log, "Log file, in place of <deck base>.log")->type_name("FILE");
   app.add_option("--threads", options.n_threads, "Number of threads; results do not depend on it")
