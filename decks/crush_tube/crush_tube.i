@@ -332,12 +332,11 @@ begin sierra crash box
           remove surface = weld_face_1 weld_face_2 weld_face_3 weld_face_4
         end contact surface flanges
 
-        # The front parts, split into what faces the striker, the tube and the sides.
+        # The front parts, split into what faces the striker and the rest.
         begin contact surface bumper
           assembly = front
           remove surface = beam_back absorber_back plate_front plate_back
           subset ahead with normal 1 0 0
-          subset behind with normal -1 0 0
         end contact surface bumper
 
         begin contact surface rear
@@ -352,7 +351,7 @@ begin sierra crash box
         contact surface wiring contains cables
         contact node set foot contains tube_foot
 
-        restrict contact to subdomain defined by radius {2 * tube_length} and point {0.5 * tube_length} 0.0 0.0
+        restrict contact to subdomain defined by radius {reach} and point {0.5 * tube_length} 0.0 0.0
 
         begin constant friction model steel_on_steel
           friction coefficient = {friction}
@@ -424,7 +423,7 @@ begin sierra crash box
         end interaction beam_on_plate
 
         begin interaction absorber_on_beam
-          side a = bumper_ahead
+          side a = bumper
           side b = joint_absorber
           friction model = clipped
           constraint formulation = node_face
@@ -438,7 +437,7 @@ begin sierra crash box
         end interaction striker_on_front
 
         begin interaction foam_squeezed
-          surfaces = bumper_ahead bumper_behind
+          surfaces = bumper bumper_ahead
           friction model = foam_on_steel
           overlap normal tolerance = 1.0e-3
           overlap tangential tolerance = 1.0e-3

@@ -295,6 +295,12 @@ begin sierra flight recorder drop
         begin contact surface case
           assembly = housing
           remove surface = gasket_sides
+          # {loop(n_bolts, k, 1)}
+          remove surface = base_thread_{k}
+          # {endloop}
+          # {loop(n_pads, k, 1)}
+          remove surface = case_bond_{k}
+          # {endloop}
           subset below with normal 0 0 -1
           subset left with normal -1 0 0
           subset right with normal 1 0 0
@@ -311,7 +317,10 @@ begin sierra flight recorder drop
         end
 
         # {loop(n_pads, k, 1)}
-        contact surface pad_{k} contains foam_{k}
+        begin contact surface pad_{k}
+          block = foam_{k}
+          remove surface = pad_bond_{k}
+        end
         # {endloop}
 
 {if(ground == "plane")}
@@ -323,8 +332,13 @@ begin sierra flight recorder drop
         contact node set rim contains board_rim
         contact node set corners contains case_corners
 
-        # Bolt shanks and heads, chips, board, battery and pins, each by its name.
-        skin all blocks = on exclude tendon gauge
+        # What has no surface yet, each block by its name: board, pins, and the bolts, chips and battery less the faces
+        # that are joined above. The trusses and the point mass touch nothing.
+{if(ground == "anvil")}
+        skin all blocks = on exclude housing pads cover bracket tendon gauge anvil
+{else}
+        skin all blocks = on exclude housing pads cover bracket tendon gauge
+{endif}
 
         # Nothing farther away than this can be reached: the anvil is large.
         restrict contact to subdomain defined by radius {reach} and point 0.0, 0.0, {0.5 * case_height}
