@@ -60,7 +60,7 @@ TEST_CASE("explain takes its words in any number", "[app][options]") {
   CHECK(options.explain_words == std::vector<std::string>{"contact", "surface"});
 }
 
-TEST_CASE("--help prints every option and the exit codes", "[app][options]") {
+TEST_CASE("the text of --help holds every option and the exit codes", "[app][options]") {
   const auto [code, out, err] = ProgramDirectory().run({"--help"});
   CHECK(code == 0);
   CHECK(err == "");
@@ -71,7 +71,7 @@ TEST_CASE("--help prints every option and the exit codes", "[app][options]") {
   }
 }
 
-TEST_CASE("--version prints one line", "[app][options]") {
+TEST_CASE("the text of --version is one line", "[app][options]") {
   const ProgramDirectory directory;
   const auto [code, out, err] = directory.run({"--version"});
   CHECK(code == 0);

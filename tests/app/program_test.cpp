@@ -106,7 +106,7 @@ TEST_CASE("the log of a deck elsewhere goes to the run directory", "[app][progra
   CHECK_FALSE(directory.has("sub/plate.log"));
 }
 
-TEST_CASE("--log names the log file, and then there is no other", "[app][program]") {
+TEST_CASE("an option --log names the log file, and then there is no other", "[app][program]") {
   const TwoBlocks directory;
   const auto [code, out, err] = directory.run({"two_blocks.i", "--check", "--log", "my log.txt"});
   CHECK(code == 0);

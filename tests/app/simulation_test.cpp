@@ -31,7 +31,7 @@ std::string deck_of_regions(const std::vector<std::string>& contacts) {
 
 }  // namespace
 
-TEST_CASE("--parse needs no mesh and resolves no surfaces", "[app][simulation]") {
+TEST_CASE("a parse with --parse needs no mesh and resolves no surfaces", "[app][simulation]") {
   const ProgramDirectory directory;
   directory.copy_decks({"two_blocks.i"});
   const auto [code, out, err] = directory.run({"two_blocks.i", "--parse"});
@@ -95,7 +95,7 @@ TEST_CASE("wrong names of mesh parts end a run with code 2", "[app][simulation]"
   CHECK_THAT(err, Contains("a.i:1:28: error: ") && Contains("contactsim: 1 error\n"));
 }
 
-TEST_CASE("--lenient passes over unknown commands with a warning", "[app][simulation]") {
+TEST_CASE("a --lenient run passes over unknown commands with a warning", "[app][simulation]") {
   const WithMesh directory(
       "begin contact definition\n  frobnicate = 3\n  contact surface a contains left\nend\n");
   CHECK(directory.run({"a.i", "two_blocks.g", "--check"}).exit_code == 2);
@@ -107,7 +107,7 @@ TEST_CASE("--lenient passes over unknown commands with a warning", "[app][simula
   CHECK_THAT(out, Contains("\n1 warning\n"));
 }
 
-TEST_CASE("-D sets a number or a string for the deck", "[app][simulation]") {
+TEST_CASE("a -D sets a number or a string for the deck", "[app][simulation]") {
   const WithMesh directory(
       "{if(n == 2 && part == \"right\")}\ncontact surface s{n} contains {part}\n{endif}\n");
   const auto [code, out, err] =
