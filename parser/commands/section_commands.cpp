@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/section_commands.hpp"
 
+#include <fmt/format.h>
+
 #include "parser/commands/row_lists.hpp"
 
 namespace contactsim {
