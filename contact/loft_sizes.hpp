@@ -24,10 +24,8 @@ struct OwnedElement {
 /// and a size that is not positive, are errors at the surface's command.
 ///   elements  ascending
 /// Returns [n_elements]; a size that could not be found is 0.
-///
-/// A truss becomes a cylinder of equal area; the cross-section of a beam is enclosed in a circle.
-/// Source: Sierra/SM 5.22, 8.4.8; Abaqus general contact (radius of beams: circumscribed circle, of trusses:
-/// equal area).
+/// A line without a radius has that of a circle of its area. LET_CONTACT_CHOOSE bounds a shell's thickness.
+/// Source: Sierra/SM 5.22, 8.4.8 and 8.9.
 std::vector<LoftSize> find_loft_sizes(const SimulationDefinition& definition, const Region& region,
                                       const Mesh& mesh, std::span<const ContactSurface> surfaces,
                                       std::span<const OwnedElement> elements, Diagnostics& diagnostics);
