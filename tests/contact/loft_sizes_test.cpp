@@ -123,27 +123,6 @@ TEST_CASE("a section may name the attribute that holds the thickness", "[contact
         "takes the thickness; it is in contact through surface 's'\n");
 }
 
-TEST_CASE("the cross-section of a beam is enclosed in a circle", "[contact][sizes]") {
-  // Round shapes: half the larger diameter. Others: half the diagonal, 0.3-0.4-0.5.
-  const auto radius = [](const std::string& lines) {
-    return radius_of(one_beam(), with_section("beam", lines));
-  };
-  CHECK(radius(" section = rod\n width = 0.5") == 0.25);
-  CHECK(radius(" section = rod\n width = 0.5\n height = 0.75") == 0.375);
-  CHECK(radius(" section = tube\n height = 0.5\n wall thickness = 0.01") == 0.25);
-  CHECK(radius(" section = bar\n width = 0.3\n height = 0.4") == Approx(0.25).epsilon(1e-15));
-  CHECK(radius(" section = box\n width = 0.3\n height = 0.4\n wall thickness = 0.01") ==
-        Approx(0.25).epsilon(1e-15));
-  CHECK(radius(" section = i\n width = 0.4\n height = 0.3\n wall thickness = 0.01\n flange thickness = "
-               "0.01") == Approx(0.25).epsilon(1e-15));
-  CHECK(radius(" section = bar\n width = 2") == Approx(std::sqrt(2.0)).epsilon(1e-15));  // a square
-}
-
-TEST_CASE("a truss becomes a cylinder of its area", "[contact][sizes]") {
-  CHECK(radius_of(one_bar(), with_section("truss", " area = 3")) ==
-        Approx(std::sqrt(3 / std::numbers::pi)).epsilon(1e-15));
-}
-
 TEST_CASE("lines have an area and particles a radius as attribute", "[contact][sizes]") {
   MeshBuilder b;
   b.add_beams({.id = 1});
@@ -157,50 +136,6 @@ TEST_CASE("lines have an area and particles a radius as attribute", "[contact][s
   CHECK(found.sizes.at(0).radius == 0.125);
   CHECK(found.sizes.at(1).radius == 0.25);
   CHECK(radius_of(dust.build(), with_section("particle", " radius = 2")) == 2.0);
-}
-
-TEST_CASE("a block takes the section of any name that it has", "[contact][sizes]") {
-  MeshBuilder b;
-  b.add_shells({.id = 7, .name = "Skin Plate"});
-  b.add_assembly(1, "outer", EntityKind::block, {7});
-  b.add_assembly(2, "all", EntityKind::assembly, {1});
-  const Mesh mesh = b.build();
-  const std::string name = GENERATE(as<std::string>{}, "skin_plate", "BLOCK_7", "outer", "all", "assembly_1");
-  CHECK(thickness_of(mesh, with_section("shell", " thickness = 0.25", name)) == 0.25);
-}
-
-TEST_CASE("a block takes the section of its aliases and of those of its assemblies", "[contact][sizes]") {
-  MeshBuilder b;
-  b.add_shells({.id = 7});
-  b.add_assembly(1, "outer", EntityKind::block, {7});
-  const Mesh mesh = b.build();
-  const std::string name = GENERATE(as<std::string>{}, "sheet", "hull");
-  CHECK(thickness_of(mesh,
-                     "begin shell section sec\n thickness = 0.25\nend\n"
-                     "begin finite element model m\n"
-                     " alias block_7 as sheet\n"
-                     " alias outer as hull\n"
-                     " begin parameters for block " +
-                         name + "\n  section = sec\n end\nend\n") == 0.25);
-}
-
-TEST_CASE("parameters that name a block go before those of all blocks", "[contact][sizes]") {
-  MeshBuilder b;
-  for (const std::int64_t id : {1, 2, 3}) b.add_shells({.id = id});
-  b.set_attributes(3, {"thickness"}, {4});
-  const auto found = find_sizes(b.build(),
-                                "begin shell section thin\n thickness = 1\nend\n"
-                                "begin shell section thick\n thickness = 2\nend\n"
-                                "begin finite element model m\n"
-                                " begin parameters for block\n"
-                                "  include all blocks\n  remove block = block_3\n  section = thin\n"
-                                " end\n"
-                                " begin parameters for block block_2\n  section = thick\n end\n"
-                                "end\n");
-  REQUIRE(found.messages.empty());
-  CHECK(found.sizes.at(0).thickness == 1);
-  CHECK(found.sizes.at(1).thickness == 2);
-  CHECK(found.sizes.at(2).thickness == 4);
 }
 
 TEST_CASE("a block without a size is one error, at the surface that has it", "[contact][sizes]") {
