@@ -208,13 +208,13 @@ void SizeFinder::report(const OwnedElement& owned, std::uint32_t block, const Me
 }  // namespace
 
 std::vector<LoftSize> find_loft_sizes(const SimulationDefinition& definition, const Region& region,
-                                      const Mesh& mesh, std::span<const ContactSurface> surfaces,
-                                      std::span<const OwnedElement> elements, Diagnostics& diagnostics) {
-  if (elements.empty()) return {};
-  SizeFinder finder(definition, region, mesh, surfaces, diagnostics);
+                                      const Mesh& mesh, const OwnedElements& owned,
+                                      Diagnostics& diagnostics) {
+  if (owned.elements.empty()) return {};
+  SizeFinder finder(definition, region, mesh, owned.surfaces, diagnostics);
   std::vector<LoftSize> sizes;
-  sizes.reserve(elements.size());
-  for (const OwnedElement& owned : elements) sizes.push_back(finder.find(owned));
+  sizes.reserve(owned.elements.size());
+  for (const OwnedElement& one : owned.elements) sizes.push_back(finder.find(one));
   return sizes;
 }
 

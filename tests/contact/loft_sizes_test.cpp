@@ -35,7 +35,7 @@ FoundSizes find_sizes(const Mesh& mesh, const std::string& definitions,
   for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) owned.push_back({{e}, 1});
   Diagnostics diagnostics;
   FoundSizes found;
-  found.sizes = find_loft_sizes(parse_definitions(definitions), region, mesh, surfaces, owned, diagnostics);
+  found.sizes = find_loft_sizes(parse_definitions(definitions), region, mesh, {surfaces, owned}, diagnostics);
   found.messages = messages(diagnostics);
   return found;
 }
