@@ -3,7 +3,7 @@
 
 #include <map>
 
-#include "parser/deck_commands.hpp"
+#include "parser/commands/deck_commands.hpp"
 
 namespace contactsim {
 

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "core/errors.hpp"
-#include "parser/aprepro.hpp"
-#include "parser/deck_commands.hpp"
+#include "parser/aprepro/aprepro.hpp"
+#include "parser/commands/deck_commands.hpp"
 #include "parser/deck_source.hpp"
 #include "parser/name_resolution.hpp"
 #include "parser/syntax.hpp"

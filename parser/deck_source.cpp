@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/errors.hpp"
-#include "parser/aprepro.hpp"
+#include "parser/aprepro/aprepro.hpp"
 #include "parser/text_file.hpp"
 
 namespace contactsim {

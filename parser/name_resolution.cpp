@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "parser/function_commands.hpp"
-#include "parser/material_commands.hpp"
+#include "parser/commands/function_commands.hpp"
+#include "parser/commands/material_commands.hpp"
 #include "parser/region_names.hpp"
-#include "parser/time_commands.hpp"
+#include "parser/commands/time_commands.hpp"
 
 namespace contactsim {
 

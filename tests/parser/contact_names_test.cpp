@@ -28,7 +28,7 @@ TEST_CASE("with SKIN ALL BLOCKS an unknown name may be a block, which the mesh d
         "");
   CHECK(
       contact_name_messages("begin interaction\nsurfaces = block_1 block_1\nend\nskin all blocks = off\n") ==
-      "a.i:3:12: error: unknown contact surface 'block_1'; the deck defines no contact surface\n"
+      "a.i:3:12: error: unknown contact surface 'block_1'; the deck has no contact surface\n"
       "  1 more like this, at a.i:3:20\n");
 }
 
@@ -123,5 +123,5 @@ TEST_CASE("the periods of contact and of its interactions must be defined", "[pa
 
 TEST_CASE("the friction model of the defaults is looked up", "[parser][contact]") {
   CHECK(contact_name_messages("begin interaction defaults\nfriction model = glue\nend\n") ==
-        "a.i:3:18: error: unknown friction model 'glue'; the deck defines no friction model\n");
+        "a.i:3:18: error: unknown friction model 'glue'; the deck has no friction model\n");
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/table.hpp"
 
-#include "parser/row_lists.hpp"
-#include "parser/rows.hpp"
+#include "parser/commands/row_lists.hpp"
+#include "parser/commands/rows.hpp"
 #include "support/deck_line.hpp"
 
 using namespace contactsim;

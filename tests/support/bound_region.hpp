@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/region_commands.hpp"
+#include "parser/commands/region_commands.hpp"
 #include "parser/region_names.hpp"
 #include "parser/syntax.hpp"
 #include "support/deck_dump.hpp"

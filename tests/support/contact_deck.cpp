@@ -6,9 +6,9 @@
 #include <stdexcept>
 
 #include "contact/resolve_surfaces.hpp"
-#include "parser/contact_commands.hpp"
-#include "parser/region_commands.hpp"
-#include "parser/sierra_commands.hpp"
+#include "parser/commands/contact_commands.hpp"
+#include "parser/commands/region_commands.hpp"
+#include "parser/commands/sierra_commands.hpp"
 #include "parser/syntax.hpp"
 #include "support/deck_dump.hpp"
 

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/aprepro/aprepro.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <vector>
+
+#include "core/names.hpp"
+#include "parser/aprepro/run.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The value of -D name=value: a number where all of it is one.
+ApreproValue value_given(const std::string& text) {
+  const std::size_t sign = text.starts_with('+') ? 1 : 0;
+  double number = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + sign, end, number);
+  const bool is_number = error == std::errc() && stop == end && std::isfinite(number);
+  return is_number ? ApreproValue(number) : ApreproValue(text);
+}
+
+bool has_braces(const std::string& text) {
+  return text.find('{') != std::string::npos || text.find("\\}") != std::string::npos;
+}
+
+}  // namespace
+
+void ApreproRunner::set_overrides(std::span<const std::string> overrides) {
+  for (const std::string& given : overrides) {
+    const std::size_t equals = given.find('=');
+    const std::string name = given.substr(0, equals);
+    if (equals == std::string::npos || !is_aprepro_name(name)) {
+      diagnostics_.add_error({}, fmt::format("-D {} is not of the form name=value", given));
+    } else {
+      state_.variables.override_with(name, value_given(given.substr(equals + 1)));
+    }
+  }
+}
+
+Source ApreproRunner::run(const Source& deck) {
+  if (has_braces(deck.text())) {
+    open_paths_.push_back(deck.locate(0).file->name);
+    run_source(deck, nullptr);
+  } else {
+    output_ = deck;
+  }
+  const std::vector<std::string> names = state_.variables.names();
+  for (const std::string& name : state_.variables.unused_overrides()) {
+    std::vector<std::string> others;
+    std::copy_if(names.begin(), names.end(), std::back_inserter(others),
+                 [&](const std::string& other) { return other != name; });
+    diagnostics_.add_warning("aprepro-unused", {}, fmt::format("the deck does not use '{}' of -D", name),
+                             suggest(name, others));
+  }
+  return std::move(output_);
+}
+
+Source run_aprepro(const Source& deck, const ApreproOptions& options, Diagnostics& diagnostics) {
+  ApreproRunner runner(options, diagnostics);
+  runner.set_overrides(options.overrides);
+  return runner.run(deck);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/death_commands.hpp"
+
+#include "parser/commands/entity_set_commands.hpp"
+#include "parser/commands/row_lists.hpp"
+#include "parser/commands/variable_readers.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// [KILL WHEN <n> INTEGRATION POINTS REMAIN]
+std::optional<std::int64_t> read_remaining_points(Arguments& arguments) {
+  if (!arguments.accept("kill")) return std::nullopt;
+  arguments.expect("when");
+  const std::int64_t n = arguments.non_negative_integer();
+  arguments.expect("integration");
+  if (!arguments.accept("point")) arguments.expect("points");
+  if (!arguments.accept("remains")) arguments.expect("remain");
+  return n;
+}
+
+DeathCriterion read_element_criterion(Arguments& arguments) {
+  ElementCriterion criterion{read_variable_test(arguments), std::nullopt};
+  criterion.remaining_points = read_remaining_points(arguments);
+  return criterion;
+}
+
+void read_criterion(Arguments& arguments, ElementDeath& death) {
+  using R = NodalCriterion::Reduction;
+  static const std::string forms[] = {
+      "avg nodal value of",     "average nodal value of", "max nodal value of",
+      "maximum nodal value of", "min nodal value of",     "minimum nodal value of",
+      "element value of",       "global value of",        "always true"};
+  static constexpr R reductions[] = {R::average, R::average, R::maximum, R::maximum, R::minimum, R::minimum};
+  const std::size_t form = arguments.choice(forms);
+  if (form < std::size(reductions)) {
+    death.criteria.emplace_back(NodalCriterion{reductions[form], read_variable_test(arguments)});
+  } else if (form == 6) {
+    death.criteria.push_back(read_element_criterion(arguments));
+  } else if (form == 7) {
+    death.criteria.emplace_back(GlobalCriterion{read_variable_test(arguments)});
+  } else {
+    death.criteria.emplace_back(AlwaysCriterion{});
+  }
+}
+
+void read_material_criterion(Arguments& arguments, ElementDeath& death) {
+  const bool is_on = arguments.on_off();
+  const auto remaining = read_remaining_points(arguments);
+  if (is_on) death.criteria.emplace_back(MaterialCriterion{remaining});
+}
+
+void read_method(Arguments& arguments, ElementDeath&) {
+  static const std::string methods[] = {"deactivate element", "deactivate nodal mpcs", "disconnect element"};
+  if (arguments.at_end()) arguments.fail_here("expected DEACTIVATE ELEMENT after 'death method'");
+  const Word& value = arguments.peek();
+  if (arguments.choice(methods) != 0) {
+    arguments.refuse(value, "only DEATH METHOD = DEACTIVATE ELEMENT is supported");
+  }
+}
+
+std::vector<Row<ElementDeath>> criterion_rows() {
+  using D = ElementDeath;
+  return {
+      row<D>("criterion",
+             "IS {{AVG|MAX|MIN} NODAL|ELEMENT|GLOBAL} VALUE OF <variable> {<|<=|=|>=|>} <real> "
+             "[KILL WHEN <n> INTEGRATION POINTS REMAIN], or IS ALWAYS TRUE",
+             read_criterion,
+             "Kills an element when it holds, in the variable's dimension; any criterion of several", "none"),
+      row<D>("material criterion", "= {ON|OFF} [KILL WHEN <n> INTEGRATION POINTS REMAIN]",
+             read_material_criterion, "Kills an element when its material model has failed", "OFF"),
+      row("death on inversion", read::on_off, &D::on_inversion, "Kills inverted elements"),
+      row("death on ill defined contact", read::on_off, &D::on_ill_defined_contact,
+          "Kills elements whose contact faces have lost their shape"),
+  };
+}
+
+std::vector<Row<ElementDeath>> timing_rows() {
+  using D = ElementDeath;
+  return {
+      row("check step interval", read::positive_integer, &D::check_step_interval,
+          "Steps [1] between two checks"),
+      row("check time interval", read::positive, &D::check_time_interval,
+          "Least time between two checks [time]"),
+      row("death start time", read::real, &D::start_time, "No element dies before it [time]"),
+      row("death steps", read::positive_integer, &D::death_steps,
+          "Steps [1] over which the stress of a dying element fades"),
+      row("aggressive contact cleanup", read::on_off, &D::cleans_contact_aggressively,
+          "Kills elements too whose contact faces hang on by little"),
+      row<D>("death method", "= {DEACTIVATE ELEMENT|DEACTIVATE NODAL MPCS|DISCONNECT ELEMENT}", read_method,
+             "What happens to a dead element; the last two are refused", "DEACTIVATE ELEMENT"),
+  };
+}
+
+std::vector<Row<ElementDeath>> other_rows() {
+  using D = ElementDeath;
+  return {
+      ignored<D>("summary output step interval", "= <n>", "The log tells of every death"),
+      ignored<D>("summary output time interval", "= <dt>", "The log tells of every death"),
+      ignored<D>("logfile output", "= {FULL|SOME|MINIMAL}", "The log tells of every death"),
+      ignored<D>("skip criteria evaluation at start of load step", "= {ON|OFF}", "Of implicit runs only"),
+      ignored<D>("force valid acme connectivity", "", "Of ACME; surfaces follow element death by themselves"),
+      refused_block<D>("death proximity", "Elements near a dead one are not killed"),
+  };
+}
+
+}  // namespace
+
+const Table<ElementDeath>& element_death_table() {
+  using D = ElementDeath;
+  static const Table<D> table(joined<D>({
+      lift_all(entity_set_rows(), &D::set),
+      {row("include blocks with material", read::names, &D::materials, "Adds the blocks of these materials")},
+      criterion_rows(),
+      timing_rows(),
+      other_rows(),
+  }));
+  return table;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/function_commands.hpp"
+
+namespace contactsim {
+
+namespace {
+
+const std::vector<std::string>& type_words() {
+  static const std::vector<std::string> words{"piecewise linear",
+                                              "piecewise constant",
+                                              "constant",
+                                              "analytic",
+                                              "piecewise analytic",
+                                              "piecewise multivariate",
+                                              "multicolumn piecewise linear",
+                                              "xtable",
+                                              "polynomial",
+                                              "haversine spike"};
+  return words;
+}
+
+const std::vector<std::string>& source_words() {
+  static const std::vector<std::string> words{
+      "global",  "nodal",          "nodal vector",   "nodal tensor",       "nodal sym tensor",
+      "element", "element vector", "element tensor", "element sym tensor", "face"};
+  return words;
+}
+
+void read_type(Arguments& arguments, FunctionDefinition& function) {
+  function.type_location = arguments.location();
+  function.type = static_cast<FunctionType>(arguments.choice(type_words()));
+}
+
+void read_value(Arguments& arguments, FunctionDefinition& function) {
+  FunctionValue value;
+  value.location = arguments.location();
+  const double first = arguments.real();
+  if (arguments.at_end()) {
+    value.ordinate = first;
+  } else {
+    value.abscissa = first;
+    if (arguments.peek().kind == WordKind::quoted) {
+      value.expression = arguments.text();
+    } else {
+      value.ordinate = arguments.real();
+    }
+    while (!arguments.at_end()) value.further.push_back(arguments.real());
+  }
+  function.values.push_back(std::move(value));
+}
+
+void read_expression(Arguments& arguments, FunctionDefinition& function) {
+  const bool is_quoted = !arguments.at_end() && arguments.peek().kind == WordKind::quoted;
+  FunctionExpression expression{arguments.location(), is_quoted ? arguments.text() : arguments.rest()};
+  if (expression.text.empty()) arguments.fail_here("expected an expression between double quotes");
+  function.expression = std::move(expression);
+}
+
+void read_variable(Arguments& arguments, FunctionDefinition& function) {
+  ExpressionVariable variable;
+  variable.name = arguments.name();
+  arguments.skip_separator();
+  variable.source = static_cast<ExpressionSource>(arguments.choice(source_words()));
+  variable.variable = arguments.name();
+  function.variables.push_back(std::move(variable));
+}
+
+const Table<FunctionDefinition>& values_table() {
+  static const Table<FunctionDefinition> table({
+      numbers<FunctionDefinition>("<abscissa> <ordinate>, or <value>", read_value,
+                                  "One point of the function, or its value [abscissa, ordinate]"),
+  });
+  return table;
+}
+
+template <class T>
+std::string braced(const T& words) {
+  return fmt::format("{{{}}}", fmt::join(words, "|"));
+}
+
+}  // namespace
+
+const Table<FunctionDefinition>& function_table() {
+  using F = FunctionDefinition;
+  static const Table<F> table({
+      row<F>("type", "= " + braced(type_words()), read_type, "How the function is given", "required").once(),
+      block_into("values", Naming::none, values_table, "The points of a function, one a line"),
+      row("abscissa", read::rest_of_line, &F::abscissa_label, "What the abscissa is, for people"),
+      row("ordinate", read::rest_of_line, &F::ordinate_label, "What the ordinate is, for people"),
+      row("x scale", read::real, &F::x_scale, "Factor of (abscissa + offset) [1]")
+          .or_spelled("abscissa scale"),
+      row("x offset", read::real, &F::x_offset, "Added to the abscissa before scaling [abscissa]")
+          .or_spelled("abscissa offset"),
+      row("y scale", read::real, &F::y_scale, "Factor of (ordinate + offset) [1]")
+          .or_spelled("ordinate scale"),
+      row("y offset", read::real, &F::y_offset, "Added to the ordinate before scaling [ordinate]")
+          .or_spelled("ordinate offset"),
+      row("at discontinuity evaluate to", choice_of<DiscontinuitySide>({"left", "right"}),
+          &F::at_discontinuity, "Side whose value a piecewise constant function takes at a jump"),
+      row<F>("evaluate expression", "= \"<expression>\"", read_expression,
+             "The function's value, C-like, of x or of the expression variables", "none")
+          .once(),
+      row<F>("expression variable", ": <name> = " + braced(source_words()) + " <variable>", read_variable,
+             "A variable of the expression and what it reads", "none"),
+      refused<F>("differentiate expression", "= \"<expression>\"",
+                 "give the derivative as a function of its own"),
+      ignored<F>("evaluate from", "<a> TO <b> BY <dx>", "the expression is evaluated at every point"),
+      refused<F>("data file", "= <file> [X FROM COLUMN <i> Y FROM COLUMN <j>]",
+                 "put the values into a VALUES block, or name the file by INCLUDEFILE inside it"),
+      ignored<F>("column titles", "<name> ...", "titles are for people"),
+      refused<F>("scale by", "<factor>", "use Y SCALE"),
+      ignored<F>("debug", "= {ON|OFF}", "functions print nothing"),
+  });
+  return table;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/geometry_commands.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using S = SimulationDefinition;
+
+/// Reads "WITH <word>".
+void expect_with(Arguments& arguments, std::string_view word) {
+  arguments.expect("with");
+  arguments.expect(word);
+  arguments.skip_separator();
+}
+
+void read_point(Arguments& arguments, S& simulation) {
+  PointDefinition point{arguments.name(), {}};
+  expect_with(arguments, "coordinates");
+  point.coordinates = arguments.vector();
+  simulation.points.push_back(std::move(point));
+}
+
+void read_direction(Arguments& arguments, S& simulation) {
+  DirectionDefinition direction{arguments.name(), {}};
+  expect_with(arguments, "vector");
+  const Word* first = arguments.at_end() ? nullptr : &arguments.peek();
+  direction.vector = arguments.vector();
+  if (direction.vector.isZero(0.0)) arguments.fail(*first, "a direction must not be the zero vector");
+  simulation.directions.push_back(std::move(direction));
+}
+
+void read_axis(Arguments& arguments, S& simulation) {
+  AxisDefinition axis{arguments.name(), {}, {}, {}};
+  expect_with(arguments, "point");
+  axis.point = arguments.name();
+  if (arguments.accept("point")) {
+    axis.second_point = arguments.name();
+  } else {
+    arguments.expect("direction");
+    axis.direction = arguments.name();
+  }
+  simulation.axes.push_back(std::move(axis));
+}
+
+void read_coordinate_system(Arguments& arguments, S& simulation) {
+  static const std::vector<std::string> kinds{"rectangular", "cylindrical", "spherical"};
+  CoordinateSystemDefinition system{arguments.name(), {}, {}, {}, {}};
+  if (!arguments.is_next("with")) {
+    system.kind = static_cast<CoordinateSystemKind>(arguments.choice(kinds));
+  }
+  expect_with(arguments, "point");
+  system.origin = arguments.name();
+  arguments.expect("point");
+  system.point_on_z = arguments.name();
+  arguments.expect("point");
+  system.point_in_xz = arguments.name();
+  simulation.coordinate_systems.push_back(std::move(system));
+}
+
+}  // namespace
+
+std::vector<Row<SimulationDefinition>> geometry_rows() {
+  return {
+      row<S>("define point", "<name> WITH COORDINATES <x> <y> <z>", read_point, "A point [length]", "none"),
+      row<S>("define direction", "<name> WITH VECTOR <x> <y> <z>", read_direction,
+             "A direction, of any length [1]", "none"),
+      row<S>("define axis", "<name> WITH POINT <p> {DIRECTION <d>|POINT <q>}", read_axis,
+             "An axis through a point, along a direction or to a second point", "none"),
+      row<S>("define coordinate system",
+             "<name> [{RECTANGULAR|CYLINDRICAL|SPHERICAL}] WITH POINT <origin> POINT <on z> POINT <in xz>",
+             read_coordinate_system, "A coordinate system through three points", "none"),
+  };
+}
+
+}  // namespace contactsim

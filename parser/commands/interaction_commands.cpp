@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/interaction_commands.hpp"
+
+#include "parser/commands/condition_line_commands.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The lines that pairs and their defaults share.
+std::vector<Row<PairSettings>> pair_rows() {
+  using P = PairSettings;
+  static const auto formulation = choice_of<ConstraintFormulation>({"node_face", "face_face"});
+  static const auto behavior =
+      choice_of<InteractionBehavior>({"sliding", "infinitesimal_sliding", "no_interaction"});
+  return {
+      row("friction model", read::name, &P::friction_model, "Friction model of the pair", "frictionless"),
+      row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
+      row("interaction behavior", behavior, &P::behavior,
+          "How the pair moves; NO_INTERACTION switches it off", "SLIDING"),
+      row("normal tolerance", read::non_negative, &P::normal_tolerance,
+          "Reach of the search off a face [length]", "automatic"),
+      row("tangential tolerance", read::non_negative, &P::tangential_tolerance,
+          "Reach of the search beyond a face's edge [length]", "automatic"),
+      row("overlap normal tolerance", read::non_negative, &P::overlap_normal_tolerance,
+          "Deepest overlap that is removed at the start [length]", "automatic"),
+      row("overlap tangential tolerance", read::non_negative, &P::overlap_tangential_tolerance,
+          "Overlap beyond a face's edge that is removed at the start [length]", "automatic"),
+      row("capture tolerance", read::non_negative, &P::capture_tolerance,
+          "Gap that is closed at the start [length]", "0"),
+      ignored<P>("automatic kinematic partition", "[= {ON|OFF}]",
+                 "Of ACME's enforcement; penalties are balanced"),
+  };
+}
+
+const Table<InteractionDefaults>& interaction_defaults_table() {
+  using D = InteractionDefaults;
+  static const Table<D> table(joined<D>({
+      {
+          row("general contact", read::on_off, &D::general_contact, "Every surface meets every other"),
+          row("self contact", read::on_off, &D::self_contact, "Every surface meets itself"),
+          row("surfaces", read::names, &D::surfaces, "Contact surfaces that general and self contact take",
+              "all")
+              .or_spelled("contact surfaces"),
+      },
+      lift_all(pair_rows(), &D::pair),
+  }));
+  return table;
+}
+
+const Table<Interaction>& interaction_table() {
+  using I = Interaction;
+  static const Table<I> table(joined<I>({
+      {
+          row("surfaces", read::names, &I::surfaces,
+              "Contact surfaces of which every pair meets; one alone or twice meets itself")
+              .or_spelled("contact surfaces"),
+          row("side a", read::names, &I::side_a, "Contact surfaces that give the faces of NODE_FACE")
+              .or_spelled("master"),
+          row("side b", read::names, &I::side_b, "Contact surfaces that give the nodes of NODE_FACE")
+              .or_spelled("slave"),
+          row("friction coefficient", read::non_negative, &I::friction_coefficient,
+              "Coulomb coefficient, in place of a friction model [1]"),
+          ignored<I>("kinematic partition", "= <real>", "Of ACME's enforcement; penalties are balanced"),
+          ignored<I>("tension release", "= <real>", "Of implicit runs only"),
+          ignored<I>("slip penalty", "= <real>", "Of implicit runs only"),
+          ignored<I>("pushback factor", "= <real>", "Penalties push back by their stiffness alone"),
+      },
+      lift_all(pair_rows(), &I::pair),
+      lift_all(period_rows(), &I::periods),
+  }));
+  return table;
+}
+
+/// Two blocks of defaults would contradict each other for every pair.
+void add_defaults(ContactDefinition& contact, InteractionDefaults defaults) {
+  if (contact.interaction_defaults) {
+    const DeckLocation& first = contact.interaction_defaults->name.location;
+    throw ArgumentError{{Severity::error, "", defaults.name.location, 1,
+                         "a second INTERACTION DEFAULTS in one contact definition",
+                         "the first stands at " + to_string(first)}};
+  }
+  contact.interaction_defaults = std::move(defaults);
+}
+
+}  // namespace
+
+std::vector<Row<ContactDefinition>> interaction_rows() {
+  using C = ContactDefinition;
+  return {
+      block<C, InteractionDefaults>("interaction defaults", Naming::optional, interaction_defaults_table,
+                                    add_defaults, "What every pair of surfaces gets")
+          .or_spelled("defaults"),
+      block<C, Interaction>("interaction", Naming::optional, interaction_table, &C::interactions,
+                            "Pairs of surfaces that are treated their own way"),
+  };
+}
+
+}  // namespace contactsim

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/definition/material.hpp"
+#include "parser/commands/rows.hpp"
+
+namespace contactsim {
+
+/// BEGIN MATERIAL, also PROPERTY SPECIFICATION FOR MATERIAL.
+const Table<MaterialDefinition>& material_table();
+
+/// The PARAMETERS FOR MODEL blocks of a material: one row per model that contactsim knows and one for all
+/// others, which are kept as they stand.
+std::vector<Row<MaterialDefinition>> material_model_rows();
+
+/// The key under which the problems of a model are held until a block uses it.
+std::string model_use_key(std::string_view material, std::string_view model);
+
+/// What is wrong with a model that a block uses: elastic constants other than two, a required parameter
+/// missing. An opaque model has nothing to check.
+void check_used_model(const MaterialDefinition& material, const MaterialModel& model,
+                      Diagnostics& diagnostics);
+
+/// What is wrong with a material that a block uses: no density.
+void check_used_material(const MaterialDefinition& material, Diagnostics& diagnostics);
+
+}  // namespace contactsim

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "parser/commands/material_commands.hpp"
+#include "parser/commands/row_lists.hpp"
+
+namespace contactsim {
+
+namespace {
+
+void read_poissons_ratio(Arguments& arguments, ElasticConstants& elastic) {
+  const Word* written = arguments.at_end() ? nullptr : &arguments.peek();
+  const double ratio = arguments.real();
+  if (ratio <= -1.0 || ratio >= 0.5) {
+    arguments.fail(
+        *written,
+        fmt::format("'poissons ratio' must be greater than -1 and less than 0.5, found '{}'", written->text));
+  }
+  elastic.poissons_ratio = ratio;
+}
+
+std::vector<Row<ElasticConstants>> elastic_rows() {
+  using E = ElasticConstants;
+  return {
+      row("youngs modulus", read::positive, &E::youngs_modulus, "Young's modulus [force/length^2]"),
+      row<E>("poissons ratio", "= <real > -1, < 0.5>", read_poissons_ratio, "Poisson's ratio [1]", "none")
+          .once(),
+      row("shear modulus", read::positive, &E::shear_modulus, "Shear modulus [force/length^2]"),
+      row("bulk modulus", read::positive, &E::bulk_modulus, "Bulk modulus [force/length^2]"),
+      row("lambda", read::real, &E::lambda, "Lame's first constant [force/length^2]"),
+      row<E>(
+          "two mu", "= <real > 0>",
+          [](Arguments& arguments, E& elastic) { elastic.shear_modulus = 0.5 * arguments.positive(); },
+          "Twice the shear modulus [force/length^2]", "none")
+          .once(),
+  };
+}
+
+/// A model's own rows after those of its elastic constants.
+template <class Model>
+std::vector<Row<Model>> with_elastic_rows(std::vector<Row<Model>> own_rows) {
+  return joined({lift_all(elastic_rows(), &Model::elastic), std::move(own_rows)});
+}
+
+template <class Model>
+const Table<Model>& elastic_only_table() {
+  static const Table<Model> table(with_elastic_rows<Model>({}));
+  return table;
+}
+
+const Table<ElasticPlasticModel>& elastic_plastic_table() {
+  using P = ElasticPlasticModel;
+  static const Table<P> table(with_elastic_rows<P>({
+      row("yield stress", read::positive, &P::yield_stress, "Initial yield stress [force/length^2]"),
+      row("hardening modulus", read::real, &P::hardening_modulus,
+          "Slope of stress over plastic strain [force/length^2]"),
+      row("beta", read::real, &P::beta, "Share of isotropic hardening, 0 to 1 [1]"),
+  }));
+  return table;
+}
+
+const Table<PowerHardeningModel>& power_hardening_table() {
+  using P = PowerHardeningModel;
+  static const Table<P> table(with_elastic_rows<P>({
+      row("yield stress", read::positive, &P::yield_stress, "Initial yield stress [force/length^2]"),
+      row("hardening constant", read::non_negative, &P::hardening_constant,
+          "Factor of the power law [force/length^2]"),
+      row("hardening exponent", read::positive, &P::hardening_exponent, "Exponent of the power law [1]"),
+      row("luders strain", read::non_negative, &P::luders_strain,
+          "Plastic strain before hardening begins [1]"),
+  }));
+  return table;
+}
+
+const Table<JohnsonCookModel>& johnson_cook_table() {
+  using J = JohnsonCookModel;
+  static const Table<J> table(with_elastic_rows<J>({
+      row("yield stress", read::positive, &J::yield_stress, "Static yield stress [force/length^2]"),
+      row("hardening constant", read::non_negative, &J::hardening_constant,
+          "Factor of the power law [force/length^2]"),
+      row("hardening exponent", read::positive, &J::hardening_exponent, "Exponent of the power law [1]"),
+      row("rate constant", read::non_negative, &J::rate_constant, "Factor of the logarithm of the rate [1]"),
+      row("reference rate", read::positive, &J::reference_rate, "Strain rate of the static curve [1/time]")
+          .or_spelled("edot ref"),
+      row("d1", read::real, &J::d1, "Failure strain: constant part [1]"),
+      row("d2", read::real, &J::d2, "Failure strain: factor of the exponential [1]"),
+      row("d3", read::real, &J::d3, "Failure strain: factor of the triaxiality [1]"),
+      row("d4", read::real, &J::d4, "Failure strain: factor of the logarithm of the rate [1]"),
+      row("d5", read::real, &J::d5, "Failure strain: factor of the temperature [1]"),
+  }));
+  return table;
+}
+
+bool is_separator(const Word& word) {
+  return word.kind == WordKind::symbol ||
+         (word.kind == WordKind::bare && (fold(word.text) == "is" || fold(word.text) == "are"));
+}
+
+bool is_value(const Word& word) { return word.kind == WordKind::quoted || is_number(word.text); }
+
+/// The key of a line goes up to its separator, or when it has none up to the first value.
+void read_parameter(Arguments& arguments, OpaqueModel& model) {
+  const std::span<const Word> words = arguments.remaining();
+  auto key_end = std::find_if(words.begin(), words.end(), is_separator);
+  if (key_end == words.end()) key_end = std::find_if(words.begin(), words.end(), is_value);
+  ModelParameter parameter{{"", arguments.location()}, {}};
+  for (auto word = words.begin(); word != key_end; ++word) {
+    if (!parameter.key.text.empty()) parameter.key.text += ' ';
+    parameter.key.text += arguments.name().text;
+  }
+  arguments.skip_separator();
+  if (!arguments.at_end()) parameter.values = arguments.names();
+  model.parameters.push_back(std::move(parameter));
+}
+
+const Table<OpaqueModel>& opaque_table() {
+  static const Table<OpaqueModel> table({
+      anything<OpaqueModel>("<name> = <value> ...", read_parameter,
+                            "A parameter of a model that contactsim does not know, kept as it stands"),
+  });
+  return table;
+}
+
+constexpr const char* model_phrase = "parameters for model";
+
+/// The row of a model. The name of a model that contactsim knows is part of the phrase, so its row goes
+/// before that of all others.
+template <class Model>
+Row<MaterialDefinition> model_row(const std::string& model, const Table<Model>& (*table)(),
+                                  std::string help) {
+  const std::string phrase = model.empty() ? model_phrase : fmt::format("{} {}", model_phrase, model);
+  Row<MaterialDefinition> made{{phrase, model.empty() ? "<model>" : "", std::move(help), "none",
+                                Support::supported, RowText::Matches::phrase, true,
+                                [table]() -> const TableText& { return table().text(); }}};
+  made.read_block = [table](const Block& found, const DeckName&, MaterialDefinition& material,
+                            Binding& binding) {
+    const std::vector<DeckName> words = block_names(found, model_phrase);
+    if (words.empty()) check_name(found, {}, Naming::required);
+    DeckName name{"", words.front().location};
+    for (const DeckName& word : words) {
+      if (!name.text.empty()) name.text += '_';
+      name.text += word.text;
+    }
+    Model parameters;
+    bind_held(binding, model_use_key(material.name.text, name.text),
+              [&](Binding& inner) { table().bind(found, parameters, inner); });
+    material.models.push_back({std::move(name), std::move(parameters)});
+  };
+  return made;
+}
+
+}  // namespace
+
+std::string model_use_key(std::string_view material, std::string_view model) {
+  return use_key("model", fmt::format("{}/{}", material, model));
+}
+
+std::vector<Row<MaterialDefinition>> material_model_rows() {
+  return {
+      model_row("elastic", elastic_only_table<ElasticModel>, "Hypoelastic, finite strain"),
+      model_row("linear_elastic", elastic_only_table<LinearElasticModel>, "Linear elastic, small strain"),
+      model_row("neo_hookean", elastic_only_table<NeoHookeanModel>, "Hyperelastic"),
+      model_row("elastic_plastic", elastic_plastic_table, "Plasticity with linear hardening"),
+      model_row("ep_power_hard", power_hardening_table, "Plasticity with power-law hardening"),
+      model_row("power_law_hardening", power_hardening_table, "Plasticity with power-law hardening"),
+      model_row("johnson_cook", johnson_cook_table, "Plasticity with rate dependence and failure strain"),
+      model_row("", opaque_table, "Any other model: kept, an error only when a block uses it"),
+  };
+}
+
+}  // namespace contactsim

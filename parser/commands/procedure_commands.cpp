@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/procedure_commands.hpp"
+
+#include "parser/commands/region_commands.hpp"
+#include "parser/commands/time_commands.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using P = Procedure;
+using Procedures = std::vector<Procedure>;
+
+const Table<ProceduralTransfer>& transfer_table() {
+  using T = ProceduralTransfer;
+  static const Table<T> table({
+      flag("include all blocks", &T::includes_all_blocks, "Takes over the state of every block"),
+      row("block", read::names, &T::blocks, "Blocks whose state is taken over"),
+  });
+  return table;
+}
+
+void set_time_control(P& procedure, TimeControl control) {
+  if (procedure.time_control) {
+    throw ArgumentError{{Severity::error, "", control.name.location, 1,
+                         "a second TIME CONTROL in one procedure",
+                         "the first stands at " + to_string(procedure.time_control->name.location)}};
+  }
+  procedure.time_control = std::move(control);
+}
+
+enum class Solution { explicit_dynamics, implicit_statics, as_time_parameters_say };
+
+void add_region(P& procedure, Region region, Solution solution) {
+  if (solution == Solution::implicit_statics && !procedure.implicit_by) {
+    procedure.implicit_by =
+        ImplicitCause{fmt::format("adagio region '{}'", region.name.text), region.name.location};
+  }
+  procedure.regions.push_back(std::move(region));
+}
+
+Row<P> region_row(std::string phrase, Solution solution, std::string help) {
+  return block<P, Region>(
+      std::move(phrase), Naming::required, region_table,
+      [solution](P& procedure, Region region) { add_region(procedure, std::move(region), solution); },
+      std::move(help));
+}
+
+const Table<P>& procedure_table() {
+  static const Table<P> table({
+      block<P, TimeControl>("time control", Naming::optional, time_control_table, set_time_control,
+                            "When the procedure begins and ends, and its time steps"),
+      block("procedural transfer", Naming::optional, transfer_table, &P::transfers,
+            "Takes the state over from the procedure before"),
+      region_row("presto region", Solution::explicit_dynamics, "A model in explicit dynamics"),
+      region_row("adagio region", Solution::implicit_statics, "A model in implicit statics"),
+      region_row("solid mechanics region", Solution::as_time_parameters_say,
+                 "A model; implicit if it has PARAMETERS FOR ADAGIO REGION"),
+      refused_block<P>("solution control description",
+                       "give the times of the region in a TIME CONTROL block instead"),
+      refused_block<P>("aria region", "only solid mechanics is solved; take the thermal region out"),
+      refused_block<P>("transfer", "only one region is solved; take the transfer out"),
+  });
+  return table;
+}
+
+/// The first PARAMETERS FOR ADAGIO REGION of the time control.
+std::optional<ImplicitCause> find_implicit_parameters(const P& procedure) {
+  if (!procedure.time_control) return std::nullopt;
+  for (const TimeSteppingBlock& block : procedure.time_control->blocks) {
+    if (block.implicit_parameters.empty()) continue;
+    const DeckName& region = block.implicit_parameters.front().name;
+    return ImplicitCause{fmt::format("parameters for adagio region '{}'", region.text), region.location};
+  }
+  return std::nullopt;
+}
+
+void add_procedure(Procedures& procedures, P procedure, Solution solution) {
+  if (solution == Solution::implicit_statics) {
+    procedure.implicit_by =
+        ImplicitCause{fmt::format("adagio procedure '{}'", procedure.name.text), procedure.name.location};
+  } else if (!procedure.implicit_by) {
+    procedure.implicit_by = find_implicit_parameters(procedure);
+  }
+  procedures.push_back(std::move(procedure));
+}
+
+Row<Procedures> procedure_row(std::string phrase, Solution solution, std::string help) {
+  return block<Procedures, P>(
+      std::move(phrase), Naming::optional, procedure_table,
+      [solution](Procedures& procedures, P procedure) {
+        add_procedure(procedures, std::move(procedure), solution);
+      },
+      std::move(help));
+}
+
+}  // namespace
+
+std::vector<Row<std::vector<Procedure>>> procedure_rows() {
+  return {
+      procedure_row("presto procedure", Solution::explicit_dynamics, "Explicit dynamics"),
+      procedure_row("adagio procedure", Solution::implicit_statics, "Implicit statics: read, not run"),
+      procedure_row("solid mechanics procedure", Solution::as_time_parameters_say,
+                    "Explicit or implicit, as its time parameters say"),
+      procedure_row("procedure", Solution::as_time_parameters_say, "The same, as coupled runs spell it"),
+  };
+}
+
+}  // namespace contactsim

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <initializer_list>
+#include <vector>
+
+#include "parser/commands/rows.hpp"
+
+/// Tables put together from lists of rows that several block types share.
+namespace contactsim {
+
+/// Several lists as one, in order.
+template <class T>
+std::vector<Row<T>> joined(std::initializer_list<std::vector<Row<T>>> lists) {
+  std::vector<Row<T>> all;
+  for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
+  return all;
+}
+
+/// Rows of a Part, bound into that member of T.
+template <class T, class Part>
+std::vector<Row<T>> lift_all(const std::vector<Row<Part>>& rows_of_part, Part T::*part) {
+  std::vector<Row<T>> lifted;
+  for (const Row<Part>& row_of_part : rows_of_part) lifted.push_back(lift(row_of_part, part));
+  return lifted;
+}
+
+}  // namespace contactsim

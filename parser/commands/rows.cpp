@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/rows.hpp"
+
+namespace contactsim {
+
+namespace {
+
+std::string show_real(double value) { return std::isnan(value) ? "required" : fmt::format("{}", value); }
+std::string show_integer(std::int64_t value) { return fmt::format("{}", value); }
+std::string show_text(const std::string& value) { return value.empty() ? "none" : value; }
+
+template <class V>
+std::string show_none(const V&) {
+  return "none";
+}
+
+}  // namespace
+
+namespace read {
+
+const Reader<double> real{"<real>", &Arguments::real, show_real};
+const Reader<double> positive{"<real > 0>", &Arguments::positive, show_real};
+const Reader<double> non_negative{"<real >= 0>", &Arguments::non_negative, show_real};
+const Reader<std::int64_t> integer{"<integer>", &Arguments::integer, show_integer};
+const Reader<std::int64_t> positive_integer{"<integer > 0>", &Arguments::positive_integer, show_integer};
+const Reader<std::int64_t> non_negative_integer{"<integer >= 0>", &Arguments::non_negative_integer,
+                                                show_integer};
+const Reader<bool> on_off{"{ON|OFF}", &Arguments::on_off, [](bool value) { return value ? "ON" : "OFF"; }};
+const Reader<DeckName> name{"<name>", &Arguments::name,
+                            [](const DeckName& value) { return show_text(value.text); }};
+const Reader<std::string> text{"<text>", &Arguments::text, show_text};
+const Reader<std::string> rest_of_line{"<rest of the line>", &Arguments::rest, show_text};
+const Reader<Eigen::Vector3d> vector3{"<x> <y> <z>", &Arguments::vector, show_none<Eigen::Vector3d>};
+const Reader<std::vector<DeckName>> names{"<name> ...", &Arguments::names, show_none<std::vector<DeckName>>};
+const Reader<std::vector<double>> reals{"<real> ...", &Arguments::reals, show_none<std::vector<double>>};
+const Reader<std::vector<std::int64_t>> integers{"<integer> ...", &Arguments::integers,
+                                                 show_none<std::vector<std::int64_t>>};
+
+}  // namespace read
+
+std::string syntax_of(Naming naming) {
+  switch (naming) {
+    case Naming::none:
+      return "";
+    case Naming::optional:
+      return "[<name>]";
+    case Naming::required:
+      return "<name>";
+  }
+  return "";
+}
+
+void check_name(const Block& block, const DeckName& name, Naming naming) {
+  const bool is_wrong = naming == Naming::required && name.text.empty();
+  if (!is_wrong) return;
+  const Word& last = block.title.back();
+  throw ArgumentError{{Severity::error, "", last.location, static_cast<int>(last.text.size()),
+                       fmt::format("the block '{}' needs a name", last.text), ""}};
+}
+
+}  // namespace contactsim

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/sierra_commands.hpp"
+
+#include "parser/commands/function_commands.hpp"
+#include "parser/commands/geometry_commands.hpp"
+#include "parser/commands/implicit_commands.hpp"
+#include "parser/commands/material_commands.hpp"
+#include "parser/commands/model_commands.hpp"
+#include "parser/commands/output_schedule_commands.hpp"
+#include "parser/commands/procedure_commands.hpp"
+#include "parser/commands/rigid_body_commands.hpp"
+#include "parser/commands/row_lists.hpp"
+#include "parser/commands/section_commands.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using S = SimulationDefinition;
+
+const Table<OutputScheduler>& output_scheduler_table() {
+  static const Table<OutputScheduler> table(lift_all(output_schedule_rows(), &OutputScheduler::schedule));
+  return table;
+}
+
+void read_restart(Arguments& arguments, S& simulation) {
+  static const std::vector<std::string> words{"automatic", "auto"};
+  arguments.choice(words);
+  simulation.restart.is_automatic = true;
+}
+
+std::vector<Row<S>> run_rows() {
+  return {
+      row<S>(
+          "title", "<text>", [](Arguments& arguments, S& simulation) { simulation.title = arguments.all(); },
+          "Title of the run, the rest of the line", "none"),
+      row<S>("restart", "= {AUTOMATIC|AUTO}", read_restart, "Goes on from the latest state of an earlier run",
+             "none"),
+      row<S>(
+          "restart time", "= <real>",
+          [](Arguments& arguments, S& simulation) { simulation.restart.time = arguments.real(); },
+          "Goes on from the state of an earlier run at this time [time]", "none")
+          .once(),
+  };
+}
+
+}  // namespace
+
+std::vector<Row<S>> definition_rows() {
+  const std::vector<Row<S>> blocks{
+      held("function", block("function", Naming::required, function_table, &S::functions,
+                             "A function of time, of place or of variables"))
+          .or_spelled("definition for function"),
+      held("material", block("material", Naming::required, material_table, &S::materials,
+                             "A material: density and models"))
+          .or_spelled("property specification for material"),
+      block("rigid body", Naming::required, rigid_body_table, &S::rigid_bodies,
+            "A rigid body, which sections name"),
+      block("finite element model", Naming::required, finite_element_model_table, &S::finite_element_models,
+            "A mesh file and what its blocks are made of"),
+      block("output scheduler", Naming::required, output_scheduler_table, &S::output_schedulers,
+            "Output times that several outputs share"),
+  };
+  return joined({geometry_rows(), blocks, lift_all(section_rows(), &S::sections)});
+}
+
+const Table<SimulationDefinition>& sierra_table() {
+  static const Table<S> table(joined({definition_rows(), lift_all(procedure_rows(), &S::procedures),
+                                      implicit_sierra_rows<S>(), run_rows()}));
+  return table;
+}
+
+}  // namespace contactsim

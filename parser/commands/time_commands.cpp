@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/time_commands.hpp"
+
+namespace contactsim {
+
+namespace {
+
+const Table<ExplicitTimeParameters>& explicit_parameters_table() {
+  using P = ExplicitTimeParameters;
+  static const Table<P> table({
+      row("initial time step", read::positive, &P::initial_time_step, "First time step [time]",
+          "critical step"),
+      row("time step scale factor", read::positive, &P::time_step_scale_factor,
+          "Share of the critical step that is taken [1]"),
+      row("time step increase factor", read::positive, &P::time_step_increase_factor,
+          "Largest growth from one step to the next [1]"),
+      row("step interval", read::positive_integer, &P::step_interval,
+          "Steps between two lines of the log [1]"),
+      row("user time step", read::positive, &P::user_time_step, "Step in place of the critical one [time]"),
+      ignored<P>("time step selector", "= AUTO", "the smallest step of all elements is taken"),
+      ignored<P>("print banner interval for solution control", "= <integer>", "STEP INTERVAL sets the log"),
+  });
+  return table;
+}
+
+const Table<ImplicitTimeParameters>& implicit_parameters_table() {
+  using P = ImplicitTimeParameters;
+  static const Table<P> table({
+      row("time increment", read::positive, &P::time_increment, "Implicit only: time step [time]"),
+      row("number of time steps", read::positive_integer, &P::n_time_steps,
+          "Implicit only: steps in the block [1]"),
+      row("time increment function", read::name, &P::increment_function,
+          "Implicit only: function of time whose value is the step"),
+  });
+  return table;
+}
+
+const Table<TimeSteppingBlock>& time_stepping_block_table() {
+  using B = TimeSteppingBlock;
+  static const Table<B> table({
+      row("start time", read::real, &B::start_time, "When the block begins [time]"),
+      block("parameters for presto region", Naming::required, explicit_parameters_table,
+            &B::explicit_parameters, "Time step of a region"),
+      block("parameters for adagio region", Naming::required, implicit_parameters_table,
+            &B::implicit_parameters, "Time step of a region; makes the procedure implicit"),
+  });
+  return table;
+}
+
+void add_at(Diagnostics& diagnostics, const DeckName& name, std::string text, std::string hint = "") {
+  diagnostics.add_error(name.location, std::move(text), std::move(hint), static_cast<int>(name.text.size()));
+}
+
+}  // namespace
+
+const Table<TimeControl>& time_control_table() {
+  using C = TimeControl;
+  static const Table<C> table({
+      block("time stepping block", Naming::required, time_stepping_block_table, &C::blocks,
+            "A period: from its start time to that of the next such block"),
+      row("termination time", read::real, &C::termination_time, "When the procedure ends [time]"),
+  });
+  return table;
+}
+
+void check_time_control(const TimeControl& control, Diagnostics& diagnostics) {
+  if (control.blocks.empty()) {
+    add_at(diagnostics, control.name, "the TIME CONTROL has no TIME STEPPING BLOCK");
+  }
+  if (std::isnan(control.termination_time)) {
+    add_at(diagnostics, control.name, "the TIME CONTROL has no TERMINATION TIME");
+  }
+  const TimeSteppingBlock* last = nullptr;
+  for (const TimeSteppingBlock& block : control.blocks) {
+    if (std::isnan(block.start_time)) {
+      add_at(diagnostics, block.name,
+             fmt::format("the time stepping block '{}' has no START TIME", block.name.text));
+      continue;
+    }
+    if (last != nullptr && block.start_time <= last->start_time) {
+      add_at(diagnostics, block.name,
+             fmt::format("the time stepping block '{}' starts at {}, not after '{}', which starts at {}",
+                         block.name.text, block.start_time, last->name.text, last->start_time),
+             "blocks follow each other in time");
+    }
+    last = &block;
+  }
+  if (last != nullptr && control.termination_time <= last->start_time) {
+    add_at(diagnostics, last->name,
+           fmt::format("the time stepping block '{}' starts at {}, not before the termination time {}",
+                       last->name.text, last->start_time, control.termination_time));
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "parser/commands/material_commands.hpp"
+
+#include "support/catch.hpp"
+#include "support/parsed_deck.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+/// A deck whose block b takes the model of the material m. The lines of the material begin at line 3.
+ParsedDeck using_model(const std::string& model, const std::string& lines) {
+  return parsed_sierra("begin material m\n" + lines +
+                       "end\n"
+                       "begin finite element model fem\n"
+                       "  begin parameters for block b\n"
+                       "    material m\n"
+                       "    solid mechanics use model " +
+                       model +
+                       "\n"
+                       "  end\n"
+                       "end\n"
+                       "begin presto procedure p\n"
+                       "  begin presto region r\n"
+                       "    use finite element model fem\n"
+                       "  end\n"
+                       "end\n");
+}
+
+template <class Model>
+const Model& model_of(const ParsedDeck& deck) {
+  return std::get<Model>(deck.simulation.materials.at(0).models.at(0).parameters);
+}
+
+const std::string elastic = "youngs modulus = 200e9\npoissons ratio = 0.3\n";
+
+}  // namespace
+
+TEST_CASE("elastic models are bound with two constants of any kind", "[parser][material]") {
+  for (const std::string name : {"elastic", "LINEAR_ELASTIC", "neo_hookean", "linear elastic"}) {
+    INFO(name);
+    const ParsedDeck deck = using_model(name == "linear elastic" ? "linear_elastic" : name,
+                                        "density = 7800\nbegin parameters for model " + name +
+                                            "\nbulk modulus = 2\nshear modulus = 1\nend\n");
+    CHECK(deck.messages == "");
+    const ElasticConstants* constants = find_elastic_constants(deck.simulation.materials.at(0).models.at(0));
+    REQUIRE(constants != nullptr);
+    CHECK(constants->bulk_modulus == 2.0);
+    CHECK(constants->shear_modulus == 1.0);
+    CHECK_FALSE(constants->youngs_modulus);
+  }
+}
+
+TEST_CASE("twice the shear modulus may be given", "[parser][material]") {
+  const ParsedDeck deck = using_model(
+      "elastic", "density = 1\nbegin parameters for model elastic\ntwo mu = 8\nlambda = 1\nend\n");
+  CHECK(deck.messages == "");
+  CHECK(model_of<ElasticModel>(deck).elastic.shear_modulus == 4.0);
+}
+
+TEST_CASE("the plastic models are bound", "[parser][material]") {
+  const ParsedDeck linear =
+      using_model("elastic_plastic", "density = 1\nbegin parameters for model elastic_plastic\n" + elastic +
+                                         "yield stress = 250e6\nhardening modulus = 1e9\nbeta = 0.5\nend\n");
+  CHECK(linear.messages == "");
+  CHECK(model_of<ElasticPlasticModel>(linear).yield_stress == 250e6);
+  CHECK(model_of<ElasticPlasticModel>(linear).hardening_modulus == 1e9);
+  CHECK(model_of<ElasticPlasticModel>(linear).beta == 0.5);
+
+  for (const std::string name : {"ep_power_hard", "power_law_hardening"}) {
+    const ParsedDeck power = using_model(
+        name,
+        "density = 1\nbegin parameters for model " + name + "\n" + elastic +
+            "yield stress = 2\nhardening constant = 3\nhardening exponent = 0.4\nluders strain = 5\nend\n");
+    CHECK(power.messages == "");
+    CHECK(model_of<PowerHardeningModel>(power).hardening_exponent == 0.4);
+    CHECK(model_of<PowerHardeningModel>(power).luders_strain == 5.0);
+  }
+
+  const ParsedDeck cook =
+      using_model("johnson_cook", "density = 1\nbegin parameters for model johnson_cook\n" + elastic +
+                                      "yield stress = 2\nhardening constant = 3\nhardening exponent = 0.4\n"
+                                      "rate constant = 0.01\nedot_ref = 2\nd1 = 0.1\nd5 = 0\nend\n");
+  CHECK(cook.messages == "");
+  CHECK(model_of<JohnsonCookModel>(cook).rate_constant == 0.01);
+  CHECK(model_of<JohnsonCookModel>(cook).reference_rate == 2.0);
+  CHECK(model_of<JohnsonCookModel>(cook).d1 == 0.1);
+  CHECK_FALSE(model_of<JohnsonCookModel>(cook).d2);
+}
+
+TEST_CASE("the older spelling defines a material too", "[parser][material]") {
+  const ParsedDeck deck = parsed_sierra("begin property specification for material m\n  density = 3\nend\n");
+  CHECK(deck.messages == "");
+  CHECK(deck.simulation.materials.at(0).density == 3.0);
+}
+
+TEST_CASE("an unknown model is kept as it stands", "[parser][material]") {
+  const ParsedDeck deck = using_model("foam_plasticity",
+                                      "density = 1\nbegin parameters for model foam_plasticity\n"
+                                      "  youngs modulus = 3e9\n"
+                                      "  phi 0.2\n"
+                                      "  prony shear 1 is 0.4\n"
+                                      "  hardening function = f\n"
+                                      "  table = 1, 2, 3\n"
+                                      "end\n");
+  CHECK(deck.messages == "");
+  const auto& parameters = model_of<OpaqueModel>(deck).parameters;
+  REQUIRE(parameters.size() == 5);
+  CHECK(parameters[0].key.text == "youngs modulus");
+  CHECK(parameters[0].values.at(0).text == "3e9");
+  CHECK(parameters[1].key.text == "phi");
+  CHECK(parameters[2].key.text == "prony shear 1");
+  CHECK(parameters[2].values.at(0).text == "0.4");
+  CHECK(parameters[3].values.at(0).text == "f");
+  CHECK(parameters[4].values.size() == 3);
+}
+
+TEST_CASE("of several models in a material only the selected one matters", "[parser][material]") {
+  const ParsedDeck deck =
+      using_model("elastic", "density = 1\nbegin parameters for model elastic\n" + elastic +
+                                 "end\nbegin parameters for model elastic_plastic\n"
+                                 "  youngs modulus = 1\nend\n");
+  CHECK(deck.messages == "");
+  const MaterialDefinition& material = deck.simulation.materials.at(0);
+  REQUIRE(material.models.size() == 2);
+  CHECK(find_model(material, "ELASTIC_PLASTIC") == &material.models[1]);
+  CHECK(find_model(material, "foam") == nullptr);
+}
+
+TEST_CASE("mistakes in a model that is not selected are warnings", "[parser][material]") {
+  CHECK(using_model("elastic", "density = 1\nbegin parameters for model elastic\n" + elastic +
+                                   "end\nbegin parameters for model elastic_plastic\nyeild stress = 1\nend\n")
+            .messages ==
+        "a.i:9:1: warning: unknown command 'yeild stress = 1' in 'parameters for model elastic_plastic', but "
+        "nothing uses this definition; did you mean 'yield stress'? [deck-unused]\n");
+}
+
+TEST_CASE("what a used model lacks is told", "[parser][material]") {
+  CHECK(using_model("elastic", "density = 1\nbegin parameters for model elastic\nyoungs modulus = 1\nend\n")
+            .messages ==
+        "a.i:4:28: error: the model 'elastic' of the material 'm' needs two elastic constants, found 1; give "
+        "two "
+        "of youngs modulus, poissons ratio, shear modulus, bulk modulus, lambda\n");
+  CHECK(using_model("elastic_plastic",
+                    "density = 1\nbegin parameters for model elastic_plastic\n" + elastic + "end\n")
+            .messages ==
+        "a.i:4:28: error: the model 'elastic_plastic' of the material 'm' needs 'yield stress'\n"
+        "a.i:4:28: error: the model 'elastic_plastic' of the material 'm' needs 'hardening modulus'\n");
+  CHECK(using_model("elastic", "begin parameters for model elastic\n" + elastic + "end\n").messages ==
+        "a.i:2:16: error: the material 'm' has no density; add DENSITY = <mass per volume>\n");
+}
+
+TEST_CASE("Poisson's ratio keeps to its range", "[parser][material]") {
+  CHECK(
+      using_model("elastic",
+                  "density = 1\nbegin parameters for model elastic\n  youngs modulus = 1\n  poissons ratio = "
+                  "0.5\n  lambda = 2\nend\n")
+          .messages ==
+      "a.i:6:20: error: 'poissons ratio' must be greater than -1 and less than 0.5, found '0.5'\n");
+}
+
+TEST_CASE("a model that the material does not have is told", "[parser][material]") {
+  CHECK(using_model("elastik", "density = 1\nbegin parameters for model elastic\n" + elastic + "end\n")
+            .messages ==
+        "a.i:12:31: error: unknown model 'elastik' of the material 'm'; did you mean 'elastic'?\n");
+}
+
+TEST_CASE("a model that is defined twice is told", "[parser][material]") {
+  const std::string model = "begin parameters for model elastic\n" + elastic + "end\n";
+  CHECK(using_model("elastic", "density = 1\n" + model + model).messages ==
+        "a.i:8:28: error: the model 'elastic' of the material 'm' is defined a second time; the first stands "
+        "at "
+        "a.i:4:28\n");
+}
+
+TEST_CASE("thermal lines of a material are ignored", "[parser][material]") {
+  CHECK(using_model("elastic",
+                    "density = 1\nthermal engineering strain function = f\nbegin parameters for model "
+                    "elastic\n" +
+                        elastic + "end\n")
+            .messages ==
+        "a.i:4:1: warning: 'thermal engineering strain function' has no effect here; temperature has no "
+        "effect on "
+        "materials [deck-ignored]\n");
+}
