@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact/sort_once.hpp"
 #include "core/skin.hpp"
 
 namespace contactsim {
@@ -47,8 +48,7 @@ std::vector<ElementSide> side_set_faces(std::span<const SurfaceRequest> requests
     std::copy_if(sides.begin(), sides.end(), std::back_inserter(faces),
                  [&](ElementSide side) { return domain.is_alive(side.element()); });
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sort_once(faces);
   return faces;
 }
 

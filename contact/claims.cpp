@@ -4,20 +4,25 @@
 #include <algorithm>
 #include <iterator>
 
+#include "contact/sort_once.hpp"
+
 namespace contactsim {
 
 namespace {
 
-template <class T>
-void sort_once(std::vector<T>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
+/// Both ascending.
+std::vector<std::uint32_t> joined(const std::vector<std::uint32_t>& some,
+                                  const std::vector<std::uint32_t>& others) {
+  std::vector<std::uint32_t> all;
+  all.reserve(some.size() + others.size());
+  std::set_union(some.begin(), some.end(), others.begin(), others.end(), std::back_inserter(all));
+  return all;
 }
 
 /// Both ascending.
-template <class T>
-std::vector<T> without(const std::vector<T>& list, const std::vector<T>& removed) {
-  std::vector<T> rest;
+std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& list,
+                                   const std::vector<std::uint32_t>& removed) {
+  std::vector<std::uint32_t> rest;
   std::set_difference(list.begin(), list.end(), removed.begin(), removed.end(), std::back_inserter(rest));
   return rest;
 }
@@ -39,16 +44,18 @@ std::vector<std::uint32_t> faces_of_side_sets(const std::vector<std::uint32_t>& 
 
 std::vector<std::uint32_t> claimed_faces(const SurfaceRequest& request, const Mesh& mesh,
                                          const Candidates& candidates) {
-  std::vector<std::uint32_t> faces = faces_of_side_sets(request.side_sets, mesh, candidates);
+  std::vector<std::uint32_t> faces;
   for (const std::uint32_t index : request.blocks) {
     const auto [first, last] = candidates.faces_of(mesh.blocks()[index]);
     for (std::uint32_t face = first; face < last; ++face) {
       if (candidates.is_exterior[face]) faces.push_back(face);
     }
   }
-  sort_once(faces);
-  if (request.removed_side_sets.empty()) return faces;
-  return without(faces, faces_of_side_sets(request.removed_side_sets, mesh, candidates));
+  if (!request.side_sets.empty())
+    faces = joined(faces, faces_of_side_sets(request.side_sets, mesh, candidates));
+  if (!request.removed_side_sets.empty())
+    faces = without(faces, faces_of_side_sets(request.removed_side_sets, mesh, candidates));
+  return faces;
 }
 
 std::vector<std::uint32_t> claimed_lofted(const SurfaceRequest& request, const Mesh& mesh,

@@ -6,61 +6,42 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <set>
+
+#include "contact/section_sizes.hpp"
 
 namespace contactsim {
 
 namespace {
 
-double radius_of_area(double area) { return std::sqrt(area / std::numbers::pi); }
-
-/// What a section says about the body of its elements.
-struct SectionSize {
-  std::optional<double> thickness, radius;
-  double thickness_factor = 1.0, lofting_factor = 0.5;
-  std::string attribute;  ///< of the mesh that holds the thickness, "" for the usual one
+/// What the contact definition says about the lofts of one surface.
+struct LoftOptions {
+  std::optional<double> beam_radius;
+  const SurfaceOptions* of_shells = nullptr;
 };
 
-template <class Section>
-SectionSize size_of_layer(const Section& section) {
-  SectionSize size;
-  size.thickness = section.thickness;
-  size.thickness_factor = section.thickness_scale_factor;
-  size.lofting_factor = section.lofting_factor;
-  if (section.thickness_mesh_variable) size.attribute = section.thickness_mesh_variable->text;
-  return size;
+std::set<std::string> fold_all(const std::vector<DeckName>& names) {
+  std::set<std::string> folded;
+  for (const DeckName& name : names) folded.insert(fold(name.text));
+  return folded;
 }
 
-SectionSize size_of(const ShellSection& section) { return size_of_layer(section); }
-SectionSize size_of(const MembraneSection& section) { return size_of_layer(section); }
-
-SectionSize size_of(const BeamSection& section) {
-  SectionSize size;
-  if (!section.width && !section.height) return size;
-  const double width = section.width.value_or(section.height.value_or(0.0));
-  const double height = section.height.value_or(width);
-  const bool is_round = section.shape == BeamShape::rod || section.shape == BeamShape::tube;
-  size.radius = 0.5 * (is_round ? std::max(width, height) : std::hypot(width, height));
-  return size;
-}
-
-SectionSize size_of(const TrussSection& section) {
-  SectionSize size;
-  if (section.area) size.radius = radius_of_area(*section.area);
-  return size;
-}
-
-SectionSize size_of(const ParticleSection& section) {
-  SectionSize size;
-  size.radius = section.radius;
-  return size;
-}
-
-template <class Section>
-SectionSize size_of(const Section&) {
-  return {};
+/// [n_surfaces]; of the blocks that are for a surface a later one overrides what earlier ones give.
+std::vector<LoftOptions> find_loft_options(const std::vector<SurfaceOptions>& blocks,
+                                           std::span<const ContactSurface> surfaces) {
+  std::vector<LoftOptions> found(surfaces.size());
+  for (const SurfaceOptions& options : blocks) {
+    const auto included = fold_all(options.surfaces), removed = fold_all(options.removed_surfaces);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      const std::string name = fold(surfaces[i].name);
+      const bool is_included = included.empty() || included.contains(name);
+      if (!is_included || removed.contains(name)) continue;
+      if (options.beam_radius) found[i].beam_radius = options.beam_radius;
+      found[i].of_shells = &options;
+    }
+  }
+  return found;
 }
 
 bool has_attribute_names(const ElementBlock& block) {
@@ -96,88 +77,29 @@ std::optional<double> find_usual_attribute(const ElementBlock& block, std::uint3
   return sum / static_cast<double>(n);
 }
 
-/// Finds the sizes of the elements of one region.
-class SizeFinder {
- public:
-  SizeFinder(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
-             std::span<const ContactSurface> surfaces, Diagnostics& diagnostics)
-      : definition_(definition),
-        region_(region),
-        mesh_(mesh),
-        surfaces_(surfaces),
-        diagnostics_(diagnostics) {
-    for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) sections_.push_back(find_section_size(i));
-  }
+/// A number that deck or mesh give for the body of an element; absent when they give none.
+struct Measure {
+  enum class Quantity : std::uint8_t { thickness, radius, area };
 
-  LoftSize find(const OwnedElement& owned);
+  Quantity quantity = Quantity::thickness;
+  std::optional<double> value;
 
- private:
-  std::vector<std::string> names_of(std::uint32_t block, const FiniteElementModel& model) const;
-  SectionSize find_section_size(std::uint32_t block) const;
-  std::optional<double> find_thickness(const ElementBlock& block, std::uint32_t i,
-                                       const SectionSize& section) const;
-  std::optional<double> find_radius(const ElementBlock& block, std::uint32_t i, const SectionSize& section,
-                                    const ContactSurface& surface) const;
-  const SurfaceOptions* find_options(const ContactSurface& surface) const;
-  double limit_thickness(double thickness, ElementIndex element, const ContactSurface& surface) const;
-  void report(const OwnedElement& owned, std::uint32_t block, std::string_view what,
-              std::optional<double> value);
-
-  const SimulationDefinition& definition_;
-  const Region& region_;
-  const Mesh& mesh_;
-  std::span<const ContactSurface> surfaces_;
-  Diagnostics& diagnostics_;
-  std::vector<SectionSize> sections_;  ///< [n_blocks]
-  std::set<std::uint32_t> reported_;   ///< blocks that an error was given for
+  bool is_usable() const { return value && *value > 0.0 && std::isfinite(*value); }
 };
 
-/// All that a deck may call a block: itself and the assemblies that hold it, by mesh name and by alias.
-std::vector<std::string> SizeFinder::names_of(std::uint32_t block, const FiniteElementModel& model) const {
-  const Entity entity{EntityKind::block, block};
-  std::vector<Entity> parts{entity};
-  for (std::uint32_t i = 0; i < mesh_.assemblies().size(); ++i) {
-    const auto members = mesh_.members(i);
-    const bool holds_it = std::find(members.begin(), members.end(), entity) != members.end();
-    if (holds_it) parts.push_back({EntityKind::assembly, i});
+std::string_view to_string(Measure::Quantity quantity) {
+  switch (quantity) {
+    case Measure::Quantity::thickness:
+      return "thickness";
+    case Measure::Quantity::radius:
+      return "radius";
+    case Measure::Quantity::area:
+      return "area";
   }
-  std::vector<std::string> names{default_name(EntityKind::block, mesh_.blocks()[block].id)};
-  for (const Entity& part : parts) names.push_back(mesh_.name(part));
-  for (const MeshAlias& alias : model.aliases) {
-    const auto meant = mesh_.find(alias.mesh_name.text);
-    if (std::find_first_of(meant.begin(), meant.end(), parts.begin(), parts.end()) != meant.end())
-      names.push_back(alias.alias.text);
-  }
-  return names;
+  return "";
 }
 
-SectionSize SizeFinder::find_section_size(std::uint32_t block) const {
-  const FiniteElementModel* model = find_finite_element_model(definition_, region_);
-  if (model == nullptr) return {};
-  const std::vector<std::string> names = names_of(block, *model);
-  const BlockParameters* parameters = find_block_parameters(*model, names);
-  const SectionDefinition* section =
-      parameters ? contactsim::find_section(definition_, *parameters) : nullptr;
-  if (section == nullptr) return {};
-  return std::visit([](const auto& properties) { return size_of(properties); }, section->properties);
-}
-
-/// The last SURFACE OPTIONS block that applies to the surface.
-const SurfaceOptions* SizeFinder::find_options(const ContactSurface& surface) const {
-  const auto names_it = [&](const std::vector<DeckName>& list) {
-    return std::any_of(list.begin(), list.end(),
-                       [&](const DeckName& name) { return fold(name.text) == fold(surface.name); });
-  };
-  const SurfaceOptions* found = nullptr;
-  for (const SurfaceOptions& options : region_.contact->surface_options) {
-    const bool is_included = options.surfaces.empty() || names_it(options.surfaces);
-    if (is_included && !names_it(options.removed_surfaces)) found = &options;
-  }
-  return found;
-}
-
-std::optional<double> SizeFinder::find_thickness(const ElementBlock& block, std::uint32_t i,
-                                                 const SectionSize& section) const {
+Measure find_thickness(const ElementBlock& block, std::uint32_t i, const SectionSize& section) {
   auto thickness = section.thickness;
   if (!thickness) {
     const bool is_usual = section.attribute.empty() || !has_attribute_names(block);
@@ -185,67 +107,94 @@ std::optional<double> SizeFinder::find_thickness(const ElementBlock& block, std:
                          : find_named_attribute(block, i, section.attribute);
   }
   if (thickness) *thickness *= section.thickness_factor;
-  return thickness;
+  return {Measure::Quantity::thickness, thickness};
 }
 
-std::optional<double> SizeFinder::find_radius(const ElementBlock& block, std::uint32_t i,
-                                              const SectionSize& section,
-                                              const ContactSurface& surface) const {
+Measure find_radius_or_area(const ElementBlock& block, std::uint32_t i, const SectionSize& section,
+                            const LoftOptions& options) {
+  using enum Measure::Quantity;
   const bool is_line = topology(block.shape).family == Family::line;
-  const SurfaceOptions* options = is_line ? find_options(surface) : nullptr;
-  if (options != nullptr && options->beam_radius) return options->beam_radius;
-  if (section.radius) return section.radius;
-  auto attribute = find_usual_attribute(block, i, is_line ? "area" : "radius");
-  if (attribute && is_line) *attribute = radius_of_area(*attribute);
-  return attribute;
+  if (is_line && options.beam_radius) return {radius, options.beam_radius};
+  if (section.radius) return {radius, section.radius};
+  const auto attribute = find_usual_attribute(block, i, is_line ? "area" : "radius");
+  return {is_line && attribute ? area : radius, attribute};
 }
 
 /// LET_CONTACT_CHOOSE keeps the thickness between two shares of the element's shortest edge.
-double SizeFinder::limit_thickness(double thickness, ElementIndex element,
-                                   const ContactSurface& surface) const {
-  const SurfaceOptions* options = find_options(surface);
+double limit_thickness(double thickness, const Mesh& mesh, ElementIndex element,
+                       const SurfaceOptions* options) {
   const bool is_limited =
       options != nullptr && options->shell_thickness == SurfaceOptions::ShellThickness::let_contact_choose;
   if (!is_limited) return thickness;
-  const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(element)].shape);
-  const auto nodes = mesh_.element_nodes(element).first(shape.n_corners);
+  const Topology& shape = topology(mesh.blocks()[mesh.block_of(element)].shape);
+  const auto nodes = mesh.element_nodes(element).first(shape.n_corners);
+  const auto& x = mesh.coordinates();
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto& x = mesh_.coordinates();
-    shortest =
-        std::min(shortest, (x.col(nodes[(i + 1) % nodes.size()].value) - x.col(nodes[i].value)).norm());
+    const double length = (x.col(nodes[(i + 1) % nodes.size()].value) - x.col(nodes[i].value)).norm();
+    if (length > 0.0) shortest = std::min(shortest, length);  // degenerate shells have edges without length
   }
+  if (std::isinf(shortest)) return thickness;
   const double smallest = options->smallest_shell_thickness * shortest;
   return std::clamp(thickness, smallest, std::max(smallest, options->largest_shell_thickness * shortest));
 }
+
+/// Finds the sizes of the elements of one region.
+class SizeFinder {
+ public:
+  SizeFinder(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+             std::span<const ContactSurface> surfaces, Diagnostics& diagnostics)
+      : mesh_(mesh),
+        surfaces_(surfaces),
+        diagnostics_(diagnostics),
+        options_(find_loft_options(region.contact->surface_options, surfaces)),
+        sections_(find_section_sizes(definition, region, mesh)) {}
+
+  LoftSize find(const OwnedElement& owned);
+
+ private:
+  void report(const OwnedElement& owned, std::uint32_t block, const Measure& measure);
+
+  const Mesh& mesh_;
+  std::span<const ContactSurface> surfaces_;
+  Diagnostics& diagnostics_;
+  std::vector<LoftOptions> options_;   ///< [n_surfaces]
+  std::vector<SectionSize> sections_;  ///< [n_blocks]
+  std::set<std::uint32_t> reported_;   ///< blocks that an error was given for
+};
 
 LoftSize SizeFinder::find(const OwnedElement& owned) {
   const std::uint32_t block_index = mesh_.block_of(owned.element);
   const ElementBlock& block = mesh_.blocks()[block_index];
   const std::uint32_t i = owned.element.value - block.first_element.value;
   const SectionSize& section = sections_[block_index];
-  const ContactSurface& surface = surfaces_[owned.surface];
+  const LoftOptions& options = options_[owned.surface];
   const bool is_shell = topology(block.shape).family == Family::shell;
-  const auto value = is_shell ? find_thickness(block, i, section) : find_radius(block, i, section, surface);
-  if (!value || !(*value > 0.0) || !std::isfinite(*value)) {
-    report(owned, block_index, is_shell ? "thickness" : "radius", value);
-    return {};
+  const Measure measure =
+      is_shell ? find_thickness(block, i, section) : find_radius_or_area(block, i, section, options);
+  LoftSize size;
+  if (!measure.is_usable()) {
+    report(owned, block_index, measure);
+  } else if (is_shell) {
+    size.thickness = limit_thickness(*measure.value, mesh_, owned.element, options.of_shells);
+    size.lofting_factor = section.lofting_factor;
+  } else {
+    const bool is_area = measure.quantity == Measure::Quantity::area;
+    size.radius = is_area ? radius_of_area(*measure.value) : *measure.value;
   }
-  if (!is_shell) return {0.0, 0.5, *value};
-  return {limit_thickness(*value, owned.element, surface), section.lofting_factor, 0.0};
+  return size;
 }
 
-void SizeFinder::report(const OwnedElement& owned, std::uint32_t block, std::string_view what,
-                        std::optional<double> value) {
+void SizeFinder::report(const OwnedElement& owned, std::uint32_t block, const Measure& measure) {
   if (!reported_.insert(block).second) return;
-  const std::string name = mesh_.name({EntityKind::block, block});
-  const std::string type(topology(mesh_.blocks()[block].shape).name);
+  const std::string_view what = to_string(measure.quantity);
   const ContactSurface& surface = surfaces_[owned.surface];
   const std::string& attribute = sections_[block].attribute;
-  std::string text = fmt::format("block '{}' ({}) ", name, type);
-  if (value) {
+  std::string text = fmt::format("block '{}' ({}) ", mesh_.name({EntityKind::block, block}),
+                                 topology(mesh_.blocks()[block].shape).name);
+  if (measure.value) {
     text += fmt::format("cannot be lofted: the {} of element {} is {}", what, mesh_.element_id(owned.element),
-                        *value);
+                        *measure.value);
   } else if (!attribute.empty()) {
     text += fmt::format("has no attribute '{}' on the mesh, from which its section takes the {}", attribute,
                         what);
@@ -259,12 +208,13 @@ void SizeFinder::report(const OwnedElement& owned, std::uint32_t block, std::str
 }  // namespace
 
 std::vector<LoftSize> find_loft_sizes(const SimulationDefinition& definition, const Region& region,
-                                      const Mesh& mesh, std::span<const ContactSurface> surfaces,
-                                      std::span<const OwnedElement> elements, Diagnostics& diagnostics) {
-  if (elements.empty()) return {};
-  SizeFinder finder(definition, region, mesh, surfaces, diagnostics);
+                                      const Mesh& mesh, const OwnedElements& owned,
+                                      Diagnostics& diagnostics) {
+  if (owned.elements.empty()) return {};
+  SizeFinder finder(definition, region, mesh, owned.surfaces, diagnostics);
   std::vector<LoftSize> sizes;
-  for (const OwnedElement& owned : elements) sizes.push_back(finder.find(owned));
+  sizes.reserve(owned.elements.size());
+  for (const OwnedElement& one : owned.elements) sizes.push_back(finder.find(one));
   return sizes;
 }
 

@@ -19,17 +19,19 @@ struct OwnedElement {
   auto operator<=>(const OwnedElement&) const = default;
 };
 
+/// Lofted elements of some contact surfaces.
+struct OwnedElements {
+  std::span<const ContactSurface> surfaces;
+  std::span<const OwnedElement> elements;  ///< ascending
+};
+
 /// Thickness or radius of lofted elements, each from the first of: SURFACE OPTIONS of the contact definition
 /// (BEAM RADIUS), the section of its block, the block's attribute on the mesh. A block that has none of them,
 /// and a size that is not positive, are errors at the surface's command.
-///   elements  ascending
-/// Returns [n_elements]; a size that could not be found is 0.
-///
-/// A truss becomes a cylinder of equal area; the cross-section of a beam is enclosed in a circle.
-/// Source: Sierra/SM 5.22, 8.4.8; Abaqus general contact (radius of beams: circumscribed circle, of trusses:
-/// equal area).
+/// Returns [n_elements] of the owned ones; a size that could not be found is 0.
+/// A line without a radius has that of a circle of its area. LET_CONTACT_CHOOSE bounds a shell's thickness.
+/// Source: Sierra/SM 5.22, 8.4.8 and 8.9.
 std::vector<LoftSize> find_loft_sizes(const SimulationDefinition& definition, const Region& region,
-                                      const Mesh& mesh, std::span<const ContactSurface> surfaces,
-                                      std::span<const OwnedElement> elements, Diagnostics& diagnostics);
+                                      const Mesh& mesh, const OwnedElements& owned, Diagnostics& diagnostics);
 
 }  // namespace contactsim

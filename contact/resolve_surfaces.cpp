@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 
 #include "contact/candidates.hpp"
 #include "contact/claims.hpp"
+#include "contact/sort_once.hpp"
 #include "contact/surface_request.hpp"
 #include "core/mesh/face_geometry.hpp"
 
@@ -164,8 +164,7 @@ std::uint32_t count_ignored_faces(std::span<const SurfaceRequest> requests, cons
   for (const SurfaceRequest& request : requests) {
     if (request.is_block_form) blocks.insert(blocks.end(), request.blocks.begin(), request.blocks.end());
   }
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  sort_once(blocks);
   std::uint32_t n = 0;
   for (const std::uint32_t block : blocks) n += candidates.in_between[block];
   return n;

@@ -2,6 +2,8 @@
 #include "contact/shell_loft.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "core/mesh/face_geometry.hpp"
 
@@ -11,6 +13,9 @@ namespace {
 
 /// Shells that meet at a sharper angle keep their own normals: a mean normal would loft them inside out.
 constexpr double smooth_cosine = 0.5;
+
+/// A node with more shells is the hub of a fan. Each of them would look at all others.
+constexpr std::ptrdiff_t max_smooth_shells = 256;
 
 }  // namespace
 
@@ -23,9 +28,14 @@ ShellNeighbours::ShellNeighbours(const Mesh& mesh, const Eigen::Matrix3Xd& coord
       return coordinates.col(nodes[corner].value);
     };
     area_vectors_.push_back(area_vector(x(0), x(1), x(2), x(nodes.size() - 1)));
-    for (const NodeIndex node : nodes) shells_of_node_.emplace_back(node, shell);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto [low, high] = std::minmax(nodes[i], nodes[(i + 1) % nodes.size()]);
+      shells_of_node_.emplace_back(nodes[i], shell);
+      edges_.push_back({low, high, shell});
+    }
   }
   std::sort(shells_of_node_.begin(), shells_of_node_.end());
+  std::sort(edges_.begin(), edges_.end());
 }
 
 std::span<const NodeIndex> ShellNeighbours::corners(std::uint32_t shell) const {
@@ -37,9 +47,11 @@ std::span<const NodeIndex> ShellNeighbours::corners(std::uint32_t shell) const {
 Eigen::Vector3d ShellNeighbours::corner_normal(std::uint32_t shell, int corner) const {
   const NodeIndex node = corners(shell)[static_cast<std::size_t>(corner)];
   const Eigen::Vector3d own = area_vectors_[shell].normalized();
+  const auto first = std::lower_bound(shells_of_node_.begin(), shells_of_node_.end(), std::pair(node, 0u));
+  const auto last = std::upper_bound(first, shells_of_node_.end(), std::pair(node, UINT32_MAX));
+  if (last - first > max_smooth_shells) return own;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  auto entry = std::lower_bound(shells_of_node_.begin(), shells_of_node_.end(), std::pair(node, 0u));
-  for (; entry != shells_of_node_.end() && entry->first == node; ++entry) {
+  for (auto entry = first; entry != last; ++entry) {
     const Eigen::Vector3d& other = area_vectors_[entry->second];
     const double cosine = own.dot(other.normalized());
     if (std::abs(cosine) > smooth_cosine) sum += cosine > 0.0 ? other : Eigen::Vector3d(-other);
@@ -49,18 +61,12 @@ Eigen::Vector3d ShellNeighbours::corner_normal(std::uint32_t shell, int corner) 
 
 bool ShellNeighbours::is_perimeter(std::uint32_t shell, int corner) const {
   const auto nodes = corners(shell);
-  const auto first = static_cast<std::size_t>(corner);
-  const NodeIndex from = nodes[first], to = nodes[(first + 1) % nodes.size()];
-  auto entry = std::lower_bound(shells_of_node_.begin(), shells_of_node_.end(), std::pair(from, 0u));
-  for (; entry != shells_of_node_.end() && entry->first == from; ++entry) {
-    if (entry->second == shell) continue;
-    const auto others = corners(entry->second);
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      const NodeIndex a = others[i], b = others[(i + 1) % others.size()];
-      if ((a == from && b == to) || (a == to && b == from)) return false;
-    }
-  }
-  return true;
+  const auto i = static_cast<std::size_t>(corner);
+  const auto [low, high] = std::minmax(nodes[i], nodes[(i + 1) % nodes.size()]);
+  if (low == high) return false;
+  const auto first = std::lower_bound(edges_.begin(), edges_.end(), Edge{low, high, 0});
+  const auto last = std::upper_bound(first, edges_.end(), Edge{low, high, UINT32_MAX});
+  return first->shell == std::prev(last)->shell;
 }
 
 }  // namespace contactsim

@@ -87,27 +87,23 @@ class SurfaceDrawing {
 
   /// The six sides of a cube, each cut in four, blown up to the sphere.
   void draw_sphere(const LoftSphere& sphere, FacetBlock& block) {
-    const Eigen::Vector3d centre = mesh_.coordinates().col(sphere.centre.value);
     for (int axis = 0; axis < 3; ++axis) {
-      for (const double sign : {-1.0, 1.0}) {
-        std::array<std::array<std::uint32_t, 3>, 3> grid{};
-        for (int i = 0; i < 3; ++i) {
-          for (int j = 0; j < 3; ++j) {
-            Eigen::Vector3d direction;
-            direction[axis] = sign;
-            direction[(axis + 1) % 3] = sign * (i - 1);
-            direction[(axis + 2) % 3] = j - 1;
-            grid[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-                add_point(centre + sphere.radius * direction.normalized());
-          }
-        }
-        for (std::size_t i = 0; i < 2; ++i) {
-          for (std::size_t j = 0; j < 2; ++j) {
-            block.facets.push_back({grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]});
-          }
-        }
-      }
+      for (const double sign : {-1.0, 1.0}) draw_sphere_side(sphere, axis, sign, block);
     }
+  }
+
+  void draw_sphere_side(const LoftSphere& sphere, int axis, double sign, FacetBlock& block) {
+    const Eigen::Vector3d centre = mesh_.coordinates().col(sphere.centre.value);
+    std::array<std::uint32_t, 9> grid{};
+    for (int i = 0; i < 9; ++i) {
+      Eigen::Vector3d direction;
+      direction[axis] = sign;
+      direction[(axis + 1) % 3] = sign * (i / 3 - 1);  // the sign keeps the corners' order outward
+      direction[(axis + 2) % 3] = i % 3 - 1;
+      grid[static_cast<std::size_t>(i)] = add_point(centre + sphere.radius * direction.normalized());
+    }
+    for (const std::size_t i : {0u, 1u, 3u, 4u})
+      block.facets.push_back({grid[i], grid[i + 3], grid[i + 4], grid[i + 1]});
   }
 
   const ContactModel& model_;

@@ -9,17 +9,15 @@
 #include <utility>
 
 #include "contact/name_lookup.hpp"
+#include "contact/sort_once.hpp"
 
 namespace contactsim {
 
 namespace {
 
+/// The list ascends.
 bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
-  return std::find(list.begin(), list.end(), value) != list.end();
-}
-
-void add_once(std::uint32_t value, std::vector<std::uint32_t>& list) {
-  if (!contains(list, value)) list.push_back(value);
+  return std::binary_search(list.begin(), list.end(), value);
 }
 
 SurfaceRequest make_request(std::string name, SurfaceKind kind, std::string command,
@@ -125,7 +123,8 @@ void RequestMaker::add_entity(const Entity& entity, const DeckName& item, Surfac
     case EntityKind::side_set:
       return add_side_set(entity.index, item, request);
     case EntityKind::node_set:
-      return add_once(entity.index, request.node_sets);
+      request.node_sets.push_back(entity.index);
+      return;
     case EntityKind::assembly:
       return;  // find_members opened it
   }
@@ -133,14 +132,14 @@ void RequestMaker::add_entity(const Entity& entity, const DeckName& item, Surfac
 
 void RequestMaker::add_block(std::uint32_t block, const DeckLocation& location, SurfaceRequest& request) {
   names_.check_shape(block, location);
-  add_once(block, request.blocks);
+  request.blocks.push_back(block);
 }
 
 void RequestMaker::add_side_set(std::uint32_t set, const DeckName& item, SurfaceRequest& request) {
   for (const ElementSide side : mesh_.side_sets()[set].sides)
     names_.check_shape(mesh_.block_of(side.element()), item.location);
   const bool is_usable = request.kind == SurfaceKind::node || names_.check_faces(set, item);
-  if (is_usable) add_once(set, request.side_sets);
+  if (is_usable) request.side_sets.push_back(set);
 }
 
 void RequestMaker::add(const ContactSurfaceBlock& block) {
@@ -171,13 +170,15 @@ void RequestMaker::check_names_something(const ContactSurfaceBlock& block) {
 void RequestMaker::find_removed(const ContactSurfaceBlock& block, SurfaceRequest& request) {
   for (const DeckName& item : block.removed_blocks) {
     const auto removed = names_.find(item, {EntityKind::block}, "REMOVE BLOCK");
-    if (removed) add_once(removed->index, request.removed_blocks);
+    if (removed) request.removed_blocks.push_back(removed->index);
   }
   for (const DeckName& item : block.removed_side_sets) {
     const auto removed = names_.find(item, {EntityKind::side_set}, "REMOVE SURFACE");
     if (removed && names_.check_faces(removed->index, item))
-      add_once(removed->index, request.removed_side_sets);
+      request.removed_side_sets.push_back(removed->index);
   }
+  sort_once(request.removed_blocks);
+  sort_once(request.removed_side_sets);
 }
 
 void RequestMaker::add_all_blocks(const DeckLocation& location, SurfaceRequest& request) {
@@ -244,9 +245,10 @@ void RequestMaker::add(const SkinAllBlocks& skin) {
   for (const DeckName& item : skin.excluded) {
     for (const Entity& entity :
          names_.find_members(item, {EntityKind::block, EntityKind::assembly}, "SKIN ALL BLOCKS EXCLUDE")) {
-      add_once(entity.index, excluded);
+      excluded.push_back(entity.index);
     }
   }
+  sort_once(excluded);
   for (std::uint32_t i = 0; i < mesh_.blocks().size(); ++i) {
     if (contains(excluded, i)) continue;
     auto request =
@@ -267,6 +269,9 @@ void RequestMaker::take_name(const std::string& name, const DeckLocation& locati
 void RequestMaker::finish(SurfaceRequest request, const DeckName& name) {
   take_name(request.name, name.location);
   for (const SubsetRequest& subset : request.subsets) take_name(subset.name, subset.location);
+  sort_once(request.blocks);
+  sort_once(request.side_sets);
+  sort_once(request.node_sets);
   requests_.push_back(std::move(request));
 }
 

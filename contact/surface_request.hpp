@@ -23,7 +23,7 @@ struct SubsetRequest {
 };
 
 /// What one command asks to have in its surface: deck names turned into positions in the mesh. Lists of
-/// blocks and sets hold each entry once, in the order named.
+/// blocks and sets ascend and hold each entry once.
 struct SurfaceRequest {
   std::string name;
   SurfaceKind kind = SurfaceKind::face;

@@ -27,8 +27,8 @@ std::vector<SurfaceSummary> summarize(const ContactModel& model, const Mesh& mes
 /// One owned facet, as the face table shows it.
 struct FacetRow {
   std::uint32_t surface = 0;
-  std::string block;         ///< name; "" for nodes
-  std::int64_t element = 0;  ///< Exodus id of the element, or of the node
+  std::string block;         ///< name; "" for nodes, the object's name for analytic planes
+  std::int64_t element = 0;  ///< Exodus id of the element, or of the node; 0 for analytic planes
   int side = 0;           ///< Exodus side number; 1 for prisms and spheres, 0 for nodes and analytic planes
   std::string_view kind;  ///< face, top, bottom, side, prism, sphere, node, analytic
   double area = 0.0;      ///< [length^2]; 0 for nodes and analytic planes

@@ -16,7 +16,7 @@ namespace contactsim {
 struct ParseOptions {
   std::vector<std::pair<std::string, std::string>> overrides;  ///< Aprepro variables and their values, -D
   bool is_lenient = false;                                     ///< refused and unknown commands are warnings
-  std::size_t max_aprepro_work = std::size_t{1} << 28;                  ///< see ApreproOptions
+  std::size_t max_aprepro_work = std::size_t{1} << 28;         ///< see ApreproOptions
 };
 
 /// Reads a deck into the definition tree. All problems of the deck go to `diagnostics`; the definition is

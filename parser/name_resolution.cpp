@@ -8,8 +8,8 @@
 
 #include "parser/commands/function_commands.hpp"
 #include "parser/commands/material_commands.hpp"
-#include "parser/region_names.hpp"
 #include "parser/commands/time_commands.hpp"
+#include "parser/region_names.hpp"
 
 namespace contactsim {
 

@@ -43,6 +43,11 @@ void check(const MassScaling& scaling, const NameUses& uses) {
   if (!scaling.target_time_step) uses.add_error(scaling.name, "the mass scaling has no TARGET TIME STEP");
 }
 
+void check(const AnalyticPlane& plane, const NameUses& uses) {
+  if (plane.normal.isZero(0.0))
+    uses.add_error(plane.name, "the analytic object has no normal", "give it a NORMAL DIRECTION line");
+}
+
 void check(const UserOutput& output, const NameUses& uses) {
   uses.use(output.set);
   for (const ComputedVariable& variable : output.variables) {
@@ -62,7 +67,10 @@ void resolve_region_names(const Region& region, OutsideNames& outside, Diagnosti
   const NameUses uses(outside, diagnostics);
   resolve_condition_names(region, uses);
   KnownNames planes("analytic object"), variables("user variable");
-  for (const AnalyticPlane& plane : region.analytic_planes) planes.define(plane.name, diagnostics);
+  for (const AnalyticPlane& plane : region.analytic_planes) {
+    planes.define(plane.name, diagnostics);
+    check(plane, uses);
+  }
   for (const UserVariable& variable : region.user_variables) variables.define(variable.name, diagnostics);
   if (region.contact) resolve_contact_names(*region.contact, uses);
   for (const ElementDeath& death : region.element_deaths) check(death, uses);

@@ -11,15 +11,13 @@
 #include <vector>
 
 #include "core/errors.hpp"
+#include "core/threads.hpp"
 
 namespace contactsim {
 
 namespace {
 
 constexpr std::size_t n_shown = 5;
-
-// Smaller blocks are done before a second thread is awake.
-constexpr std::int64_t fewest_parallel = 2000;
 
 struct DoubtfulElement {
   ElementIndex element;
@@ -76,7 +74,7 @@ std::vector<DoubtfulElement> find_doubtful(const Mesh& mesh, const ElementBlock&
   const Topology& shape = topology(block.shape);
   std::vector<DoubtfulElement> found;
   const auto n = static_cast<std::int64_t>(block.n_elements);
-#pragma omp parallel for schedule(static) if (n >= fewest_parallel)
+#pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements))
   for (std::int64_t e = 0; e < n; ++e) {
     const auto nodes = block.element_nodes(static_cast<std::uint32_t>(e));
     const double volume = solid_volume(mesh.coordinates(), nodes, shape);

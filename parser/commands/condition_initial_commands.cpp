@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/condition_initial_commands.hpp"
 
+#include "parser/commands/block_rows.hpp"
 #include "parser/commands/condition_line_commands.hpp"
 #include "parser/commands/entity_set_commands.hpp"
 

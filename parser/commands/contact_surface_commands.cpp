@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/contact_surface_commands.hpp"
 
+#include "parser/commands/block_rows.hpp"
+
 namespace contactsim {
 
 namespace {

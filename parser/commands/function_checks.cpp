@@ -3,6 +3,8 @@
 
 #include "parser/commands/function_commands.hpp"
 
+#include <fmt/format.h>
+
 namespace contactsim {
 
 namespace {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/function_commands.hpp"
 
+#include <fmt/format.h>
+
+#include "parser/commands/block_rows.hpp"
+
 namespace contactsim {
 
 namespace {

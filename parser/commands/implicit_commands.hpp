@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "parser/commands/rows.hpp"
+#include "parser/commands/block_rows.hpp"
 
 namespace contactsim {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/interaction_commands.hpp"
 
+#include "parser/commands/block_rows.hpp"
 #include "parser/commands/condition_line_commands.hpp"
 
 namespace contactsim {

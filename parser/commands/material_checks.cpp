@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/material_commands.hpp"
 
+#include <fmt/format.h>
+
 namespace contactsim {
 
 namespace {

@@ -2,6 +2,8 @@
 #include <algorithm>
 
 #include "parser/commands/material_commands.hpp"
+
+#include <fmt/format.h>
 #include "parser/commands/row_lists.hpp"
 
 namespace contactsim {

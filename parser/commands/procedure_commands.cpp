@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/procedure_commands.hpp"
 
+#include <fmt/format.h>
+
+#include "parser/commands/block_rows.hpp"
 #include "parser/commands/region_commands.hpp"
 #include "parser/commands/time_commands.hpp"
 

@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "parser/commands/rows.hpp"
+#include "parser/commands/block_rows.hpp"
 
 /// Tables put together from lists of rows that several block types share.
 namespace contactsim {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/section_commands.hpp"
 
+#include <fmt/format.h>
+
 #include "parser/commands/row_lists.hpp"
 
 namespace contactsim {
@@ -63,7 +65,7 @@ std::vector<Row<S>> thickness_rows() {
       row("thickness mesh variable", read::name, &S::thickness_mesh_variable,
           "Attribute or variable of the mesh that holds the thickness [length]"),
       row("lofting factor", share(), &S::lofting_factor,
-          "Share of the thickness that lies below the mesh surface [1]"),
+          "Share of the thickness on the side of the mesh surface's normal [1]"),
       row("formulation", read::name, &S::formulation, "Element formulation"),
   };
 }

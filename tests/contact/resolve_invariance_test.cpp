@@ -112,7 +112,7 @@ Mesh without_dead(const Mesh& mesh, const MeshParts& old, const std::vector<std:
 TEST_CASE("the order of nodes and elements does not change who owns what", "[contact][properties]") {
   Random random(3);
   for (int round = 0; round < 20; ++round) {
-    MeshBuilder b = random_mesh(random);
+    MeshBuilder b = random_mesh_or_blocking(random);
     const Mesh mesh = b.build();
     const Mesh other(renumbered(mesh, b.parts(), random));
     const std::string lines =
@@ -123,7 +123,7 @@ TEST_CASE("the order of nodes and elements does not change who owns what", "[con
 
 TEST_CASE("commands that make no surface may stand anywhere", "[contact][properties]") {
   Random random(4);
-  const Mesh mesh = random_mesh(random).build();
+  const Mesh mesh = random_mesh_or_blocking(random).build();
   const auto lines = random_lines(random);
   const std::string expected = describe(mesh, resolve(mesh, join(lines)));
   const std::vector<std::string> others{
@@ -143,8 +143,8 @@ TEST_CASE("commands that make no surface may stand anywhere", "[contact][propert
 TEST_CASE("after every death ownership is that of a mesh without the dead elements",
           "[contact][properties][death]") {
   Random random(5);
-  for (int round = 0; round < 4; ++round) {
-    const MeshBuilder b = random_mesh(random);
+  for (int round = 0; round < 6; ++round) {
+    const MeshBuilder b = random_mesh_or_blocking(random);
     const Mesh mesh = b.build();
     const std::string lines =
         join(random_lines(random)) + "begin contact surface last\n include all blocks\nend\n";
@@ -163,7 +163,7 @@ TEST_CASE("after every death ownership is that of a mesh without the dead elemen
 
 TEST_CASE("ownership does not depend on the number of threads", "[contact][properties]") {
   Random random(6);
-  const Mesh mesh = random_mesh(random).build();
+  const Mesh mesh = random_mesh_or_blocking(random).build();
   const std::string lines = join(random_lines(random));
   const int n_threads = omp_get_max_threads();
   omp_set_num_threads(1);

@@ -86,7 +86,7 @@ class SlowResolution {
 TEST_CASE("random decks give the owners of a slow resolution, no face twice", "[contact][properties]") {
   Random random(1);
   for (int round = 0; round < 60; ++round) {
-    const Mesh mesh = random_mesh(random).build();
+    const Mesh mesh = random_mesh_or_blocking(random).build();
     const std::string lines = join(random_lines(random));
     const auto result = resolve(mesh, lines);
     REQUIRE(result.messages.empty());
@@ -108,7 +108,7 @@ TEST_CASE("a surface claims what it would own alone, and loses the rest to earli
           "[contact][properties]") {
   Random random(2);
   for (int round = 0; round < 30; ++round) {
-    const Mesh mesh = random_mesh(random).build();
+    const Mesh mesh = random_mesh_or_blocking(random).build();
     const auto lines = random_lines(random);
     const auto result = resolve(mesh, join(lines));
     for (std::uint32_t i = 0; i < result.surfaces.size(); ++i) {

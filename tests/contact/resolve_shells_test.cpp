@@ -162,6 +162,12 @@ TEST_CASE("a shell's face in a side set and its loft are one thing to contact", 
         "faces | 2:1 3:1 |  |  | \n"
         "lofts |  |  |  | faces 1 lofted\n"
         "more | 3:2 |  |  | \n");
+  const auto bottom_first = resolve(mesh,
+                                    "contact surface more contains surface_3\n"
+                                    "contact surface lofts contains block_3\n");
+  CHECK(describe(mesh, bottom_first) ==
+        "more | 3:2 |  |  | \n"
+        "lofts |  |  |  | more 1 lofted\n");
   const auto lofts_first = resolve(mesh,
                                    "contact surface lofts contains block_3\n"
                                    "contact surface faces contains surface_2 surface_3\n");

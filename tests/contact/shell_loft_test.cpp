@@ -118,3 +118,41 @@ TEST_CASE("shells on one another share all their edges", "[contact][loft]") {
     CHECK_FALSE(neighbours.is_perimeter(1, edge));
   }
 }
+
+TEST_CASE("the doubled edge of a degenerate shell is its own, a point is no edge", "[contact][loft]") {
+  // The first quadrilateral is a triangle with its last node twice, the second is folded onto one edge.
+  MeshBuilder b;
+  for (const Eigen::Vector3d& x : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                   Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(5, 0, 0)}) {
+    b.add_node(x);
+  }
+  b.add_block(1, "", Shape::shell4, {0, 1, 2, 2, 3, 1, 1, 3});
+  const AllShells shells(b.build());
+  const ShellNeighbours neighbours = shells.neighbours();
+  const auto edges = [&](std::uint32_t shell) {
+    std::vector<bool> is_free;
+    for (int edge = 0; edge < 4; ++edge) is_free.push_back(neighbours.is_perimeter(shell, edge));
+    return is_free;
+  };
+  CHECK(edges(0) == std::vector<bool>{true, true, false, true});
+  CHECK(edges(1) == std::vector<bool>{true, false, true, false});
+}
+
+TEST_CASE("the hub of a large fan is not smoothed", "[contact][loft]") {
+  // A cone of triangles from the tip (0,0,1) down to the circle z = 1/2. Its normals lean by atan(1/2), two
+  // opposite ones by 53 degrees, so at the tip all are taken and the mean looks up.
+  const std::uint32_t n = GENERATE(256u, 257u);
+  MeshBuilder b;
+  b.add_node({0, 0, 1});
+  std::vector<std::uint32_t> nodes;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * std::numbers::pi * i / n;
+    b.add_node({std::cos(angle), std::sin(angle), 0.5});
+    nodes.insert(nodes.end(), {0, 1 + i, 1 + (i + 1) % n});
+  }
+  const AllShells shells(b.add_block(1, "", Shape::shell3, nodes).build());
+  const ShellNeighbours neighbours = shells.neighbours();
+  const Eigen::Vector3d at_tip = neighbours.corner_normal(0, 0);
+  const double own_z = 2 / std::sqrt(5.0);
+  CHECK(at_tip.z() == Approx(n == 256 ? 1.0 : own_z).epsilon(1e-4));  // a chord is that near the circle
+}

@@ -58,9 +58,17 @@ TEST_CASE("schedulers of every output and functions of user output are looked up
 
 TEST_CASE("user variables and analytic objects have names of their own", "[parser][region]") {
   CHECK(name_messages("begin user variable v\nend\nbegin user variable V\nend\n"
-                      "begin analytic object a\nend\nbegin analytic object a\nend\n") ==
+                      "begin analytic object a\n normal direction = 1 0 0\nend\n"
+                      "begin analytic object a\n normal direction = 1 0 0\nend\n") ==
         "a.i:3:21: error: the user variable 'V' is defined a second time; the first stands at a.i:1:21\n"
-        "a.i:7:23: error: the analytic object 'a' is defined a second time; the first stands at a.i:5:23\n");
+        "a.i:8:23: error: the analytic object 'a' is defined a second time; the first stands at a.i:5:23\n");
+}
+
+TEST_CASE("an analytic object needs a normal", "[parser][region]") {
+  CHECK(name_messages("begin analytic object floor\n type = plane\n origin = 0 0 1\nend\n") ==
+        "a.i:1:23: error: the analytic object has no normal; give it a NORMAL DIRECTION line\n");
+  // A normal that is written and wrong is said to be so besides.
+  CHECK(name_messages("begin analytic object floor\n normal direction = 0 0 0\nend\n").find("a.i:2:") == 0);
 }
 
 TEST_CASE("mass properties of everything are fine", "[parser][region]") {

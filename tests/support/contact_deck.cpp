@@ -64,6 +64,21 @@ Resolved resolve(const Mesh& mesh, const Region& region, std::span<const MeshAli
   return resolve(mesh, *region.contact, RegionNames{region.analytic_planes, aliases}, {});
 }
 
+Modelled make_model(const Mesh& mesh, const Region& region, const std::string& definitions,
+                    std::span<const std::uint8_t> alive) {
+  Diagnostics diagnostics;
+  Modelled modelled{make_contact_model(parse_definitions(definitions), region, mesh, alive, diagnostics), ""};
+  modelled.messages = messages(diagnostics);
+  return modelled;
+}
+
+Modelled make_model(const Mesh& mesh, const std::string& contact_lines, const std::string& definitions,
+                    std::span<const std::uint8_t> alive) {
+  Region region;
+  region.contact = parse_contact(contact_lines);
+  return make_model(mesh, region, definitions, alive);
+}
+
 std::vector<std::uint8_t> all_but(const Mesh& mesh, const std::vector<std::int64_t>& dead_ids) {
   std::vector<std::uint8_t> alive(mesh.n_elements(), 1);
   for (const std::int64_t id : dead_ids) alive[mesh.find_element(id).value().value] = 0;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_surface.hpp"
+#include "contact/contact_model.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/mesh.hpp"
 #include "support/mesh_builder.hpp"
@@ -34,6 +34,19 @@ struct Resolved : ContactSurfaces {
 Resolved resolve(const Mesh& mesh, const std::string& lines, std::span<const std::uint8_t> alive = {});
 /// The same of a region, whose analytic objects may be used, with aliases.
 Resolved resolve(const Mesh& mesh, const Region& region, std::span<const MeshAlias> aliases = {});
+
+/// What making a contact model gave, and the errors that it reported, in machine form.
+struct Modelled : ContactModel {
+  std::string messages;
+};
+
+/// Makes the contact model of contact definition lines, under definitions (sections, finite element models).
+///   alive  [n_elements] 0 or 1, or empty when all live
+Modelled make_model(const Mesh& mesh, const std::string& contact_lines, const std::string& definitions = "",
+                    std::span<const std::uint8_t> alive = {});
+/// The same of a region, whose analytic objects may be used.
+Modelled make_model(const Mesh& mesh, const Region& region, const std::string& definitions = "",
+                    std::span<const std::uint8_t> alive = {});
 
 /// [n_elements] 1, but 0 for the elements of the ids.
 std::vector<std::uint8_t> all_but(const Mesh& mesh, const std::vector<std::int64_t>& dead_ids);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <numeric>
 #include <random>
@@ -17,9 +18,19 @@ namespace contactsim::test {
 
 using Random = std::mt19937;
 
-/// A brick of three blocks that share nodes, one of them of two parts, tetrahedra and wedges on its sides,
-/// shells on part of its top, beams, particles, and random side sets of solid faces, interior ones too.
-/// Blocks 1 to 7, side sets 1 to 4, node sets 1 and 2.
+/// Side sets 1 to 4 of random faces of solids, interior ones too, and node sets 1 and 2 of random nodes.
+///   n_solid_blocks  blocks 1 to this are solids
+inline void add_random_sets(MeshBuilder& b, Random& random, std::int64_t n_solid_blocks) {
+  for (const std::int64_t id : {1, 2, 3, 4}) {
+    b.add_side_set(id, "",
+                   [&](const CandidateSide& c) { return c.block_id <= n_solid_blocks && random() % 4 == 0; });
+  }
+  b.add_node_set(1, "", [&](const Eigen::Vector3d&) { return random() % 3 == 0; });
+  b.add_node_set(2, "", [&](const Eigen::Vector3d&) { return random() % 3 == 0; });
+}
+
+/// A brick of three blocks that share nodes, wedges and tetrahedra on its sides, shells on part of its top,
+/// beams above it. Blocks 1 to 7 and random sets.
 inline MeshBuilder random_mesh(Random& random) {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 3, 2}, .size = {2, 3, 2}});
@@ -29,12 +40,36 @@ inline MeshBuilder random_mesh(Random& random) {
   b.add_tets({.id = 5, .cells = {2, 1, 1}, .origin = {0, 3, 0}, .size = {2, 1, 1}}, 5);
   b.add_shells({.id = 6, .cells = {3, 2}, .origin = {0, 0, 2}, .u = {3, 0, 0}, .v = {0, 2, 0}});
   b.add_beams({.id = 7, .cells = 3, .from = {0, 0, 4}, .to = {3, 0, 4}});
-  for (const std::int64_t id : {1, 2, 3, 4}) {
-    b.add_side_set(id, "", [&](const CandidateSide& c) { return c.block_id < 6 && random() % 4 == 0; });
-  }
-  b.add_node_set(1, "", [&](const Eigen::Vector3d&) { return random() % 3 == 0; });
-  b.add_node_set(2, "", [&](const Eigen::Vector3d&) { return random() % 3 == 0; });
+  add_random_sets(b, random, 5);
   return b;
+}
+
+/// 4 x 3 x 3 hexahedra and the 4 x 3 shells on their top, dealt out at random: hexahedra to the blocks 1 to
+/// 5, shells to 6 and 7. Random sets.
+inline MeshBuilder random_blocking(Random& random) {
+  constexpr std::uint32_t nx = 4, ny = 3, nz = 3, width = nx + 1, layer = width * (ny + 1);
+  MeshBuilder b;
+  for (std::uint32_t i = 0; i < layer * (nz + 1); ++i)
+    b.add_node({double(i % width), double(i / width % (ny + 1)), double(i / layer)});
+  std::array<std::vector<std::uint32_t>, 8> nodes;  // of the blocks with these ids
+  for (std::uint32_t cell = 0; cell < nx * ny * (nz + 1); ++cell) {
+    const std::uint32_t n = cell % nx + width * (cell / nx % ny) + layer * (cell / (nx * ny));
+    const bool is_shell = cell >= nx * ny * nz;
+    auto& block = nodes[is_shell ? 6 + random() % 2 : 1 + random() % 5];
+    block.insert(block.end(), {n, n + 1, n + width + 1, n + width});
+    if (is_shell) continue;
+    const std::uint32_t m = n + layer;
+    block.insert(block.end(), {m, m + 1, m + width + 1, m + width});
+  }
+  for (std::int64_t id = 1; id <= 7; ++id)
+    b.add_block(id, "", id <= 5 ? Shape::hex8 : Shape::shell4, nodes[static_cast<std::size_t>(id)]);
+  add_random_sets(b, random, 5);
+  return b;
+}
+
+/// Either of the two.
+inline MeshBuilder random_mesh_or_blocking(Random& random) {
+  return random() % 2 == 0 ? random_mesh(random) : random_blocking(random);
 }
 
 /// Lines of CONTACT SURFACE (s0, s1, ...) and CONTACT NODE SET (n0, ...) with random items, in random order.

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parser/commands/rows.hpp"
+#include "parser/commands/readers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
 
 namespace contactsim {
 
@@ -38,24 +42,8 @@ const Reader<std::vector<std::int64_t>> integers{"<integer> ...", &Arguments::in
 
 }  // namespace read
 
-std::string syntax_of(Naming naming) {
-  switch (naming) {
-    case Naming::none:
-      return "";
-    case Naming::optional:
-      return "[<name>]";
-    case Naming::required:
-      return "<name>";
-  }
-  return "";
-}
-
-void check_name(const Block& block, const DeckName& name, Naming naming) {
-  const bool is_wrong = naming == Naming::required && name.text.empty();
-  if (!is_wrong) return;
-  const Word& last = block.title.back();
-  throw ArgumentError{{Severity::error, "", last.location, static_cast<int>(last.text.size()),
-                       fmt::format("the block '{}' needs a name", last.text), ""}};
+std::string syntax_of_choice(const std::vector<std::string>& words) {
+  return fmt::format("{{{}}}", fmt::join(words, "|"));
 }
 
 }  // namespace contactsim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "parser/arguments.hpp"
+
+/// How the values in commands are read and shown: one reader per kind of value.
+namespace contactsim {
+
+/// How one kind of value is read from a line and shown as a default.
+template <class V>
+struct Reader {
+  std::string syntax;  ///< "<real>"
+  std::function<V(Arguments&)> read;
+  std::function<std::string(const V&)> show;
+};
+
+namespace read {
+extern const Reader<double> real, positive, non_negative;
+extern const Reader<std::int64_t> integer, positive_integer, non_negative_integer;
+extern const Reader<bool> on_off;
+extern const Reader<DeckName> name;
+extern const Reader<std::string> text, rest_of_line;
+extern const Reader<Eigen::Vector3d> vector3;
+extern const Reader<std::vector<DeckName>> names;
+extern const Reader<std::vector<double>> reals;
+extern const Reader<std::vector<std::int64_t>> integers;
+}  // namespace read
+
+/// "{on|off}": how the choice of a word is written in a syntax.
+std::string syntax_of_choice(const std::vector<std::string>& words);
+
+/// A reader of one of several words, in the order of the enumerators of E (from 0).
+template <class E>
+Reader<E> choice_of(std::vector<std::string> words) {
+  return {syntax_of_choice(words),
+          [words](Arguments& arguments) { return static_cast<E>(arguments.choice(words)); },
+          [words](const E& value) { return words[static_cast<std::size_t>(value)]; }};
+}
+
+}  // namespace contactsim
