@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <ranges>
 #include <span>
 
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/side_tables.hpp"
 
-/// The faces of a mesh one after the other, and the keys by which equal ones are found. Of make_skin only.
+/// The faces of a mesh one after the other, and the records by which equal ones are found. Of make_skin only.
 namespace contactsim::skin_faces {
 
 /// A face by its corner nodes; a triangle repeats its last node.
@@ -18,41 +19,17 @@ using Corners = std::array<std::uint32_t, 4>;
 /// Stands for the corner that a triangle lacks.
 inline constexpr std::uint32_t no_node = UINT32_MAX;
 
-/// The corners of a face but the smallest, ascending, in 64 bits: for meshes of fewer than 2^21 - 1 nodes.
-class ShortKey {
- public:
-  static constexpr std::uint32_t max_nodes = (1u << 21) - 1;
-
-  ShortKey() = default;
-  ShortKey(std::uint32_t a, std::uint32_t b, std::uint32_t c)
-      : low_(a | b << 21), high_(b >> 11 | (c & max_nodes) << 10) {}
-  auto operator<=>(const ShortKey&) const = default;
-
- private:
-  std::uint32_t low_, high_;  ///< two words, so that a record takes 12 bytes
-};
-
-/// The same for meshes of any size.
-class LongKey {
- public:
-  LongKey() = default;
-  LongKey(std::uint32_t a, std::uint32_t b, std::uint32_t c) : a_(a), b_(b), c_(c) {}
-  auto operator<=>(const LongKey&) const = default;
-
- private:
-  std::uint32_t a_, b_, c_;
-};
-
-/// One face of one element, filed under its smallest node.
-template <class Key>
+/// One face of one element by all corners but the smallest, ascending.
 struct FaceRecord {
-  Key others;
+  std::uint32_t b, c, d;
   ElementSide side;
+
+  auto operator<=>(const FaceRecord&) const = default;
+  bool has_nodes_of(const FaceRecord& other) const { return b == other.b && c == other.c && d == other.d; }
 };
 
-/// The key of a face of at least three different nodes, whatever the order of its corners.
-template <class Key>
-Key make_key(Corners c) {
+/// The record of a face of at least three different nodes, the same whatever the order of its corners.
+inline FaceRecord make_record(Corners c, ElementSide side) {
   if (c[3] == c[2]) c[3] = no_node;
   const auto order = [&c](std::size_t i, std::size_t j) {
     const std::uint32_t low = std::min(c[i], c[j]), high = std::max(c[i], c[j]);
@@ -64,7 +41,7 @@ Key make_key(Corners c) {
   order(0, 2);
   order(1, 3);
   order(1, 2);
-  return {c[1], c[2], c[3]};
+  return {c[1], c[2], c[3], side};
 }
 
 /// Turns a face with repeated nodes into a triangle, or into nothing (false) when fewer than three nodes are
@@ -86,20 +63,19 @@ inline std::uint32_t smallest(const Corners& c) {
   return std::min(std::min(c[0], c[1]), std::min(c[2], c[3]));
 }
 
-/// Elements of a block, by position in the mesh.
-struct ElementRange {
-  std::uint32_t begin = 0, end = 0;
-};
-
-/// Calls `visit(side, corners)` for the faces of a block's present elements. The sides are known to the
+/// Calls `visit(side, corners)` for the faces of some elements of a block. The sides are known to the
 /// compiler, which makes the usual shapes fast.
-template <const auto& sides, std::size_t n_faces = sides.size(), class Visit>
-void visit_faces_of(const ElementBlock& block, std::span<const std::uint8_t> present, ElementRange range,
-                    Visit& visit) {
-  const NodeIndex* nodes = block.element_nodes(range.begin - block.first_element.value).data();
-  for (std::uint32_t element = range.begin; element < range.end;
-       ++element, nodes += block.nodes_per_element) {
-    if (!present[element]) continue;
+template <const auto& sides, std::size_t n_faces = sides.size(), class Elements, class Visit>
+void visit_faces_of(const ElementBlock& block, const Elements& elements, Visit& visit) {
+  const auto nodes_of = [&block, of_first = block.element_nodes(0).data()](std::uint32_t element) {
+    const std::size_t in_block = element - block.first_element.value;
+    return of_first + in_block * static_cast<std::size_t>(block.nodes_per_element);
+  };
+  for (auto next = elements.begin(); next != elements.end(); ++next) {
+    const std::uint32_t element = *next;
+    const NodeIndex* nodes = nodes_of(element);
+    constexpr std::ptrdiff_t ahead = 12;
+    if (elements.end() - next > ahead) __builtin_prefetch(nodes_of(next[ahead]));
     for (std::size_t face = 0; face < n_faces; ++face) {
       const auto& c = sides[face].corners;
       Corners corners{nodes[c[0]].value, nodes[c[1]].value, nodes[c[2]].value, nodes[c[3]].value};
@@ -110,33 +86,47 @@ void visit_faces_of(const ElementBlock& block, std::span<const std::uint8_t> pre
 }
 
 /// Every face of a solid matters to a skin, and one of a shell.
-template <class Visit>
-void visit_faces(const ElementBlock& block, std::span<const std::uint8_t> present, ElementRange range,
-                 Visit& visit) {
+///   elements  range of positions in the mesh, all of this block
+template <class Elements, class Visit>
+void visit_faces_of_block(const ElementBlock& block, const Elements& elements, Visit& visit) {
   using namespace side_tables;
   const Topology& shape = topology(block.shape);
   if (shape.family == Family::shell && shape.n_corners == 4) {
-    visit_faces_of<shell_quad_sides, 1>(block, present, range, visit);
+    visit_faces_of<shell_quad_sides, 1>(block, elements, visit);
   } else if (shape.family == Family::shell) {
-    visit_faces_of<shell_tri_sides, 1>(block, present, range, visit);
+    visit_faces_of<shell_tri_sides, 1>(block, elements, visit);
   } else if (shape.sides.data() == hex_sides.data()) {
-    visit_faces_of<hex_sides>(block, present, range, visit);
+    visit_faces_of<hex_sides>(block, elements, visit);
   } else if (shape.sides.data() == tet_sides.data()) {
-    visit_faces_of<tet_sides>(block, present, range, visit);
+    visit_faces_of<tet_sides>(block, elements, visit);
   } else if (shape.sides.data() == wedge_sides.data()) {
-    visit_faces_of<wedge_sides>(block, present, range, visit);
+    visit_faces_of<wedge_sides>(block, elements, visit);
   } else if (shape.sides.data() == pyramid_sides.data()) {
-    visit_faces_of<pyramid_sides>(block, present, range, visit);
+    visit_faces_of<pyramid_sides>(block, elements, visit);
   }
 }
 
-/// The same over all blocks.
+/// The same over all elements from `begin` to before `end`.
 template <class Visit>
-void visit_faces(const Mesh& mesh, std::span<const std::uint8_t> present, ElementRange range, Visit&& visit) {
+void visit_faces(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, Visit&& visit) {
   for (const ElementBlock& block : mesh.blocks()) {
-    const std::uint32_t first = block.first_element.value;
-    const ElementRange part{std::max(range.begin, first), std::min(range.end, first + block.n_elements)};
-    if (part.begin < part.end) visit_faces(block, present, part, visit);
+    const std::uint32_t first = std::max(begin, block.first_element.value);
+    const std::uint32_t last = std::min(end, block.first_element.value + block.n_elements);
+    if (first < last) visit_faces_of_block(block, std::views::iota(first, last), visit);
+  }
+}
+
+/// The same over elements of any blocks.
+///   elements  ascending positions in the mesh
+template <class Visit>
+void visit_faces(const Mesh& mesh, std::span<const std::uint32_t> elements, Visit&& visit) {
+  while (!elements.empty()) {
+    const ElementBlock& block = mesh.blocks()[mesh.block_of({elements.front()})];
+    const std::uint32_t end = block.first_element.value + block.n_elements;
+    const auto last = std::lower_bound(elements.begin(), elements.end(), end);
+    const auto n = static_cast<std::size_t>(last - elements.begin());
+    visit_faces_of_block(block, elements.first(n), visit);
+    elements = elements.subspan(n);
   }
 }
 

@@ -185,6 +185,15 @@ TEST_CASE("the skin does not depend on the number of threads", "[core][skin]") {
   omp_set_num_threads(n_threads);
 }
 
+TEST_CASE("a skin of many nodes equals a brute-force skin", "[core][skin]") {
+  // 41 x 41 x 25 nodes: more than are taken at a time, and layers that straddle the ranges.
+  const Mesh mesh = MeshBuilder().add_hexes({.cells = {40, 40, 24}}).build();
+  std::mt19937 random(5);
+  std::vector<std::uint8_t> present(mesh.n_elements());
+  for (std::uint8_t& mark : present) mark = random() % 8 != 0;
+  CHECK(make_skin(mesh, present).exterior == brute_force_skin(mesh, present));
+}
+
 TEST_CASE("a mesh without elements has no skin", "[core][skin]") {
   const Mesh mesh;
   CHECK(make_skin(mesh, {}).exterior.empty());
