@@ -76,8 +76,9 @@ int run_program(int argc, const char* const* argv) {
     const CommandLine line = read_command_line(argc, argv);
     if (line.exit_code) return *line.exit_code;
     if (!line.options.explains) return start(line.options);
-    std::fputs(explain(line.options.explain_words).c_str(), stdout);
-    return ExitCode::done;
+    const Explanation explanation = explain(line.options.explain_words);
+    std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
+    return explanation.is_found ? ExitCode::done : ExitCode::deck;
   };
   const ExitCode code =
       guard_exit(work, [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });

@@ -28,6 +28,9 @@ std::string format_rows(const ContactModel& model, std::span<const SurfaceSummar
     text += fmt::format(row_format, i + 1, surface.name, surface.command, surface.location.line, s.claimed,
                         s.owned, s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes,
                         fmt::format("{:.6g}", s.area));
+    if (!surface.analytic_planes.empty()) {
+      text += fmt::format("      {:<28} analytic facets: {}\n", "", surface.analytic_planes.size());
+    }
     total.claimed += s.claimed;
     total.owned += s.owned;
     total.triangles += s.triangles;

@@ -5,8 +5,6 @@
 #include <netcdf.h>
 
 #include <array>
-#include <filesystem>
-#include <system_error>
 #include <utility>
 
 #include "core/errors.hpp"
@@ -24,9 +22,9 @@ nc_type to_nc_type(NetcdfType type) {
 
 static_assert(NetcdfOutput::global == NC_GLOBAL && NetcdfOutput::unlimited == NC_UNLIMITED);
 
-NetcdfOutput::NetcdfOutput(std::string path, bool large)
-    : path_(std::move(path)), temporary_path_(path_ + ".part") {
-  check(nc_create(temporary_path_.c_str(), NC_CLOBBER | (large ? NC_64BIT_DATA : NC_64BIT_OFFSET), &id_),
+NetcdfOutput::NetcdfOutput(std::string path, bool large) : path_(std::move(path)), place_(path_) {
+  if (!place_.is_regular()) throw FileError(path_, "cannot be created (it is not a regular file)");
+  check(nc_create(place_.unfinished().c_str(), NC_CLOBBER | (large ? NC_64BIT_DATA : NC_64BIT_OFFSET), &id_),
         "created");
   is_open_ = true;
   int ignored = 0;
@@ -36,8 +34,7 @@ NetcdfOutput::NetcdfOutput(std::string path, bool large)
 NetcdfOutput::~NetcdfOutput() {
   if (!is_open_) return;
   nc_abort(id_);
-  std::error_code ignored;
-  std::filesystem::remove(temporary_path_, ignored);
+  place_.discard();
 }
 
 void NetcdfOutput::check(int status, const std::string& what) const {
@@ -92,12 +89,8 @@ void NetcdfOutput::commit() {
   check(nc_sync(id_), "written");
   check(nc_close(id_), "written");
   is_open_ = false;
-  std::error_code error;
-  std::filesystem::rename(temporary_path_, path_, error);
-  if (!error) return;
-  std::error_code ignored;
-  std::filesystem::remove(temporary_path_, ignored);
-  throw FileError(path_, "cannot be written (" + error.message() + ")");
+  const std::string problem = place_.commit();
+  if (!problem.empty()) throw FileError(path_, "cannot be written (" + problem + ")");
 }
 
 }  // namespace contactsim

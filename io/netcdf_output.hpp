@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "io/output_place.hpp"
+
 namespace contactsim {
 
 enum class NetcdfType : std::uint8_t { text, int32, float32, float64 };
@@ -45,7 +47,7 @@ class NetcdfOutput {
   void check(int status, const std::string& what) const;
 
   std::string path_;
-  std::string temporary_path_;
+  OutputPlace place_;
   int id_ = -1;
   bool is_open_ = false;
 };

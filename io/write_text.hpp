@@ -6,8 +6,7 @@
 
 namespace contactsim {
 
-/// Writes a whole text file: under another name first, renamed when it is complete, so that no reader ever
-/// sees a half. Throws FileError.
+/// Writes a whole text file, as OutputPlace does. Throws FileError.
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace contactsim

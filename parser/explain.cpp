@@ -217,18 +217,18 @@ std::string nearest_phrases(const std::string& query) {
 
 }  // namespace
 
-std::string explain(std::span<const std::string> words) {
+Explanation explain(std::span<const std::string> words) {
   const std::string query = joined_phrase(words);
-  if (query.empty()) return block_tree();
+  if (query.empty()) return {block_tree()};
   const std::vector<Match> matches = find_matches(query);
-  if (matches.empty()) return nearest_phrases(query);
+  if (matches.empty()) return {nearest_phrases(query), false};
   std::string text;
   for (const Match& match : matches) {
     if (!text.empty()) text += '\n';
     text += row_entry(*match.row, match.places);
     if (match.row->contents && is_phrase(*match.row, query)) text += contents_of(*match.row);
   }
-  return text;
+  return {text};
 }
 
 }  // namespace contactsim

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <vector>
 
+#include "core/errors.hpp"
 #include "core/names.hpp"
 #include "parser/aprepro/run.hpp"
 
@@ -51,6 +52,7 @@ Source ApreproRunner::run(const Source& deck) {
   } else {
     output_ = deck;
   }
+  if (lacks_file_) throw DeckError(diagnostics_);
   const std::vector<std::string> names = state_.variables.names();
   for (const std::string& name : state_.variables.unused_overrides()) {
     std::vector<std::string> others;

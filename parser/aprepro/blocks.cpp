@@ -73,8 +73,21 @@ void ApreproRunner::run_include(const ApreproNode& node) {
   if (problem.empty()) {
     include(node, path, std::move(file.text));
   } else {
-    fail(at, fmt::format("cannot include '{}': {}", path, problem), "", length);
+    lacks_file_ = true;
+    report(
+        Severity::error, "",
+        {at, length, fmt::format("cannot include '{}': {}", path, problem), find_beside(path, file.failure)});
   }
+}
+
+/// A hint when a file that was not found stands in the folder of the file that includes it, else "".
+std::string ApreproRunner::find_beside(const std::string& path, TextFile::Failure failure) const {
+  if (failure != TextFile::Failure::missing) return "";
+  const std::string beside = (std::filesystem::path(open_paths_.back()).parent_path() / path).string();
+  const bool stands_there = beside != path && state_.read_file(beside).problem.empty();
+  return stands_there
+             ? fmt::format("paths count from the folder in which contactsim runs, and '{}' is there", beside)
+             : "";
 }
 
 /// The path meant by the argument of an include: a string, the name of a variable that holds one, an

@@ -160,6 +160,7 @@ DeckLocation ApreproRunner::locate(std::size_t offset) const {
 }
 
 void ApreproRunner::report(Severity severity, std::string_view id, const ApreproError& problem) {
+  if (lacks_file_ && id == "aprepro-undefined") return;
   const DeckLocation location = locate(problem.offset);
   const std::string file = location.is_known() ? location.file->name : "";
   if (!reported_.emplace(file, problem.offset, problem.text).second) return;

@@ -27,8 +27,8 @@ class ApreproRunner {
   /// Sets variables for good, "name=value" each.
   void set_overrides(std::span<const std::string> overrides);
 
-  /// Expands the deck. Throws DeckError when that would take too much time or memory, or when too much is
-  /// wrong.
+  /// Expands the deck. Throws DeckError when that would take too much time or memory, when too much is wrong,
+  /// or when an included file cannot be read: the rest would make no sense.
   Source run(const Source& deck);
 
  private:
@@ -48,6 +48,7 @@ class ApreproRunner {
   void run_include(const ApreproNode& node);
   std::string included_path(TextRange argument);
   std::string find_obstacle(const std::string& path) const;
+  std::string find_beside(const std::string& path, TextFile::Failure failure) const;
   void include(const ApreproNode& node, const std::string& path, std::string text);
   void run_loop(const ApreproNode& node);
   void run_passes(const ApreproNode& node, double n, const std::string& variable, double first, double step);
@@ -73,6 +74,7 @@ class ApreproRunner {
   bool is_echoing_ = true;
   int loop_depth_ = 0;
   double n_passes_ = 0.0;
+  bool lacks_file_ = false;  ///< an include failed, so what follows cannot be judged
   std::size_t n_files_ = 0;
   std::vector<std::string> open_paths_;
   std::set<std::tuple<std::string, std::size_t, std::string>> reported_;

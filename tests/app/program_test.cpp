@@ -84,8 +84,9 @@ TEST_CASE("explain without words prints the tree of blocks", "[app][program]") {
 
 TEST_CASE("explain answers an unknown word with the nearest known ones", "[app][program]") {
   const auto [code, out, err] = ProgramDirectory().run({"explain", "frictoin", "coefficient"});
-  CHECK(code == 0);
-  CHECK_THAT(out, Contains("No block or command is called 'frictoin coefficient'") &&
+  CHECK(code == 2);
+  CHECK(out.empty());
+  CHECK_THAT(err, Contains("No block or command is called 'frictoin coefficient'") &&
                       Contains("\n  friction coefficient\n"));
 }
 

@@ -127,3 +127,14 @@ TEST_CASE("names with commas and quotes are quoted in the CSV", "[app][report]")
   CHECK(directory.read("s.csv").starts_with(
       "surface,block,element,side,kind,area\n\"a,\"\"b\",cladding,65,1,top,1\n"));
 }
+
+TEST_CASE("the table tells of analytic facets", "[app][report]") {
+  const ProgramDirectory directory;
+  directory.copy_decks({"two_blocks.g"});
+  directory.write("floor.i",
+                  "begin analytic object floor\nnormal direction = 0 0 1\nend\n"
+                  "begin contact definition\ncontact surface ground contains floor\nend\n");
+  const auto [code, out, err] = directory.run({"floor.i", "two_blocks.g", "--check"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Catch::Contains("\n                                   analytic facets: 1\n"));
+}

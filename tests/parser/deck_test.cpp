@@ -122,25 +122,26 @@ TEST_CASE("a deck file that is not there is a file error", "[parser][deck]") {
 }
 
 TEST_CASE("all problems of a deck are told in one run, in the order of its lines", "[parser][deck]") {
-  CHECK(parsed_sierra("begin material steel\n"
-                      "  densty = 1\n"
-                      "  density = heavy\n"
-                      "end\n"
-                      "begin presto procedure p\n"
-                      "  begin time control\n"
-                      "    termination time = 1\n"
-                      "  end\n"
-                      "  begin presto region r\n"
-                      "    use finite element model m\n"
-                      "  end\n"
-                      "end\n")
-            .messages ==
-        "a.i:3:3: warning: unknown command 'densty = 1' in 'material steel', but nothing uses this definition; "
-        "did you mean 'density'? [deck-unused]\n"
-        "a.i:4:13: warning: expected a number for 'density', found 'heavy', but nothing uses this definition "
-        "[deck-unused]\n"
-        "a.i:7:3: error: the TIME CONTROL has no TIME STEPPING BLOCK\n"
-        "a.i:11:30: error: unknown finite element model 'm'; the deck has no finite element model\n");
+  CHECK(
+      parsed_sierra("begin material steel\n"
+                    "  densty = 1\n"
+                    "  density = heavy\n"
+                    "end\n"
+                    "begin presto procedure p\n"
+                    "  begin time control\n"
+                    "    termination time = 1\n"
+                    "  end\n"
+                    "  begin presto region r\n"
+                    "    use finite element model m\n"
+                    "  end\n"
+                    "end\n")
+          .messages ==
+      "a.i:3:3: warning: unknown command 'densty = 1' in 'material steel', but nothing uses this definition; "
+      "did you mean 'density'? [deck-unused]\n"
+      "a.i:4:13: warning: expected a number for 'density', found 'heavy', but nothing uses this definition "
+      "[deck-unused]\n"
+      "a.i:7:3: error: the TIME CONTROL has no TIME STEPPING BLOCK\n"
+      "a.i:11:30: error: unknown finite element model 'm'; the deck has no finite element model\n");
 }
 
 TEST_CASE("a lenient reading turns unknown and refused commands into warnings", "[parser][deck]") {

@@ -11,7 +11,7 @@ using namespace contactsim;
 
 namespace {
 
-std::string explained(const std::vector<std::string>& words) { return explain(words); }
+std::string explained(const std::vector<std::string>& words) { return explain(words).text; }
 
 bool holds_line(const std::string& text, const std::string& line) {
   return ("\n" + text).find("\n" + line + "\n") != std::string::npos;

@@ -28,7 +28,11 @@ Expanded expand(const std::string& text, const Files& files = {},
     return {"", "there is no such file", TextFile::Failure::missing};
   };
   Expanded expanded;
-  expanded.source = run_aprepro(make_source("a.i", text), {overrides, read_file}, expanded.diagnostics);
+  try {
+    expanded.source = run_aprepro(make_source("a.i", text), {overrides, read_file}, expanded.diagnostics);
+  } catch (const DeckError&) {
+    // What it carries is among the diagnostics already.
+  }
   return expanded;
 }
 
@@ -284,6 +288,21 @@ TEST_CASE("control lines that do not fit together are reported at both places", 
         "a.i:3:1: error: this stands behind {else}, which must be last; the if begins at a.i:1:1\n");
   CHECK(problems("{endiff}\n") ==
         "a.i:1:2: warning: 'endiff' is not defined, 0 is taken; did you mean 'endif'? [aprepro-undefined]\n");
+}
+
+TEST_CASE("without an included file the rest of the deck is not judged", "[parser][aprepro]") {
+  CHECK(problems("{include(\"sizes.i\")}\nx = {width}\n{include(\"none.i\")}\n") ==
+        "a.i:1:10: error: cannot include 'sizes.i': there is no such file\n"
+        "a.i:3:10: error: cannot include 'none.i': there is no such file\n");
+}
+
+TEST_CASE("an included file that stands beside the file that names it is pointed at", "[parser][aprepro]") {
+  const Files files{{"decks/parts.i", "{include(\"sizes.i\")}\n"}, {"decks/sizes.i", "{width = 2}\n"}};
+  CHECK(problems("{include(\"decks/parts.i\")}\n", files) ==
+        "decks/parts.i:1:10: error: cannot include 'sizes.i': there is no such file; paths count from the "
+        "folder "
+        "in which contactsim runs, and 'decks/sizes.i' is there\n"
+        "  included from a.i:1\n");
 }
 
 TEST_CASE("loops and includes that cannot be carried out are reported", "[parser][aprepro]") {
