@@ -118,19 +118,17 @@ class FaceMatcher {
   void sort_faces(std::uint32_t range, std::span<const std::uint32_t> elements) {
     const std::uint32_t first = range * nodes_per_range;
     const auto n_nodes = std::min(nodes_per_range, static_cast<std::uint32_t>(mesh_.n_nodes()) - first);
-    const auto visit = [&](auto&& use) {
-      visit_faces(mesh_, elements, [&](ElementSide side, const Corners& corners) {
-        const std::uint32_t node = smallest(corners) - first;
-        if (node < n_nodes) use(node, side, corners);
-      });
-    };
     bucket_end_.assign(n_nodes, 0);
-    visit([&](std::uint32_t node, ElementSide, const Corners&) { ++bucket_end_[node]; });
+    found_.clear();
+    visit_faces(mesh_, elements, [&](ElementSide side, const Corners& corners) {
+      const std::uint32_t node = smallest(corners) - first;
+      if (node >= n_nodes) return;
+      ++bucket_end_[node];
+      found_.push_back({node, make_record(corners, side)});
+    });
     const std::uint32_t n = make_offsets(bucket_end_);
     if (n > records_.size()) records_.resize(n);
-    visit([&](std::uint32_t node, ElementSide side, const Corners& corners) {
-      records_[bucket_end_[node]++] = make_record(corners, side);
-    });
+    for (const auto& [node, record] : found_) records_[bucket_end_[node]++] = record;
   }
 
   void match_bucket(std::span<const FaceRecord> bucket) {
@@ -195,7 +193,8 @@ class FaceMatcher {
   }
 
   const Mesh& mesh_;
-  std::vector<FaceRecord> records_;        ///< the faces of one range
+  std::vector<std::pair<std::uint32_t, FaceRecord>> found_;  ///< smallest node and face, in element order
+  std::vector<FaceRecord> records_;                          ///< the same by smallest node
   std::vector<std::uint32_t> bucket_end_;  ///< [nodes of the range] end of each node's records
   std::vector<FaceRecord> sorted_, group_;
   std::vector<ElementSide> exterior_;

@@ -25,7 +25,7 @@ struct Skin {
 /// a hexahedron that is degenerate to a wedge meets its neighbours; a face that has fewer than three
 /// different nodes is none.
 ///   present  [n_elements] 0 or 1; lines and particles have no faces, whatever their mark
-/// Time O(n), memory about 15 bytes per element above the mesh. Runs on OpenMP's threads; the result does not
+/// Time O(n), memory about 30 bytes per element above the mesh. Runs on OpenMP's threads; the result does not
 /// depend on their number. Source: rules of Sierra/SM 5.22, 8.4.8; bucket sort of faces by smallest node, a
 /// cache of nodes at a time.
 Skin make_skin(const Mesh& mesh, std::span<const std::uint8_t> present);
