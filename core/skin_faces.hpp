@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <ranges>
 #include <span>
 
 #include "core/mesh/mesh.hpp"
@@ -65,17 +64,18 @@ inline std::uint32_t smallest(const Corners& c) {
 
 /// Calls `visit(side, corners)` for the faces of some elements of a block. The sides are known to the
 /// compiler, which makes the usual shapes fast.
-template <const auto& sides, std::size_t n_faces = sides.size(), class Elements, class Visit>
-void visit_faces_of(const ElementBlock& block, const Elements& elements, Visit& visit) {
+///   element_at  (std::uint32_t i) -> position in the mesh of the i-th of n elements
+template <const auto& sides, std::size_t n_faces = sides.size(), class ElementAt, class Visit>
+void visit_faces_of(const ElementBlock& block, std::uint32_t n, const ElementAt& element_at, Visit& visit) {
   const auto nodes_of = [&block, of_first = block.element_nodes(0).data()](std::uint32_t element) {
     const std::size_t in_block = element - block.first_element.value;
     return of_first + in_block * static_cast<std::size_t>(block.nodes_per_element);
   };
-  for (auto next = elements.begin(); next != elements.end(); ++next) {
-    const std::uint32_t element = *next;
+  constexpr std::uint32_t ahead = 12;  // hides the way to memory when elements stand in no order
+  for (std::uint32_t i = 0; i < n; ++i) {
+    if (i + ahead < n) __builtin_prefetch(nodes_of(element_at(i + ahead)));
+    const std::uint32_t element = element_at(i);
     const NodeIndex* nodes = nodes_of(element);
-    constexpr std::ptrdiff_t ahead = 12;
-    if (elements.end() - next > ahead) __builtin_prefetch(nodes_of(next[ahead]));
     for (std::size_t face = 0; face < n_faces; ++face) {
       const auto& c = sides[face].corners;
       Corners corners{nodes[c[0]].value, nodes[c[1]].value, nodes[c[2]].value, nodes[c[3]].value};
@@ -86,23 +86,23 @@ void visit_faces_of(const ElementBlock& block, const Elements& elements, Visit& 
 }
 
 /// Every face of a solid matters to a skin, and one of a shell.
-///   elements  range of positions in the mesh, all of this block
-template <class Elements, class Visit>
-void visit_faces_of_block(const ElementBlock& block, const Elements& elements, Visit& visit) {
+template <class ElementAt, class Visit>
+void visit_faces_of_block(const ElementBlock& block, std::uint32_t n, const ElementAt& element_at,
+                          Visit& visit) {
   using namespace side_tables;
   const Topology& shape = topology(block.shape);
   if (shape.family == Family::shell && shape.n_corners == 4) {
-    visit_faces_of<shell_quad_sides, 1>(block, elements, visit);
+    visit_faces_of<shell_quad_sides, 1>(block, n, element_at, visit);
   } else if (shape.family == Family::shell) {
-    visit_faces_of<shell_tri_sides, 1>(block, elements, visit);
+    visit_faces_of<shell_tri_sides, 1>(block, n, element_at, visit);
   } else if (shape.sides.data() == hex_sides.data()) {
-    visit_faces_of<hex_sides>(block, elements, visit);
+    visit_faces_of<hex_sides>(block, n, element_at, visit);
   } else if (shape.sides.data() == tet_sides.data()) {
-    visit_faces_of<tet_sides>(block, elements, visit);
+    visit_faces_of<tet_sides>(block, n, element_at, visit);
   } else if (shape.sides.data() == wedge_sides.data()) {
-    visit_faces_of<wedge_sides>(block, elements, visit);
+    visit_faces_of<wedge_sides>(block, n, element_at, visit);
   } else if (shape.sides.data() == pyramid_sides.data()) {
-    visit_faces_of<pyramid_sides>(block, elements, visit);
+    visit_faces_of<pyramid_sides>(block, n, element_at, visit);
   }
 }
 
@@ -112,7 +112,9 @@ void visit_faces(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, Visit
   for (const ElementBlock& block : mesh.blocks()) {
     const std::uint32_t first = std::max(begin, block.first_element.value);
     const std::uint32_t last = std::min(end, block.first_element.value + block.n_elements);
-    if (first < last) visit_faces_of_block(block, std::views::iota(first, last), visit);
+    if (first >= last) continue;
+    visit_faces_of_block(
+        block, last - first, [first](std::uint32_t i) { return first + i; }, visit);
   }
 }
 
@@ -124,8 +126,9 @@ void visit_faces(const Mesh& mesh, std::span<const std::uint32_t> elements, Visi
     const ElementBlock& block = mesh.blocks()[mesh.block_of({elements.front()})];
     const std::uint32_t end = block.first_element.value + block.n_elements;
     const auto last = std::lower_bound(elements.begin(), elements.end(), end);
-    const auto n = static_cast<std::size_t>(last - elements.begin());
-    visit_faces_of_block(block, elements.first(n), visit);
+    const auto n = static_cast<std::uint32_t>(last - elements.begin());
+    visit_faces_of_block(
+        block, n, [&](std::uint32_t i) { return elements[i]; }, visit);
     elements = elements.subspan(n);
   }
 }
