@@ -95,6 +95,7 @@ class Table {
  private:
   static TableText texts_of(const std::vector<Row<T>>& rows) {
     std::vector<RowText> texts;
+    texts.reserve(rows.size());
     for (const Row<T>& row : rows) texts.push_back(row.text);
     return TableText(std::move(texts));
   }

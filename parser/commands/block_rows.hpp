@@ -21,10 +21,10 @@ Row<T> ignored_block(std::string_view phrase, std::string_view help) {
 
 /// An ignored block whose lines `explain` can list; they are not read.
 template <class T>
-Row<T> ignored_block(std::string_view phrase, std::function<const TableText&()> contents,
+Row<T> ignored_block(std::string_view phrase, const std::function<const TableText&()>& contents,
                      std::string_view help) {
-  Row<T> made = ignored_block<T>(std::string(phrase), std::string(help));
-  made.text.contents = std::move(contents);
+  Row<T> made = ignored_block<T>(phrase, help);
+  made.text.contents = contents;
   return made;
 }
 
@@ -104,8 +104,8 @@ template <class T, class Part>
 Row<T> block(std::string_view phrase, Naming naming, const Table<Part>& (*table)(),
              std::vector<Part> T::*list, std::string_view help) {
   return block<T, Part>(
-      std::string(phrase), naming, table,
-      [list](T& target, Part part) { (target.*list).push_back(std::move(part)); }, std::string(help));
+      phrase, naming, table, [list](T& target, Part part) { (target.*list).push_back(std::move(part)); },
+      help);
 }
 
 /// A block whose commands go into a part that is there once; several such blocks add up.

@@ -67,14 +67,14 @@ Row<Region> prescribed_block(std::string help) {
       std::move(help));
 }
 
-Row<Region> fixed_block(std::string phrase, bool is_rotation, std::string help) {
+Row<Region> fixed_block(std::string_view phrase, bool is_rotation, std::string_view help) {
   return block<Region, FixedCondition>(
-      std::move(phrase), Naming::optional, fixed_table,
+      phrase, Naming::optional, fixed_table,
       [is_rotation](Region& region, FixedCondition condition) {
         condition.is_rotation = is_rotation;
         region.fixed_conditions.push_back(std::move(condition));
       },
-      std::move(help));
+      help);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void read_subdomain(Arguments& arguments, ContactDefinition& contact) {
 }
 
 Eigen::Vector3d read_direction(Arguments& arguments) {
-  const Eigen::Vector3d direction = arguments.vector();
+  Eigen::Vector3d direction = arguments.vector();
   if (direction.isZero(0.0)) arguments.fail_here("the normal must not be the zero vector");
   return direction;
 }

@@ -46,6 +46,7 @@ ContactDefinition& contact_of(S& simulation) {
 template <class Part>
 std::vector<Row<S>> lift_all_by(const std::vector<Row<Part>>& rows_of_part, Part& (*part_of)(S&)) {
   std::vector<Row<S>> lifted;
+  lifted.reserve(rows_of_part.size());
   for (const Row<Part>& row_of_part : rows_of_part) lifted.push_back(lift<S, Part>(row_of_part, part_of));
   return lifted;
 }

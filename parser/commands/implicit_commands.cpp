@@ -10,12 +10,13 @@ namespace {
 /// These blocks are bound into nothing.
 struct Nothing {};
 
-Row<Nothing> line(std::string phrase, std::string syntax, const std::string& help) {
-  return ignored<Nothing>(std::move(phrase), std::move(syntax), "implicit only: " + help);
+Row<Nothing> line(std::string_view phrase, std::string_view syntax, const std::string& help) {
+  return ignored<Nothing>(phrase, syntax, "implicit only: " + help);
 }
 
-Row<Nothing> inner(std::string phrase, std::function<const TableText&()> contents, const std::string& help) {
-  return ignored_block<Nothing>(std::move(phrase), std::move(contents), "implicit only: " + help);
+Row<Nothing> inner(std::string_view phrase, const std::function<const TableText&()>& contents,
+                   const std::string& help) {
+  return ignored_block<Nothing>(phrase, contents, "implicit only: " + help);
 }
 
 const TableText& preconditioner_text() {

@@ -75,17 +75,17 @@ void read_requests(Arguments& arguments, VariableLocation location, RequestPlace
   } while (!arguments.at_end());
 }
 
-Row<Requests> request_row(std::string phrase, VariableLocation location, RequestPlaces places,
+Row<Requests> request_row(std::string_view phrase, VariableLocation location, RequestPlaces places,
                           std::string help) {
   const std::string at =
       places == RequestPlaces::entities ? " [{AT <kind> <id>|NEAREST LOCATION <x> <y> <z>}]" : "";
   if (!at.empty()) help += "; the location is [length]";
   return row<Requests>(
-      std::move(phrase), fmt::format("= <variable>{} [AS <alias>] [{{INCLUDE|EXCLUDE}} <part> ...] ...", at),
+      phrase, fmt::format("= <variable>{} [AS <alias>] [{{INCLUDE|EXCLUDE}} <part> ...] ...", at),
       [location, places](Arguments& arguments, Requests& requests) {
         read_requests(arguments, location, places, requests);
       },
-      std::move(help), "none");
+      help, "none");
 }
 
 /// VARIABLE = NODE v AT NODE 42 AS a.

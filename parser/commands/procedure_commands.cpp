@@ -42,11 +42,10 @@ void add_region(P& procedure, Region region, Solution solution) {
   procedure.regions.push_back(std::move(region));
 }
 
-Row<P> region_row(std::string phrase, Solution solution, std::string help) {
+Row<P> region_row(std::string_view phrase, Solution solution, std::string_view help) {
   return block<P, Region>(
-      std::move(phrase), Naming::required, region_table,
-      [solution](P& procedure, Region region) { add_region(procedure, std::move(region), solution); },
-      std::move(help));
+      phrase, Naming::required, region_table,
+      [solution](P& procedure, Region region) { add_region(procedure, std::move(region), solution); }, help);
 }
 
 const Table<P>& procedure_table() {
@@ -88,13 +87,13 @@ void add_procedure(Procedures& procedures, P procedure, Solution solution) {
   procedures.push_back(std::move(procedure));
 }
 
-Row<Procedures> procedure_row(std::string phrase, Solution solution, std::string help) {
+Row<Procedures> procedure_row(std::string_view phrase, Solution solution, std::string_view help) {
   return block<Procedures, P>(
-      std::move(phrase), Naming::optional, procedure_table,
+      phrase, Naming::optional, procedure_table,
       [solution](Procedures& procedures, P procedure) {
         add_procedure(procedures, std::move(procedure), solution);
       },
-      std::move(help));
+      help);
 }
 
 }  // namespace

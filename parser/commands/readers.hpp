@@ -36,7 +36,7 @@ std::string syntax_of_choice(const std::vector<std::string>& words);
 
 /// A reader of one of several words, in the order of the enumerators of E (from 0).
 template <class E>
-Reader<E> choice_of(std::vector<std::string> words) {
+Reader<E> choice_of(const std::vector<std::string>& words) {
   return {syntax_of_choice(words),
           [words](Arguments& arguments) { return static_cast<E>(arguments.choice(words)); },
           [words](const E& value) { return words[static_cast<std::size_t>(value)]; }};

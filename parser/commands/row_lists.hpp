@@ -21,6 +21,7 @@ std::vector<Row<T>> joined(std::initializer_list<std::vector<Row<T>>> lists) {
 template <class T, class Part>
 std::vector<Row<T>> lift_all(const std::vector<Row<Part>>& rows_of_part, Part T::*part) {
   std::vector<Row<T>> lifted;
+  lifted.reserve(rows_of_part.size());
   for (const Row<Part>& row_of_part : rows_of_part) lifted.push_back(lift(row_of_part, part));
   return lifted;
 }

@@ -35,13 +35,13 @@ std::string default_of(const Reader<V>& reader, const F& field) {
 }
 
 template <class F>
-constexpr bool is_list = false;
+inline constexpr bool is_list = false;
 template <class E>
-constexpr bool is_list<std::vector<E>> = true;
+inline constexpr bool is_list<std::vector<E>> = true;
 
 /// Whether a second value replaces the first in a field; lists grow.
 template <class V, class F>
-constexpr bool replaces = std::is_assignable_v<F&, V> && !is_list<F>;
+inline constexpr bool replaces = std::is_assignable_v<F&, V> && !is_list<F>;
 
 /// Puts a value into a field: sets it, or adds it to a list of such values.
 template <class V, class F>

@@ -196,7 +196,7 @@ const Table<OpaqueSection>& opaque_section_table() {
 Row<Sections> unsupported_section_row(const std::string& phrase) {
   return block<Sections, OpaqueSection>(
       phrase, Naming::required, opaque_section_table,
-      [phrase](Sections& sections, OpaqueSection part) {
+      [phrase](Sections& sections, const OpaqueSection& part) {
         sections.push_back({part.name, {}, UnsupportedSection{phrase}});
       },
       "Not supported: an error when a block uses it");
