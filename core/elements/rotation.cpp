@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/elements/rotation.hpp"
+
+namespace contactsim {
+
+StepMotion split_motion(const TensorLanes& g) {
+  StepMotion motion;
+  motion.strain = {{g[0][0], g[1][1], g[2][2], 0.5 * (g[0][1] + g[1][0]), 0.5 * (g[1][2] + g[2][1]),
+                    0.5 * (g[2][0] + g[0][2])}};
+  // Cayley's formula with the axial vector w of the skew part A: I + (A + A^2 / 2) / (1 + w.w / 4).
+  const Lanes wx = 0.5 * (g[2][1] - g[1][2]), wy = 0.5 * (g[0][2] - g[2][0]), wz = 0.5 * (g[1][0] - g[0][1]);
+  const Lanes xx = wx * wx, yy = wy * wy, zz = wz * wz;
+  const Lanes scale = 1.0 / (1.0 + 0.25 * (xx + yy + zz)), half = 0.5 * scale;
+  TensorLanes& r = motion.rotation;
+  r[0] = {1.0 - half * (yy + zz), half * wx * wy - scale * wz, half * wx * wz + scale * wy};
+  r[1] = {half * wx * wy + scale * wz, 1.0 - half * (xx + zz), half * wy * wz - scale * wx};
+  r[2] = {half * wx * wz - scale * wy, half * wy * wz + scale * wx, 1.0 - half * (xx + yy)};
+  return motion;
+}
+
+SymmetricLanes turned(const SymmetricLanes& a, const TensorLanes& r) {
+  TensorLanes ra;  // R a
+  for (std::size_t i = 0; i < 3; ++i) {
+    ra[i] = {r[i][0] * a[0] + r[i][1] * a[3] + r[i][2] * a[5],
+             r[i][0] * a[3] + r[i][1] * a[1] + r[i][2] * a[4],
+             r[i][0] * a[5] + r[i][1] * a[4] + r[i][2] * a[2]};
+  }
+  const auto component = [&](std::size_t i, std::size_t j) -> Lanes {
+    return ra[i][0] * r[j][0] + ra[i][1] * r[j][1] + ra[i][2] * r[j][2];
+  };
+  return {
+      {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)}};
+}
+
+}  // namespace contactsim

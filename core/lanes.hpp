@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace contactsim {
+
+/// Element kernels and material laws work on this many elements at a time, one per lane.
+inline constexpr int n_lanes = 8;
+
+/// One number of each element.
+using Lanes = Eigen::Array<double, n_lanes, 1>;
+
+/// Which elements something holds for.
+using LaneMask = Eigen::Array<bool, n_lanes, 1>;
+
+/// A symmetric tensor of each element: xx, yy, zz, xy, yz, zx.
+struct SymmetricLanes {
+  std::array<Lanes, 6> components;
+
+  static SymmetricLanes zero() {
+    SymmetricLanes tensor;
+    for (Lanes& component : tensor.components) component.setZero();
+    return tensor;
+  }
+  Lanes& operator[](std::size_t i) { return components[i]; }
+  const Lanes& operator[](std::size_t i) const { return components[i]; }
+};
+
+inline Lanes trace(const SymmetricLanes& a) { return a[0] + a[1] + a[2]; }
+
+/// The double contraction a : b, the off-diagonal components counted twice.
+inline Lanes contract(const SymmetricLanes& a, const SymmetricLanes& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2.0 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
+}
+
+/// The tensor less a third of its trace on the diagonal.
+inline SymmetricLanes deviator(SymmetricLanes a) {
+  const Lanes mean = trace(a) / 3.0;
+  for (std::size_t i = 0; i < 3; ++i) a[i] -= mean;
+  return a;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "core/lanes.hpp"
+
+/// Flow stresses of the plastic laws: how large the equivalent stress may be.
+namespace contactsim {
+
+/// A flow stress and its slope over the plastic increment.
+struct FlowStress {
+  Lanes value;  ///< >= 0 [force/length^2]
+  Lanes slope;  ///< [force/length^2]
+};
+
+/// Flow stress that grows in proportion to the plastic strain, or a part of it, with a back stress that takes
+/// the rest. Source: Sierra/SM, ELASTIC_PLASTIC; Simo and Hughes, Computational Inelasticity (1998), box 3.1.
+struct LinearHardening {
+  double yield_stress = 0.0;       ///< > 0 [force/length^2]
+  double isotropic_modulus = 0.0;  ///< beta times the hardening modulus [force/length^2]
+  double kinematic_modulus = 0.0;  ///< the rest of it [force/length^2]
+  static constexpr bool has_back_stress = true;
+
+  FlowStress at(const Lanes& eqps, const Lanes& increment, double /*dt*/) const {
+    const Lanes value = yield_stress + isotropic_modulus * (eqps + increment);
+    return {value.max(0.0), (value > 0.0).select(Lanes::Constant(isotropic_modulus), 0.0)};
+  }
+  double least_slope() const { return isotropic_modulus; }
+};
+
+/// Flow stress that grows with a power of the plastic strain beyond the Lueders strain.
+/// Source: Sierra/SM, EP_POWER_HARD.
+struct PowerHardening {
+  double yield_stress = 0.0;   ///< > 0 [force/length^2]
+  double constant = 0.0;       ///< >= 0 [force/length^2]
+  double exponent = 1.0;       ///< > 0 [1]
+  double luders_strain = 0.0;  ///< >= 0 [1]
+  static constexpr bool has_back_stress = false;
+  static constexpr double kinematic_modulus = 0.0;
+
+  FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
+  double least_slope() const { return 0.0; }
+};
+
+/// Flow stress that grows with a power of the plastic strain and the logarithm of its rate; rates below the
+/// reference count as the reference. Source: Johnson and Cook, 7th Int. Symp. on Ballistics (1983) 541-547,
+/// without temperature.
+struct JohnsonCookHardening {
+  PowerHardening power;         ///< with no Lueders strain
+  double rate_constant = 0.0;   ///< >= 0 [1]
+  double reference_rate = 1.0;  ///< > 0 [1/time]
+  static constexpr bool has_back_stress = false;
+  static constexpr double kinematic_modulus = 0.0;
+
+  FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
+  double least_slope() const { return 0.0; }
+};
+
+}  // namespace contactsim
