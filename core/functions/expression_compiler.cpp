@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <utility>
 
 #include "core/functions/expression.hpp"
+#include "core/functions/expression_operators.hpp"
 #include "core/functions/expression_tokens.hpp"
 #include "core/names.hpp"
 
@@ -22,38 +21,6 @@ using Arguments = std::span<const double>;
 constexpr int max_depth = 200;
 constexpr std::size_t max_locals = 100;
 constexpr const char* needs_parentheses = "say by parentheses what belongs together";
-
-/// How strongly operators bind; higher binds more.
-enum class Level { lowest, logical_or, logical_and, relation, sum, product, power };
-
-struct Operator {
-  std::string_view symbol;
-  Level level;
-  ExpressionFunction::Body body;
-};
-
-constexpr auto operators = std::to_array<Operator>({
-    {"||", Level::logical_or, [](Arguments a) { return a[0] != 0.0 || a[1] != 0.0 ? 1.0 : 0.0; }},
-    {"&&", Level::logical_and, [](Arguments a) { return a[0] != 0.0 && a[1] != 0.0 ? 1.0 : 0.0; }},
-    {"==", Level::relation, [](Arguments a) { return a[0] == a[1] ? 1.0 : 0.0; }},
-    {"!=", Level::relation, [](Arguments a) { return a[0] != a[1] ? 1.0 : 0.0; }},
-    {"<", Level::relation, [](Arguments a) { return a[0] < a[1] ? 1.0 : 0.0; }},
-    {"<=", Level::relation, [](Arguments a) { return a[0] <= a[1] ? 1.0 : 0.0; }},
-    {">", Level::relation, [](Arguments a) { return a[0] > a[1] ? 1.0 : 0.0; }},
-    {">=", Level::relation, [](Arguments a) { return a[0] >= a[1] ? 1.0 : 0.0; }},
-    {"+", Level::sum, [](Arguments a) { return a[0] + a[1]; }},
-    {"-", Level::sum, [](Arguments a) { return a[0] - a[1]; }},
-    {"*", Level::product, [](Arguments a) { return a[0] * a[1]; }},
-    {"/", Level::product, [](Arguments a) { return a[0] / a[1]; }},
-    {"%", Level::product, [](Arguments a) { return std::fmod(a[0], a[1]); }},
-    {"^", Level::power, [](Arguments a) { return std::pow(a[0], a[1]); }},
-});
-
-const Operator* find_operator(const Token& token) {
-  const auto found = std::find_if(operators.begin(), operators.end(),
-                                  [&](const Operator& o) { return o.symbol == token.text; });
-  return found == operators.end() ? nullptr : &*found;
-}
 
 std::string shown(const Token& token) {
   return token.kind == TokenKind::end ? "the end of the expression" : fmt::format("'{}'", token.text);
@@ -76,9 +43,9 @@ class ExpressionCompiler {
  private:
   void read_statement();
   void read_value();
-  void read(Level lowest);
-  void read_operator(const Operator& op, bool& has_and);
-  void read_prefix(Level lowest);
+  void read(ExpressionLevel lowest);
+  void read_operator(const ExpressionOperator& op, bool& has_and);
+  void read_prefix(ExpressionLevel lowest);
   void read_primary();
   void read_call(const Token& name);
   void read_name(const Token& name);
@@ -183,7 +150,7 @@ void ExpressionCompiler::read_statement() {
 /// An expression with its ?:, which binds least and groups to the right.
 void ExpressionCompiler::read_value() {
   enter();
-  read(Level::lowest);
+  read(ExpressionLevel::lowest);
   const Token question = peek();
   if (accept("?")) {
     const std::size_t skip_true = emit(Kind::jump_if_false);
@@ -199,35 +166,36 @@ void ExpressionCompiler::read_value() {
   --depth_;
 }
 
-void ExpressionCompiler::read(Level lowest) {
+void ExpressionCompiler::read(ExpressionLevel lowest) {
   read_prefix(lowest);
   bool has_and = false;
-  const Operator* before = nullptr;
-  while (const Operator* op = peek().kind == TokenKind::symbol ? find_operator(peek()) : nullptr) {
+  const ExpressionOperator* before = nullptr;
+  while (const ExpressionOperator* op =
+             peek().kind == TokenKind::symbol ? find_expression_operator(peek().text) : nullptr) {
     if (op->level < lowest) break;
     const bool is_chain = before != nullptr && before->level == op->level;
-    if (is_chain && op->level == Level::relation) {
+    if (is_chain && op->level == ExpressionLevel::relation) {
       fail_at(peek(), "comparisons do not form chains", "write a < b && b < c");
     }
-    if (is_chain && op->level == Level::power)
+    if (is_chain && op->level == ExpressionLevel::power)
       fail_at(peek(), "a ^ b ^ c has two readings", needs_parentheses);
     read_operator(*op, has_and);
     before = op;
   }
 }
 
-void ExpressionCompiler::read_operator(const Operator& op, bool& has_and) {
+void ExpressionCompiler::read_operator(const ExpressionOperator& op, bool& has_and) {
   // Sierra reads a && b || c as a && (b || c), C as (a && b) || c.
-  if (op.level == Level::logical_and) has_and = true;
-  if (op.level == Level::logical_or && has_and) {
+  if (op.level == ExpressionLevel::logical_and) has_and = true;
+  if (op.level == ExpressionLevel::logical_or && has_and) {
     fail_at(peek(), "a && b || c has two readings", needs_parentheses);
   }
   ++next_;
-  read(static_cast<Level>(static_cast<int>(op.level) + 1));
+  read(static_cast<ExpressionLevel>(static_cast<int>(op.level) + 1));
   emit_call(op.body, 2);
 }
 
-void ExpressionCompiler::read_prefix(Level lowest) {
+void ExpressionCompiler::read_prefix(ExpressionLevel lowest) {
   const Token sign = peek();
   if (!accept("-") && !accept("+") && !accept("!")) return read_primary();
   // Sierra takes the sign of a number into the number, but -x^2 as -(x^2).
@@ -235,7 +203,7 @@ void ExpressionCompiler::read_prefix(Level lowest) {
     fail_at(sign, fmt::format("{}{}^... has two readings", sign.text, peek().text), needs_parentheses);
   }
   enter();
-  read(std::max(lowest, Level::power));
+  read(std::max(lowest, ExpressionLevel::power));
   --depth_;
   if (sign.text == "-") emit_call([](Arguments a) { return -a[0]; }, 1);
   if (sign.text == "!") emit_call([](Arguments a) { return a[0] == 0.0 ? 1.0 : 0.0; }, 1);
