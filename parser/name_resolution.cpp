@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "parser/commands/function_commands.hpp"
+#include "core/functions/function.hpp"
 #include "parser/commands/material_commands.hpp"
 #include "parser/commands/time_commands.hpp"
 #include "parser/region_names.hpp"
@@ -40,7 +40,7 @@ class NameResolution {
     });
     for_each_used(simulation_.axes, outside_.axes, [&](const auto& axis) { use_axis(axis); });
     for_each_used(simulation_.functions, outside_.functions, [&](const auto& function) {
-      check_used_function(function, diagnostics_);
+      make_function(function, diagnostics_);
       used_keys_.insert(use_key("function", function.name.text));
     });
     for_each_used(simulation_.materials, outside_.materials, [&](const auto& material) { check(material); });

@@ -57,7 +57,7 @@ struct ExpressionVariable {
 
 /// EVALUATE EXPRESSION = "<text>".
 struct FunctionExpression {
-  DeckLocation location;
+  DeckLocation location;  ///< of the text, or of the quote before it
   std::string text;
 };
 

@@ -54,8 +54,11 @@ void read_value(Arguments& arguments, FunctionDefinition& function) {
 }
 
 void read_expression(Arguments& arguments, FunctionDefinition& function) {
-  const bool is_quoted = !arguments.at_end() && arguments.peek().kind == WordKind::quoted;
-  FunctionExpression expression{arguments.location(), is_quoted ? arguments.text() : arguments.rest()};
+  FunctionExpression expression{arguments.location(), ""};
+  if (!arguments.at_end()) {
+    expression.location = arguments.peek().location;
+    expression.text = arguments.peek().kind == WordKind::quoted ? arguments.text() : arguments.rest();
+  }
   if (expression.text.empty()) arguments.fail_here("expected an expression between double quotes");
   function.expression = std::move(expression);
 }

@@ -39,7 +39,7 @@ TEST_CASE("a piecewise linear function keeps its points as written", "[parser][f
       "  abscissa = time, in seconds\n"
       "  ordinate is velocity\n"
       "  x scale = 2\n  x offset = 1\n  ordinate scale = 3\n  y offset = -1\n"
-      "  begin values\n    0.0, 1.0\n    0.5 2.0 # a comment\n    0.5 3\n  end values\n");
+      "  begin values\n    0.0, 1.0\n    0.5 2.0 # a comment\n    0.6 3\n  end values\n");
   REQUIRE(said == "");
   const FunctionDefinition& function = simulation.functions.at(0);
   CHECK(function.name.text == "f");
@@ -105,6 +105,16 @@ TEST_CASE("a table whose abscissa decreases is told at its line", "[parser][func
           .messages == "a.i:7:5: error: the function 'f' has an abscissa that decreases from 2 to 1\n");
   CHECK(using_function("  type = piecewise linear\n  begin values\n    0 0\n    1\n    2 1 5\n  end\n")
             .messages == "a.i:6:5: error: the function 'f' needs two numbers on each line\n");
+}
+
+TEST_CASE("a mistake in an expression is told at its character", "[parser][function]") {
+  CHECK(using_function("  type = analytic\n  evaluate expression = \"2*sqtr(x)\"\n").messages ==
+        "a.i:4:28: error: the function 'f': unknown function 'sqtr'; did you mean 'sqrt'?\n");
+  CHECK(using_function("  type = analytic\n  evaluate expression is \"x < 1 ? 1 : \\# first\n    t\"\n")
+            .messages ==
+        "a.i:5:5: error: the function 'f': unknown name 't' in the expression; it may read x\n");
+  CHECK(using_function("  type = analytic\n  evaluate expression is 2 * (x\n").messages ==
+        "a.i:4:32: error: the function 'f': expected ')' for this '(', found the end of the expression\n");
 }
 
 TEST_CASE("words among the values are told", "[parser][function]") {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/functions/expression_functions.hpp"
+
+namespace contactsim {
+
+/// What is wrong in an expression, and where.
+struct ExpressionError {
+  std::size_t offset = 0;  ///< into the expression's text
+  int length = 1;
+  std::string text;
+  std::string hint = {};
+};
+
+/// One step of an expression's postfix program. Values are pushed on a stack and taken from it.
+struct ExpressionStep {
+  enum class Kind : std::uint8_t {
+    number,        ///< pushes `number`
+    input,         ///< pushes input `index`
+    local,         ///< pushes assigned name `index`
+    store,         ///< sets assigned name `index` to the top, which stays
+    drop,          ///< takes the top off
+    call,          ///< takes `index` arguments off, pushes the value of `body`
+    jump,          ///< goes to step `index`
+    jump_if_false  ///< takes the top off, goes to step `index` if it is 0
+  };
+  Kind kind = Kind::number;
+  std::uint32_t index = 0;
+  double number = 0.0;
+  ExpressionFunction::Body body = nullptr;
+};
+
+/// A compiled expression: the value of its last statement as a function of its inputs. Nothing is allocated
+/// when it is evaluated, and the same inputs give the same bits.
+class Expression {
+ public:
+  /// The value, NaN or infinite where the expression has no finite one. Of a ?: only the chosen side runs.
+  ///   inputs  in the order of compile_expression()'s names
+  double evaluate(std::span<const double> inputs) const;
+
+  /// Whether no input is read.
+  bool is_constant() const;
+
+ private:
+  friend class ExpressionCompiler;
+  std::vector<ExpressionStep> steps_;
+  std::size_t n_locals_ = 0;
+};
+
+/// More values than this are never on the stack, assigned names included.
+constexpr std::size_t max_expression_values = 512;
+
+/// Compiles the text of EVALUATE EXPRESSION: numbers, names in any case, + - * / % ^ < <= > >= == != && || !
+/// ?:, the rows of expression_functions(), PI TWO_PI E TRUE FALSE, and statements `name = value;` before
+/// the last. Truth is 1 or 0, and anything but 0 is true. Throws ExpressionError; also for what Sierra and C
+/// read differently, where only parentheses say what is meant: -2^2, a^b^c, a && b || c, a < b < c.
+///   inputs  names the expression may read, in lower case; they hide constants of the same name
+/// Source: Sierra decks' EVALUATE EXPRESSION; Trilinos STK expreval (the evaluator behind it).
+Expression compile_expression(std::string_view text, std::span<const std::string> inputs);
+
+}  // namespace contactsim

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "core/definition/function.hpp"
+
+namespace contactsim {
+
+/// Where in the deck the character at `offset` of an expression stands, through quotes and continued lines;
+/// the expression's own place when the deck's text is not the expression's, as after Aprepro.
+DeckLocation locate(const FunctionExpression& expression, std::size_t offset);
+
+}  // namespace contactsim

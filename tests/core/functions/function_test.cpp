@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/functions/function.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "support/catch.hpp"
+#include "support/function_definition.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Function made(const FunctionDefinition& definition) {
+  Diagnostics diagnostics;
+  auto function = make_function(definition, diagnostics);
+  REQUIRE(diagnostics.empty());
+  REQUIRE(function);
+  return *function;
+}
+
+}  // namespace
+
+TEST_CASE("a piecewise linear function meets its points and holds its ends", "[core][function]") {
+  const Function f = made(table_function(FunctionType::piecewise_linear, {{1, 10}, {2, 20}, {4, -20}}));
+  CHECK(f.evaluate(1.0) == 10.0);
+  CHECK(f.evaluate(2.0) == 20.0);
+  CHECK(f.evaluate(4.0) == -20.0);
+  CHECK(f.evaluate(1.25) == 12.5);
+  CHECK(f.evaluate(3.0) == 0.0);
+  CHECK(f.evaluate(0.0) == 10.0);
+  CHECK(f.evaluate(-infinity) == 10.0);
+  CHECK(f.evaluate(5.0) == -20.0);
+  CHECK(f.evaluate(infinity) == -20.0);
+  CHECK(std::isnan(f.evaluate(lost)));
+  CHECK_FALSE(f.is_constant());
+}
+
+TEST_CASE("a piecewise linear function equals a search through all its lines", "[core][function]") {
+  std::vector<std::pair<double, double>> points;
+  for (int i = 0; i < 50; ++i) points.emplace_back(i * i, std::sin(i));
+  const Function f = made(table_function(FunctionType::piecewise_linear, points));
+  for (double x = 0.0; x < 2401.0; x += 0.7) {
+    std::size_t i = 0;
+    while (points[i + 1].first <= x) ++i;
+    const auto [x0, y0] = points[i];
+    const auto [x1, y1] = points[i + 1];
+    CHECK(f.evaluate(x) == Approx(y0 + (y1 - y0) / (x1 - x0) * (x - x0)).margin(1e-14));
+  }
+}
+
+TEST_CASE("a piecewise linear function of huge values does not overflow", "[core][function]") {
+  const Function f = made(table_function(FunctionType::piecewise_linear, {{0, -1.5e308}, {1, 1.5e308}}));
+  CHECK(f.evaluate(0.5) == 0.0);
+}
+
+TEST_CASE("a table of one point is its value everywhere", "[core][function]") {
+  for (const FunctionType type : {FunctionType::piecewise_linear, FunctionType::piecewise_constant}) {
+    const Function f = made(table_function(type, {{1, 10}}));
+    CHECK(f.evaluate(0.0) == 10.0);
+    CHECK(f.evaluate(1.0) == 10.0);
+    CHECK(f.evaluate(2.0) == 10.0);
+  }
+}
+
+TEST_CASE("a piecewise constant function steps at its points", "[core][function]") {
+  FunctionDefinition definition =
+      table_function(FunctionType::piecewise_constant, {{1, 10}, {2, 20}, {3, 30}});
+  const Function right = made(definition);
+  definition.at_discontinuity = DiscontinuitySide::left;
+  const Function left = made(definition);
+  for (const Function& f : {right, left}) {
+    CHECK(f.evaluate(0.0) == 10.0);
+    CHECK(f.evaluate(1.0) == 10.0);
+    CHECK(f.evaluate(1.5) == 10.0);
+    CHECK(f.evaluate(2.5) == 20.0);
+    CHECK(f.evaluate(9.0) == 30.0);
+    CHECK(std::isnan(f.evaluate(lost)));
+  }
+  CHECK(right.evaluate(2.0) == 20.0);
+  CHECK(left.evaluate(2.0) == 10.0);
+  CHECK(right.evaluate(3.0) == 30.0);
+  CHECK(left.evaluate(3.0) == 20.0);
+}
+
+TEST_CASE("both coordinates are offset first and scaled then", "[core][function]") {
+  FunctionDefinition definition = table_function(FunctionType::piecewise_linear, {{0, 1}, {1, 3}});
+  definition.x_scale = 2.0;
+  definition.x_offset = 1.0;  // abscissae 2 and 4
+  definition.y_scale = 10.0;
+  definition.y_offset = -1.0;  // ordinates 0 and 20
+  const Function f = made(definition);
+  CHECK(f.evaluate(2.0) == 0.0);
+  CHECK(f.evaluate(3.0) == 10.0);
+  CHECK(f.evaluate(4.0) == 20.0);
+  definition.y_scale = -10.0;
+  CHECK(made(definition).evaluate(4.0) == -20.0);
+}
+
+TEST_CASE("a constant function is scaled", "[core][function]") {
+  FunctionDefinition definition = table_function(FunctionType::constant, {{lost, 7}});
+  definition.y_scale = 2.0;
+  definition.y_offset = 1.0;
+  CHECK(made(definition).evaluate(123.0) == 16.0);
+  CHECK(made(definition).is_constant());
+}
+
+TEST_CASE("an analytic function reads x and is scaled", "[core][function]") {
+  FunctionDefinition definition = analytic_function("x < 1 ? 10*x : 10;");
+  definition.y_scale = 2.0;
+  definition.y_offset = 1.0;
+  const Function f = made(definition);
+  CHECK(f.inputs().empty());
+  CHECK(f.evaluate(0.5) == 12.0);
+  CHECK(f.evaluate(2.0) == 22.0);
+  CHECK_FALSE(f.is_constant());
+  CHECK(made(analytic_function("pi - pi")).is_constant());
+  CHECK_FALSE(std::isfinite(made(analytic_function("1/x")).evaluate(0.0)));
+}
+
+TEST_CASE("expression variables are the inputs of a function", "[core][function]") {
+  FunctionDefinition definition = analytic_function("v_y + 10*T + 100*s_zx");
+  definition.variables = {{{"V", {}}, ExpressionSource::nodal_vector, {"velocity", {}}},
+                          {{"t", {}}, ExpressionSource::global, {"time", {}}},
+                          {{"s", {}}, ExpressionSource::element_sym_tensor, {"stress", {}}}};
+  const Function f = made(definition);
+  REQUIRE(f.inputs().size() == 10);
+  CHECK(f.inputs()[1].name == "v_y");
+  CHECK(f.inputs()[1].component == "y");
+  CHECK(f.inputs()[1].variable.text == "velocity");
+  CHECK(f.inputs()[3].name == "t");
+  CHECK(f.inputs()[3].component.empty());
+  CHECK(f.inputs()[9].name == "s_zx");
+  CHECK(f.evaluate(std::array{0.0, 2.0, 0.0, 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4.0}) == 432.0);
+}
+
+TEST_CASE("a full tensor has nine inputs", "[core][function]") {
+  FunctionDefinition definition = analytic_function("f_xz - f_zx");
+  definition.variables = {{{"f", {}}, ExpressionSource::nodal_tensor, {"gradient", {}}}};
+  CHECK(made(definition).inputs().size() == 9);
+  CHECK(made(definition).evaluate(std::array{0.0, 0.0, 0.0, 0.0, 0.0, 6.0, 0.0, 0.0, 9.0}) == 3.0);
+}
