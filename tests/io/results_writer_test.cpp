@@ -219,3 +219,14 @@ TEST_CASE("a place that cannot take results is an error", "[io][results]") {
   CHECK_THROWS_WITH(ResultsWriter("/dev/full", mesh, {}, {}),
                     "/dev/full: cannot be created (it is not a regular file)");
 }
+
+// Written here and looked at by results_in_vtk.py, which CTest runs afterwards where VTK is installed.
+TEST_CASE("results for VTK to read", "[.][vtk]") {
+  SampleResults results(two_hexes().build());
+  ResultsWriter writer(std::string(CONTACTSIM_BINARY_DIR) + "/results_for_vtk.e", results.mesh(),
+                       {"for VTK", {}, {}}, results.fields());
+  for (int step = 0; step < 3; ++step) {
+    results.set_step(step);
+    writer.write_step(0.5 * step, results.fields());
+  }
+}
