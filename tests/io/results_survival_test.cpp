@@ -65,7 +65,7 @@ void check_steps(const std::string& path, const SampleResults& results, std::siz
 }
 
 /// Writes steps without end and sends one byte after each.
-[[noreturn]] void write_forever(const std::string& path, SampleResults& results, int pipe) {
+[[noreturn]] void write_forever(const std::string& path, SampleResults& results, int pipe) noexcept {
   ResultsWriter writer(path, results.mesh(), {}, results.fields());
   for (int step = 0;; ++step) {
     results.set_step(step);
