@@ -50,6 +50,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
   const auto owned = owned_elements(model.surfaces.surfaces);
   const auto sizes = find_loft_sizes(definition, region, mesh, {model.surfaces.surfaces, owned}, diagnostics);
   std::vector<ElementIndex> elements;
+  elements.reserve(owned.size());
   for (const OwnedElement& one : owned) elements.push_back(one.element);
   model.loft = make_loft(mesh, mesh.coordinates(), elements, sizes);
   model.surface_of_facet = owners_of(model.loft.facets, owned);

@@ -46,7 +46,7 @@ std::span<const NodeIndex> ShellNeighbours::corners(std::uint32_t shell) const {
 
 Eigen::Vector3d ShellNeighbours::corner_normal(std::uint32_t shell, int corner) const {
   const NodeIndex node = corners(shell)[static_cast<std::size_t>(corner)];
-  const Eigen::Vector3d own = area_vectors_[shell].normalized();
+  Eigen::Vector3d own = area_vectors_[shell].normalized();
   const auto first = std::lower_bound(shells_of_node_.begin(), shells_of_node_.end(), std::pair(node, 0u));
   const auto last = std::upper_bound(first, shells_of_node_.end(), std::pair(node, UINT32_MAX));
   if (last - first > max_smooth_shells) return own;

@@ -98,7 +98,8 @@ class SurfaceDrawing {
     for (int i = 0; i < 9; ++i) {
       Eigen::Vector3d direction;
       direction[axis] = sign;
-      direction[(axis + 1) % 3] = sign * (i / 3 - 1);  // the sign keeps the corners' order outward
+      const int row = i / 3 - 1;
+      direction[(axis + 1) % 3] = sign * row;  // the sign keeps the corners' order outward
       direction[(axis + 2) % 3] = i % 3 - 1;
       grid[static_cast<std::size_t>(i)] = add_point(centre + sphere.radius * direction.normalized());
     }

@@ -123,6 +123,7 @@ std::vector<Assembly> read_assemblies(const NetcdfFile& file, const MeshParts& p
   check_identities(file, EntityKind::assembly, rows, warnings);
 
   std::vector<Assembly> assemblies;
+  assemblies.reserve(all_stored.size());
   for (const StoredAssembly& stored : all_stored) {
     assemblies.push_back({stored.row.id, stored.row.name, stored.member_kind, {}});
   }
