@@ -71,9 +71,9 @@ ChunkStep advance(const SolidBlock& block, const BatchChunk& chunk, const Motion
     SolidStep<n> step;
     Element::advance(block.properties, solid_motion, values.first(block.layout.energy()), step);
     values.back() += step.stress_work;
-    const auto n_used = static_cast<int>(std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes));
+    const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);
-    add_lanes(step, i * n_lanes, n_used, sums);
+    add_lanes(step, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
   }
   return sums;
 }
