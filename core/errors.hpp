@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,6 +29,18 @@ class DeckError : public std::runtime_error {
 class FileError : public std::runtime_error {
  public:
   FileError(const std::string& path, const std::string& what) : std::runtime_error(path + ": " + what) {}
+};
+
+/// A run cannot go on: "time 0.001: element 17 ...".
+class SolveError : public std::runtime_error {
+ public:
+  /// time  at which it happened [time]
+  SolveError(double time, const std::string& what)
+      : std::runtime_error(fmt::format("time {}: {}", time, what)), time_(time) {}
+  double time() const { return time_; }
+
+ private:
+  double time_;
 };
 
 }  // namespace contactsim
