@@ -9,7 +9,8 @@
 namespace contactsim {
 
 std::span<const SolidElement* const> solid_elements() {
-  static constexpr std::array rows{&hex8_mean_quadrature};
+  static constexpr std::array rows{&hex8_mean_quadrature, &tet4_mean_quadrature, &wedge6_mean_quadrature,
+                                   &pyramid5_mean_quadrature};
   return rows;
 }
 

@@ -7,5 +7,8 @@
 namespace contactsim {
 
 extern const SolidElement hex8_mean_quadrature;
+extern const SolidElement tet4_mean_quadrature;
+extern const SolidElement wedge6_mean_quadrature;
+extern const SolidElement pyramid5_mean_quadrature;
 
 }  // namespace contactsim
