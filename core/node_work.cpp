@@ -81,7 +81,7 @@ class Completion {
     const Group now = before + half_before_ * a, after = now + half_after_ * a;
     const Eigen::Index n = std::min(group_size, size_ - i);
     Eigen::Map<Eigen::ArrayXd>(state_.velocity.data() + i, n) = now.head(n);
-    sums.kinetic += mass * now * now;
+    sums.kinetic += now * now * mass;  // in this order infinite where there is no mass
     sums.conserved += mass * after * (after - product_span_ * a);
     sums.momentum += mass * now;
     const Group internal = load(state_.forces.internal, i), external = load(state_.forces.external, i);
