@@ -100,7 +100,7 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
   model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
                              state.acceleration);
   const NodeWork work = complete_velocities(model, state);
-  if (!std::isfinite(work.kinetic)) stop_at_non_finite(model, state);
+  if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);
   add_work(work, state);
 }
 

@@ -114,7 +114,6 @@ TEST_CASE("an element that turns inside out is named", "[core][elements]") {
   const Mesh mesh = MeshBuilder().add_hexes({.cells = {9, 1, 1}, .size = {9.0, 1.0, 1.0}}).build();
   const Model model = model_of(mesh);
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
-  state.step = 7;
   InternalForce internal(model, state);
   Eigen::Matrix3Xd x = mesh.coordinates(), v = Eigen::Matrix3Xd::Zero(3, x.cols()), forces(3, x.cols());
   for (Eigen::Index i = 0; i < x.cols(); ++i) {
