@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <fmt/format.h>
-
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,16 +30,11 @@ class FileError : public std::runtime_error {
   FileError(const std::string& path, const std::string& what) : std::runtime_error(path + ": " + what) {}
 };
 
-/// A run cannot go on: "time 0.001: element 17 ...".
+/// A run cannot go on: a step vanishes, an element turns inside out, a number is not finite.
 class SolveError : public std::runtime_error {
  public:
-  /// time  at which it happened [time]
-  SolveError(double time, const std::string& what)
-      : std::runtime_error(fmt::format("time {}: {}", time, what)), time_(time) {}
-  double time() const { return time_; }
-
- private:
-  double time_;
+  /// The message begins with "step <step>, time <time>: ".
+  SolveError(std::int64_t step, double time, const std::string& what);
 };
 
 }  // namespace contactsim

@@ -35,11 +35,12 @@ std::optional<Eigen::Index> find_component(std::string_view word) {
 
 }  // namespace
 
-double ConditionFunction::at(double time) const {
+double ConditionFunction::at(Moment moment) const {
   assert(!varies_in_space());
-  const double value = factor_ * function_.evaluate(time);
+  const double value = factor_ * function_.evaluate(moment.time);
   if (!std::isfinite(value)) {
-    throw SolveError(time, fmt::format("the function of {} has no finite value", to_string(label_)));
+    throw SolveError(moment.step, moment.time,
+                     fmt::format("the function of {} has no finite value", to_string(label_)));
   }
   return value;
 }
@@ -68,9 +69,10 @@ double ConditionFunction::at(double time, const NodalFields& fields, NodeIndex n
   return factor_ * function_.evaluate(std::span<const double>(values.data(), inputs_.size()));
 }
 
-void ConditionFunction::fail(double time, std::int64_t node_id) const {
+void ConditionFunction::fail(Moment moment, std::int64_t node_id) const {
   throw SolveError(
-      time, fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
+      moment.step, moment.time,
+      fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
 }
 
 /// Looks up what a function reads; each step gives nothing after adding an error.

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/internal_force.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/elements/element_table.hpp"
+#include "core/errors.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The first element of the block whose volume is not positive.
+std::size_t find_inverted(const SolidBlock& block, const Eigen::Matrix3Xd& coordinates) {
+  std::vector<Lanes> volumes(block.n_batches());
+  for (const BatchChunk& chunk : block.chunks) block.element->volumes(block, chunk, coordinates, volumes);
+  for (std::size_t element = 0; element < block.n_elements; ++element) {
+    if (!(volumes[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) > 0.0)) return element;
+  }
+  return 0;
+}
+
+}  // namespace
+
+InternalForce::InternalForce(const Model& model, State& state) : model_(model), state_(state) {
+  std::size_t most = 0;
+  for (const SolidBlock& block : model.blocks) most = std::max(most, block.chunks.size());
+  chunks_.resize(most);
+}
+
+void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
+  const SolidBlock& block = model_.blocks[index];
+  SolidBlockState& state = state_.blocks[index];
+#pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements * 10))
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(block.chunks.size()); ++i) {
+    const auto chunk = static_cast<std::size_t>(i);
+    chunks_[chunk] = block.element->advance(block, block.chunks[chunk], motion, state);
+  }
+}
+
+void InternalForce::stop_at_inverted(const SolidBlock& block, const Motion& motion) const {
+  const std::size_t element = find_inverted(block, motion.coordinates);
+  const auto position = block.first_element.value + static_cast<std::uint32_t>(element);
+  throw SolveError(state_.step, motion.time,
+                   fmt::format("element {} of {} has turned inside out", model_.mesh->element_id({position}),
+                               model_.mesh->name({EntityKind::block, block.mesh_block})));
+}
+
+ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
+  forces.setZero();
+  ForceReport report;
+  for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
+    const SolidBlock& block = model_.blocks[index];
+    advance_chunks(index, motion);
+    for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
+      if (!(chunk.least_volume > 0.0)) stop_at_inverted(block, motion);
+      if (chunk.stable_step < report.stable_step) {
+        report.stable_step = chunk.stable_step;
+        report.critical_element = {block.first_element.value +
+                                   static_cast<std::uint32_t>(chunk.critical_element)};
+      }
+      report.hourglass_work += chunk.hourglass_work;
+      report.viscous_work += chunk.viscous_work;
+    }
+    block.sums.add(state_.blocks[index].forces, forces);
+  }
+  return report;
+}
+
+}  // namespace contactsim
