@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.hpp"
+#include "core/output_field.hpp"
+#include "io/exodus_draft.hpp"
+
+namespace contactsim {
+
+/// The variables over time of an Exodus file, one for each component of each field; element fields of one
+/// name are one variable, and the truth table says in which blocks.
+class ResultsVariables {
+ public:
+  /// Adds the fields to the draft of a file, after its mesh; their values are not looked at.
+  /// Preconditions: the components of one location have different names (of one block for element fields).
+  ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields, ExodusDraft& draft);
+
+  /// Writes one record of everything. Throws std::logic_error when the fields are not those of the
+  /// constructor in the same order with values for every node or element; nothing is written then.
+  ///   step  [1]  from 0
+  void write(std::size_t step, double time, std::span<const OutputField> fields, NetcdfOutput& file);
+
+ private:
+  struct DefinedField {
+    OutputField field;           ///< without values
+    std::size_t n_entities = 0;  ///< nodes, elements of the block, or 1
+    std::vector<int> variables;  ///< n_components; empty for globals and where there are no entities
+  };
+
+  std::vector<std::string> component_names(FieldLocation location) const;
+  void add_globals(ExodusDraft& draft);
+  void add_nodal(ExodusDraft& draft);
+  void add_element(const Mesh& mesh, ExodusDraft& draft);
+  void write_components(const DefinedField& defined, std::span<const double> values, std::size_t step,
+                        NetcdfOutput& file);
+  void check(std::span<const OutputField> fields) const;
+
+  std::vector<DefinedField> fields_;
+  int steps_ = 0;                  // dimension
+  int time_ = 0, globals_ = 0;     // variables
+  std::vector<double> component_;  // values of one component, kept from step to step
+};
+
+}  // namespace contactsim
