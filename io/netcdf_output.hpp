@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <fstream>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,9 +12,9 @@ namespace contactsim {
 
 enum class NetcdfType : std::uint8_t { text, int32, int64, float32, float64 };
 
-/// A netCDF file being written: first all definitions, then all data. It has a temporary name until it is
-/// committed or published, so that nobody ever reads half of it. Every member throws FileError with the final
-/// path when the system or netCDF refuses.
+/// A netCDF file being written: first all definitions, then all data but those of records, which RecordFile
+/// writes. It has a temporary name until it is committed, so that nobody ever reads half of it. Every member
+/// throws FileError with the final path when the system or netCDF refuses.
 class NetcdfOutput {
  public:
   /// Attributes of the whole file are given to this in place of a variable.
@@ -28,7 +27,7 @@ class NetcdfOutput {
 
   /// large  some variable passes largest_plain_variable or has 64-bit integers: CDF-5 in place of CDF-2
   NetcdfOutput(std::string path, bool large);
-  /// Removes what was neither committed nor published; ends a published file at its last sync.
+  /// Removes what was not committed.
   ~NetcdfOutput();
   NetcdfOutput(const NetcdfOutput&) = delete;
   NetcdfOutput& operator=(const NetcdfOutput&) = delete;
@@ -45,30 +44,17 @@ class NetcdfOutput {
   void write(int variable, std::span<const double> values);
   /// Rows of `width` characters, padded with NUL; longer texts are cut.
   void write(int variable, std::size_t width, const std::vector<std::string>& texts);
-  /// The values of one record, from 0.
-  void write_record(int variable, std::size_t record, std::span<const double> values);
 
   /// Closes the file and gives it its name.
   void commit();
 
-  /// Gives the file its name and leaves it open for records.
-  void publish();
-  /// Puts all records so far where other programs see them. What is not synced does not count as written:
-  /// however the process ends, the file holds the records of the last sync.
-  void sync();
-  /// Closes a published file as of its last sync; nothing can be written to it any more.
-  void close_at_last_sync();
-
  private:
   void check(int status, const std::string& what) const;
-  void restore_record_count();
 
   std::string path_;
   OutputPlace place_;
   int id_ = -1;
-  bool is_open_ = false, is_published_ = false, is_large_ = false;
-  std::size_t n_written_ = 0, n_synced_ = 0;  // records
-  std::fstream header_;                       // of a published file, wherever its name goes
+  bool is_open_ = false;
 };
 
 }  // namespace contactsim

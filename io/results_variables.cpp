@@ -32,7 +32,7 @@ ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField
     fields_.back().field.values = {};
   }
   steps_ = draft.add_dimension("time_step", NetcdfOutput::unlimited);
-  time_ = draft.file().define_variable("time_whole", NetcdfType::float64, {steps_});
+  draft.file().define_variable("time_whole", NetcdfType::float64, {steps_});
   add_globals(draft);
   if (mesh.n_nodes() > 0) add_nodal(draft);
   add_element(mesh, draft);
@@ -58,7 +58,7 @@ void ResultsVariables::add_globals(ExodusDraft& draft) {
   if (names.empty()) return;
   const int n_names = draft.add_dimension("num_glo_var", names.size());
   draft.add_texts("name_glo_var", {n_names}, "len_name", names);
-  globals_ = draft.file().define_variable("vals_glo_var", NetcdfType::float64, {steps_, n_names});
+  draft.file().define_variable("vals_glo_var", NetcdfType::float64, {steps_, n_names});
 }
 
 void ResultsVariables::add_nodal(ExodusDraft& draft) {
@@ -71,8 +71,8 @@ void ResultsVariables::add_nodal(ExodusDraft& draft) {
   for (DefinedField& defined : fields_) {
     if (defined.field.location != FieldLocation::node) continue;
     for (int c = 0; c < defined.field.n_components; ++c) {
-      defined.variables.push_back(draft.file().define_variable(fmt::format("vals_nod_var{}", ++number),
-                                                               NetcdfType::float64, {steps_, n_nodes}));
+      defined.variables.push_back(fmt::format("vals_nod_var{}", ++number));
+      draft.file().define_variable(defined.variables.back(), NetcdfType::float64, {steps_, n_nodes});
     }
   }
 }
@@ -91,9 +91,8 @@ void ResultsVariables::add_element(const Mesh& mesh, ExodusDraft& draft) {
       const auto name =
           std::find(names.begin(), names.end(), component_name(field.name, c, field.n_components));
       const auto position = static_cast<std::size_t>(name - names.begin());
-      defined.variables.push_back(
-          draft.file().define_variable(fmt::format("vals_elem_var{}eb{}", position + 1, field.block + 1),
-                                       NetcdfType::float64, {steps_, n_elements}));
+      defined.variables.push_back(fmt::format("vals_elem_var{}eb{}", position + 1, field.block + 1));
+      draft.file().define_variable(defined.variables.back(), NetcdfType::float64, {steps_, n_elements});
       table[field.block * names.size() + position] = 1;
     }
   }
@@ -115,33 +114,19 @@ void ResultsVariables::check(std::span<const OutputField> fields) const {
   }
 }
 
-void ResultsVariables::write(std::size_t step, double time, std::span<const OutputField> fields,
-                             NetcdfOutput& file) {
+void ResultsVariables::write(double time, std::span<const OutputField> fields, RecordFile& file) const {
   check(fields);
-  file.write_record(time_, step, std::span(&time, 1));
+  file.write("time_whole", std::span(&time, 1));
   std::vector<double> globals;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (fields[i].location == FieldLocation::global) {
-      globals.insert(globals.end(), fields[i].values.begin(), fields[i].values.end());
-    } else {
-      write_components(fields_[i], fields[i].values, step, file);
-    }
+    const std::span<const double> values = fields[i].values;
+    if (fields[i].location == FieldLocation::global)
+      globals.insert(globals.end(), values.begin(), values.end());
+    const std::vector<std::string>& variables = fields_[i].variables;
+    for (std::size_t c = 0; c < variables.size(); ++c)
+      file.write(variables[c], values, {c, variables.size()});
   }
-  if (!globals.empty()) file.write_record(globals_, step, globals);
-}
-
-void ResultsVariables::write_components(const DefinedField& defined, std::span<const double> values,
-                                        std::size_t step, NetcdfOutput& file) {
-  const std::size_t n_components = defined.variables.size();
-  if (n_components == 1) {
-    file.write_record(defined.variables[0], step, values);
-    return;
-  }
-  component_.resize(defined.n_entities);
-  for (std::size_t c = 0; c < n_components; ++c) {
-    for (std::size_t i = 0; i < component_.size(); ++i) component_[i] = values[i * n_components + c];
-    file.write_record(defined.variables[c], step, component_);
-  }
+  if (!globals.empty()) file.write("vals_glo_var", globals);
 }
 
 }  // namespace contactsim

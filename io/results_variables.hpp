@@ -8,6 +8,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/output_field.hpp"
 #include "io/exodus_draft.hpp"
+#include "io/record_file.hpp"
 
 namespace contactsim {
 
@@ -21,28 +22,23 @@ class ResultsVariables {
 
   /// Writes one record of everything. Throws std::logic_error when the fields are not those of the
   /// constructor in the same order with values for every node or element; nothing is written then.
-  ///   step  [1]  from 0
-  void write(std::size_t step, double time, std::span<const OutputField> fields, NetcdfOutput& file);
+  void write(double time, std::span<const OutputField> fields, RecordFile& file) const;
 
  private:
   struct DefinedField {
-    OutputField field;           ///< without values
-    std::size_t n_entities = 0;  ///< nodes, elements of the block, or 1
-    std::vector<int> variables;  ///< n_components; empty for globals and where there are no entities
+    OutputField field;                   ///< without values
+    std::size_t n_entities = 0;          ///< nodes, elements of the block, or 1
+    std::vector<std::string> variables;  ///< n_components; empty for globals and where there are no entities
   };
 
   std::vector<std::string> component_names(FieldLocation location) const;
   void add_globals(ExodusDraft& draft);
   void add_nodal(ExodusDraft& draft);
   void add_element(const Mesh& mesh, ExodusDraft& draft);
-  void write_components(const DefinedField& defined, std::span<const double> values, std::size_t step,
-                        NetcdfOutput& file);
   void check(std::span<const OutputField> fields) const;
 
   std::vector<DefinedField> fields_;
-  int steps_ = 0;                  // dimension
-  int time_ = 0, globals_ = 0;     // variables
-  std::vector<double> component_;  // values of one component, kept from step to step
+  int steps_ = 0;  // dimension
 };
 
 }  // namespace contactsim

@@ -85,8 +85,8 @@ ResultsWriter::ResultsWriter(const std::string& path, const Mesh& mesh, const Re
                              std::span<const OutputField> fields) {
   check_input(path, mesh);
   const ExodusFormat format = choose_format(find_results_sizes(mesh, fields));
-  file_.emplace(path, format.is_large);
-  ExodusDraft draft(*file_, format);
+  NetcdfOutput file(path, format.is_large);
+  ExodusDraft draft(file, format);
   add_globals(text.title, draft);
   add_records(text, draft);
   add_mesh(mesh, draft);
@@ -94,18 +94,13 @@ ResultsWriter::ResultsWriter(const std::string& path, const Mesh& mesh, const Re
   add_assemblies(mesh, draft);
   variables_.emplace(mesh, fields, draft);
   draft.write();
-  file_->publish();
+  file.commit();
+  records_.emplace(path);
 }
 
 void ResultsWriter::write_step(double time, std::span<const OutputField> fields) {
-  try {
-    variables_->write(n_steps_, time, fields, *file_);
-    file_->sync();
-  } catch (const FileError&) {
-    file_->close_at_last_sync();
-    throw;
-  }
-  ++n_steps_;
+  variables_->write(time, fields, *records_);
+  records_->end_record();
 }
 
 }  // namespace contactsim

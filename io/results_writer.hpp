@@ -8,7 +8,7 @@
 
 #include "core/mesh/mesh.hpp"
 #include "core/output_field.hpp"
-#include "io/netcdf_output.hpp"
+#include "io/record_file.hpp"
 #include "io/results_variables.hpp"
 
 namespace contactsim {
@@ -45,13 +45,12 @@ class ResultsWriter {
   ///   time  [time]
   void write_step(double time, std::span<const OutputField> fields);
 
-  std::size_t n_steps() const { return n_steps_; }
+  std::size_t n_steps() const { return records_->n_records(); }
 
  private:
-  // Both are there from the end of the constructor on: they need a file format that depends on the mesh.
-  std::optional<NetcdfOutput> file_;
+  // Both are there from the end of the constructor on.
   std::optional<ResultsVariables> variables_;
-  std::size_t n_steps_ = 0;
+  std::optional<RecordFile> records_;
 };
 
 }  // namespace contactsim
