@@ -13,16 +13,34 @@ std::string_view to_string(FieldLocation location) {
   return names[static_cast<std::size_t>(location)];
 }
 
-std::string component_name(std::string_view name, int component, int n_components) {
+int component_count(FieldShape shape) {
+  constexpr std::array counts{1, 3, 6, 9, 1};
+  return counts[static_cast<std::size_t>(shape)];
+}
+
+std::string component_ending(FieldShape shape, int component, int n_components) {
   assert(0 <= component && component < n_components);
-  constexpr std::array<std::string_view, 3> vector{"x", "y", "z"};
+  constexpr std::array<const char*, 3> vector{"x", "y", "z"};
   // The first six are the symmetric tensor.
-  constexpr std::array<std::string_view, 9> tensor{"xx", "yy", "zz", "xy", "yz", "zx", "yx", "zy", "xz"};
+  constexpr std::array<const char*, 9> tensor{"xx", "yy", "zz", "xy", "yz", "zx", "yx", "zy", "xz"};
   const auto c = static_cast<std::size_t>(component);
-  if (n_components == 1) return std::string(name);
-  if (n_components == 3) return fmt::format("{}_{}", name, vector[c]);
-  if (n_components == 6 || n_components == 9) return fmt::format("{}_{}", name, tensor[c]);
-  return fmt::format("{}_{:0{}}", name, component + 1, fmt::formatted_size("{}", n_components));
+  switch (shape) {
+    case FieldShape::scalar:
+      return "";
+    case FieldShape::vector:
+      return vector.at(c);
+    case FieldShape::symmetric_tensor:
+    case FieldShape::full_tensor:
+      return tensor.at(c);
+    case FieldShape::list:
+      break;
+  }
+  return fmt::format("{:0{}}", component + 1, fmt::formatted_size("{}", n_components));
+}
+
+std::string component_name(const OutputField& field, int component) {
+  const std::string ending = component_ending(field.shape, component, field.n_components);
+  return ending.empty() ? field.name : field.name + field.separator + ending;
 }
 
 }  // namespace contactsim

@@ -58,7 +58,7 @@ ResultsSizes find_results_sizes(const Mesh& mesh, std::span<const OutputField> f
   add_entities(mesh, EntityKind::assembly, mesh.assemblies(), sizes);
   for (const OutputField& field : fields) {
     for (int c = 0; c < field.n_components; ++c) {
-      add_name(component_name(field.name, c, field.n_components).size(), sizes);
+      add_name(component_name(field, c).size(), sizes);
     }
   }
   return sizes;

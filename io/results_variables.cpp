@@ -19,8 +19,8 @@ std::size_t count_entities(const Mesh& mesh, const OutputField& field) {
 }
 
 bool is_same_field(const OutputField& a, const OutputField& b) {
-  return a.name == b.name && a.location == b.location && a.n_components == b.n_components &&
-         a.block == b.block;
+  return a.name == b.name && a.location == b.location && a.shape == b.shape &&
+         a.n_components == b.n_components && a.block == b.block && a.separator == b.separator;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ std::vector<std::string> ResultsVariables::component_names(FieldLocation locatio
   for (const auto& [field, n_entities, variables] : fields_) {
     if (field.location != location) continue;
     for (int c = 0; c < field.n_components; ++c) {
-      const std::string name = component_name(field.name, c, field.n_components);
+      const std::string name = component_name(field, c);
       const bool is_new = std::find(names.begin(), names.end(), name) == names.end();
       assert(is_new || location == FieldLocation::element);
       if (is_new) names.push_back(name);
@@ -88,8 +88,7 @@ void ResultsVariables::add_element(const Mesh& mesh, ExodusDraft& draft) {
     if (field.location != FieldLocation::element || defined.n_entities == 0) continue;
     const int n_elements = draft.dimension(fmt::format("num_el_in_blk{}", field.block + 1));
     for (int c = 0; c < field.n_components; ++c) {
-      const auto name =
-          std::find(names.begin(), names.end(), component_name(field.name, c, field.n_components));
+      const auto name = std::find(names.begin(), names.end(), component_name(field, c));
       const auto position = static_cast<std::size_t>(name - names.begin());
       defined.variables.push_back(fmt::format("vals_elem_var{}eb{}", position + 1, field.block + 1));
       draft.file().define_variable(defined.variables.back(), NetcdfType::float64, {steps_, n_elements});

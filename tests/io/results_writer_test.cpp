@@ -81,7 +81,8 @@ TEST_CASE("long names survive", "[io][results]") {
   MeshParts parts = two_hexes().parts();
   parts.blocks[0].name = long_name;
   const TemporaryDirectory directory;
-  const std::vector<OutputField> fields{{long_name, FieldLocation::node, 6, 0, {}}};
+  const std::vector<OutputField> fields{
+      {long_name, FieldLocation::node, FieldShape::symmetric_tensor, 6, 0, {}}};
   ResultsWriter(directory.file("r.e"), Mesh(parts), {}, fields);
   const NetcdfFile file(directory.file("r.e"));
   CHECK(texts(file, "name_nod_var")[5] == long_name + "_zx");
