@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,6 +28,13 @@ class DeckError : public std::runtime_error {
 class FileError : public std::runtime_error {
  public:
   FileError(const std::string& path, const std::string& what) : std::runtime_error(path + ": " + what) {}
+};
+
+/// A run cannot go on: a step vanishes, an element turns inside out, a number is not finite.
+class SolveError : public std::runtime_error {
+ public:
+  /// The message begins with "step <step>, time <time>: ".
+  SolveError(std::int64_t step, double time, const std::string& what);
 };
 
 }  // namespace contactsim

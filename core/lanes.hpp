@@ -15,6 +15,13 @@ using Lanes = Eigen::Array<double, n_lanes, 1>;
 /// Which elements something holds for.
 using LaneMask = Eigen::Array<bool, n_lanes, 1>;
 
+/// A vector at each of the n nodes of eight elements: [component][node].
+template <std::size_t n>
+using NodeVectors = std::array<std::array<Lanes, n>, 3>;
+
+/// A tensor of each element, [i][j].
+using TensorLanes = std::array<std::array<Lanes, 3>, 3>;
+
 /// A symmetric tensor of each element: xx, yy, zz, xy, yz, zx.
 struct SymmetricLanes {
   std::array<Lanes, 6> components;

@@ -34,40 +34,23 @@ void set_component(const std::array<Lanes, 8>& y, const std::array<Lanes, 8>& z,
 
 }  // namespace
 
-HexVectors volume_gradient(const HexVectors& x) {
-  HexVectors gradient;
+NodeVectors<8> HexGeometry::volume_gradient(const NodeVectors<8>& x) {
+  NodeVectors<8> gradient;
   set_component(x[1], x[2], gradient[0]);
   set_component(x[2], x[0], gradient[1]);
   set_component(x[0], x[1], gradient[2]);
   return gradient;
 }
 
-Lanes hex_volume(const HexVectors& x, const HexVectors& gradient) {
-  Lanes volume = x[0][0] * gradient[0][0];
-  for (std::size_t node = 1; node < 8; ++node) volume += x[0][node] * gradient[0][node];
-  return volume;
-}
-
-TensorLanes outer_sum(const HexVectors& a, const HexVectors& b) {
-  TensorLanes sum;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum[i][j] = a[i][0] * b[j][0];
-      for (std::size_t node = 1; node < 8; ++node) sum[i][j] += a[i][node] * b[j][node];
-    }
-  }
-  return sum;
-}
-
 // The patterns are products of the signs of the natural coordinates, so that sums and differences of pairs
 // are shared: first along zeta (nodes 0..3 below 4..7), then within the two quadrilaterals.
-std::array<Lanes, 4> hourglass_sums(const std::array<Lanes, 8>& v) {
+std::array<Lanes, 4> HexGeometry::pattern_sums(const std::array<Lanes, 8>& v) {
   const Lanes s0 = v[0] + v[4], s1 = v[1] + v[5], s2 = v[2] + v[6], s3 = v[3] + v[7];
   const Lanes d0 = v[4] - v[0], d1 = v[5] - v[1], d2 = v[6] - v[2], d3 = v[7] - v[3];
   return {d2 + d3 - d0 - d1, d1 + d2 - d0 - d3, s0 - s1 + s2 - s3, d0 - d1 + d2 - d3};
 }
 
-void add_hourglass(const std::array<Lanes, 4>& a, std::array<Lanes, 8>& v) {
+void HexGeometry::add_patterns(const std::array<Lanes, 4>& a, std::array<Lanes, 8>& v) {
   const Lanes sum = a[0] + a[1], difference = a[0] - a[1];
   const Lanes even = a[2] + a[3], odd = a[2] - a[3];  // of the pattern xi eta, above and below
   v[0] += sum + odd;

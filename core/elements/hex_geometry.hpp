@@ -1,34 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-
 #include "core/lanes.hpp"
 
-/// Geometry of eight-node hexahedra in lanes, nodes in Exodus order.
 namespace contactsim {
 
-/// A vector at each node of eight hexahedra: [component][node].
-using HexVectors = std::array<std::array<Lanes, 8>, 3>;
+/// Mean quadrature of eight-node hexahedra, nodes in Exodus order; see uniform_gradient.hpp.
+struct HexGeometry {
+  static constexpr std::size_t n_nodes = 8, n_patterns = 4;
+  static constexpr double pattern_length = 2.8284271247461903;  ///< sqrt(8): the entries are 1 and -1
 
-/// A tensor of each element, [i][j].
-using TensorLanes = std::array<std::array<Lanes, 3>, 3>;
+  /// Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706, eq. 79.
+  static NodeVectors<8> volume_gradient(const NodeVectors<8>& x);
 
-/// The derivatives of a hexahedron's volume by its nodes' coordinates, which are also its volume times the
-/// mean gradients of the shape functions. Dimension [length^2]. Source: Flanagan and Belytschko, Int. J.
-/// Numer. Meth. Eng. 17 (1981) 679-706, eq. 79.
-HexVectors volume_gradient(const HexVectors& x);
-
-/// Volume of the hexahedra, from their coordinates and the gradient at them [length^3].
-Lanes hex_volume(const HexVectors& x, const HexVectors& gradient);
-
-/// Sum over the nodes of a_i b_j, [i][j].
-TensorLanes outer_sum(const HexVectors& a, const HexVectors& b);
-
-/// The four hourglass patterns summed with a value at each node: eta zeta, xi zeta, xi eta, xi eta zeta.
-std::array<Lanes, 4> hourglass_sums(const std::array<Lanes, 8>& values);
-
-/// Adds to each node the patterns' signs times the amounts: the transpose of hourglass_sums.
-void add_hourglass(const std::array<Lanes, 4>& amounts, std::array<Lanes, 8>& values);
+  /// The patterns are eta zeta, xi zeta, xi eta and xi eta zeta.
+  static std::array<Lanes, 4> pattern_sums(const std::array<Lanes, 8>& values);
+  static void add_patterns(const std::array<Lanes, 4>& amounts, std::array<Lanes, 8>& values);
+};
 
 }  // namespace contactsim

@@ -11,29 +11,26 @@
 
 namespace contactsim {
 
-/// Forces of eight elements on their nodes, [component][node of the element][lane].
-template <int n_nodes>
-using BatchForces = std::array<std::array<Lanes, n_nodes>, 3>;
-
 /// Adds the forces of elements up to those of nodes, each node's in the order of its elements: the same bits
 /// for any number of threads.
 class NodeSums {
  public:
+  NodeSums() = default;
   /// Elements stand in batches of n_lanes, the last of which may be short.
   ///   connectivity       [n_elements x nodes_per_element], element by element
   ///   nodes_per_element  of all elements
+  /// Precondition: fewer than 2^32 nodes of elements.
   NodeSums(std::span<const NodeIndex> connectivity, std::size_t nodes_per_element, std::size_t n_nodes);
 
   /// Adds to the forces of the nodes that have elements.
-  ///   batch_forces  [n_batches x 3 x nodes_per_element x n_lanes], as BatchForces
+  ///   batch_forces  [n_batches x nodes_per_element x 3] of eight elements each
   ///   forces        [3 x n_nodes] [force]
-  void add(std::span<const double> batch_forces, Eigen::Matrix3Xd& forces) const;
+  void add(std::span<const Lanes> batch_forces, Eigen::Matrix3Xd& forces) const;
 
  private:
-  std::size_t component_stride_;
   std::vector<std::uint32_t> nodes_;   ///< that have elements, ascending
-  std::vector<std::uint64_t> begin_;   ///< [nodes_.size() + 1] first entry of each in places_
-  std::vector<std::uint64_t> places_;  ///< where in the batch forces its x components stand
+  std::vector<std::uint32_t> begin_;   ///< [nodes_.size() + 1] first entry of each in places_
+  std::vector<std::uint32_t> places_;  ///< (batch x nodes_per_element + node) x n_lanes + lane
 };
 
 }  // namespace contactsim

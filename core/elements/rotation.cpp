@@ -3,10 +3,15 @@
 
 namespace contactsim {
 
-StepMotion split_motion(const TensorLanes& g) {
+StepMotion split_motion(const TensorLanes& velocity_gradient, double dt) {
   StepMotion motion;
-  motion.strain = {{g[0][0], g[1][1], g[2][2], 0.5 * (g[0][1] + g[1][0]), 0.5 * (g[1][2] + g[2][1]),
-                    0.5 * (g[2][0] + g[0][2])}};
+  TensorLanes& g = motion.strain.gradient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) g[i][j] = dt * velocity_gradient[i][j];
+  }
+  motion.strain.dt = dt;
+  motion.strain.strain = {{g[0][0], g[1][1], g[2][2], 0.5 * (g[0][1] + g[1][0]), 0.5 * (g[1][2] + g[2][1]),
+                           0.5 * (g[2][0] + g[0][2])}};
   // Cayley's formula with the axial vector w of the skew part A: I + (A + A^2 / 2) / (1 + w.w / 4).
   const Lanes wx = 0.5 * (g[2][1] - g[1][2]), wy = 0.5 * (g[0][2] - g[2][0]), wz = 0.5 * (g[1][0] - g[0][1]);
   const Lanes xx = wx * wx, yy = wy * wy, zz = wz * wz;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
+#include <array>
 
 #include "core/lanes.hpp"
+#include "core/materials/state_variable.hpp"
 
 /// Flow stresses of the plastic laws: how large the equivalent stress may be.
 namespace contactsim {
@@ -14,6 +15,9 @@ struct FlowStress {
   Lanes slope;  ///< [force/length^2]
 };
 
+/// The equivalent plastic strain of laws without a back stress.
+inline constexpr std::array plastic_strain_only{StateVariable{"eqps", 0, 1, "equivalent plastic strain [1]"}};
+
 /// Flow stress that grows in proportion to the plastic strain, or a part of it, with a back stress that takes
 /// the rest. Source: Sierra/SM, ELASTIC_PLASTIC; Simo and Hughes, Computational Inelasticity (1998), box 3.1.
 struct LinearHardening {
@@ -21,6 +25,9 @@ struct LinearHardening {
   double isotropic_modulus = 0.0;  ///< beta times the hardening modulus [force/length^2]
   double kinematic_modulus = 0.0;  ///< the rest of it [force/length^2]
   static constexpr bool has_back_stress = true;
+  static constexpr std::array variables{
+      StateVariable{"eqps", 6, 1, "equivalent plastic strain [1]"},
+      StateVariable{"back_stress", 0, 6, "centre of the yield surface [force/length^2]"}};
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double /*dt*/) const {
     const Lanes value = yield_stress + isotropic_modulus * (eqps + increment);
@@ -37,6 +44,7 @@ struct PowerHardening {
   double exponent = 1.0;       ///< > 0 [1]
   double luders_strain = 0.0;  ///< >= 0 [1]
   static constexpr bool has_back_stress = false;
+  static constexpr std::array variables = plastic_strain_only;
   static constexpr double kinematic_modulus = 0.0;
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
@@ -51,6 +59,7 @@ struct JohnsonCookHardening {
   double rate_constant = 0.0;   ///< >= 0 [1]
   double reference_rate = 1.0;  ///< > 0 [1/time]
   static constexpr bool has_back_stress = false;
+  static constexpr std::array variables = plastic_strain_only;
   static constexpr double kinematic_modulus = 0.0;
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;

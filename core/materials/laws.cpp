@@ -17,6 +17,10 @@ SymmetricLanes elastic_stress(const ElasticModuli& moduli, const SymmetricLanes&
   return trial;
 }
 
+LaneModuli constant(const ElasticModuli& moduli) {
+  return {Lanes::Constant(moduli.bulk), Lanes::Constant(moduli.shear)};
+}
+
 /// What the plastic increment x of a step must satisfy: trial - stiffness x = flow stress(x).
 template <class Hardening>
 struct Consistency {
@@ -52,22 +56,23 @@ struct Consistency {
 
 }  // namespace
 
-void ElasticLaw::update(const SymmetricLanes& strain, double, SymmetricLanes& stress,
-                        std::span<Lanes>) const {
-  stress = elastic_stress(moduli, strain, stress);
+LaneModuli ElasticLaw::update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes>) const {
+  stress = elastic_stress(moduli, step.strain, stress);
+  return constant(moduli);
 }
 
 template <class Hardening>
-void PlasticLaw<Hardening>::update(const SymmetricLanes& strain, double dt, SymmetricLanes& stress,
-                                   std::span<Lanes> state) const {
-  stress = elastic_stress(moduli, strain, stress);
+LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes& stress,
+                                         std::span<Lanes> state) const {
+  const double dt = step.dt;
+  stress = elastic_stress(moduli, step.strain, stress);
   SymmetricLanes relative = deviator(stress);  // to the back stress
   if constexpr (Hardening::has_back_stress) {
     for (std::size_t i = 0; i < 6; ++i) relative[i] -= state[i];
   }
   Lanes& eqps = state[n_state - 1];
   const Lanes trial = (1.5 * contract(relative, relative)).sqrt();
-  if ((trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return;
+  if ((trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return constant(moduli);
 
   const double stiffness = 3.0 * moduli.shear + hardening.kinematic_modulus;
   const Lanes increment = Consistency<Hardening>{hardening, trial, eqps, stiffness, dt}.solve();
@@ -78,6 +83,7 @@ void PlasticLaw<Hardening>::update(const SymmetricLanes& strain, double dt, Symm
     if constexpr (Hardening::has_back_stress) state[i] += hardening.kinematic_modulus * flow;
   }
   eqps += increment;
+  return constant(moduli);
 }
 
 template struct PlasticLaw<LinearHardening>;

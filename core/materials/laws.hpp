@@ -3,26 +3,30 @@
 
 #include <span>
 
-#include "core/lanes.hpp"
 #include "core/materials/elastic_moduli.hpp"
 #include "core/materials/hardening.hpp"
+#include "core/materials/state_variable.hpp"
+#include "core/materials/strain_step.hpp"
 
-/// Stress updates of materials, eight elements at a time. A law states what it keeps per element:
-///   n_tensors  symmetric tensors at the front of its state, which turn with the material
-///   n_state    numbers in all, tensors included
+/// Stress updates of materials, eight elements at a time. A law states what it keeps per element and point:
+///   n_state    numbers in all
+///   n_tensors  of them symmetric tensors, at the front, that turn with the material
+///   variables  what of it can be written out
+/// and has
+///   start      sets the state of undeformed material
+///   update     brings stress and state to the end of a step; returns bounds of the stiffness then
+///       stress  in: Cauchy stress at the start, turned to the end of the step; out: at the end
+///       [force/length^2] state   [n_state], its tensors turned as well
 namespace contactsim {
 
-/// Hypoelastic: the stress rate is linear in the strain rate.
+/// Hypoelastic: the stress rate is linear in the strain rate. Source: Sierra/SM, ELASTIC.
 struct ElasticLaw {
   ElasticModuli moduli;
   static constexpr std::size_t n_tensors = 0, n_state = 0;
+  static constexpr std::array<StateVariable, 0> variables{};
 
-  /// Brings the stress to the end of a step.
-  ///   strain    increment over the step, in the frame of `stress` [1]
-  ///   dt        size of the step [time]
-  ///   stress    in: Cauchy stress at the start, turned to the end; out: at the end [force/length^2]
-  ///   state     [n_state]
-  void update(const SymmetricLanes& strain, double dt, SymmetricLanes& stress, std::span<Lanes> state) const;
+  void start(std::span<Lanes>) const {}
+  LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
 };
 
 /// Von Mises plasticity with associated flow, brought back to the yield surface along its radius.
@@ -34,9 +38,12 @@ struct PlasticLaw {
   Hardening hardening;
   static constexpr std::size_t n_tensors = Hardening::has_back_stress ? 1 : 0;
   static constexpr std::size_t n_state = 6 * n_tensors + 1;
+  static constexpr std::array variables = Hardening::variables;
 
-  /// As ElasticLaw::update.
-  void update(const SymmetricLanes& strain, double dt, SymmetricLanes& stress, std::span<Lanes> state) const;
+  void start(std::span<Lanes> state) const {
+    for (Lanes& number : state) number.setZero();
+  }
+  LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
 };
 
 extern template struct PlasticLaw<LinearHardening>;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/elements/middle_of_step.hpp"
+
+/// Resistance to the motions of uniform-gradient elements that have no mean gradient.
+/// Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706.
+namespace contactsim {
+
+/// An amount of each pattern, [component][pattern].
+template <class Geometry>
+using PatternVectors = std::array<std::array<Lanes, Geometry::n_patterns>, 3>;
+
+/// Patterns summed with vectors at the nodes.
+template <class Geometry>
+PatternVectors<Geometry> pattern_sums(const NodeVectors<Geometry::n_nodes>& values) {
+  return {Geometry::pattern_sums(values[0]), Geometry::pattern_sums(values[1]),
+          Geometry::pattern_sums(values[2])};
+}
+
+/// Rates of the patterns: what is left of the velocities without their linear part [length/time].
+template <class Geometry>
+PatternVectors<Geometry> hourglass_rates(const NodeVectors<Geometry::n_nodes>& v,
+                                         const MiddleOfStep<Geometry>& middle) {
+  const PatternVectors<Geometry> x = pattern_sums<Geometry>(middle.x);
+  PatternVectors<Geometry> rates = pattern_sums<Geometry>(v);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = middle.velocity_gradient[i];
+    for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
+      rates[i][k] = (rates[i][k] - row[0] * x[0][k] - row[1] * x[1][k] - row[2] * x[2][k]) *
+                    (1.0 / Geometry::pattern_length);
+    }
+  }
+  return rates;
+}
+
+/// The work that hourglass forces take up in a step [energy], and the forces at its end [force].
+template <class Geometry>
+struct HourglassStep {
+  PatternVectors<Geometry> force;
+  Lanes work = Lanes::Zero();
+};
+
+/// Brings the elastic hourglass forces to the end of the step and adds the viscous ones.
+///   stiffness  [force/length]
+///   viscosity  [force time/length]
+///   elastic    [3 x n_patterns] in: turned to the end of the step
+template <class Geometry>
+HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_nodes>& motion,
+                                         const MiddleOfStep<Geometry>& middle, const Lanes& stiffness,
+                                         const Lanes& viscosity, std::span<Lanes> elastic) {
+  HourglassStep<Geometry> step;
+  const PatternVectors<Geometry> rates = hourglass_rates(motion.v, middle);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
+      Lanes& force = elastic[i * Geometry::n_patterns + k];
+      const Lanes rate = rates[i][k], growth = motion.dt * stiffness * rate, damping = viscosity * rate;
+      force += growth;
+      step.work += motion.dt * rate * (force - 0.5 * growth + damping);
+      step.force[i][k] = force + damping;
+    }
+  }
+  return step;
+}
+
+/// Turns the vectors (v[k], v[n + k], v[2 n + k]), n their number.
+inline void turn_vectors(const TensorLanes& rotation, std::span<Lanes> v) {
+  const std::size_t n = v.size() / 3;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Lanes x = v[k], y = v[n + k], z = v[2 * n + k];
+    for (std::size_t i = 0; i < 3; ++i)
+      v[i * n + k] = rotation[i][0] * x + rotation[i][1] * y + rotation[i][2] * z;
+  }
+}
+
+}  // namespace contactsim

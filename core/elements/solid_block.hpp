@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/elements/node_sums.hpp"
+#include "core/elements/solid_kernel.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+struct SolidElement;
+
+/// Where the numbers of a batch stand in its state: at each integration point the stress (xx yy zz xy yz zx)
+/// and what the material remembers, then the element's own (hourglass forces), then the work of the stress.
+struct StateLayout {
+  std::size_t n_points = 0;
+  std::size_t point_size = 0;  ///< Lanes per integration point
+  std::size_t n_own = 0;
+
+  std::size_t energy() const { return n_points * point_size + n_own; }
+  std::size_t size() const { return energy() + 1; }  ///< Lanes per batch
+};
+
+/// The elements of one block of the mesh, in batches of n_lanes; the last batch is filled up with copies of
+/// the last element, whose numbers count nowhere. Const after set-up.
+struct SolidBlock {
+  const SolidElement* element = nullptr;
+  std::uint32_t mesh_block = 0;  ///< position in the mesh
+  ElementIndex first_element;
+  std::size_t n_elements = 0;
+  SolidProperties properties;
+  StateLayout layout;
+  std::vector<std::uint32_t> nodes;  ///< [n_batches x n_nodes x n_lanes] of the mesh
+  std::vector<Lanes> mass;           ///< [n_batches] [mass]
+  NodeSums sums;
+
+  std::size_t n_batches() const { return mass.size(); }
+  std::span<const std::uint32_t> batch_nodes(std::size_t batch) const {
+    const std::size_t n = nodes.size() / n_batches();
+    return {nodes.data() + batch * n, n};
+  }
+};
+
+/// What the elements of a block remember.
+struct SolidBlockState {
+  std::vector<Lanes> values;  ///< [n_batches x layout.size()] [as StateLayout]
+  std::vector<Lanes> forces;  ///< [n_batches x n_nodes x 3] on the nodes, of the last step [force]
+
+  std::span<Lanes> batch(const StateLayout& layout, std::size_t batch) {
+    return {values.data() + batch * layout.size(), layout.size()};
+  }
+  /// A number of one element of the block: of its integration point's state, or beyond them of its own.
+  double at(const StateLayout& layout, std::size_t element, std::size_t place) const {
+    return values[element / n_lanes * layout.size() + place](static_cast<Eigen::Index>(element % n_lanes));
+  }
+};
+
+/// Builds the block. Precondition: the element is of the mesh block's shape; it has elements.
+///   mesh_block  position in the mesh
+SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                            const SolidProperties& properties);
+
+/// The state of undeformed elements at rest.
+SolidBlockState make_state(const SolidBlock& block);
+
+}  // namespace contactsim

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "core/elements/hourglass.hpp"
+#include "core/elements/material_point.hpp"
+#include "core/mesh/topology.hpp"
+
+/// Solid elements that take strain and stress as uniform, from the mean gradients of their shape functions. A
+/// geometry states
+///   n_nodes, n_patterns  patterns are the nodal motions without a mean gradient, hourglass modes
+///   pattern_length       the Euclidean norm of every pattern
+/// and has
+///   volume_gradient(x)     derivatives of the volume by the nodes' coordinates, which are also the volume
+///                          times the mean gradients of the shape functions [length^2]
+///   pattern_sums(values)   the patterns summed with a value at each node
+///   add_patterns(a, out)   adds to each node the patterns' entries times the amounts: the transpose
+namespace contactsim {
+
+/// Bulk viscosity: linear in the dilatation rate, and quadratic while the elements close. Its length is that
+/// which a wave crosses in the undamped stable step. Source: Abaqus Theory Guide, explicit dynamic analysis.
+struct BulkViscosity {
+  Lanes stress;       ///< to be added to the diagonal [force/length^2]
+  Lanes stable_step;  ///< the undamped one shortened by the viscosity [time]
+
+  ///   undamped    stable step without viscosity [time]
+  ///   dilatation  rate of volume change [1/time]
+  ///   density     [mass/length^3]
+  ///   wave_speed  of pressure [length/time]
+  BulkViscosity(const SolidProperties& properties, const Lanes& undamped, const Lanes& dilatation,
+                const Lanes& density, const Lanes& wave_speed) {
+    const double linear = properties.linear_bulk_viscosity;
+    const double quadratic = properties.quadratic_bulk_viscosity * properties.quadratic_bulk_viscosity;
+    const Lanes closing = dilatation.min(0.0);
+    const Lanes damping = linear - quadratic * undamped * closing;
+    stable_step = undamped * ((1.0 + damping * damping).sqrt() - damping);
+    const Lanes length = undamped * wave_speed;
+    stress = density * length * (linear * wave_speed * dilatation - quadratic * length * closing * closing);
+  }
+};
+
+/// Sets the forces of a stress and of hourglass forces, whose share of the linear motion is taken off.
+template <class Geometry>
+void set_forces(const SymmetricLanes& stress, const PatternVectors<Geometry>& hourglass,
+                const NodeVectors<Geometry::n_nodes>& x, SolidStep<Geometry::n_nodes>& step) {
+  const auto gradient = Geometry::volume_gradient(x);
+  step.volume = dot(x[0], gradient[0]);
+  const PatternVectors<Geometry> sums = pattern_sums<Geometry>(x);
+  constexpr std::size_t index[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+  const Lanes scale = 1.0 / (Geometry::pattern_length * step.volume);
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<Lanes, 3> row;  // of minus the stress
+    for (std::size_t j = 0; j < 3; ++j) {
+      row[j] = -stress[index[i][j]];
+      for (std::size_t k = 0; k < Geometry::n_patterns; ++k) row[j] += scale * hourglass[i][k] * sums[j][k];
+    }
+    for (std::size_t a = 0; a < Geometry::n_nodes; ++a)
+      step.force[i][a] = row[0] * gradient[0][a] + row[1] * gradient[1][a] + row[2] * gradient[2][a];
+    std::array<Lanes, Geometry::n_patterns> amounts;
+    for (std::size_t k = 0; k < Geometry::n_patterns; ++k)
+      amounts[k] = hourglass[i][k] * (-1.0 / Geometry::pattern_length);
+    Geometry::add_patterns(amounts, step.force[i]);
+  }
+}
+
+/// Brings eight elements to the end of a step. Strain from the gradient in the middle of the step, stress
+/// turned by Hughes and Winget, hourglass resistance that vanishes for every linear velocity field, linear
+/// and quadratic bulk viscosity. A volume that is not positive leaves numbers without meaning: look at
+/// `volume`. The stable step is 2 / omega (sqrt(1 + z^2) - z), with z the share of bulk viscosity in critical
+/// damping, and
+///   omega^2 <= n_nodes / (m V) (lambda B:B + 2 mu e(B B^T) + k B:B),
+/// a bound for the element's frequencies (e the largest eigenvalue; by Cauchy-Schwarz, term by term; the last
+/// one, of the hourglass modes, for parallelepipeds). Source: Flanagan and Belytschko (1981), Int. J. Numer.
+/// Meth. Eng. 17, 679-706, and (1984), J. Appl. Mech. 51, 35-40.
+///   own  [3 x n_patterns] hourglass forces
+template <class Geometry>
+void advance_uniform_gradient(const SolidProperties& properties, const SolidMotion<Geometry::n_nodes>& motion,
+                              std::span<Lanes> point, std::span<Lanes> own,
+                              SolidStep<Geometry::n_nodes>& step) {
+  const MiddleOfStep<Geometry> middle(motion);
+  const StepMotion split = split_motion(middle.velocity_gradient, motion.dt);
+  PointStep at_point = update_point(properties.law, split, point);
+  step.stress_work = at_point.work * middle.volume;
+
+  const Lanes per_mass = 1.0 / motion.mass;
+  const double patterns = properties.hourglass_stiffness * moduli_of(properties.law).shear;
+  const Lanes frequency_squared = static_cast<double>(Geometry::n_nodes) * per_mass * middle.per_volume *
+                                  ((at_point.moduli.lambda() + patterns) * middle.gradient_norm +
+                                   2.0 * at_point.moduli.shear * middle.largest_eigenvalue);
+  const Lanes undamped = 2.0 / frequency_squared.sqrt();
+  const Lanes wave_speed = (at_point.moduli.p_wave() * middle.volume * per_mass).sqrt();
+  const BulkViscosity viscosity(properties, undamped, middle.dilatation(), motion.mass * middle.per_volume,
+                                wave_speed);
+  step.stable_step = viscosity.stable_step;
+  step.viscous_work = viscosity.stress * middle.dilatation() * middle.volume * motion.dt;
+  for (std::size_t i = 0; i < 3; ++i) at_point.stress[i] += viscosity.stress;
+
+  const Lanes stiffness = patterns * middle.gradient_norm * middle.per_volume;
+  const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
+  turn_vectors(split.rotation, own);
+  const auto hourglass = update_hourglass<Geometry>(motion, middle, stiffness, damping, own);
+  step.hourglass_work = hourglass.work;
+  set_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step);
+}
+
+/// An element of this kind: one integration point, hourglass forces of its own.
+template <Shape its_shape, class Geometry>
+struct UniformGradient {
+  static constexpr Shape shape = its_shape;
+  static constexpr std::string_view formulation = "mean_quadrature";
+  static constexpr std::size_t n_nodes = Geometry::n_nodes, n_points = 1, n_own = 3 * Geometry::n_patterns;
+
+  static Lanes volume(const NodeVectors<n_nodes>& x) { return dot(x[0], Geometry::volume_gradient(x)[0]); }
+  /// As advance_uniform_gradient.
+  ///   state  [6 + material + n_own]
+  static void advance(const SolidProperties& properties, const SolidMotion<n_nodes>& motion,
+                      std::span<Lanes> state, SolidStep<n_nodes>& step) {
+    const std::size_t point = state.size() - n_own;
+    advance_uniform_gradient<Geometry>(properties, motion, state.first(point), state.subspan(point), step);
+  }
+};
+
+}  // namespace contactsim

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/integrator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/node_work.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Has every term set its forces for the motion.
+StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
+  Energies& energies = state.energies;
+  const ForceReport internal = terms.internal.set_forces(motion, state.forces.internal);
+  energies.hourglass += internal.hourglass_work;
+  energies.bulk_viscosity += internal.viscous_work;
+  StepReport step{internal.stable_step, internal.critical_element};
+  const ForceReport external = terms.external.set_forces(motion, state.forces.external);
+  step.stable_step = std::min(step.stable_step, external.stable_step);
+  if (terms.contact != nullptr) {
+    const ForceReport contact = terms.contact->set_forces(motion, state.forces.contact);
+    step.stable_step = std::min(step.stable_step, contact.stable_step);
+  }
+  return step;
+}
+
+void accelerate(const Model& model, State& state) {
+  const auto n = static_cast<std::int64_t>(state.acceleration.size());
+  double* a = state.acceleration.data();
+  const double *mass = model.mass.data(), *internal = state.forces.internal.data(),
+               *external = state.forces.external.data();
+  const double* contact = state.forces.contact.size() > 0 ? state.forces.contact.data() : nullptr;
+#pragma omp parallel for simd schedule(static) num_threads(threads_for(state.acceleration.size() / 3))
+  for (std::int64_t i = 0; i < n; ++i)
+    a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
+}
+
+/// Brings the velocities to the middle of the step and the coordinates to its end.
+void move(State& state) {
+  const auto n = static_cast<std::int64_t>(state.velocity.size());
+  double *v = state.velocity.data(), *x = state.coordinates.data();
+  const double* a = state.acceleration.data();
+  const double dt = state.dt, half = 0.5 * dt;
+#pragma omp parallel for simd schedule(static) num_threads(threads_for(state.velocity.size() / 3))
+  for (std::int64_t i = 0; i < n; ++i) {
+    v[i] += half * a[i];
+    x[i] += dt * v[i];
+  }
+}
+
+/// Names the first node whose motion is not finite.
+[[noreturn]] void stop_at_non_finite(const Model& model, const State& state) {
+  for (std::uint32_t node = 0; node < model.mesh->n_nodes(); ++node) {
+    if (state.acceleration.col(node).allFinite() && state.velocity.col(node).allFinite()) continue;
+    const char* cause = model.mass(0, node) <= least_mass ? "has no mass but is pushed" : "moves without bound";
+    throw SolveError(state.step, state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
+  }
+  throw SolveError(state.step, state.time, "the energy is not finite");
+}
+
+/// A run whose steps become this small, next to the first one, would not end.
+constexpr double vanishing = 1e-6;
+
+void check_step(const Model& model, const State& state, const StepReport& report) {
+  const double dt = state.next_dt;
+  if (dt > vanishing * state.first_dt && state.time + dt > state.time) return;
+  std::string cause = fmt::format("the stable time step has fallen to {:.3g}", dt);
+  if (report.critical_element)
+    cause += fmt::format(", set by element {}", model.mesh->element_id(*report.critical_element));
+  throw SolveError(state.step, state.time, cause);
+}
+
+void add_work(const NodeWork& work, State& state) {
+  Energies& energies = state.energies;
+  energies.kinetic = work.kinetic;
+  energies.internal -= state.begun.internal + work.ended.internal;
+  energies.external += state.begun.external + work.ended.external;
+  energies.contact -= state.begun.contact + work.ended.contact;
+  state.begun = work.begun;
+  state.momentum = work.momentum;
+  if (state.step == 0) energies.start = work.conserved;
+  energies.error = work.conserved + energies.internal + energies.contact - energies.external - energies.start;
+  for (const double term : {energies.kinetic, energies.internal, energies.external, energies.contact})
+    energies.largest = std::max(energies.largest, std::abs(term));
+}
+
+/// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
+void complete(const Model& model, const TimeStepControl& control, const StepReport& report, State& state) {
+  state.next_dt = control.step_after(state.time, state.dt, report.stable_step);
+  if (state.step == 0) state.first_dt = state.next_dt;
+  check_step(model, state, report);
+  accelerate(model, state);
+  model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
+                             state.acceleration);
+  const NodeWork work = complete_velocities(model, state);
+  if (!std::isfinite(work.kinetic)) stop_at_non_finite(model, state);
+  add_work(work, state);
+}
+
+}  // namespace
+
+StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
+  const Motion motion{state.time, 0.0, state.coordinates, state.velocity};
+  const StepReport report = set_forces(forces, motion, state);
+  complete(model, control, report, state);
+  return report;
+}
+
+StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
+  state.dt = state.next_dt;
+  state.time += state.dt;
+  ++state.step;
+  move(state);
+  const Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+  const StepReport report = set_forces(forces, motion, state);
+  complete(model, control, report, state);
+  return report;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/elements/element_table.hpp"
+#include "core/force_term.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+
+namespace contactsim {
+
+/// The forces of the elements' stresses.
+class InternalForce final : public ForceTerm {
+ public:
+  /// Both must outlive the term; it changes the elements' part of the state only.
+  InternalForce(const Model& model, State& state);
+
+  /// Throws SolveError naming the element when one has no positive volume.
+  ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+
+ private:
+  void advance_chunks(std::size_t index, const Motion& motion);
+  [[noreturn]] void stop_at_inverted(const SolidBlock& block, const Motion& motion) const;
+
+  const Model& model_;
+  State& state_;
+  std::vector<BatchesStep> chunks_;  ///< of the largest block, scratch
+};
+
+}  // namespace contactsim

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "core/definition/material.hpp"
+#include "core/diagnostics.hpp"
+#include "core/materials/laws.hpp"
+
+namespace contactsim {
+
+/// Every stress update there is.
+using MaterialLaw = std::variant<ElasticLaw, PlasticLaw<LinearHardening>, PlasticLaw<PowerHardening>,
+                                 PlasticLaw<JohnsonCookHardening>>;
+
+/// What a law keeps per element and integration point.
+struct LawState {
+  std::size_t n_tensors = 0, n_state = 0;
+  std::span<const StateVariable> variables;
+};
+
+LawState state_of(const MaterialLaw& law);
+
+/// Elastic moduli of the law at rest.
+ElasticModuli moduli_of(const MaterialLaw& law);
+
+/// Law::start of the law that is held.
+void start_state(const MaterialLaw& law, std::span<Lanes> state);
+
+/// The law of a model of the deck. Nothing when an error was added, at the model: it is not one that can be
+/// integrated, or its constants give no stable material.
+std::optional<MaterialLaw> make_material_law(const MaterialModel& model, Diagnostics& diagnostics);
+
+}  // namespace contactsim

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/model.hpp"
+
+#include <fmt/format.h>
+
+#include "core/elements/element_table.hpp"
+#include "core/mesh/block_names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Builds the blocks of a model, one after another, and collects what is wrong with them.
+class BlockMaker {
+ public:
+  BlockMaker(const SimulationDefinition& definition, const FiniteElementModel& model, const Mesh& mesh,
+             Diagnostics& diagnostics)
+      : definition_(definition), model_(model), mesh_(mesh), diagnostics_(diagnostics) {}
+
+  void add_block(std::uint32_t index, std::span<const std::string> names, std::vector<SolidBlock>& blocks) {
+    const BlockParameters* parameters = find_block_parameters(model_, names);
+    block_name_ = mesh_.name({EntityKind::block, index});
+    if (parameters == nullptr) {
+      add_error(model_.name.location, fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_,
+                                                  model_.name.text),
+                "");
+      return;
+    }
+    const SolidElement* element = find_element(index, *parameters);
+    const auto properties = make_properties(*parameters);
+    if (element == nullptr || !properties) return;
+    blocks.push_back(make_solid_block(mesh_, index, *element, *properties));
+  }
+
+ private:
+  void add_error(const DeckLocation& location, std::string text, std::string hint) {
+    diagnostics_.add_error(location, std::move(text), std::move(hint));
+  }
+
+  const SolidElement* find_element(std::uint32_t index, const BlockParameters& parameters) {
+    const Topology& shape = topology(mesh_.blocks()[index].shape);
+    const SectionDefinition* section = find_section(definition_, parameters);
+    const SolidSection* solid = &default_section_;
+    if (section != nullptr) solid = std::get_if<SolidSection>(&section->properties);
+    if (shape.family != Family::solid || solid == nullptr) {
+      add_error(parameters.location,
+                fmt::format("{} has elements of type {}: only solids can move so far", block_name_, shape.name),
+                "--check resolves the surfaces of all of them");
+      return nullptr;
+    }
+    if (section != nullptr && section->rigid_body)
+      add_error(section->rigid_body->location, "rigid bodies are not supported yet", "");
+    return find_formulation(shape, *solid, parameters);
+  }
+
+  const SolidElement* find_formulation(const Topology& shape, const SolidSection& solid,
+                                       const BlockParameters& parameters) {
+    const SolidElement* element = find_solid_element(shape.shape, solid.formulation.text);
+    if (element != nullptr) return element;
+    const bool is_known = !list_formulations(shape.shape).empty();
+    const DeckLocation& location =
+        is_known && solid.formulation.location.is_known() ? solid.formulation.location : parameters.location;
+    if (!is_known) {
+      add_error(location, fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
+                "linear hexahedra, tetrahedra, wedges and pyramids are");
+    } else {
+      add_error(location,
+                fmt::format("{}: there is no {} with the formulation {}", block_name_, shape.name,
+                            solid.formulation.text),
+                fmt::format("it has {}", list_formulations(shape.shape)));
+    }
+    return nullptr;
+  }
+
+  std::optional<SolidProperties> make_properties(const BlockParameters& parameters) {
+    if (!parameters.material || !parameters.model) {
+      add_error(parameters.location, fmt::format("{} has no {}", block_name_,
+                                                 parameters.material ? "MODEL" : "MATERIAL"),
+                "");
+      return std::nullopt;
+    }
+    const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
+    const MaterialModel* model = material ? find_model(*material, parameters.model->text) : nullptr;
+    if (model == nullptr) return std::nullopt;  // the binder has said so
+    const auto law = make_material_law(*model, diagnostics_);
+    if (!law) return std::nullopt;
+    return SolidProperties{*law,
+                           material->density,
+                           parameters.hourglass_stiffness,
+                           parameters.hourglass_viscosity,
+                           parameters.linear_bulk_viscosity,
+                           parameters.quadratic_bulk_viscosity};
+  }
+
+  const SimulationDefinition& definition_;
+  const FiniteElementModel& model_;
+  const Mesh& mesh_;
+  Diagnostics& diagnostics_;
+  SolidSection default_section_;
+  std::string block_name_;
+};
+
+/// An element gives each of its nodes an equal share of its mass.
+void add_mass(const SolidBlock& block, const Mesh& mesh, Eigen::Matrix3Xd& mass) {
+  const ElementBlock& source = mesh.blocks()[block.mesh_block];
+  for (std::uint32_t element = 0; element < source.n_elements; ++element) {
+    const double of_element = block.mass[element / n_lanes](element % n_lanes);
+    const auto nodes = source.element_nodes(element);
+    for (const NodeIndex node : nodes)
+      mass.col(node.value).array() += of_element / static_cast<double>(nodes.size());
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const SolidBlock> blocks) {
+  Eigen::Matrix3Xd mass = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  for (const SolidBlock& block : blocks) add_mass(block, mesh, mass);
+  return mass.cwiseMax(least_mass);
+}
+
+Model make_model(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                 Diagnostics& diagnostics) {
+  Model model;
+  model.mesh = &mesh;
+  const FiniteElementModel* elements = find_finite_element_model(definition, region);
+  if (elements == nullptr) {
+    diagnostics.add_error(region.name.location, "the region has no finite element model",
+                          "without one only --check can be run");
+    return model;
+  }
+  BlockMaker maker(definition, *elements, mesh, diagnostics);
+  const auto names = find_block_names(mesh, elements->aliases);
+  for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
+    if (mesh.blocks()[i].n_elements > 0) maker.add_block(i, names[i], model.blocks);
+  }
+  model.mass = lumped_mass(mesh, model.blocks);
+  return model;
+}
+
+}  // namespace contactsim

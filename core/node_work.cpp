@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/node_work.hpp"
+
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Components of the vectors of eight nodes.
+constexpr Eigen::Index group_size = 24;
+using Group = Eigen::Array<double, group_size, 1>;
+
+/// Nodes whose sums are made together. Fixed, so that the sums do not depend on the number of threads.
+constexpr Eigen::Index groups_per_chunk = 256;
+
+/// The sums of a chunk, component by component.
+struct GroupSums {
+  Group kinetic = Group::Zero(), conserved = Group::Zero(), momentum = Group::Zero();
+  Group internal_ended = Group::Zero(), internal_begun = Group::Zero();
+  Group external_ended = Group::Zero(), external_begun = Group::Zero();
+  Group contact_ended = Group::Zero(), contact_begun = Group::Zero();
+
+  /// Half steps are weighted with their sizes here.
+  NodeWork total(double half_before, double half_after) const {
+    NodeWork work;
+    work.kinetic = 0.5 * kinetic.sum();
+    work.conserved = 0.5 * conserved.sum();
+    work.ended = {half_before * internal_ended.sum(), half_before * external_ended.sum(),
+                  half_before * contact_ended.sum()};
+    work.begun = {half_after * internal_begun.sum(), half_after * external_begun.sum(),
+                  half_after * contact_begun.sum()};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      work.momentum(i) = 0.0;
+      for (Eigen::Index k = i; k < group_size; k += 3) work.momentum(i) += momentum(k);
+    }
+    return work;
+  }
+};
+
+void add(const HalfStepWork& part, HalfStepWork& sum) {
+  sum.internal += part.internal;
+  sum.external += part.external;
+  sum.contact += part.contact;
+}
+
+/// Walks the nodes in groups; the last one is filled up with zeros.
+class Completion {
+ public:
+  Completion(const Model& model, State& state)
+      : model_(model), state_(state), size_(state.velocity.size()) {
+    half_before_ = 0.5 * state.dt;
+    half_after_ = 0.5 * state.next_dt;
+    // Before the first step the leapfrog stands mirrored, as if it had come with the step that follows.
+    product_span_ = state.dt > 0.0 ? half_before_ + half_after_ : 2.0 * half_after_;
+  }
+
+  Eigen::Index n_chunks() const {
+    const Eigen::Index per_chunk = groups_per_chunk * group_size;
+    return (size_ + per_chunk - 1) / per_chunk;
+  }
+
+  NodeWork complete_chunk(Eigen::Index chunk) {
+    GroupSums sums;
+    const Eigen::Index first = chunk * groups_per_chunk * group_size;
+    const Eigen::Index end = std::min(size_, first + groups_per_chunk * group_size);
+    for (Eigen::Index i = first; i < end; i += group_size) complete_group(i, sums);
+    return sums.total(half_before_, half_after_);
+  }
+
+ private:
+  Group load(const Eigen::Matrix3Xd& values, Eigen::Index i) const {
+    if (i + group_size <= size_) return Eigen::Map<const Group>(values.data() + i);
+    Group group = Group::Zero();
+    group.head(size_ - i) = Eigen::Map<const Eigen::ArrayXd>(values.data() + i, size_ - i);
+    return group;
+  }
+
+  void complete_group(Eigen::Index i, GroupSums& sums) {
+    const Group a = load(state_.acceleration, i), mass = load(model_.mass, i);
+    const Group before = load(state_.velocity, i);
+    const Group now = before + half_before_ * a, after = now + half_after_ * a;
+    const Eigen::Index n = std::min(group_size, size_ - i);
+    Eigen::Map<Eigen::ArrayXd>(state_.velocity.data() + i, n) = now.head(n);
+    sums.kinetic += mass * now * now;
+    sums.conserved += mass * after * (after - product_span_ * a);
+    sums.momentum += mass * now;
+    const Group internal = load(state_.forces.internal, i), external = load(state_.forces.external, i);
+    sums.internal_ended += internal * before;
+    sums.internal_begun += internal * after;
+    sums.external_ended += external * before;
+    sums.external_begun += external * after;
+    if (state_.forces.contact.size() == 0) return;
+    const Group contact = load(state_.forces.contact, i);
+    sums.contact_ended += contact * before;
+    sums.contact_begun += contact * after;
+  }
+
+  const Model& model_;
+  State& state_;
+  Eigen::Index size_;
+  double half_before_, half_after_, product_span_;
+};
+
+/// Work of the reactions, with the velocities already those of now.
+void add_reactions(const Model& model, const State& state, NodeWork& work) {
+  const double half_before = 0.5 * state.dt, half_after = 0.5 * state.next_dt;
+  for (const NodeIndex node : model.kinematics.nodes()) {
+    const Eigen::Vector3d a = state.acceleration.col(node.value), v = state.velocity.col(node.value);
+    const Eigen::Vector3d reaction = reaction_at(model, state, node);
+    work.ended.external += half_before * reaction.dot(v - half_before * a);
+    work.begun.external += half_after * reaction.dot(v + half_after * a);
+  }
+}
+
+}  // namespace
+
+Eigen::Vector3d reaction_at(const Model& model, const State& state, NodeIndex node) {
+  const Eigen::Index i = node.value;
+  const NodalForces& forces = state.forces;
+  Eigen::Vector3d reaction = model.mass(0, i) * state.acceleration.col(i) - forces.internal.col(i);
+  reaction -= forces.external.col(i);
+  if (forces.contact.size() > 0) reaction -= forces.contact.col(i);
+  return reaction;
+}
+
+NodeWork complete_velocities(const Model& model, State& state) {
+  Completion completion(model, state);
+  std::vector<NodeWork> parts(static_cast<std::size_t>(completion.n_chunks()));
+#pragma omp parallel for schedule(static) num_threads(threads_for(model.mesh->n_nodes()))
+  for (std::int64_t i = 0; i < completion.n_chunks(); ++i)
+    parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i);
+  NodeWork work;
+  work.momentum.setZero();
+  for (const NodeWork& part : parts) {
+    work.kinetic += part.kinetic;
+    work.conserved += part.conserved;
+    work.momentum += part.momentum;
+    add(part.ended, work.ended);
+    add(part.begun, work.begun);
+  }
+  add_reactions(model, state, work);
+  return work;
+}
+
+}  // namespace contactsim

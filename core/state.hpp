@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/elements/solid_block.hpp"
+
+namespace contactsim {
+
+/// The forces on the nodes, each as it acts on them: mass x acceleration = internal + external + contact
+/// + reaction [3 x n_nodes] [force].
+struct NodalForces {
+  Eigen::Matrix3Xd internal, external;
+  Eigen::Matrix3Xd contact;  ///< 3 x 0 without contact
+};
+
+/// Energies since the start.
+struct Energies {
+  double kinetic = 0.0;         ///< now [energy]
+  double internal = 0.0;        ///< work of all internal forces, the two below included [energy]
+  double hourglass = 0.0;       ///< part of internal [energy]
+  double bulk_viscosity = 0.0;  ///< part of internal [energy]
+  double external = 0.0;        ///< work of loads, gravity and prescribed motion [energy]
+  double contact = 0.0;         ///< taken up by contact forces [energy]
+  /// What appeared from nowhere: kinetic + internal + contact - external less its value at the start. The
+  /// kinetic energy here is the product of the velocities half a step before and behind, for which central
+  /// differences conserve the sum to round-off, so that only real errors show [energy].
+  double error = 0.0;
+  double start = 0.0;    ///< kinetic energy at the start, as the error takes it [energy]
+  double largest = 0.0;  ///< of the terms so far, to compare the error with [energy]
+};
+
+/// Work of the forces over half a step [energy].
+struct HalfStepWork {
+  double internal = 0.0, external = 0.0, contact = 0.0;
+};
+
+/// All that a step changes. Between steps every member belongs to `time`.
+struct State {
+  std::int64_t step = 0;
+  double time = 0.0;             ///< [time]
+  double dt = 0.0;               ///< of the step that ended here, 0 before the first [time]
+  double next_dt = 0.0;          ///< of the step that begins here [time]
+  double first_dt = 0.0;         ///< of the first step [time]
+  Eigen::Matrix3Xd coordinates;  ///< [3 x n_nodes] [length]
+  Eigen::Matrix3Xd velocity;     ///< [3 x n_nodes] [length/time]
+  Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [length/time^2]
+  NodalForces forces;
+  Energies energies;
+  HalfStepWork begun;  ///< of the half step that begins here: the forces of now along the velocity to come
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [mass length/time]
+  std::vector<SolidBlockState> blocks;                 ///< as Model::blocks
+};
+
+/// The state of a mesh at rest: nothing is known yet of forces, energies and step sizes.
+///   blocks  of the model
+State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const SolidBlock> blocks, double time);
+
+}  // namespace contactsim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/definition/procedure.hpp"
+
+namespace contactsim {
+
+/// A time stepping block of the deck as one region sees it.
+struct TimePeriod {
+  std::string name;
+  double start = 0.0;  ///< [time]
+  ExplicitTimeParameters parameters;
+};
+
+/// How long the run is and how large its steps are. Source: Sierra/SM 5.22, 3.1.
+class TimeStepControl {
+ public:
+  /// Precondition: the periods are in order of time, at least one.
+  TimeStepControl(std::vector<TimePeriod> periods, double termination_time)
+      : periods_(std::move(periods)), termination_time_(termination_time) {}
+
+  std::span<const TimePeriod> periods() const { return periods_; }
+  /// Whether a run that has come to this time by this step ends: at the first step at or past the termination
+  /// time.
+  bool is_over(double time, double step) const;
+  double start_time() const { return periods_.front().start; }
+  double termination_time() const { return termination_time_; }
+  /// Position of the period that a time belongs to; each one begins at its start.
+  std::size_t period_at(double time) const;
+
+  /// Size of the step that begins at a time: the user's; else the stable one scaled, grown by no more than
+  /// the increase factor, the first no larger than the initial one.
+  ///   stable   the largest that is stable [time]
+  ///   before   size of the step before, 0 if there is none [time]
+  double step_after(double time, double before, double stable) const;
+
+ private:
+  std::vector<TimePeriod> periods_;
+  double termination_time_;
+};
+
+/// The time control of a region's procedure. Precondition: the binder found no error in it.
+TimeStepControl make_time_step_control(const Procedure& procedure, const Region& region);
+
+}  // namespace contactsim
