@@ -11,8 +11,8 @@ namespace contactsim {
 
 /// How the nodes moved in a step, for those who answer with forces.
 struct Motion {
-  double time;                          ///< at the end of the step [time]
-  double dt;                            ///< its size; 0: no step yet, forces at the start are asked for [time]
+  double time;  ///< at the end of the step [time]
+  double dt;    ///< its size; 0: no step yet, forces at the start are asked for [time]
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] at the end of the step [length]
   const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at its middle [length/time]
 };
@@ -30,8 +30,8 @@ class ForceTerm {
  public:
   virtual ~ForceTerm() = default;
 
-  /// Sets the forces at the end of a step, as they act on the nodes. Called once per step, in order, for terms
-  /// with a memory. Throws SolveError when the motion cannot go on.
+  /// Sets the forces at the end of a step, as they act on the nodes. Called once per step, in order, for
+  /// terms with a memory. Throws SolveError when the motion cannot go on.
   ///   forces  [3 x n_nodes] [force]; whatever it held is gone
   virtual ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) = 0;
 };

@@ -58,7 +58,8 @@ void move(State& state) {
 [[noreturn]] void stop_at_non_finite(const Model& model, const State& state) {
   for (std::uint32_t node = 0; node < model.mesh->n_nodes(); ++node) {
     if (state.acceleration.col(node).allFinite() && state.velocity.col(node).allFinite()) continue;
-    const char* cause = model.mass(0, node) <= least_mass ? "has no mass but is pushed" : "moves without bound";
+    const char* cause =
+        model.mass(0, node) <= least_mass ? "has no mass but is pushed" : "moves without bound";
     throw SolveError(state.step, state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
   throw SolveError(state.step, state.time, "the energy is not finite");

@@ -21,8 +21,8 @@ struct StepReport {
   std::optional<ElementIndex> critical_element;
 };
 
-/// Completes a state whose coordinates, velocities and stresses are those of the start: forces, accelerations,
-/// the first step. Throws SolveError.
+/// Completes a state whose coordinates, velocities and stresses are those of the start: forces,
+/// accelerations, the first step. Throws SolveError.
 StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state);
 
 /// Brings a state to the end of its next step by central differences:

@@ -23,7 +23,7 @@ class InternalForce final : public ForceTerm {
 
   const Model& model_;
   State& state_;
-  std::vector<BatchesStep> chunks_;  ///< of the largest block, scratch
+  std::vector<ChunkStep> chunks_;  ///< of the largest block, scratch
 };
 
 }  // namespace contactsim

@@ -21,9 +21,8 @@ class BlockMaker {
     const BlockParameters* parameters = find_block_parameters(model_, names);
     block_name_ = mesh_.name({EntityKind::block, index});
     if (parameters == nullptr) {
-      add_error(model_.name.location, fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_,
-                                                  model_.name.text),
-                "");
+      add_error(model_.name.location,
+                fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text), "");
       return;
     }
     const SolidElement* element = find_element(index, *parameters);
@@ -43,9 +42,10 @@ class BlockMaker {
     const SolidSection* solid = &default_section_;
     if (section != nullptr) solid = std::get_if<SolidSection>(&section->properties);
     if (shape.family != Family::solid || solid == nullptr) {
-      add_error(parameters.location,
-                fmt::format("{} has elements of type {}: only solids can move so far", block_name_, shape.name),
-                "--check resolves the surfaces of all of them");
+      add_error(
+          parameters.location,
+          fmt::format("{} has elements of type {}: only solids can move so far", block_name_, shape.name),
+          "--check resolves the surfaces of all of them");
       return nullptr;
     }
     if (section != nullptr && section->rigid_body)
@@ -61,7 +61,8 @@ class BlockMaker {
     const DeckLocation& location =
         is_known && solid.formulation.location.is_known() ? solid.formulation.location : parameters.location;
     if (!is_known) {
-      add_error(location, fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
+      add_error(location,
+                fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
                 "linear hexahedra, tetrahedra, wedges and pyramids are");
     } else {
       add_error(location,
@@ -74,9 +75,8 @@ class BlockMaker {
 
   std::optional<SolidProperties> make_properties(const BlockParameters& parameters) {
     if (!parameters.material || !parameters.model) {
-      add_error(parameters.location, fmt::format("{} has no {}", block_name_,
-                                                 parameters.material ? "MODEL" : "MATERIAL"),
-                "");
+      add_error(parameters.location,
+                fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
       return std::nullopt;
     }
     const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);

@@ -47,8 +47,7 @@ void add(const HalfStepWork& part, HalfStepWork& sum) {
 /// Walks the nodes in groups; the last one is filled up with zeros.
 class Completion {
  public:
-  Completion(const Model& model, State& state)
-      : model_(model), state_(state), size_(state.velocity.size()) {
+  Completion(const Model& model, State& state) : model_(model), state_(state), size_(state.velocity.size()) {
     half_before_ = 0.5 * state.dt;
     half_after_ = 0.5 * state.next_dt;
     // Before the first step the leapfrog stands mirrored, as if it had come with the step that follows.

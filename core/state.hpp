@@ -41,12 +41,12 @@ struct HalfStepWork {
 /// All that a step changes. Between steps every member belongs to `time`.
 struct State {
   std::int64_t step = 0;
-  double time = 0.0;             ///< [time]
-  double dt = 0.0;               ///< of the step that ended here, 0 before the first [time]
-  double next_dt = 0.0;          ///< of the step that begins here [time]
-  double first_dt = 0.0;         ///< of the first step [time]
-  Eigen::Matrix3Xd coordinates;  ///< [3 x n_nodes] [length]
-  Eigen::Matrix3Xd velocity;     ///< [3 x n_nodes] [length/time]
+  double time = 0.0;              ///< [time]
+  double dt = 0.0;                ///< of the step that ended here, 0 before the first [time]
+  double next_dt = 0.0;           ///< of the step that begins here [time]
+  double first_dt = 0.0;          ///< of the first step [time]
+  Eigen::Matrix3Xd coordinates;   ///< [3 x n_nodes] [length]
+  Eigen::Matrix3Xd velocity;      ///< [3 x n_nodes] [length/time]
   Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [length/time^2]
   NodalForces forces;
   Energies energies;

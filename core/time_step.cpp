@@ -20,7 +20,8 @@ double TimeStepControl::step_after(double time, double before, double stable) co
   double step = parameters.time_step_scale_factor * stable;
   if (before > 0.0) step = std::min(step, parameters.time_step_increase_factor * before);
   const bool is_first_of_period = before == 0.0 || period_at(time - before) != period;
-  if (is_first_of_period && parameters.initial_time_step) step = std::min(step, *parameters.initial_time_step);
+  if (is_first_of_period && parameters.initial_time_step)
+    step = std::min(step, *parameters.initial_time_step);
   return step;
 }
 

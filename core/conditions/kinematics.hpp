@@ -15,11 +15,12 @@ struct BetweenSteps {
   double dt_before;                     ///< of the step that ends now; 0 at the start [time]
   double dt_after;                      ///< of the step that begins now, > 0 [time]
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
-  const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at the middle of the step before; at the start, now [length/time]
+  const Eigen::Matrix3Xd&
+      velocity;  ///< [3 x n_nodes] at the middle of the step before; at the start, now [length/time]
 };
 
-/// The nodes that conditions hold or drive. Conditions act through the acceleration alone: it is set such that
-/// the coming half step,
+/// The nodes that conditions hold or drive. Conditions act through the acceleration alone: it is set such
+/// that the coming half step,
 ///   v(middle of the step after) = v(middle of the step before) + (dt_before + dt_after) / 2 * acceleration,
 /// has the velocity that the condition wants.
 class Kinematics {

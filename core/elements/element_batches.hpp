@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <limits>
 
 #include "core/elements/element_table.hpp"
-#include "core/elements/gather.hpp"
 
 /// Makes a row of the element table from an element type, which states
 ///   shape, formulation, n_nodes, n_points, n_own  as SolidElement
@@ -15,9 +15,23 @@ namespace contactsim {
 
 namespace batches {
 
+/// The vectors at the nodes of a chunk.
+class ChunkVectors {
+ public:
+  ///   nodes   of the mesh
+  ///   values  [3 x n_nodes]
+  ChunkVectors(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& values) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) vectors_[i] << values.col(nodes[i]), 0.0;
+  }
+  const NodeVector* data() const { return vectors_.data(); }
+
+ private:
+  std::array<NodeVector, SolidBlock::batches_per_chunk * n_lanes * 8> vectors_;
+};
+
 /// What the lanes in use add.
 template <std::size_t n>
-void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index n_used, BatchesStep& sums) {
+void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
   Eigen::Index lane = 0;
   const double stable = step.stable_step.head(n_used).minCoeff(&lane);
   if (stable < sums.stable_step) {
@@ -26,37 +40,40 @@ void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index
   }
   const double volume = step.volume.head(n_used).minCoeff();
   if (!(volume >= sums.least_volume)) sums.least_volume = volume;
-  sums.stress_work += step.stress_work.head(n_used).sum();
   sums.hourglass_work += step.hourglass_work.head(n_used).sum();
   sums.viscous_work += step.viscous_work.head(n_used).sum();
 }
 
 template <class Element>
-Lanes volume(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& coordinates) {
-  return Element::volume(gather<Element::n_nodes>(nodes, coordinates));
+void volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
+             std::span<Lanes> volumes) {
+  const ChunkVectors x(block.nodes_of(chunk), coordinates);
+  for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    const ChunkNode* nodes = block.nodes.data() + i * Element::n_nodes * n_lanes;
+    volumes[i] = Element::volume(gather<Element::n_nodes>(nodes, x.data()));
+  }
 }
 
 template <class Element>
-BatchesStep advance(const SolidBlock& block, const Motion& motion, std::size_t begin, std::size_t end,
-                    SolidBlockState& state) {
+ChunkStep advance(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
+                  SolidBlockState& state) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t n = Element::n_nodes;
-  BatchesStep sums{infinity, 0, infinity, 0.0, 0.0, 0.0};
-  for (std::size_t i = begin; i < end; ++i) {
-    const auto nodes = block.batch_nodes(i);
-    const SolidMotion<n> solid_motion{gather<n>(nodes, motion.coordinates), gather<n>(nodes, motion.velocity),
-                                      block.mass[i], motion.dt};
+  const ChunkVectors x(block.nodes_of(chunk), motion.coordinates), v(block.nodes_of(chunk), motion.velocity);
+  NodeVector* forces = state.forces.data() + chunk.first_node;
+  std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
+  ChunkStep sums{infinity, 0, infinity, 0.0, 0.0};
+  for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
+    const SolidMotion<n> solid_motion{gather<n>(nodes, x.data()), gather<n>(nodes, v.data()), block.mass[i],
+                                      motion.dt};
     const std::span<Lanes> values = state.batch(block.layout, i);
     SolidStep<n> step;
     Element::advance(block.properties, solid_motion, values.first(block.layout.energy()), step);
     values.back() += step.stress_work;
-    Lanes* force = state.forces.data() + i * 3 * n;
-    for (std::size_t node = 0; node < n; ++node) {
-      for (std::size_t component = 0; component < 3; ++component) *force++ = step.force[component][node];
-    }
-    const std::size_t first = i * n_lanes;
-    add_lanes(step, first, static_cast<Eigen::Index>(std::min<std::size_t>(n_lanes, block.n_elements - first)),
-              sums);
+    const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
+    scatter_add(step.force, nodes, n_used, forces);
+    add_lanes(step, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
   }
   return sums;
 }
@@ -65,8 +82,8 @@ BatchesStep advance(const SolidBlock& block, const Motion& motion, std::size_t b
 
 template <class Element>
 constexpr SolidElement solid_element() {
-  return {Element::shape,   Element::formulation, Element::n_nodes,         Element::n_points,
-          Element::n_own, &batches::volume<Element>, &batches::advance<Element>};
+  return {Element::shape, Element::formulation,       Element::n_nodes,          Element::n_points,
+          Element::n_own, &batches::volumes<Element>, &batches::advance<Element>};
 }
 
 }  // namespace contactsim

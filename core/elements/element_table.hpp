@@ -11,12 +11,13 @@
 
 namespace contactsim {
 
-/// The sums and extremes of some batches in a step.
-struct BatchesStep {
+/// The sums and extremes of a chunk in a step.
+struct ChunkStep {
   double stable_step;            ///< the least [time]
   std::size_t critical_element;  ///< position in the block of the first that has it
   double least_volume;           ///< [length^3]; NaN when one is
-  double stress_work, hourglass_work, viscous_work;  ///< [energy]
+  double hourglass_work;         ///< [energy]
+  double viscous_work;           ///< [energy]
 };
 
 /// Row of the element table: a solid element by shape and section formulation.
@@ -27,13 +28,15 @@ struct SolidElement {
   std::size_t n_points;  ///< integration points with a stress and a material state
   std::size_t n_own;     ///< further Lanes that a batch remembers
 
-  /// Volume of eight elements [length^3].
-  ///   nodes  [n_nodes x n_lanes] of the batch
-  Lanes (*volume)(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& coordinates);
+  /// Sets the volumes of the elements of a chunk.
+  ///   coordinates  [3 x n_nodes] [length]
+  ///   volumes      [n_batches of the block] [length^3]
+  void (*volumes)(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
+                  std::span<Lanes> volumes);
 
-  /// Brings batches begin..end-1 to the end of a step, forces and all.
-  BatchesStep (*advance)(const SolidBlock& block, const Motion& motion, std::size_t begin, std::size_t end,
-                         SolidBlockState& state);
+  /// Brings the elements of a chunk to the end of a step, forces on their nodes and all.
+  ChunkStep (*advance)(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
+                       SolidBlockState& state);
 };
 
 /// All rows; the first of a shape is its default.

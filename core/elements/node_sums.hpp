@@ -6,31 +6,28 @@
 #include <span>
 #include <vector>
 
-#include "core/lanes.hpp"
-#include "core/mesh/indices.hpp"
+#include "core/elements/gather.hpp"
 
 namespace contactsim {
 
-/// Adds the forces of elements up to those of nodes, each node's in the order of its elements: the same bits
-/// for any number of threads.
+/// Adds forces that stand in several places up at the nodes they belong to, each node's in the order of the
+/// places: the same bits for any number of threads.
 class NodeSums {
  public:
   NodeSums() = default;
-  /// Elements stand in batches of n_lanes, the last of which may be short.
-  ///   connectivity       [n_elements x nodes_per_element], element by element
-  ///   nodes_per_element  of all elements
-  /// Precondition: fewer than 2^32 nodes of elements.
-  NodeSums(std::span<const NodeIndex> connectivity, std::size_t nodes_per_element, std::size_t n_nodes);
+  ///   nodes    [n_places] of the mesh
+  ///   n_nodes  of the mesh
+  NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes);
 
-  /// Adds to the forces of the nodes that have elements.
-  ///   batch_forces  [n_batches x nodes_per_element x 3] of eight elements each
-  ///   forces        [3 x n_nodes] [force]
-  void add(std::span<const Lanes> batch_forces, Eigen::Matrix3Xd& forces) const;
+  /// Adds to the forces of the nodes that have places.
+  ///   parts   [n_places] [force]
+  ///   forces  [3 x n_nodes] [force]
+  void add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const;
 
  private:
-  std::vector<std::uint32_t> nodes_;   ///< that have elements, ascending
+  std::vector<std::uint32_t> nodes_;   ///< that have places, ascending
   std::vector<std::uint32_t> begin_;   ///< [nodes_.size() + 1] first entry of each in places_
-  std::vector<std::uint32_t> places_;  ///< (batch x nodes_per_element + node) x n_lanes + lane
+  std::vector<std::uint32_t> places_;  ///< by node
 };
 
 }  // namespace contactsim

@@ -2,6 +2,7 @@
 #include "core/elements/solid_block.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/elements/element_table.hpp"
 
@@ -9,45 +10,73 @@ namespace contactsim {
 
 namespace {
 
-std::vector<std::uint32_t> batch_nodes(const ElementBlock& block, std::size_t n_batches) {
-  const auto n_nodes = static_cast<std::size_t>(block.nodes_per_element);
-  std::vector<std::uint32_t> nodes(n_batches * n_nodes * n_lanes);
-  for (std::size_t i = 0; i < n_batches * n_lanes; ++i) {
-    const std::size_t element = std::min<std::size_t>(i, block.n_elements - 1);
-    const std::span<const NodeIndex> corners = block.element_nodes(static_cast<std::uint32_t>(element));
-    for (std::size_t corner = 0; corner < n_nodes; ++corner)
-      nodes[(i / n_lanes * n_nodes + corner) * n_lanes + i % n_lanes] = corners[corner].value;
+static_assert(SolidBlock::batches_per_chunk * n_lanes * 8 <= std::numeric_limits<ChunkNode>::max() + 1,
+              "the nodes of a chunk of hexahedra have numbers");
+
+/// Numbers the nodes of a block chunk by chunk, in the order in which its elements name them first.
+class ChunkNumbering {
+ public:
+  ChunkNumbering(const Mesh& mesh, const ElementBlock& source)
+      : source_(source), number_(mesh.n_nodes(), none) {}
+
+  void add_chunk(std::size_t first_batch, std::size_t n_batches, SolidBlock& block) {
+    const std::size_t first_node = block.chunk_nodes.size();
+    for (std::size_t batch = first_batch; batch < first_batch + n_batches; ++batch)
+      add_batch(batch, first_node, block);
+    const BatchChunk chunk{first_batch, n_batches, first_node, block.chunk_nodes.size() - first_node};
+    for (const std::uint32_t node : block.nodes_of(chunk)) number_[node] = none;
+    block.chunks.push_back(chunk);
   }
-  return nodes;
-}
+
+ private:
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  void add_batch(std::size_t batch, std::size_t first_node, SolidBlock& block) {
+    for (int corner = 0; corner < source_.nodes_per_element; ++corner) {
+      for (std::size_t lane = 0; lane < n_lanes; ++lane) {
+        const std::size_t element = std::min<std::size_t>(batch * n_lanes + lane, source_.n_elements - 1);
+        const NodeIndex node =
+            source_.element_nodes(static_cast<std::uint32_t>(element))[static_cast<std::size_t>(corner)];
+        std::uint32_t& number = number_[node.value];
+        if (number == none) {
+          number = static_cast<std::uint32_t>(block.chunk_nodes.size() - first_node);
+          block.chunk_nodes.push_back(node.value);
+        }
+        block.nodes.push_back(static_cast<ChunkNode>(number));
+      }
+    }
+  }
+
+  const ElementBlock& source_;
+  std::vector<std::uint32_t> number_;  ///< [n_nodes] in the chunk at hand
+};
 
 }  // namespace
 
 SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
                             const SolidProperties& properties) {
   const ElementBlock& source = mesh.blocks()[mesh_block];
-  const std::size_t n_batches = (source.n_elements + n_lanes - 1) / n_lanes;
-  SolidBlock block{&element,
-                   mesh_block,
-                   source.first_element,
-                   source.n_elements,
-                   properties,
-                   {},
-                   {},
-                   std::vector<Lanes>(n_batches),
-                   {}};
+  SolidBlock block;
+  block.element = &element;
+  block.mesh_block = mesh_block;
+  block.first_element = source.first_element;
+  block.n_elements = source.n_elements;
+  block.properties = properties;
   block.layout = {element.n_points, 6 + state_of(properties.law).n_state, element.n_own};
-  block.nodes = batch_nodes(source, n_batches);
-  block.sums = NodeSums(source.nodes, element.n_nodes, mesh.n_nodes());
-  for (std::size_t i = 0; i < n_batches; ++i)
-    block.mass[i] = properties.density * element.volume(block.batch_nodes(i), mesh.coordinates());
+  block.mass.resize((source.n_elements + n_lanes - 1) / n_lanes);
+  ChunkNumbering numbering(mesh, source);
+  for (std::size_t batch = 0; batch < block.n_batches(); batch += SolidBlock::batches_per_chunk)
+    numbering.add_chunk(batch, std::min(SolidBlock::batches_per_chunk, block.n_batches() - batch), block);
+  block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes());
+  for (const BatchChunk& chunk : block.chunks) element.volumes(block, chunk, mesh.coordinates(), block.mass);
+  for (Lanes& mass : block.mass) mass *= properties.density;
   return block;
 }
 
 SolidBlockState make_state(const SolidBlock& block) {
   SolidBlockState state;
   state.values.assign(block.n_batches() * block.layout.size(), Lanes::Zero());
-  state.forces.assign(block.n_batches() * 3 * block.element->n_nodes, Lanes::Zero());
+  state.forces.assign(block.chunk_nodes.size(), NodeVector::Zero());
   for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
     for (std::size_t point = 0; point < block.layout.n_points; ++point) {
       const std::size_t size = block.layout.point_size;

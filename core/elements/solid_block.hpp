@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
 #include "core/elements/solid_kernel.hpp"
 #include "core/mesh/mesh.hpp"
@@ -25,35 +25,45 @@ struct StateLayout {
   std::size_t size() const { return energy() + 1; }  ///< Lanes per batch
 };
 
+/// Batches that are advanced together. Their nodes are numbered anew from 0, so that coordinates, velocities
+/// and forces of the chunk fit into a cache. Chunks do not depend on the number of threads.
+struct BatchChunk {
+  std::size_t first_batch = 0, n_batches = 0;
+  std::size_t first_node = 0, n_nodes = 0;  ///< in SolidBlock::chunk_nodes
+};
+
 /// The elements of one block of the mesh, in batches of n_lanes; the last batch is filled up with copies of
 /// the last element, whose numbers count nowhere. Const after set-up.
 struct SolidBlock {
+  static constexpr std::size_t batches_per_chunk = 64;
+
   const SolidElement* element = nullptr;
   std::uint32_t mesh_block = 0;  ///< position in the mesh
   ElementIndex first_element;
   std::size_t n_elements = 0;
   SolidProperties properties;
   StateLayout layout;
-  std::vector<std::uint32_t> nodes;  ///< [n_batches x n_nodes x n_lanes] of the mesh
-  std::vector<Lanes> mass;           ///< [n_batches] [mass]
-  NodeSums sums;
+  std::vector<BatchChunk> chunks;
+  std::vector<std::uint32_t> chunk_nodes;  ///< of the mesh, chunk by chunk
+  std::vector<ChunkNode> nodes;            ///< [n_batches x n_nodes x n_lanes] of the chunk
+  std::vector<Lanes> mass;                 ///< [n_batches] [mass]
+  NodeSums sums;                           ///< from the nodes of chunks to those of the mesh
 
   std::size_t n_batches() const { return mass.size(); }
-  std::span<const std::uint32_t> batch_nodes(std::size_t batch) const {
-    const std::size_t n = nodes.size() / n_batches();
-    return {nodes.data() + batch * n, n};
+  std::span<const std::uint32_t> nodes_of(const BatchChunk& chunk) const {
+    return {chunk_nodes.data() + chunk.first_node, chunk.n_nodes};
   }
 };
 
 /// What the elements of a block remember.
 struct SolidBlockState {
-  std::vector<Lanes> values;  ///< [n_batches x layout.size()] [as StateLayout]
-  std::vector<Lanes> forces;  ///< [n_batches x n_nodes x 3] on the nodes, of the last step [force]
+  std::vector<Lanes> values;       ///< [n_batches x layout.size()] [as StateLayout]
+  std::vector<NodeVector> forces;  ///< [chunk_nodes] on the nodes of each chunk, of the last step [force]
 
   std::span<Lanes> batch(const StateLayout& layout, std::size_t batch) {
     return {values.data() + batch * layout.size(), layout.size()};
   }
-  /// A number of one element of the block: of its integration point's state, or beyond them of its own.
+  /// A number of one element of the block, by its place in the layout.
   double at(const StateLayout& layout, std::size_t element, std::size_t place) const {
     return values[element / n_lanes * layout.size() + place](static_cast<Eigen::Index>(element % n_lanes));
   }

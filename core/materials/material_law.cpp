@@ -26,9 +26,9 @@ struct LawMaker {
   }
 
   MaterialLaw operator()(const PowerHardeningModel& model) const {
-    return PlasticLaw<PowerHardening>{make_elastic_moduli(model.elastic),
-                                      {model.yield_stress, model.hardening_constant,
-                                       model.hardening_exponent, model.luders_strain}};
+    return PlasticLaw<PowerHardening>{
+        make_elastic_moduli(model.elastic),
+        {model.yield_stress, model.hardening_constant, model.hardening_exponent, model.luders_strain}};
   }
 
   MaterialLaw operator()(const JohnsonCookModel& model) const {

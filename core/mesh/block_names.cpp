@@ -3,8 +3,7 @@
 
 namespace contactsim {
 
-std::vector<std::vector<std::string>> find_block_names(const Mesh& mesh,
-                                                       std::span<const MeshAlias> aliases) {
+std::vector<std::vector<std::string>> find_block_names(const Mesh& mesh, std::span<const MeshAlias> aliases) {
   std::vector<std::vector<std::string>> names(mesh.blocks().size());
   const auto add = [&](const Entity& part, const std::string& name) {
     if (part.kind == EntityKind::block) names[part.index].push_back(name);

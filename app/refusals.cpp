@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/refusals.hpp"
+
+#include <fmt/format.h>
+
+namespace contactsim {
+
+namespace {
+
+template <class Definition>
+void refuse(const std::vector<Definition>& definitions, const char* what, Diagnostics& diagnostics) {
+  for (const Definition& definition : definitions)
+    diagnostics.add_error(definition.name.location, fmt::format("{} is not supported in a run yet", what));
+}
+
+}  // namespace
+
+void refuse_what_is_missing(const Procedure& procedure, const Region& region, Diagnostics& diagnostics) {
+  if (procedure.implicit_by) {
+    diagnostics.add_error(procedure.implicit_by->location,
+                          fmt::format("{} makes the procedure implicit", procedure.implicit_by->block),
+                          "contactsim runs explicit procedures: PARAMETERS FOR PRESTO REGION");
+  }
+  if (!procedure.time_control) {
+    diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
+                          "without one only --check can be run");
+  }
+  if (region.contact) {
+    diagnostics.add_error(region.contact->name.location, "contact forces are not supported in a run yet",
+                          "--check resolves the surfaces");
+  }
+  refuse(region.element_deaths, "element death", diagnostics);
+  refuse(region.spot_welds, "a spot weld", diagnostics);
+  refuse(region.mass_scalings, "mass scaling", diagnostics);
+  for (const RestartData& restart : region.restart_data) {
+    diagnostics.add_warning("restart-not-written", restart.name.location,
+                            "restart files are not supported yet: none is read or written");
+  }
+}
+
+}  // namespace contactsim

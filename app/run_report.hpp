@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/integrator.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+
+/// What the log says of a run. Only format_wall_times holds times of the clock: the rest of two runs can be
+/// compared with diff.
+namespace contactsim {
+
+/// Blocks with elements, formulation, law and mass; totals; the stable step at the start and what sets it.
+std::string format_model(const Model& model, const StepReport& at_start);
+
+/// The heading of the lines of steps.
+std::string step_heading();
+
+/// Step, time, step size, energies and their error as a share of the largest.
+std::string format_step(const State& state);
+
+/// A part of the run and how long it took.
+struct PartTime {
+  std::string name;
+  double seconds = 0.0;  ///< of the clock
+};
+
+/// Times of the parts and the whole, steps and element-steps per second.
+///   whole  seconds of the clock
+std::string format_wall_times(std::span<const PartTime> parts, double whole, std::int64_t n_steps,
+                              std::size_t n_elements);
+
+}  // namespace contactsim

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/log.hpp"
+#include "app/options.hpp"
+#include "core/definition/simulation.hpp"
+#include "core/diagnostics.hpp"
+#include "core/errors.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// What a run is made from. All must outlive it.
+struct RunInput {
+  const Options& options;
+  const SimulationDefinition& definition;
+  const Procedure& procedure;
+  const Region& region;
+  const Mesh& mesh;
+};
+
+/// Moves a region from its start time to its termination time, with log and output files.
+///   warnings  gains what was found on the way
+/// Throws DeckError for what cannot be run, FileError, and SolveError when the motion cannot go on; the last
+/// state is written before that.
+ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings);
+
+}  // namespace contactsim
