@@ -54,7 +54,7 @@ std::string field_name(const VariableRequest& request, const VariablePick& pick,
                        const std::string& separator);
 
 /// The fields of a results file: what the deck asks for, then the energies and the momentum, which every file
-/// has. What is not known or cannot be is left out with a warning.
+/// has. What is not known or cannot be is left out with a warning. The variables must outlive the fields.
 ///   block_names  [n mesh blocks] all that the deck may call each
 /// Source: Sierra/SM 5.22, 9.1; 5.20, global energy reporting.
 RequestedFields make_requested_fields(const RunVariables& variables, const FieldRequests& requests,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/output/requested_fields.hpp"
 
+#include <memory>
+
 #include "core/mesh/block_names.hpp"
 #include "core/output/sample_run.hpp"
 #include "support/catch.hpp"
@@ -15,6 +17,7 @@ using Names = std::vector<std::string>;
 
 /// What a results file gets for some requests.
 struct Outcome {
+  std::shared_ptr<const RunVariables> variables;
   RequestedFields fields;
   Names warnings;
 
@@ -39,10 +42,11 @@ struct Outcome {
 };
 
 Outcome ask(const SampleRun& run, const std::vector<VariableRequest>& requests, FieldRequests further = {}) {
-  const RunVariables variables(run.model);
+  const auto variables = std::make_shared<const RunVariables>(run.model);
   Diagnostics diagnostics;
   further.variables = requests;
-  Outcome outcome{make_requested_fields(variables, further, find_block_names(run.mesh, {}), diagnostics), {}};
+  Outcome outcome{
+      variables, make_requested_fields(*variables, further, find_block_names(run.mesh, {}), diagnostics), {}};
   for (const Diagnostic& found : diagnostics.all()) {
     CHECK(found.severity == Severity::warning);
     outcome.warnings.push_back(found.id + ": " + found.text);
