@@ -8,15 +8,11 @@
 
 #include "core/mesh/mesh.hpp"
 #include "core/output_field.hpp"
+#include "io/qa_records.hpp"
 #include "io/record_file.hpp"
 #include "io/results_variables.hpp"
 
 namespace contactsim {
-
-/// A program that had its hand in a file. At most 32 characters of each are kept.
-struct QaRecord {
-  std::string code, version, date, time;
-};
 
 /// What a results file says about itself.
 struct ResultsText {

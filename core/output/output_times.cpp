@@ -89,7 +89,9 @@ bool OutputTimes::is_due(const RunMoment& now) {
   const bool is_scheduled = n_times > n_times_ || n_steps > n_steps_;
   n_times_ = n_times;
   n_steps_ = n_steps;
-  return is_in_window(now.time) && (is_scheduled || now.is_last);
+  const bool is_due = is_in_window(now.time) && (is_scheduled || now.is_last) && last_due_ != now.step;
+  if (is_due) last_due_ = now.step;
+  return is_due;
 }
 
 bool OutputTimes::is_in_window(double time) const {

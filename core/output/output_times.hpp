@@ -30,7 +30,7 @@ class OutputTimes {
   ///   default_step_increment  when the schedule says nothing; 0: only the first state and the last
   OutputTimes(OutputSchedule schedule, std::int64_t default_step_increment);
 
-  /// Whether the state is due; asked once per state, in order of time.
+  /// Whether the state is due; asked in order of time. A step is due once, however often it is asked for.
   bool is_due(const RunMoment& now);
 
   /// The next scheduled time after `time`, if steps are to be stretched to hit it: TIMESTEP ADJUSTMENT
@@ -47,6 +47,7 @@ class OutputTimes {
 
   OutputSchedule schedule_;                 // phases in order of their starts
   std::int64_t n_times_ = 0, n_steps_ = 0;  // scheduled up to the last state
+  std::optional<std::int64_t> last_due_;    // step
 };
 
 }  // namespace contactsim

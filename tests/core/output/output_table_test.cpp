@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "core/output/sample_run.hpp"
 #include "support/catch.hpp"
+#include "support/sample_run.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;

@@ -111,3 +111,11 @@ TEST_CASE("an output scheduler adds to the schedule that uses it", "[core][outpu
 TEST_CASE("an output with a huge number of scheduled times is as quick as any", "[core][output]") {
   CHECK(due_steps(at_time(-1e300, 1e-300), 1.0, 2) == Steps{0, 2});
 }
+
+TEST_CASE("a step is written once, even when it turns out to be the last", "[core][output]") {
+  OutputTimes times(at_time(0.0, 1.0), 1);
+  CHECK(times.is_due({0, 0.0, false}));
+  CHECK_FALSE(times.is_due({0, 0.0, true}));
+  CHECK_FALSE(times.is_due({1, 0.5, false}));
+  CHECK(times.is_due({1, 0.5, true}));
+}

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "core/mesh/block_names.hpp"
-#include "core/output/sample_run.hpp"
 #include "support/catch.hpp"
+#include "support/sample_run.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "core/output/sample_run.hpp"
 #include "support/catch.hpp"
+#include "support/sample_run.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;

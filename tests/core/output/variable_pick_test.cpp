@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/output/variable_pick.hpp"
 
-#include "core/output/sample_run.hpp"
 #include "support/catch.hpp"
+#include "support/sample_run.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;

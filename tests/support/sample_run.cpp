@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/sample_run.hpp"
+#include "support/sample_run.hpp"
 
 #include <numeric>
 
