@@ -8,8 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "contact/name_lookup.hpp"
+#include "contact/item_checks.hpp"
 #include "contact/sort_once.hpp"
+#include "core/mesh/name_lookup.hpp"
 
 namespace contactsim {
 
@@ -36,7 +37,7 @@ class RequestMaker {
   RequestMaker(const RegionNames& names, const Mesh& mesh, Diagnostics& diagnostics)
       : planes_(names.planes),
         mesh_(mesh),
-        names_(mesh, names.aliases, diagnostics),
+        names_(mesh, names.aliases, diagnostics, "nodes go into CONTACT NODE SET"),
         diagnostics_(diagnostics) {}
 
   void add(const ContactSurfaceLine& line) {
@@ -131,14 +132,14 @@ void RequestMaker::add_entity(const Entity& entity, const DeckName& item, Surfac
 }
 
 void RequestMaker::add_block(std::uint32_t block, const DeckLocation& location, SurfaceRequest& request) {
-  names_.check_shape(block, location);
+  check_shape(mesh_, block, location);
   request.blocks.push_back(block);
 }
 
 void RequestMaker::add_side_set(std::uint32_t set, const DeckName& item, SurfaceRequest& request) {
   for (const ElementSide side : mesh_.side_sets()[set].sides)
-    names_.check_shape(mesh_.block_of(side.element()), item.location);
-  const bool is_usable = request.kind == SurfaceKind::node || names_.check_faces(set, item);
+    check_shape(mesh_, mesh_.block_of(side.element()), item.location);
+  const bool is_usable = request.kind == SurfaceKind::node || check_faces(mesh_, set, item, diagnostics_);
   if (is_usable) request.side_sets.push_back(set);
 }
 
@@ -174,7 +175,7 @@ void RequestMaker::find_removed(const ContactSurfaceBlock& block, SurfaceRequest
   }
   for (const DeckName& item : block.removed_side_sets) {
     const auto removed = names_.find(item, {EntityKind::side_set}, "REMOVE SURFACE");
-    if (removed && names_.check_faces(removed->index, item))
+    if (removed && check_faces(mesh_, removed->index, item, diagnostics_))
       request.removed_side_sets.push_back(removed->index);
   }
   sort_once(request.removed_blocks);
@@ -197,7 +198,8 @@ void RequestMaker::add_named_parts(const ContactSurfaceBlock& block, SurfaceRequ
   const auto add_part = [&](const Entity& entity, const DeckName& item) {
     const bool is_removed =
         entity.kind == EntityKind::block && contains(request.removed_blocks, entity.index);
-    const bool is_usable = !is_removed && names_.check_not_particles(entity, item, request.command);
+    const bool is_usable =
+        !is_removed && check_not_particles(mesh_, entity, item, request.command, diagnostics_);
     if (is_usable) add_entity(entity, item, request);
   };
   const auto add_all = [&](const std::vector<DeckName>& items, EntityKind kind) {

@@ -5,35 +5,47 @@
 #include <span>
 #include <vector>
 
+#include "core/conditions/condition_scope.hpp"
+#include "core/conditions/driven_nodes.hpp"
 #include "core/mesh/indices.hpp"
 
 namespace contactsim {
 
-/// A moment between two steps, as kinematic conditions see it.
-struct BetweenSteps {
-  double time;                          ///< now [time]
-  double dt_before;                     ///< of the step that ends now; 0 at the start [time]
-  double dt_after;                      ///< of the step that begins now, > 0 [time]
-  const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
-  const Eigen::Matrix3Xd&
-      velocity;  ///< [3 x n_nodes] at the middle of the step before; at the start, now [length/time]
-};
-
 /// The nodes that conditions hold or drive. Conditions act through the acceleration alone: it is set such
 /// that the coming half step,
 ///   v(middle of the step after) = v(middle of the step before) + (dt_before + dt_after) / 2 * acceleration,
-/// has the velocity that the condition wants.
+/// has the velocity that the condition wants. A condition acts in the steps that begin in its active periods.
 class Kinematics {
  public:
+  /// Nothing is held or driven.
+  Kinematics() = default;
+  /// mesh    must outlive this
+  /// driven  no two of them drive one node in one direction at one time, unless both hold it
+  Kinematics(const Mesh& mesh, std::vector<DrivenNodes> driven);
+
   /// The nodes that any condition may act on, ascending, each once.
   std::span<const NodeIndex> nodes() const { return nodes_; }
 
-  /// Overwrites the accelerations of what is held or driven now.
+  /// Overwrites the accelerations of what is held or driven now. Throws SolveError when a condition has no
+  /// finite value.
   ///   acceleration  [3 x n_nodes] of free motion [length/time^2]
   void constrain(const BetweenSteps& now, Eigen::Matrix3Xd& acceleration) const;
 
+  /// Overwrites the velocities at the start of what is held or driven then, so that no node starts with a
+  /// jump. Throws SolveError when a condition has no finite value.
+  ///   start     dt_after is the first step, or what it is thought to be; the velocity is not looked at
+  ///   velocity  [3 x n_nodes] that the initial conditions gave [length/time]
+  void constrain_velocity(const BetweenSteps& start, Eigen::Matrix3Xd& velocity) const;
+
  private:
+  const Mesh* mesh_ = nullptr;
+  std::vector<DrivenNodes> driven_;
   std::vector<NodeIndex> nodes_;
 };
+
+/// Compiles the kinematic conditions of a region. Errors: unknown names, values that are read from the mesh,
+/// prescribed rotations (solids have none), two conditions that drive one node in one direction at one time.
+/// Holding a node twice is no error. Fixed rotations are ignored with a warning.
+Kinematics make_kinematics(const ConditionScope& scope);
 
 }  // namespace contactsim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/name_lookup.hpp"
+#include "contact/item_checks.hpp"
 
 #include "support/catch.hpp"
 #include "support/contact_deck.hpp"

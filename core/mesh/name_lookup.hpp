@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/definition/finite_element_model.hpp"
@@ -18,9 +19,11 @@ namespace contactsim {
 /// function takes the command that uses the name, for messages.
 class NameLookup {
  public:
-  /// `aliases` are further names that the deck gives to parts of the mesh.
-  NameLookup(const Mesh& mesh, std::span<const MeshAlias> aliases, Diagnostics& diagnostics)
-      : mesh_(mesh), aliases_(aliases), diagnostics_(diagnostics) {}
+  /// aliases        further names that the deck gives to parts of the mesh
+  /// node_set_hint  what to do with a node set where none is taken; "": nothing to say
+  NameLookup(const Mesh& mesh, std::span<const MeshAlias> aliases, Diagnostics& diagnostics,
+             std::string node_set_hint = "")
+      : mesh_(mesh), aliases_(aliases), diagnostics_(diagnostics), node_set_hint_(std::move(node_set_hint)) {}
 
   /// The entity of one of the kinds that the name means. Unknown names and names of two of the kinds are
   /// errors.
@@ -40,14 +43,6 @@ class NameLookup {
     return find_members(name, std::span(kinds.begin(), kinds.size()), command);
   }
 
-  /// Reports a block of particles where the command cannot take one; returns whether the entity may be used.
-  bool check_not_particles(const Entity& entity, const DeckName& name, std::string_view command);
-  /// Reports a side set that holds edges or nodes; returns whether all its sides are faces.
-  bool check_faces(std::uint32_t side_set, const DeckName& item);
-  /// Throws FileError for a block with elements of a type that is not known.
-  ///   location  of the command that puts it into contact
-  void check_shape(std::uint32_t block, const DeckLocation& location) const;
-
  private:
   std::vector<Entity> find_all(const DeckName& name) const;
   void report_unknown(const DeckName& name, std::span<const EntityKind> kinds, std::string_view command);
@@ -56,6 +51,7 @@ class NameLookup {
   const Mesh& mesh_;
   std::span<const MeshAlias> aliases_;
   Diagnostics& diagnostics_;
+  std::string node_set_hint_;
 };
 
 }  // namespace contactsim

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/name_lookup.hpp"
+#include "core/mesh/name_lookup.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-
-#include "core/errors.hpp"
 
 namespace contactsim {
 
@@ -60,7 +58,7 @@ void NameLookup::report_unknown(const DeckName& name, std::span<const EntityKind
     add_error(name,
               fmt::format("'{}' is {} of the mesh, but {} takes {} {}", name.text, list_found(elsewhere),
                           command, article_of(kinds.front()), list_kinds(kinds)),
-              is_node_set ? "nodes go into CONTACT NODE SET" : "");
+              is_node_set ? node_set_hint_ : "");
     return;
   }
   const auto alias = std::find_if(aliases_.begin(), aliases_.end(), [&](const MeshAlias& known) {
@@ -113,43 +111,6 @@ std::vector<Entity> NameLookup::find_members(const DeckName& name, std::span<con
   if (members.empty())
     add_error(name, fmt::format("assembly '{}' holds nothing that {} can take", name.text, command));
   return members;
-}
-
-bool NameLookup::check_not_particles(const Entity& entity, const DeckName& name, std::string_view command) {
-  if (entity.kind != EntityKind::block) return true;
-  if (topology(mesh_.blocks()[entity.index].shape).family != Family::particle) return true;
-  add_error(name,
-            fmt::format("block '{}' holds particles only, which {} cannot take", mesh_.name(entity), command),
-            "use the line CONTACT SURFACE ... CONTAINS, or CONTACT NODE SET");
-  return false;
-}
-
-bool NameLookup::check_faces(std::uint32_t set_index, const DeckName& item) {
-  for (const ElementSide side : mesh_.side_sets()[set_index].sides) {
-    const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(side.element())].shape);
-    if (shape.sides.empty()) continue;
-    const SideKind kind = shape.sides[static_cast<std::size_t>(side.side() - 1)].kind;
-    if (kind == SideKind::face) continue;
-    add_error(item,
-              fmt::format("side set '{}' holds side {} of element {} ({}), which is {} and no contact face",
-                          mesh_.name({EntityKind::side_set, set_index}), side.side(),
-                          mesh_.element_id(side.element()), shape.name,
-                          kind == SideKind::edge ? "an edge" : "a node"));
-    return false;
-  }
-  return true;
-}
-
-void NameLookup::check_shape(std::uint32_t block_index, const DeckLocation& location) const {
-  const ElementBlock& block = mesh_.blocks()[block_index];
-  if (block.shape != Shape::unknown || block.n_elements == 0) return;
-  const std::string type = block.type_name.empty()
-                               ? "no element type"
-                               : fmt::format("element type '{}' with {} nodes per element", block.type_name,
-                                             block.nodes_per_element);
-  throw FileError(mesh_.path(),
-                  fmt::format("block {} ({}): {}, which contact at {} cannot use", block.id,
-                              mesh_.name({EntityKind::block, block_index}), type, to_string(location)));
 }
 
 }  // namespace contactsim

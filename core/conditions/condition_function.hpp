@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/conditions/condition_scope.hpp"
+#include "core/functions/function.hpp"
+
+namespace contactsim {
+
+/// What the function of a condition may look at, besides the time.
+struct NodalFields {
+  const Eigen::Matrix3Xd& model_coordinates;  ///< [3 x n_nodes] of the mesh [length]
+  const Eigen::Matrix3Xd& coordinates;        ///< [3 x n_nodes] now [length]
+  const Eigen::Matrix3Xd& velocity;           ///< [3 x n_nodes] [length/time]
+};
+
+/// The value of a condition: factor x function of time, or of what EXPRESSION VARIABLE lines read at a node.
+/// Evaluating allocates nothing.
+class ConditionFunction {
+ public:
+  /// The value that is the same always and everywhere.
+  explicit ConditionFunction(double value, ConditionLabel label = {})
+      : function_(value), label_(std::move(label)) {}
+
+  /// Whether nodes have values of their own.
+  bool varies_in_space() const { return !inputs_.empty(); }
+
+  /// The value at a time. Precondition: it does not vary in space. Throws SolveError, with the place of the
+  /// condition, when it is not finite.
+  double at(double time) const;
+
+  /// The value at a node, which may be not finite.
+  double at(double time, const NodalFields& fields, NodeIndex node) const;
+
+  /// Throws the SolveError of a node whose value is not finite.
+  [[noreturn]] void fail(double time, std::int64_t node_id) const;
+
+ private:
+  /// One number that the function reads.
+  struct Input {
+    enum class Field : std::uint8_t { time, coordinates, model_coordinates, displacement, velocity };
+    Field field = Field::time;
+    Eigen::Index component = 0;
+  };
+  friend class ConditionFunctionMaker;
+
+  static double read(Input input, double time, const NodalFields& fields, NodeIndex node);
+
+  Function function_;
+  double factor_ = 1.0;
+  std::vector<Input> inputs_;
+  ConditionLabel label_;
+};
+
+/// The function that a condition names, times its scale factor; 1 times the factor when it names none.
+/// Nothing when an error was added: unknown names, EXPRESSION VARIABLE lines that read what conditions do not
+/// know.
+std::optional<ConditionFunction> make_condition_function(const ScaledFunction& scaled, ConditionLabel label,
+                                                         const ConditionScope& scope);
+
+}  // namespace contactsim

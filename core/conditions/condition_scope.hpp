@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/definition/simulation.hpp"
+#include "core/diagnostics.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// What the conditions of a region are made from, and where their errors go.
+struct ConditionScope {
+  const SimulationDefinition& definition;
+  const Region& region;
+  std::span<const TimeSteppingBlock> blocks;  ///< of the region's procedure: the periods; may be empty
+  const Mesh& mesh;
+  Diagnostics& diagnostics;
+};
+
+/// A condition block as messages call it.
+struct ConditionLabel {
+  std::string what;  ///< such as "the prescribed velocity"
+  DeckLocation location;
+};
+
+/// "the prescribed velocity at plate.i:12:3"
+inline std::string to_string(const ConditionLabel& label) {
+  return label.location.is_known() ? label.what + " at " + to_string(label.location) : label.what;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "core/conditions/active_times.hpp"
+#include "core/conditions/condition_function.hpp"
+#include "core/conditions/direction.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// A moment between two steps, as kinematic conditions see it.
+struct BetweenSteps {
+  double time;                          ///< now [time]
+  double dt_before;                     ///< of the step that ends now; 0 at the start [time]
+  double dt_after;                      ///< of the step that begins now, > 0 [time]
+  const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
+  const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at the middle of the step before; at the start, now
+                                        ///< [length/time]
+};
+
+/// What a kinematic condition does to its nodes.
+enum class Drive : std::uint8_t {
+  hold,          ///< keeps them where they are
+  displacement,  ///< moves them to the mesh's position plus a value, about an axis turned by an angle
+  velocity,      ///< about an axis: angular velocity
+  acceleration   ///< about an axis: angular acceleration
+};
+
+/// One kinematic condition, looked up and compiled. Along components or a unit vector the other directions
+/// stay free. About an axis nodes move on arcs: their distance from the axis is kept, motion along it is
+/// free.
+struct DrivenNodes {
+  Drive drive = Drive::hold;
+  Direction direction;
+  ConditionFunction value{
+      0.0};  ///< [length], [length/time], [length/time^2]; about an axis radians for length
+  ActiveTimes times;
+  std::vector<NodeIndex> nodes;  ///< ascending, each once
+  ConditionLabel label;
+
+  /// Overwrites the driven parts of accelerations, such that the coming half step has the wanted velocity.
+  /// Throws SolveError when the value is not finite.
+  void set_acceleration(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& acceleration) const;
+
+  /// Overwrites the driven parts of velocities at the start. Accelerations drive no part of them; of
+  /// displacements it is the mean over the first step. Throws SolveError when the value is not finite.
+  ///   now  its velocity is not looked at
+  void set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& velocity) const;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "core/conditions/driven_nodes.hpp"
+#include "core/diagnostics.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// Reports every two conditions that drive one node at one time in directions that are not at right angles,
+/// at the later of them, with the first such node. Two that hold a node do not disturb each other.
+void check_conflicts(std::span<const DrivenNodes> driven, const Mesh& mesh, Diagnostics& diagnostics);
+
+/// The nodes of both, ascending.
+std::vector<NodeIndex> shared_nodes(const DrivenNodes& a, const DrivenNodes& b);
+
+/// Whether some unit vectors of the two are neither parallel nor at right angles. Precondition: no axis.
+bool are_oblique(const DrivenNodes& a, const DrivenNodes& b);
+
+}  // namespace contactsim
