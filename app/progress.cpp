@@ -43,7 +43,8 @@ void Progress::show(double time) {
   if (now - shown_ < seconds_between) return;
   shown_ = now;
   is_drawn_ = true;
-  std::fputs(("\r" + progress_line((time - start_) / (end_ - start_), now - begun_) + "\033[K").c_str(), stdout);
+  std::fputs(("\r" + progress_line((time - start_) / (end_ - start_), now - begun_) + "\033[K").c_str(),
+             stdout);
   std::fflush(stdout);
 }
 

@@ -20,14 +20,15 @@ double mass_of(const SolidBlock& block) {
 }  // namespace
 
 std::string format_model(const Model& model, const StepReport& at_start) {
-  constexpr const char* row = "  {:<24} {:>10} {:<9} {:<22} {:<16} {:>12}\n";
-  std::string text = "\nModel\n" + fmt::format(row, "block", "elements", "type", "formulation", "material", "mass");
+  constexpr const char* row = "  {:<24} {:>10} {:<9} {:<22} {:<24} {:>12}\n";
+  std::string text =
+      "\nModel\n" + fmt::format(row, "block", "elements", "type", "formulation", "material", "mass");
   double mass = 0.0;
   for (const SolidBlock& block : model.blocks) {
     mass += mass_of(block);
     text += fmt::format(row, model.mesh->name({EntityKind::block, block.mesh_block}), block.n_elements,
-                        topology(block.element->shape).name, block.element->formulation,
-                        name_of(block.properties.law), fmt::format("{:.6g}", mass_of(block)));
+                        topology(block.element->shape).name, block.element->formulation, block.material,
+                        fmt::format("{:.6g}", mass_of(block)));
   }
   text += fmt::format("  mass {:.6g}, {} nodes held or driven\n", mass, model.kinematics.nodes().size());
   text += fmt::format("  stable time step {:.6g}", at_start.stable_step);
@@ -47,8 +48,9 @@ std::string step_heading() {
 std::string format_step(const State& state) {
   const Energies& e = state.energies;
   const double error = e.largest > 0.0 ? 100.0 * e.error / e.largest : 0.0;
-  return fmt::format("{:>9} {:>13.6e} {:>12.4e} {:>13.5e} {:>13.5e} {:>13.5e} {:>13.5e} {:>9.4f}\n", state.step,
-                     state.time, state.next_dt, e.kinetic, e.internal, e.external, e.contact, error);
+  return fmt::format("{:>9} {:>13.6e} {:>12.4e} {:>13.5e} {:>13.5e} {:>13.5e} {:>13.5e} {:>9.4f}\n",
+                     state.step, state.time, state.next_dt, e.kinetic, e.internal, e.external, e.contact,
+                     error);
 }
 
 std::string format_wall_times(std::span<const PartTime> parts, double whole, std::int64_t n_steps,

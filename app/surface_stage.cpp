@@ -58,8 +58,8 @@ void add_surface_warnings(const ContactSurfaces& surfaces, Diagnostics& warnings
 
 }  // namespace
 
-ExitCode resolve_surfaces(const Options& options, const SimulationDefinition& definition, const Region& region,
-                        const Mesh& mesh, Log& log, Diagnostics& warnings) {
+ExitCode resolve_surfaces(const Options& options, const SimulationDefinition& definition,
+                          const Region& region, const Mesh& mesh, Log& log, Diagnostics& warnings) {
   if (!region.contact) {
     log.write("\nThe deck has no contact definition.\n");
     return write_surface_files(options, {}, {}, mesh, log);

@@ -7,7 +7,7 @@
 #include "app/refusals.hpp"
 #include "app/run_report.hpp"
 #include "app/timed_force.hpp"
-#include "core/conditions/external_force.hpp"
+#include "core/conditions/kinematics.hpp"
 #include "core/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
 
@@ -17,6 +17,14 @@ namespace {
 
 /// An energy that appears or vanishes is worth a warning when it is this share of the largest.
 constexpr double worrying_error = 0.01;
+
+class ExternalForce final : public ForceTerm {
+ public:
+  ForceReport set_forces(const Motion&, Eigen::Matrix3Xd& forces) override {
+    forces.setZero();
+    return {};
+  }
+};
 
 /// A region on its way from start to end.
 class Run {
@@ -39,9 +47,11 @@ class Run {
     tell(false);
     try {
       while (!control_.is_over(state_.time, state_.dt)) step();
-    } catch (const SolveError&) {
+    } catch (const SolveError& error) {
+      log_.write(format_step(state_));
       finish(begun);
-      throw;
+      log_.write_error(fmt::format("error: step {}, {}", state_.step, error.what()));
+      return ExitCode::solve;
     }
     finish(begun);
     return ExitCode::done;
@@ -117,8 +127,8 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
                              warnings};
   model.kinematics = make_kinematics(scope);
-  ExternalForce external = make_external_force(scope, model.mass);
   stop_on_errors();
+  ExternalForce external;
   const TimeStepControl control = make_time_step_control(input.procedure, input.region);
   return Run(input, std::move(model), std::move(external), control, log, warnings).go();
 }

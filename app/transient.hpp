@@ -21,8 +21,8 @@ struct RunInput {
 
 /// Moves a region from its start time to its termination time, with log and output files.
 ///   warnings  gains what was found on the way
-/// Throws DeckError for what cannot be run, FileError, and SolveError when the motion cannot go on; the last
-/// state is written before that.
+/// Throws DeckError for what cannot be run, FileError. When the motion cannot go on, the last state is
+/// written, the log says why, and the code is ExitCode::solve.
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings);
 
 }  // namespace contactsim

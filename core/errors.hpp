@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -30,11 +31,16 @@ class FileError : public std::runtime_error {
   FileError(const std::string& path, const std::string& what) : std::runtime_error(path + ": " + what) {}
 };
 
-/// A run cannot go on: a step vanishes, an element turns inside out, a number is not finite.
+/// A run cannot go on: "time 0.001: element 17 ...".
 class SolveError : public std::runtime_error {
  public:
-  /// The message begins with "step <step>, time <time>: ".
-  SolveError(std::int64_t step, double time, const std::string& what);
+  /// time  at which it happened [time]
+  SolveError(double time, const std::string& what)
+      : std::runtime_error(fmt::format("time {}: {}", time, what)), time_(time) {}
+  double time() const { return time_; }
+
+ private:
+  double time_;
 };
 
 }  // namespace contactsim

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -16,7 +15,6 @@ struct Motion {
   double dt;    ///< its size; 0: no step yet, forces at the start are asked for [time]
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] at the end of the step [length]
   const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at its middle [length/time]
-  std::int64_t step = 0;                ///< its number, for messages
 };
 
 /// What a force term says of a step besides its forces.

@@ -60,9 +60,9 @@ void move(State& state) {
     if (state.acceleration.col(node).allFinite() && state.velocity.col(node).allFinite()) continue;
     const char* cause =
         model.mass(0, node) <= least_mass ? "has no mass but is pushed" : "moves without bound";
-    throw SolveError(state.step, state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
+    throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
-  throw SolveError(state.step, state.time, "the energy is not finite");
+  throw SolveError(state.time, "the energy is not finite");
 }
 
 /// A run whose steps become this small, next to the first one, would not end.
@@ -74,7 +74,7 @@ void check_step(const Model& model, const State& state, const StepReport& report
   std::string cause = fmt::format("the stable time step has fallen to {:.3g}", dt);
   if (report.critical_element)
     cause += fmt::format(", set by element {}", model.mesh->element_id(*report.critical_element));
-  throw SolveError(state.step, state.time, cause);
+  throw SolveError(state.time, cause);
 }
 
 void add_work(const NodeWork& work, State& state) {

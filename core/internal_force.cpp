@@ -44,7 +44,7 @@ void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
 void InternalForce::stop_at_inverted(const SolidBlock& block, const Motion& motion) const {
   const std::size_t element = find_inverted(block, motion.coordinates);
   const auto position = block.first_element.value + static_cast<std::uint32_t>(element);
-  throw SolveError(state_.step, motion.time,
+  throw SolveError(motion.time,
                    fmt::format("element {} of {} has turned inside out", model_.mesh->element_id({position}),
                                model_.mesh->name({EntityKind::block, block.mesh_block})));
 }

@@ -29,6 +29,7 @@ class BlockMaker {
     const auto properties = make_properties(*parameters);
     if (element == nullptr || !properties) return;
     blocks.push_back(make_solid_block(mesh_, index, *element, *properties));
+    blocks.back().material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
   }
 
  private:

@@ -20,12 +20,11 @@ constexpr std::size_t max_inputs = 16;
 
 }  // namespace
 
-double ConditionFunction::at(Moment moment) const {
+double ConditionFunction::at(double time) const {
   assert(!varies_in_space());
-  const double value = factor_ * function_.evaluate(moment.time);
+  const double value = factor_ * function_.evaluate(time);
   if (!std::isfinite(value)) {
-    throw SolveError(moment.step, moment.time,
-                     fmt::format("the function of {} has no finite value", to_string(label_)));
+    throw SolveError(time, fmt::format("the function of {} has no finite value", to_string(label_)));
   }
   return value;
 }
@@ -54,10 +53,9 @@ double ConditionFunction::at(double time, const NodalFields& fields, NodeIndex n
   return factor_ * function_.evaluate(std::span<const double>(values.data(), inputs_.size()));
 }
 
-void ConditionFunction::fail(Moment moment, std::int64_t node_id) const {
+void ConditionFunction::fail(double time, std::int64_t node_id) const {
   throw SolveError(
-      moment.step, moment.time,
-      fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
+      time, fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
 }
 
 /// Looks up what a function reads; each step gives nothing after adding an error.

@@ -18,12 +18,6 @@ struct NodalFields {
   const Eigen::Matrix3Xd& velocity;           ///< [3 x n_nodes] [length/time]
 };
 
-/// When a value is asked for.
-struct Moment {
-  std::int64_t step = 0;  ///< for messages
-  double time = 0.0;      ///< [time]
-};
-
 /// The value of a condition: factor x function of time, or of what EXPRESSION VARIABLE lines read at a node.
 /// Evaluating allocates nothing.
 class ConditionFunction {
@@ -37,13 +31,13 @@ class ConditionFunction {
 
   /// The value at a time. Precondition: it does not vary in space. Throws SolveError, with the place of the
   /// condition, when it is not finite.
-  double at(Moment moment) const;
+  double at(double time) const;
 
   /// The value at a node, which may be not finite.
   double at(double time, const NodalFields& fields, NodeIndex node) const;
 
   /// Throws the SolveError of a node whose value is not finite.
-  [[noreturn]] void fail(Moment moment, std::int64_t node_id) const;
+  [[noreturn]] void fail(double time, std::int64_t node_id) const;
 
  private:
   /// One number that the function reads.

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/elements/gather.hpp"
@@ -42,6 +43,7 @@ struct SolidBlock {
   ElementIndex first_element;
   std::size_t n_elements = 0;
   SolidProperties properties;
+  std::string material;  ///< and its model, for people: "steel (elastic)"
   StateLayout layout;
   std::vector<BatchChunk> chunks;
   std::vector<std::uint32_t> chunk_nodes;  ///< of the mesh, chunk by chunk

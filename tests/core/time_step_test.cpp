@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/time_step.hpp"
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+TimePeriod period(const std::string& name, double start) {
+  TimePeriod made{name, start, {}};
+  made.parameters.time_step_scale_factor = 0.5;
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE("a period lasts from its start to the start of the next", "[core][time_step]") {
+  const TimeStepControl control({period("a", 0.0), period("b", 1.0), period("c", 2.0)}, 3.0);
+  CHECK(control.period_at(-1.0) == 0);
+  CHECK(control.period_at(0.999) == 0);
+  CHECK(control.period_at(1.0) == 1);
+  CHECK(control.period_at(5.0) == 2);
+}
+
+TEST_CASE("the step is the scaled stable one and grows by the increase factor at most", "[core][time_step]") {
+  const TimeStepControl control({period("a", 0.0)}, 1.0);
+  CHECK(control.step_after(0.0, 0.0, 0.1) == 0.05);
+  CHECK(control.step_after(0.5, 0.01, 0.1) == Approx(0.011));
+  CHECK(control.step_after(0.5, 0.049, 0.1) == 0.05);
+  CHECK(control.step_after(0.5, 0.049, 0.01) == 0.005);
+}
+
+TEST_CASE("the initial step bounds the first step of its period alone", "[core][time_step]") {
+  TimePeriod second = period("b", 1.0);
+  second.parameters.initial_time_step = 1e-3;
+  const TimeStepControl control({period("a", 0.0), second}, 2.0);
+  CHECK(control.step_after(0.0, 0.0, 0.1) == 0.05);
+  CHECK(control.step_after(1.01, 0.05, 0.1) == 1e-3);
+  CHECK(control.step_after(1.5, 0.001, 0.1) == Approx(1.1e-3));
+}
+
+TEST_CASE("a user time step replaces the estimate", "[core][time_step]") {
+  TimePeriod only = period("a", 0.0);
+  only.parameters.user_time_step = 0.25;
+  const TimeStepControl control({only}, 1.0);
+  CHECK(control.step_after(0.0, 0.0, 0.1) == 0.25);
+  CHECK(control.step_after(0.5, 0.01, 0.1) == 0.25);
+}
+
+TEST_CASE("a run ends at the first step at or past the termination time, round-off allowed for",
+          "[core][time_step]") {
+  const TimeStepControl control({period("a", 0.0)}, 1.0);
+  double time = 0.0;
+  int steps = 0;
+  for (; !control.is_over(time, 0.1); ++steps) time += 0.1;
+  CHECK(steps == 10);
+  CHECK(control.is_over(1.05, 0.1));
+  CHECK_FALSE(control.is_over(0.99, 0.1));
+}
