@@ -55,8 +55,7 @@ double ConditionFunction::at(double time, const NodalFields& fields, NodeIndex n
 
 void ConditionFunction::fail(double time, std::int64_t node_id) const {
   throw SolveError(
-      moment.step, moment.time,
-      fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
+      time, fmt::format("the function of {} has no finite value at node {}", to_string(label_), node_id));
 }
 
 /// Looks up what a function reads; each step gives nothing after adding an error.

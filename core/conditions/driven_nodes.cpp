@@ -14,36 +14,36 @@ namespace {
 constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
 
 /// The time of the value that decides about the coming step.
-Moment value_moment(Drive drive, const BetweenSteps& now) {
+double value_time(Drive drive, const BetweenSteps& now) {
   switch (drive) {
     case Drive::displacement:
-      return {now.step, now.time + now.dt_after};
+      return now.time + now.dt_after;
     case Drive::velocity:
-      return {now.step, now.time + 0.5 * now.dt_after};
+      return now.time + 0.5 * now.dt_after;
     case Drive::hold:
     case Drive::acceleration:
       break;
   }
-  return {now.step, now.time};
+  return now.time;
 }
 
 /// Calls move(node, value) for every node with the condition's value there. A value that is not finite ends
 /// the run after the sweep: nothing may be thrown out of threads.
 template <class Move>
-void for_each_node(const DrivenNodes& driven, Moment moment, const NodalFields& fields, const Mesh& mesh,
+void for_each_node(const DrivenNodes& driven, double time, const NodalFields& fields, const Mesh& mesh,
                    const Move& move) {
   const bool varies = driven.value.varies_in_space();
-  const double common = varies ? 0.0 : driven.value.at(moment);
+  const double common = varies ? 0.0 : driven.value.at(time);
   const auto n = static_cast<std::int64_t>(driven.nodes.size());
   std::uint32_t bad = no_node;
 #pragma omp parallel for schedule(static) num_threads(threads_for(driven.nodes.size())) reduction(min : bad)
   for (std::int64_t i = 0; i < n; ++i) {
     const NodeIndex node = driven.nodes[static_cast<std::size_t>(i)];
-    const double value = varies ? driven.value.at(moment.time, fields, node) : common;
+    const double value = varies ? driven.value.at(time, fields, node) : common;
     if (!std::isfinite(value)) bad = std::min(bad, node.value);
     move(static_cast<Eigen::Index>(node.value), value);
   }
-  if (bad != no_node) driven.value.fail(moment, mesh.node_id({bad}));
+  if (bad != no_node) driven.value.fail(time, mesh.node_id({bad}));
 }
 
 /// A node's motion along a unit vector.
@@ -124,11 +124,11 @@ Eigen::Vector3d in_plane(const Axis& axis, const Eigen::Vector3d& vector) {
 
 void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
                                    Eigen::Matrix3Xd& acceleration) const {
-  const Moment moment = value_moment(drive, now);
+  const double time = value_time(drive, now);
   const NodalFields fields{mesh.coordinates(), now.coordinates, now.velocity};
   const Eigen::Matrix3Xd& model = mesh.coordinates();
   if (const auto* components = std::get_if<Components>(&direction)) {
-    for_each_node(*this, moment, fields, mesh, [&](Eigen::Index i, double wanted) {
+    for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       for (Eigen::Index c = 0; c < 3; ++c) {
         if (!components->is_set[static_cast<std::size_t>(c)]) continue;
         const Along along{now.coordinates(c, i) - model(c, i), now.velocity(c, i)};
@@ -136,7 +136,7 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
       }
     });
   } else if (const auto* unit = std::get_if<Eigen::Vector3d>(&direction)) {
-    for_each_node(*this, moment, fields, mesh, [&](Eigen::Index i, double wanted) {
+    for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       const Along along{unit->dot(now.coordinates.col(i) - model.col(i)), unit->dot(now.velocity.col(i))};
       const double change = wanted_acceleration(drive, wanted, along, now) - unit->dot(acceleration.col(i));
       acceleration.col(i) += change * *unit;
@@ -145,7 +145,7 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
     const Axis& axis = std::get<Axis>(direction);
     const Turning turning(*this, axis, now, mesh);
     const double half_steps = 0.5 * (now.dt_before + now.dt_after);
-    for_each_node(*this, moment, fields, mesh, [&](Eigen::Index i, double wanted) {
+    for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       const Eigen::Vector3d velocity = in_plane(axis, now.velocity.col(i));
       const Eigen::Vector3d change = (turning.wanted_velocity(i, wanted, velocity) - velocity) / half_steps;
       acceleration.col(i) += change - in_plane(axis, acceleration.col(i));
@@ -155,12 +155,12 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
 
 void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& velocity) const {
   if (drive == Drive::acceleration) return;
-  const Moment moment = drive == Drive::displacement ? value_moment(drive, now) : Moment{now.step, now.time};
+  const double time = drive == Drive::displacement ? value_time(drive, now) : now.time;
   const NodalFields fields{mesh.coordinates(), now.coordinates, now.velocity};
   const auto* axis = std::get_if<Axis>(&direction);
   if (axis == nullptr) {
     const std::vector<Eigen::Vector3d> units = unit_vectors(direction);
-    for_each_node(*this, moment, fields, mesh, [&](Eigen::Index i, double wanted) {
+    for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       const Eigen::Vector3d displacement = now.coordinates.col(i) - mesh.coordinates().col(i);
       for (const Eigen::Vector3d& unit : units) {
         const double along = wanted_velocity(drive, wanted, unit.dot(displacement), now.dt_after);
@@ -170,7 +170,7 @@ void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen:
     return;
   }
   const Turning turning(*this, *axis, now, mesh);
-  for_each_node(*this, moment, fields, mesh, [&](Eigen::Index i, double wanted) {
+  for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
     const Eigen::Vector3d turned =
         drive == Drive::displacement
             ? turning.wanted_velocity(i, wanted, Eigen::Vector3d::Zero())

@@ -23,7 +23,7 @@ class LoadValues {
         motion_(motion),
         fields_{mesh.coordinates(), motion.coordinates, motion.velocity},
         varies_(value.varies_in_space()),
-        common_(varies_ ? 0.0 : value.at({motion.step, motion.time})) {}
+        common_(varies_ ? 0.0 : value.at(motion.time)) {}
 
   double at(NodeIndex node) const { return varies_ ? value_.at(motion_.time, fields_, node) : common_; }
 
@@ -80,7 +80,7 @@ void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::
     if (!std::isfinite(value)) bad = std::min(bad, node.value);
     forces.col(node.value) += (load.masses.empty() ? value : load.masses[at] * value) * load.direction;
   }
-  if (bad != no_node) load.value.fail({motion.step, motion.time}, mesh_->node_id({bad}));
+  if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
 }
 
 void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) {
@@ -99,7 +99,7 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
     corner_forces_[face] =
         load.direction ? traction_forces(corners, value, *load.direction) : pressure_forces(corners, value);
   }
-  if (bad != no_node) load.value.fail({motion.step, motion.time}, mesh_->node_id({bad}));
+  if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
   load.sums.add(corner_forces_, forces);
 }
 

@@ -43,7 +43,7 @@ struct Loaded {
 
   Eigen::Matrix3Xd at(double time) {
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Constant(3, x.cols(), 99.0);
-    force->set_forces({time, 0.1, x, v, 3}, forces);
+    force->set_forces({time, 0.1, x, v}, forces);
     return forces;
   }
 
@@ -197,8 +197,8 @@ TEST_CASE("a load without a finite value ends the run at its block", "[core][con
     return std::string();
   };
   CHECK(failure(block("gravity", "component = x\nfunction = bad")) ==
-        "step 3, time 1: the function of the gravity at c.i:1:1 has no finite value");
+        "time 1: the function of the gravity at c.i:1:1 has no finite value");
   CHECK(failure(block("pressure", "surface = top\nfunction = bad_at_x")) ==
-        "step 3, time 1: the function of the pressure at c.i:1:1 has no finite value at node 20");
+        "time 1: the function of the pressure at c.i:1:1 has no finite value at node 20");
   CHECK(failure(block("prescribed force", "node set = edge\ncomponent = x\nfunction = one")) == "");
 }
