@@ -108,7 +108,11 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
 
 StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
   const Motion motion{state.time, 0.0, state.coordinates, state.velocity};
-  const StepReport report = set_forces(forces, motion, state);
+  StepReport report = set_forces(forces, motion, state);
+  const double dt = control.step_after(state.time, 0.0, report.stable_step);
+  model.kinematics.constrain_velocity({state.time, 0.0, dt, state.coordinates, state.velocity},
+                                      state.velocity);
+  report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
   complete(model, control, report, state);
   return report;
 }
