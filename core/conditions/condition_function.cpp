@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/conditions/variable_name.hpp"
 #include "core/errors.hpp"
 
 namespace contactsim {
@@ -16,22 +17,6 @@ namespace contactsim {
 namespace {
 
 constexpr std::size_t max_inputs = 16;
-
-/// A variable of a deck in its two parts: "coordinates(x)" is coordinates and x.
-std::pair<std::string, std::string> split_component(const std::string& variable) {
-  const std::string folded = fold(variable);
-  const std::size_t open = folded.find('(');
-  if (open == std::string::npos || folded.back() != ')') return {folded, ""};
-  return {folded.substr(0, open), folded.substr(open + 1, folded.size() - open - 2)};
-}
-
-std::optional<Eigen::Index> find_component(std::string_view word) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const char letter = static_cast<char>('x' + i), digit = static_cast<char>('1' + i);
-    if (word.size() == 1 && (word[0] == letter || word[0] == digit)) return i;
-  }
-  return std::nullopt;
-}
 
 }  // namespace
 
@@ -114,14 +99,14 @@ std::optional<ConditionFunction::Input> ConditionFunctionMaker::find_input(const
       {"model_coordinates", Field::model_coordinates},
       {"displacement", Field::displacement},
       {"velocity", Field::velocity}};
-  const auto [name, own_component] = split_component(input.variable.text);
+  const auto [name, own_component] = split_variable(input.variable.text);
   const bool is_time = input.source == ExpressionSource::global && name == "time" && own_component.empty();
   if (is_time) return Input{Field::time, 0};
   const bool is_nodal =
       input.source == ExpressionSource::nodal || input.source == ExpressionSource::nodal_vector;
-  const auto component = find_component(input.component.empty() ? own_component : input.component);
+  const auto component = find_component(input.component.empty() ? own_component : input.component, 3);
   for (const auto& [known, field] : fields) {
-    if (is_nodal && component && name == known) return Input{field, *component};
+    if (is_nodal && component && name == known) return Input{field, static_cast<Eigen::Index>(*component)};
   }
   diagnostics_.add_error(
       input.variable.location,

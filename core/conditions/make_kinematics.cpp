@@ -32,22 +32,20 @@ class KinematicsMaker {
   std::vector<DrivenNodes> take() { return std::move(driven_); }
 
  private:
-  void add_driven(DrivenNodes driven, const EntitySet& set, const DirectionChoice& choice,
-                  const ActivePeriods& periods);
+  bool find_names(const EntitySet& set, const DirectionChoice& choice, DrivenNodes& driven) const;
   bool check(const PrescribedCondition& prescribed, const ConditionLabel& label);
 
   const ConditionScope& scope_;
   std::vector<DrivenNodes> driven_;
 };
 
-void KinematicsMaker::add_driven(DrivenNodes driven, const EntitySet& set, const DirectionChoice& choice,
-                                 const ActivePeriods& periods) {
+/// Returns whether there is something to drive.
+bool KinematicsMaker::find_names(const EntitySet& set, const DirectionChoice& choice,
+                                 DrivenNodes& driven) const {
   driven.nodes = find_nodes(set, driven.label, scope_);
-  driven.times = make_active_times(periods, scope_.blocks);
   const auto direction = find_direction(choice, scope_);
-  if (!direction || driven.nodes.empty()) return;
-  driven.direction = *direction;
-  driven_.push_back(std::move(driven));
+  if (direction) driven.direction = *direction;
+  return direction && !driven.nodes.empty();
 }
 
 void KinematicsMaker::add(const FixedCondition& fixed) {
@@ -58,7 +56,8 @@ void KinematicsMaker::add(const FixedCondition& fixed) {
   }
   DrivenNodes driven;
   driven.label = {"the fixed displacement", fixed.name.location};
-  add_driven(std::move(driven), fixed.set, fixed.direction, fixed.periods);
+  driven.times = make_active_times(fixed.periods, scope_.blocks);
+  if (find_names(fixed.set, fixed.direction, driven)) driven_.push_back(std::move(driven));
 }
 
 bool KinematicsMaker::check(const PrescribedCondition& prescribed, const ConditionLabel& label) {
@@ -83,9 +82,11 @@ void KinematicsMaker::add(const PrescribedCondition& prescribed) {
   if (!check(prescribed, driven.label)) return;
   driven.drive = drive_of(prescribed.quantity);
   auto value = make_condition_function(prescribed.function, driven.label, scope_);
-  if (!value) return;
+  driven.times = make_active_times(prescribed.periods, scope_.blocks);
+  const bool has_nodes = find_names(prescribed.set, prescribed.direction, driven);
+  if (!value || !has_nodes) return;
   driven.value = std::move(*value);
-  add_driven(std::move(driven), prescribed.set, prescribed.direction, prescribed.periods);
+  driven_.push_back(std::move(driven));
 }
 
 }  // namespace
