@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -34,6 +35,7 @@ struct ClassicVariable {
 
 struct ClassicHeader {
   std::optional<std::uint64_t> n_records;  // absent: the file was being streamed
+  int n_count_bytes = 4;
   std::vector<ClassicVariable> variables;
   std::uint64_t n_bytes = 0;
 };
@@ -161,6 +163,7 @@ ClassicHeader HeaderReader::read() {
   if (version_ != 1 && version_ != 2 && version_ != 5) fail(fmt::format("unknown version {}", version_));
   count_bytes_ = version_ == 5 ? 8 : 4;
   ClassicHeader header;
+  header.n_count_bytes = count_bytes_;
   const std::uint64_t n_records = read_count();
   const std::uint64_t streaming = version_ == 5 ? ~std::uint64_t{0} : 0xffffffffu;
   if (n_records != streaming) header.n_records = n_records;
@@ -211,6 +214,22 @@ void check_classic_layout(const std::string& path) {
         path, fmt::format("truncated: variable {} ends at byte {}, the file at byte {}", variable.name,
                           end == too_large ? "2^62 or later" : fmt::to_string(end), reader.file_size()));
   }
+}
+
+RecordLayout read_record_layout(const std::string& path) {
+  const ClassicHeader header = HeaderReader(path).read();
+  RecordLayout layout;
+  layout.n_records = header.n_records.value_or(0);
+  layout.n_count_bytes = header.n_count_bytes;
+  layout.record_size = record_bytes(header);
+  layout.begin = too_large;
+  for (const ClassicVariable& variable : header.variables) {
+    if (variable.is_record) layout.begin = std::min(layout.begin, variable.begin);
+  }
+  for (const ClassicVariable& variable : header.variables) {
+    if (variable.is_record) layout.places[variable.name] = variable.begin - layout.begin;
+  }
+  return layout;
 }
 
 }  // namespace contactsim

@@ -223,13 +223,13 @@ void NetcdfFile::read_double(const NetcdfVariable& variable, std::span<double> v
 }
 
 std::vector<std::string> NetcdfFile::read_texts(const NetcdfVariable& variable) const {
-  if (!variable.is_text || variable.shape.size() != 2)
+  if (!variable.is_text || variable.shape.size() < 2)
     fail("variable " + variable.name + " is not a list of texts");
   std::string all(variable.size(), '\0');
   if (!all.empty()) check(nc_get_var_text(id_, variable.id, all.data()), "variable " + variable.name);
-  const std::size_t width = variable.shape[1];
+  const std::size_t width = variable.shape.back(), n_texts = width > 0 ? variable.size() / width : 0;
   std::vector<std::string> texts;
-  for (std::size_t i = 0; i < variable.shape[0]; ++i) {
+  for (std::size_t i = 0; i < n_texts; ++i) {
     texts.push_back(clean_text(std::string_view(all).substr(i * width, width)));
   }
   return texts;

@@ -65,7 +65,7 @@ class NetcdfFile {
   /// Read a whole variable into a span of its size.
   void read_int64(const NetcdfVariable& variable, std::span<std::int64_t> values) const;
   void read_double(const NetcdfVariable& variable, std::span<double> values) const;
-  /// Rows of a text variable n x length, cleaned (clean_text).
+  /// Rows of a text variable n x length or m x n x length, cleaned (clean_text).
   std::vector<std::string> read_texts(const NetcdfVariable& variable) const;
 
  private:

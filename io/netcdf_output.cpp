@@ -14,12 +14,13 @@ namespace contactsim {
 namespace {
 
 nc_type to_nc_type(NetcdfType type) {
-  constexpr std::array<nc_type, 4> types{NC_CHAR, NC_INT, NC_FLOAT, NC_DOUBLE};
+  constexpr std::array<nc_type, 5> types{NC_CHAR, NC_INT, NC_INT64, NC_FLOAT, NC_DOUBLE};
   return types[static_cast<std::size_t>(type)];
 }
 
 }  // namespace
 
+static_assert(sizeof(long long) == sizeof(std::int64_t));
 static_assert(NetcdfOutput::global == NC_GLOBAL && NetcdfOutput::unlimited == NC_UNLIMITED);
 
 NetcdfOutput::NetcdfOutput(std::string path, bool large) : path_(std::move(path)), place_(path_) {
@@ -66,10 +67,21 @@ void NetcdfOutput::set_number(int variable, const std::string& attribute, Netcdf
         "written: " + attribute);
 }
 
+void NetcdfOutput::set_integer(int variable, const std::string& attribute, NetcdfType type,
+                               std::int64_t value) {
+  const long long number = value;
+  check(nc_put_att_longlong(id_, variable, attribute.c_str(), to_nc_type(type), 1, &number),
+        "written: " + attribute);
+}
+
 void NetcdfOutput::end_definitions() { check(nc_enddef(id_), "written"); }
 
 void NetcdfOutput::write(int variable, std::span<const std::int32_t> values) {
   check(nc_put_var_int(id_, variable, values.data()), "written");
+}
+
+void NetcdfOutput::write(int variable, std::span<const std::int64_t> values) {
+  check(nc_put_var_longlong(id_, variable, reinterpret_cast<const long long*>(values.data())), "written");
 }
 
 void NetcdfOutput::write(int variable, std::span<const double> values) {
@@ -89,6 +101,7 @@ void NetcdfOutput::commit() {
   check(nc_sync(id_), "written");
   check(nc_close(id_), "written");
   is_open_ = false;
+  id_ = -1;
   const std::string problem = place_.commit();
   if (!problem.empty()) throw FileError(path_, "cannot be written (" + problem + ")");
 }

@@ -20,9 +20,6 @@ namespace {
 // Lengths that the Exodus library expects.
 constexpr std::size_t title_length = 80, string_length = 33, line_length = 81, shortest_name = 32;
 
-// CDF-2 addresses 4 GiB within one variable.
-constexpr std::size_t largest_cdf2_variable = 0xfffffffcu;
-
 /// How a block is written.
 struct ElementType {
   const char* name = "";
@@ -54,9 +51,9 @@ std::vector<std::int32_t> make_connectivity(const FacetBlock& block, std::size_t
 bool needs_large_file(const FacetMesh& mesh) {
   const auto n_nodes = static_cast<std::size_t>(mesh.coordinates.cols());
   const auto is_large = [](const FacetBlock& block) {
-    return count_elements(block) > largest_cdf2_variable / (4 * sizeof(std::int32_t));
+    return count_elements(block) > NetcdfOutput::largest_plain_variable / (4 * sizeof(std::int32_t));
   };
-  return n_nodes > largest_cdf2_variable / sizeof(double) ||
+  return n_nodes > NetcdfOutput::largest_plain_variable / sizeof(double) ||
          std::any_of(mesh.blocks.begin(), mesh.blocks.end(), is_large);
 }
 

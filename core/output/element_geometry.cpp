@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/element_geometry.hpp"
+
+#include <Eigen/Geometry>
+#include <array>
+
+namespace contactsim {
+
+namespace {
+
+// Adds the gradient of a part of the volume under three corners: factor times det(a, b, c) / 6.
+void add_triangle(const std::array<int, 3>& corners, double factor, const ElementVectors& x,
+                  ElementVectors& gradient) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector3d b = x.col(corners[(i + 1) % 3]), c = x.col(corners[(i + 2) % 3]);
+    gradient.col(corners[i]) += factor / 6.0 * b.cross(c);
+  }
+}
+
+void add_face(const Side& side, const ElementVectors& x, ElementVectors& gradient) {
+  const int a = side.corners[0], b = side.corners[1], c = side.corners[2], d = side.corners[3];
+  if (side.n_corners == 3) {
+    add_triangle({a, b, c}, 1.0, x, gradient);
+    return;
+  }
+  add_triangle({a, b, c}, 0.5, x, gradient);
+  add_triangle({a, c, d}, 0.5, x, gradient);
+  add_triangle({a, b, d}, 0.5, x, gradient);
+  add_triangle({b, c, d}, 0.5, x, gradient);
+}
+
+}  // namespace
+
+ElementVectors gather(std::span<const NodeIndex> nodes, const Eigen::Matrix3Xd& values) {
+  ElementVectors gathered(3, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    gathered.col(static_cast<Eigen::Index>(i)) = values.col(nodes[i].value);
+  return gathered;
+}
+
+ElementVectors volume_gradient(const Topology& topology, const ElementVectors& x) {
+  // Seen from a node of its own an element far from the origin loses no digits.
+  const ElementVectors near = x.colwise() - x.col(0).eval();
+  ElementVectors gradient = ElementVectors::Zero(3, x.cols());
+  for (const Side& side : topology.sides) add_face(side, near, gradient);
+  return gradient;
+}
+
+double solid_volume(const ElementVectors& x, const ElementVectors& gradient) {
+  return (x.colwise() - x.col(0).eval()).cwiseProduct(gradient).sum() / 3.0;
+}
+
+}  // namespace contactsim

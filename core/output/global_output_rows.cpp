@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <Eigen/Geometry>
+#include <array>
+
+#include "core/output/output_table.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using Values = std::span<double>;
+
+// A row that copies one of the energies.
+template <double Energies::*energy>
+constexpr OutputRow energy_row(std::string_view name, std::string_view help) {
+  return {
+      name,
+      FieldLocation::global,
+      FieldShape::scalar,
+      false,
+      [](const OutputMoment& m, const EntityRange&, Values values) { values[0] = m.state.energies.*energy; },
+      help};
+}
+
+void fill_strain_energy(const OutputMoment& m, const EntityRange&, Values values) {
+  double sum = 0.0;
+  for (std::size_t b = 0; b < m.model.blocks.size(); ++b) {
+    const SolidBlock& block = m.model.blocks[b];
+    for (std::size_t e = 0; e < block.n_elements; ++e)
+      sum += m.state.blocks[b].at(block.layout, e, block.layout.energy());
+  }
+  values[0] = sum;
+}
+
+void fill_momentum(const OutputMoment& m, const EntityRange&, Values values) {
+  for (std::size_t i = 0; i < 3; ++i) values[i] = m.state.momentum[static_cast<Eigen::Index>(i)];
+}
+
+void fill_angular_momentum(const OutputMoment& m, const EntityRange&, Values values) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Eigen::Index n = 0; n < m.state.coordinates.cols(); ++n) {
+    const Eigen::Vector3d x = m.state.coordinates.col(n), v = m.state.velocity.col(n);
+    sum += m.model.mass(0, n) * x.cross(v);
+  }
+  for (std::size_t i = 0; i < 3; ++i) values[i] = sum[static_cast<Eigen::Index>(i)];
+}
+
+}  // namespace
+
+std::span<const OutputRow> global_output_rows() {
+  using L = FieldLocation;
+  using S = FieldShape;
+  static constexpr std::array rows{
+      OutputRow{"time", L::global, S::scalar, false,
+                [](const OutputMoment& m, const EntityRange&, Values v) { v[0] = m.state.time; },
+                "Time [time]"},
+      OutputRow{"timestep", L::global, S::scalar, false,
+                [](const OutputMoment& m, const EntityRange&, Values v) {
+                  v[0] = m.state.dt > 0.0 ? m.state.dt : m.state.next_dt;
+                },
+                "Size of the step that ended; at the start of the one to come [time]"},
+      OutputRow{"step", L::global, S::scalar, false,
+                [](const OutputMoment& m, const EntityRange&, Values v) {
+                  v[0] = static_cast<double>(m.state.step);
+                },
+                "Number of steps so far [1]"},
+      energy_row<&Energies::kinetic>("kinetic_energy", "Kinetic energy [energy]"),
+      energy_row<&Energies::internal>(
+          "internal_energy", "Work of all internal forces, hourglass and bulk viscosity included [energy]"),
+      energy_row<&Energies::external>("external_energy",
+                                      "Work of loads, gravity and prescribed motion [energy]"),
+      energy_row<&Energies::hourglass>("hourglass_energy", "Part of internal_energy [energy]"),
+      energy_row<&Energies::bulk_viscosity>("bulk_viscosity_energy", "Part of internal_energy [energy]"),
+      energy_row<&Energies::contact>("contact_energy", "Taken up by contact forces [energy]"),
+      energy_row<&Energies::error>("energy_error",
+                                   "Energy that appeared from nowhere: what the balance lacks [energy]"),
+      OutputRow{"strain_energy", L::global, S::scalar, false, fill_strain_energy,
+                "Work of the materials' stresses, plastic work included; internal_energy without hourglass "
+                "and bulk viscosity [energy]"},
+      OutputRow{"momentum", L::global, S::vector, false, fill_momentum, "Linear momentum [mass length/time]"},
+      OutputRow{"angular_momentum", L::global, S::vector, false, fill_angular_momentum,
+                "Angular momentum about the origin [mass length^2/time]"},
+  };
+  return rows;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "core/model.hpp"
+#include "core/output_field.hpp"
+#include "core/state.hpp"
+
+namespace contactsim {
+
+/// A run between two steps, as output sees it.
+struct OutputMoment {
+  const Model& model;
+  const State& state;
+};
+
+/// Which entities' values are asked for.
+struct EntityRange {
+  std::size_t block = 0;             ///< position in Model::blocks, of element variables
+  std::size_t first = 0, count = 1;  ///< nodes of the mesh, or elements of the block; 0, 1 for globals
+  std::optional<std::size_t> point;  ///< integration point, from 0; absent: the mean of all
+};
+
+/// Row of the table of output variables. What can be filled changes nothing and may be filled by any thread.
+struct OutputRow {
+  std::string_view name;  ///< as decks ask for it, lower case
+  FieldLocation location = FieldLocation::global;
+  FieldShape shape = FieldShape::scalar;
+  bool is_at_points = false;  ///< an element variable that each integration point has
+  /// Sets the values, [count x n_components].
+  void (*fill)(const OutputMoment& moment, const EntityRange& range, std::span<double> values) = nullptr;
+  std::string_view help;  ///< one line with the dimension
+  int list_size = 1;      ///< number of components of a list
+
+  int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
+};
+
+/// The variables that every run has. What materials remember and what the deck makes comes on top.
+std::span<const OutputRow> global_output_rows();
+std::span<const OutputRow> nodal_output_rows();
+std::span<const OutputRow> element_output_rows();
+
+/// The stress of an element at the range's point, element `range.first` + `i` [force/length^2].
+Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i);
+
+/// One number that a material remembers, at the range's point.
+///   place  in the state of an integration point, after its stress
+double material_value(const OutputMoment& moment, const EntityRange& range, std::size_t i, std::size_t place);
+
+}  // namespace contactsim

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/requested_fields.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <tuple>
+
+namespace contactsim {
+
+namespace {
+
+std::size_t count_entities(const VariablePick& pick, const Model& model, std::size_t block) {
+  if (pick.variable->location == FieldLocation::node) return model.mesh->n_nodes();
+  return pick.variable->location == FieldLocation::global ? 1 : model.blocks[block].n_elements;
+}
+
+bool is_named(std::span<const DeckName> list, const std::vector<std::string>& block_names) {
+  return std::any_of(list.begin(), list.end(), [&](const DeckName& name) {
+    return std::any_of(block_names.begin(), block_names.end(),
+                       [&](const std::string& own) { return fold(own) == fold(name.text); });
+  });
+}
+
+class FieldMaker {
+ public:
+  FieldMaker(const RunVariables& variables, const FieldRequests& requests,
+             std::span<const std::vector<std::string>> block_names, Diagnostics& diagnostics)
+      : variables_(variables), requests_(requests), block_names_(block_names), diagnostics_(diagnostics) {}
+
+  std::vector<RequestedFields::Field> make() {
+    check_blocks(requests_.included);
+    check_blocks(requests_.excluded);
+    for (const VariableRequest& request : requests_.variables) add_request(request);
+    for (const char* name : {"kinetic_energy", "internal_energy", "external_energy", "hourglass_energy",
+                             "bulk_viscosity_energy", "contact_energy", "energy_error", "momentum"}) {
+      const VariablePick pick{variables_.find(FieldLocation::global, name), {}, {}};
+      if (names_.count({FieldLocation::global, 0, name}) == 0) add_field(pick, {}, name);
+    }
+    return std::move(fields_);
+  }
+
+ private:
+  // A field is known to a file by where it is and its name without regard to case.
+  using Key = std::tuple<FieldLocation, std::size_t, std::string>;
+
+  void warn(std::string_view id, const DeckName& at, std::string text, std::string hint = "") {
+    diagnostics_.add_warning(id, at.location, std::move(text), std::move(hint),
+                             static_cast<int>(at.text.size()));
+  }
+
+  void check_blocks(std::span<const DeckName> names) {
+    std::vector<std::string> known;
+    for (const auto& of_block : block_names_) known.insert(known.end(), of_block.begin(), of_block.end());
+    for (const DeckName& name : names) {
+      const bool is_known = std::any_of(known.begin(), known.end(),
+                                        [&](const auto& own) { return fold(own) == fold(name.text); });
+      if (!is_known)
+        warn("output-part-unknown", name, fmt::format("'{}' is no block of the mesh", name.text),
+             suggest(name.text, known));
+    }
+  }
+
+  void add_request(const VariableRequest& request) {
+    const auto pick = find_pick(variables_, request.location, request.variable, diagnostics_);
+    if (!pick) return;
+    const std::string name = field_name(request, *pick, requests_.separator);
+    const auto* parts = std::get_if<NamedParts>(&request.place);
+    if (pick->variable->location == FieldLocation::element) {
+      if (parts != nullptr) check_blocks(parts->names);
+      add_element_fields(request, *pick, name);
+      return;
+    }
+    if (parts != nullptr)
+      warn("output-part-whole", request.variable.name,
+           fmt::format("{} is written for the whole model: parts are for element variables", name));
+    if (is_free(*pick, 0, name, request.variable.name)) add_field(*pick, {}, name);
+  }
+
+  void add_element_fields(const VariableRequest& request, const VariablePick& pick, const std::string& name) {
+    const Model& model = variables_.model();
+    bool is_anywhere = false;
+    for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+      if (!pick.is_in_block(model, b) || !is_covered(request, model.blocks[b].mesh_block)) continue;
+      is_anywhere = true;
+      if (!is_free(pick, b, name, request.variable.name)) return;
+      add_field(pick, {b, 0, 1, {}}, name);
+    }
+    if (!is_anywhere)
+      warn("output-part-none", request.variable.name, fmt::format("no block that is asked for has {}", name));
+  }
+
+  bool is_covered(const VariableRequest& request, std::uint32_t mesh_block) const {
+    const std::vector<std::string>& names = block_names_[mesh_block];
+    const auto* parts = std::get_if<NamedParts>(&request.place);
+    if (parts != nullptr && is_named(parts->names, names) == parts->are_excluded) return false;
+    if (!requests_.included.empty() && !is_named(requests_.included, names)) return false;
+    return !is_named(requests_.excluded, names);
+  }
+
+  bool is_free(const VariablePick& pick, std::size_t block, const std::string& name, const DeckName& at) {
+    if (names_.count({pick.variable->location, block, fold(name)}) == 0) return true;
+    warn("output-name-taken", at,
+         fmt::format("a {} variable {} is on the file already: this one is left out",
+                     to_string(pick.variable->location), name),
+         "an alias gives it another name: AS <alias>");
+    return false;
+  }
+
+  void add_field(const VariablePick& pick, EntityRange range, const std::string& name) {
+    const Model& model = variables_.model();
+    names_.insert({pick.variable->location, range.block, fold(name)});
+    range.count = count_entities(pick, model, range.block);
+    fields_.push_back(make_field(pick, model, range, name));
+    fields_.back().field.separator = requests_.separator;
+  }
+
+  const RunVariables& variables_;
+  const FieldRequests& requests_;
+  std::span<const std::vector<std::string>> block_names_;
+  Diagnostics& diagnostics_;
+  std::set<Key> names_;
+  std::vector<RequestedFields::Field> fields_;
+};
+
+}  // namespace
+
+RequestedFields::Field make_field(const VariablePick& pick, const Model& model, const EntityRange& range,
+                                  const std::string& name) {
+  RequestedFields::Field made;
+  made.pick = pick;
+  made.range = range;
+  made.field.name = name;
+  made.field.location = pick.variable->location;
+  made.field.shape = pick.component ? FieldShape::scalar : pick.variable->shape;
+  made.field.n_components = static_cast<int>(pick.n_components());
+  if (made.field.location == FieldLocation::element) made.field.block = model.blocks[range.block].mesh_block;
+  made.values.assign(range.count * pick.n_components(), 0.0);
+  return made;
+}
+
+std::string field_name(const VariableRequest& request, const VariablePick& pick,
+                       const std::string& separator) {
+  if (!request.alias.empty()) return request.alias;
+  std::string name = request.variable.name.text;
+  if (pick.point) name += fmt::format("{}{}", separator, *pick.point + 1);
+  if (!pick.component) return name;
+  const RunVariable& variable = *pick.variable;
+  const std::string ending =
+      component_ending(variable.shape, static_cast<int>(*pick.component), variable.n_components);
+  return ending.empty() ? name : name + separator + ending;
+}
+
+void RequestedFields::fill(const OutputMoment& moment) {
+  for (Field& field : fields_) contactsim::fill(field.pick, moment, field.range, field.values);
+}
+
+std::vector<OutputField> RequestedFields::views() const {
+  std::vector<OutputField> views;
+  for (const Field& field : fields_) {
+    views.push_back(field.field);
+    views.back().values = field.values;
+  }
+  return views;
+}
+
+RequestedFields make_requested_fields(const RunVariables& variables, const FieldRequests& requests,
+                                      std::span<const std::vector<std::string>> block_names,
+                                      Diagnostics& diagnostics) {
+  return RequestedFields(FieldMaker(variables, requests, block_names, diagnostics).make());
+}
+
+}  // namespace contactsim

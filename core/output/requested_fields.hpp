@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/definition/output_variable.hpp"
+#include "core/diagnostics.hpp"
+#include "core/output/variable_pick.hpp"
+
+namespace contactsim {
+
+/// What a results file is asked to hold.
+struct FieldRequests {
+  std::span<const VariableRequest> variables;
+  std::span<const DeckName> included,
+      excluded;                 ///< blocks that element variables are for; none included: all
+  std::string separator = "_";  ///< between the names of variables and components
+};
+
+/// Values of a run as they go to a file.
+class RequestedFields {
+ public:
+  /// A variable under its name on the file.
+  struct Field {
+    VariablePick pick;
+    EntityRange range;
+    OutputField field;           ///< without values
+    std::vector<double> values;  ///< of the moment that was filled last
+  };
+
+  RequestedFields() = default;
+  explicit RequestedFields(std::vector<Field> fields) : fields_(std::move(fields)) {}
+
+  /// Sets all values. Changes nothing in the run.
+  void fill(const OutputMoment& moment);
+
+  /// Views of what was filled last, of zeros before.
+  std::vector<OutputField> views() const;
+
+ private:
+  std::vector<Field> fields_;
+};
+
+/// A field of a variable for a range of its entities, of zeros.
+///   name  on the file, without components
+RequestedFields::Field make_field(const VariablePick& pick, const Model& model, const EntityRange& range,
+                                  const std::string& name);
+
+/// The name on the file, without the components that the field will have: the alias, else the variable's
+/// name with the one component and the integration point that are asked for.
+std::string field_name(const VariableRequest& request, const VariablePick& pick,
+                       const std::string& separator);
+
+/// The fields of a results file: what the deck asks for, then the energies and the momentum, which every file
+/// has. What is not known or cannot be is left out with a warning. The variables must outlive the fields.
+///   block_names  [n mesh blocks] all that the deck may call each
+/// Source: Sierra/SM 5.22, 9.1; 5.20, global energy reporting.
+RequestedFields make_requested_fields(const RunVariables& variables, const FieldRequests& requests,
+                                      std::span<const std::vector<std::string>> block_names,
+                                      Diagnostics& diagnostics);
+
+}  // namespace contactsim

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/run_variables.hpp"
+
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+FieldShape shape_of(const StateVariable& variable) {
+  if (variable.n_components == 1) return FieldShape::scalar;
+  return variable.n_components == 6 ? FieldShape::symmetric_tensor : FieldShape::list;
+}
+
+// Fills from the state of the materials. Each block's law keeps the variable at a place of its own.
+RunVariable::Fill fill_from_materials(std::vector<std::size_t> first_places, std::size_t n_components) {
+  return [first_places = std::move(first_places), n_components](
+             const OutputMoment& moment, const EntityRange& range, std::span<double> values) {
+    for (std::size_t i = 0; i < range.count; ++i) {
+      for (std::size_t c = 0; c < n_components; ++c)
+        values[i * n_components + c] = material_value(moment, range, i, first_places[range.block] + c);
+    }
+  };
+}
+
+}  // namespace
+
+RunVariables::RunVariables(const Model& model) : model_(model) {
+  add_rows(global_output_rows());
+  add_rows(nodal_output_rows());
+  add_rows(element_output_rows());
+  for (std::size_t block = 0; block < model.blocks.size(); ++block) add_material_variables(block);
+}
+
+void RunVariables::add_rows(std::span<const OutputRow> rows) {
+  for (const OutputRow& row : rows) {
+    RunVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
+                         row.is_at_points,      /*in_blocks*/ {}, row.fill};
+    if (row.location == FieldLocation::element) variable.in_blocks.assign(model_.blocks.size(), 1);
+    add(std::move(variable));
+  }
+}
+
+// Blocks whose materials remember the same thing share a variable, made for the first of them.
+void RunVariables::add_material_variables(std::size_t block) {
+  for (const StateVariable& own : state_of(model_.blocks[block].properties.law).variables) {
+    if (find(FieldLocation::element, own.name) != nullptr) continue;
+    RunVariable variable{std::string(own.name),
+                         FieldLocation::element,
+                         shape_of(own),
+                         static_cast<int>(own.n_components),
+                         true,
+                         std::vector<std::uint8_t>(model_.blocks.size(), 0),
+                         {}};
+    std::vector<std::size_t> first_places(model_.blocks.size(), 0);
+    for (std::size_t b = block; b < model_.blocks.size(); ++b) {
+      for (const StateVariable& other : state_of(model_.blocks[b].properties.law).variables) {
+        if (other.name != own.name || other.n_components != own.n_components) continue;
+        variable.in_blocks[b] = 1;
+        first_places[b] = other.first;
+      }
+    }
+    variable.fill = fill_from_materials(std::move(first_places), own.n_components);
+    add(std::move(variable));
+  }
+}
+
+const RunVariable& RunVariables::add(RunVariable variable) {
+  variables_.push_back(std::move(variable));
+  return variables_.back();
+}
+
+const RunVariable* RunVariables::find(FieldLocation location, std::string_view name) const {
+  const auto found = std::find_if(variables_.rbegin(), variables_.rend(), [&](const RunVariable& variable) {
+    return variable.location == location && variable.name == name;
+  });
+  return found == variables_.rend() ? nullptr : &*found;
+}
+
+std::vector<std::string> RunVariables::names(FieldLocation location) const {
+  std::vector<std::string> names;
+  for (const RunVariable& variable : variables_) {
+    if (variable.location == location) names.push_back(variable.name);
+  }
+  return names;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/output/output_table.hpp"
+
+namespace contactsim {
+
+/// A variable that a run can write: of the table, of its materials, or made by its deck.
+struct RunVariable {
+  using Fill = std::function<void(const OutputMoment&, const EntityRange&, std::span<double> values)>;
+
+  std::string name;  ///< lower case
+  FieldLocation location = FieldLocation::global;
+  FieldShape shape = FieldShape::scalar;
+  int n_components = 1;
+  bool is_at_points = false;            ///< an element variable that each integration point has
+  std::vector<std::uint8_t> in_blocks;  ///< which of Model::blocks have it, of element variables
+  /// Sets the values, [count x n_components]. Any thread may call it; it changes nothing.
+  Fill fill;
+};
+
+/// All variables of a run by location and name.
+class RunVariables {
+ public:
+  /// Those of the tables and of the model's materials. The model must outlive them.
+  explicit RunVariables(const Model& model);
+
+  const Model& model() const { return model_; }
+
+  /// Adds a variable; it hides an earlier one of its name and location. The reference stays good.
+  const RunVariable& add(RunVariable variable);
+
+  /// The variable of a name in lower case; null when there is none.
+  const RunVariable* find(FieldLocation location, std::string_view name) const;
+
+  /// The names of a location, for suggestions.
+  std::vector<std::string> names(FieldLocation location) const;
+
+ private:
+  void add_rows(std::span<const OutputRow> rows);
+  void add_material_variables(std::size_t block);
+
+  const Model& model_;
+  std::deque<RunVariable> variables_;
+};
+
+}  // namespace contactsim

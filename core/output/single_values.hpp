@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/output/requested_fields.hpp"
+
+namespace contactsim {
+
+/// Single values of a run for HISTORY and HEARTBEAT OUTPUT: globals, and variables of one node or element by
+/// id or nearest to a point of the mesh. All fields are global ones of a file. What is not known is left out
+/// with a warning; an id that the mesh does not have is an error. The variables must outlive the fields.
+///   separator  between the names of variables and components
+/// Source: Sierra/SM 5.22, 9.7 and 9.8.
+RequestedFields make_single_values(const RunVariables& variables, std::span<const VariableRequest> requests,
+                                   const std::string& separator, Diagnostics& diagnostics);
+
+/// The names of all values, component by component, in the order of value_list().
+std::vector<std::string> value_names(const RequestedFields& fields);
+
+/// All values that were filled last, field by field.
+std::vector<double> value_list(const RequestedFields& fields);
+
+}  // namespace contactsim

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/variable_pick.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
+
+std::optional<FieldLocation> to_field_location(VariableLocation location) {
+  if (location == VariableLocation::nodal) return FieldLocation::node;
+  if (location == VariableLocation::element) return FieldLocation::element;
+  if (location == VariableLocation::global) return FieldLocation::global;
+  return std::nullopt;
+}
+
+// What is wrong with one reference.
+class PickProblem {
+ public:
+  PickProblem(const VariableReference& reference, Diagnostics& diagnostics)
+      : name_(reference.name), diagnostics_(diagnostics) {}
+
+  void add(std::string text, std::string hint = "") {
+    diagnostics_.add_warning("output-variable-unknown", name_.location, std::move(text), std::move(hint),
+                             static_cast<int>(name_.text.size()));
+  }
+
+  void add_unknown(const RunVariables& variables, std::optional<FieldLocation> wanted) {
+    const std::string canonical = canonical_variable_name(name_.text);
+    std::vector<std::string> known;
+    for (const FieldLocation location : all_locations) {
+      if (wanted && location != *wanted && variables.find(location, canonical) != nullptr) {
+        add(fmt::format("'{}' is no {} variable", name_.text, to_string(*wanted)),
+            fmt::format("did you mean {} {}?", to_string(location), name_.text));
+        return;
+      }
+      if (wanted && location != *wanted) continue;
+      const auto names = variables.names(location);
+      known.insert(known.end(), names.begin(), names.end());
+    }
+    const std::string kind = wanted ? fmt::format("{} ", to_string(*wanted)) : "";
+    add(fmt::format("no {}variable '{}' is known here", kind, name_.text), suggest(canonical, known));
+  }
+
+ private:
+  const DeckName& name_;
+  Diagnostics& diagnostics_;
+};
+
+const RunVariable* find_variable(const RunVariables& variables, std::optional<FieldLocation> wanted,
+                                 const std::string& name) {
+  if (wanted) return variables.find(*wanted, name);
+  for (const FieldLocation location : all_locations) {
+    if (const RunVariable* found = variables.find(location, name)) return found;
+  }
+  return nullptr;
+}
+
+std::string list_components(const RunVariable& variable) {
+  if (variable.shape == FieldShape::scalar) return "it has one component";
+  std::string list = "its components are";
+  for (int c = 0; c < variable.n_components; ++c)
+    list += fmt::format(" {}", component_ending(variable.shape, c, variable.n_components));
+  return list;
+}
+
+bool has_point(const RunVariable& variable, const Model& model, std::size_t point) {
+  for (std::size_t b = 0; b < model.blocks.size(); ++b) {
+    if (VariablePick{&variable, {}, point}.is_in_block(model, b)) return true;
+  }
+  return false;
+}
+
+// One piece of a range, small enough for the cache.
+void fill_piece(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+                std::span<double> values) {
+  if (!pick.component) {
+    pick.variable->fill(moment, range, values);
+    return;
+  }
+  const auto n_components = static_cast<std::size_t>(pick.variable->n_components);
+  std::vector<double> all(range.count * n_components);
+  pick.variable->fill(moment, range, all);
+  for (std::size_t i = 0; i < range.count; ++i) values[i] = all[i * n_components + *pick.component];
+}
+
+}  // namespace
+
+bool VariablePick::is_in_block(const Model& model, std::size_t block) const {
+  if (variable->in_blocks[block] == 0) return false;
+  const std::size_t n_points = variable->is_at_points ? model.blocks[block].layout.n_points : 1;
+  return !point || *point < n_points;
+}
+
+std::optional<std::size_t> find_component(const RunVariable& variable, std::string_view text) {
+  // The tensor is symmetric.
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> mirrored{
+      {{"yx", "xy"}, {"zy", "yz"}, {"xz", "zx"}}};
+  if (variable.shape == FieldShape::symmetric_tensor) {
+    for (const auto& [from, to] : mirrored) {
+      if (text == from) text = to;
+    }
+  }
+  for (int c = 0; c < variable.n_components; ++c) {
+    if (text == component_ending(variable.shape, c, variable.n_components)) return c;
+  }
+  int number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_number = error == std::errc() && stop == text.data() + text.size();
+  if (!is_number || number < 1 || number > variable.n_components) return std::nullopt;
+  return static_cast<std::size_t>(number) - 1;
+}
+
+std::optional<VariablePick> find_pick(const RunVariables& variables, VariableLocation location,
+                                      const VariableReference& reference, Diagnostics& diagnostics) {
+  PickProblem problem(reference, diagnostics);
+  const auto wanted = to_field_location(location);
+  if (!wanted && location != VariableLocation::any) {
+    problem.add(fmt::format("'{}': variables of edges, faces and sets are not written", reference.name.text));
+    return std::nullopt;
+  }
+  VariablePick pick;
+  pick.variable = find_variable(variables, wanted, canonical_variable_name(reference.name.text));
+  if (pick.variable == nullptr) {
+    problem.add_unknown(variables, wanted);
+    return std::nullopt;
+  }
+  if (!reference.component.empty()) {
+    pick.component = find_component(*pick.variable, reference.component);
+    if (!pick.component) {
+      problem.add(fmt::format("{} has no component '{}'", reference.name.text, reference.component),
+                  list_components(*pick.variable));
+      return std::nullopt;
+    }
+  }
+  if (!reference.integration_point || pick.variable->location != FieldLocation::element) return pick;
+  pick.point = static_cast<std::size_t>(*reference.integration_point - 1);
+  if (has_point(*pick.variable, variables.model(), *pick.point)) return pick;
+  problem.add(
+      fmt::format("{} has no integration point {}", reference.name.text, *reference.integration_point));
+  return std::nullopt;
+}
+
+void fill(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+          std::span<double> values) {
+  constexpr std::size_t piece_size = 1024;
+  const std::size_t n_components = pick.n_components();
+  const auto n_pieces = static_cast<std::ptrdiff_t>((range.count + piece_size - 1) / piece_size);
+#pragma omp parallel for schedule(static) num_threads(threads_for(range.count))
+  for (std::ptrdiff_t p = 0; p < n_pieces; ++p) {
+    const std::size_t begin = static_cast<std::size_t>(p) * piece_size;
+    const EntityRange piece{range.block, range.first + begin, std::min(piece_size, range.count - begin),
+                            pick.point};
+    fill_piece(pick, moment, piece, values.subspan(begin * n_components, piece.count * n_components));
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/definition/output_variable.hpp"
+#include "core/diagnostics.hpp"
+#include "core/output/run_variables.hpp"
+
+namespace contactsim {
+
+/// What a command of the deck means by a variable: all of it, one component, one integration point.
+struct VariablePick {
+  const RunVariable* variable = nullptr;
+  std::optional<std::size_t> component;  ///< from 0; absent: all
+  std::optional<std::size_t> point;      ///< integration point, from 0; absent: the mean of all
+
+  std::size_t n_components() const {
+    return component ? 1 : static_cast<std::size_t>(variable->n_components);
+  }
+  /// Whether the elements of a block have it. Precondition: an element variable.
+  bool is_in_block(const Model& model, std::size_t block) const;
+};
+
+/// The component that a text names, by its ending or its number from 1; nothing when there is none.
+std::optional<std::size_t> find_component(const RunVariable& variable, std::string_view text);
+
+/// What a reference means. Nothing when it means nothing in this run: a warning is added
+/// ("output-variable-unknown") that names the nearest variable, or the location at which there is one.
+std::optional<VariablePick> find_pick(const RunVariables& variables, VariableLocation location,
+                                      const VariableReference& reference, Diagnostics& diagnostics);
+
+/// Sets the values of a range, [count x n_components]; threads share long ranges, with the same bits for any
+/// number of them.
+void fill(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+          std::span<double> values);
+
+}  // namespace contactsim

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "core/errors.hpp"
+#include "core/mesh/block_names.hpp"
+#include "core/output/single_values.hpp"
+
+namespace contactsim {
+
+namespace {
+
+// Adds the problem of an output at its block of the deck.
+void warn(Diagnostics& diagnostics, std::string_view id, const DeckName& output, std::string text,
+          std::string hint = "") {
+  diagnostics.add_warning(id, output.location, std::move(text), std::move(hint));
+}
+
+bool has_lines(const OutputSchedule& schedule) {
+  return !schedule.time_phases.empty() || !schedule.step_phases.empty() ||
+         !schedule.additional_times.empty() || !schedule.additional_steps.empty();
+}
+
+OutputTimes make_times(const OutputSchedule& schedule, std::int64_t default_increment, const DeckName& output,
+                       Diagnostics& diagnostics) {
+  if (schedule.adjustment_interval) {
+    warn(diagnostics, "output-steps-kept", output, "TIMESTEP ADJUSTMENT INTERVAL has no effect",
+         "the first step at or past an output time is written");
+  }
+  return {schedule, default_increment};
+}
+
+bool is_log(const std::string& stream) {
+  constexpr std::array names{"cout", "stdout", "cerr", "stderr", "clog", "log", "output", "outputp0"};
+  const std::string folded = fold(stream);
+  return std::find(names.begin(), names.end(), folded) != names.end();
+}
+
+std::string format_clock(std::time_t time, const char* format) {
+  std::array<char, 32> text{};
+  std::tm local{};
+  localtime_r(&time, &local);
+  const std::size_t n = std::strftime(text.data(), text.size(), format, &local);
+  return {text.data(), n};
+}
+
+// The results of a run that is asked for a file by the command line alone.
+ResultsOutput make_default_results() {
+  ResultsOutput output;
+  for (const char* name : {"displacement", "velocity"})
+    output.variables.push_back({VariableLocation::nodal, {{name, {}}, "", {}}, "", {}});
+  for (const char* name : {"stress", "von_mises", "eqps"})
+    output.variables.push_back({VariableLocation::element, {{name, {}}, "", {}}, "", {}});
+  return output;
+}
+
+void check_clashes(const std::vector<std::string>& paths, const DeckName& region, Diagnostics& diagnostics) {
+  std::map<std::filesystem::path, int> n_uses;
+  for (const std::string& path : paths) {
+    if (++n_uses[std::filesystem::path(path).lexically_normal()] != 2) continue;
+    diagnostics.add_error(region.location, fmt::format("two outputs would write {}", path),
+                          "DATABASE NAME or STREAM NAME gives each its own file");
+  }
+}
+
+}  // namespace
+
+Outputs::Outputs(const SimulationDefinition& definition, const Region& region, const RunVariables& variables,
+                 OutputSettings settings, Diagnostics& diagnostics)
+    : variables_(variables), settings_(std::move(settings)) {
+  const FiniteElementModel* model = find_finite_element_model(definition, region);
+  const std::span<const MeshAlias> aliases =
+      model ? std::span<const MeshAlias>(model->aliases) : std::span<const MeshAlias>();
+  block_names_ = find_block_names(*variables.model().mesh, aliases);
+  std::optional<std::string> path = settings_.results_path;
+  for (const ResultsOutput& output : region.results_outputs)
+    add_results(definition, output, std::exchange(path, std::nullopt), diagnostics);
+  if (path) add_results(definition, make_default_results(), path, diagnostics);
+  for (const HistoryOutput& output : region.history_outputs) add_history(definition, output, diagnostics);
+  for (const HeartbeatOutput& output : region.heartbeat_outputs)
+    add_heartbeat(definition, output, diagnostics);
+  check_clashes(paths(), region.name, diagnostics);
+}
+
+void Outputs::add_results(const SimulationDefinition& definition, const ResultsOutput& output,
+                          std::optional<std::string> path, Diagnostics& diagnostics) {
+  const OutputDatabase& database = output.database;
+  if (!path) path = expand_file_name(definition, database.name ? database.name->text : "%B.e");
+  if (output.mesh != ResultsOutput::OutputMesh::unrefined || !output.included.empty() ||
+      !output.excluded.empty()) {
+    warn(diagnostics, "output-mesh-whole", output.name, "the file holds the whole mesh as it was read",
+         "INCLUDE and EXCLUDE choose the blocks of element variables");
+  }
+  const OutputSchedule schedule =
+      resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
+  if (!has_lines(schedule)) {
+    warn(diagnostics, "output-schedule-missing", output.name,
+         fmt::format("only the first and the last state are written to {}", *path),
+         "AT TIME <start> INCREMENT = <increment> asks for more");
+  }
+  const FieldRequests requests{output.variables, output.included, output.excluded,
+                               database.component_separator};
+  constexpr std::int64_t ends_only = 0;
+  results_.push_back({*path, database.overwrites, true,
+                      database.title.empty() ? definition.title : database.title,
+                      make_times(schedule, ends_only, output.name, diagnostics),
+                      make_requested_fields(variables_, requests, block_names_, diagnostics), nullptr});
+}
+
+void Outputs::add_history(const SimulationDefinition& definition, const HistoryOutput& output,
+                          Diagnostics& diagnostics) {
+  const OutputDatabase& database = output.database;
+  const OutputSchedule schedule =
+      resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
+  constexpr std::int64_t every_step = 1;
+  histories_.push_back(
+      {expand_file_name(definition, database.name ? database.name->text : "%B.h"), database.overwrites, false,
+       database.title.empty() ? definition.title : database.title,
+       make_times(schedule, every_step, output.name, diagnostics),
+       make_single_values(variables_, output.variables, database.component_separator, diagnostics), nullptr});
+}
+
+void Outputs::add_heartbeat(const SimulationDefinition& definition, const HeartbeatOutput& output,
+                            Diagnostics& diagnostics) {
+  const std::string path = expand_file_name(definition, output.stream ? output.stream->text : "%B.csv");
+  const OutputSchedule schedule =
+      resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
+  constexpr std::int64_t every_step = 1;
+  heartbeats_.push_back({is_log(path) ? "" : path, output.appends, output.monitored, has_lines(schedule),
+                         make_times(schedule, every_step, output.name, diagnostics),
+                         make_single_values(variables_, output.variables, "_", diagnostics),
+                         heartbeat_style(output), std::nullopt});
+}
+
+std::vector<std::string> Outputs::paths() const {
+  std::vector<std::string> paths;
+  for (const ExodusJob& job : results_) paths.push_back(job.path);
+  for (const ExodusJob& job : histories_) paths.push_back(job.path);
+  for (const HeartbeatJob& job : heartbeats_) {
+    if (!job.path.empty()) paths.push_back(job.path);
+  }
+  return paths;
+}
+
+ResultsText Outputs::make_text(const std::string& title) const {
+  const Mesh& mesh = *variables_.model().mesh;
+  ResultsText text;
+  text.title = title;
+  if (!mesh.path().empty()) text.qa_records = read_qa_records(mesh.path());
+  const std::time_t now = settings_.clock();
+  text.qa_records.push_back(
+      {"contactsim", CONTACTSIM_VERSION, format_clock(now, "%m/%d/%Y"), format_clock(now, "%H:%M:%S")});
+  text.info.push_back(settings_.command_line);
+  text.info.insert(text.info.end(), settings_.deck_lines.begin(), settings_.deck_lines.end());
+  return text;
+}
+
+void Outputs::open_files() {
+  const Mesh no_mesh;
+  const auto open = [&](ExodusJob& job) {
+    std::error_code ignored;
+    if (!job.overwrites && std::filesystem::exists(job.path, ignored))
+      throw FileError(job.path, "exists, and the deck says OVERWRITE = OFF");
+    job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? *variables_.model().mesh : no_mesh,
+                                                 make_text(job.title), job.fields.views());
+  };
+  for (ExodusJob& job : results_) open(job);
+  for (ExodusJob& job : histories_) open(job);
+  for (HeartbeatJob& job : heartbeats_) {
+    std::error_code ignored;
+    const bool goes_on = job.appends && std::filesystem::file_size(job.path, ignored) > 0 && !ignored;
+    if (goes_on && job.style.format != HeartbeatOutput::Format::spyhis) job.style.has_legend = false;
+    job.writer.emplace(job.path.empty() ? settings_.log : make_file_sink(job.path, job.appends), job.style,
+                       value_names(job.values), settings_.clock);
+  }
+}
+
+bool Outputs::write_job(ExodusJob& job, const State& state, const RunMoment& now) {
+  if (!job.times.is_due(now)) return false;
+  job.fields.fill({variables_.model(), state});
+  job.writer->write_step(state.time, job.fields.views());
+  return true;
+}
+
+void Outputs::write(const State& state, bool is_last) {
+  if (!std::exchange(is_open_, true)) open_files();
+  const RunMoment now{state.step, state.time, is_last};
+  bool has_results = false, has_history = false;
+  for (ExodusJob& job : results_) has_results |= write_job(job, state, now);
+  for (ExodusJob& job : histories_) has_history |= write_job(job, state, now);
+  using Monitored = HeartbeatOutput::Monitored;
+  for (HeartbeatJob& job : heartbeats_) {
+    bool is_due = job.times.is_due(now) && (job.has_schedule || !job.monitored);
+    if (job.monitored == Monitored::results) is_due |= has_results;
+    if (job.monitored == Monitored::history) is_due |= has_history;
+    if (!is_due) continue;
+    job.values.fill({variables_.model(), state});
+    job.writer->write(state.time, value_list(job.values));
+  }
+}
+
+}  // namespace contactsim
