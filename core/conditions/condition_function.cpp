@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -19,6 +20,15 @@ namespace {
 constexpr std::size_t max_inputs = 16;
 
 }  // namespace
+
+double NodalTable::at(double time, NodeIndex node) const {
+  const auto column =
+      static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+  const StoredTime between = find_stored_time(times, time);
+  const double first = values[between.first * nodes.size() + column];
+  const double second = values[between.second * nodes.size() + column];
+  return (1.0 - between.weight) * first + between.weight * second;
+}
 
 double ConditionFunction::at(double time) const {
   assert(!varies_in_space());
@@ -48,6 +58,7 @@ double ConditionFunction::read(Input input, double time, const NodalFields& fiel
 
 double ConditionFunction::at(double time, const NodalFields& fields, NodeIndex node) const {
   if (!varies_in_space()) return factor_ * function_.evaluate(time);
+  if (table_) return factor_ * table_->at(time, node);
   std::array<double, max_inputs> values;
   for (std::size_t k = 0; k < inputs_.size(); ++k) values[k] = read(inputs_[k], time, fields, node);
   return factor_ * function_.evaluate(std::span<const double>(values.data(), inputs_.size()));

@@ -59,7 +59,7 @@ class ExternalForce final : public ForceTerm {
 };
 
 /// Compiles the loads of a region. Errors: unknown names, moments (nodes of solids have no rotations), masked
-/// pressures, values that are read from the mesh.
+/// pressures, pressures of faces that are read from the mesh. Throws FileError.
 ///   mass  [3 x n_nodes] lumped, the same in every row [mass]
 ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass);
 

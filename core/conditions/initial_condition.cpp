@@ -65,14 +65,13 @@ std::optional<InitialConditionSetter::Wanted> InitialConditionSetter::find_wante
 /// Of a picked component the file's variable is a scalar.
 std::optional<InitialConditionSetter::Columns> InitialConditionSetter::read_columns(
     const InitialCondition& condition, const Wanted& wanted) const {
-  const StoredReader reader(sources_.stored, sources_.start, scope_.diagnostics);
-  auto stored =
-      reader.read(condition.mesh_variable, condition.type == VariableType::element, wanted.components.size());
-  if (!stored) return std::nullopt;
-  for (std::vector<double>& column : stored->components) {
+  auto columns = read_stored(condition.mesh_variable, condition.type == VariableType::element,
+                             wanted.components.size(), scope_);
+  if (!columns) return std::nullopt;
+  for (std::vector<double>& column : *columns) {
     for (double& value : column) value *= condition.scale_factor;
   }
-  return std::move(stored->components);
+  return columns;
 }
 
 std::optional<InitialConditionSetter::Columns> InitialConditionSetter::find_columns(
@@ -117,7 +116,7 @@ void InitialConditionSetter::set_nodal(const InitialCondition& condition) {
 
 std::vector<std::string> InitialConditionSetter::element_variables() const {
   std::vector<std::string> names{"stress"};
-  for (const SolidBlock& block : sources_.blocks) {
+  for (const SolidBlock& block : blocks_) {
     for (const StateVariable& variable : state_of(block.properties.law).variables) {
       if (std::find(names.begin(), names.end(), variable.name) == names.end())
         names.emplace_back(variable.name);
@@ -129,7 +128,7 @@ std::vector<std::string> InitialConditionSetter::element_variables() const {
 /// 0 when no material has the variable.
 std::size_t InitialConditionSetter::count_components(const std::string& element_variable) const {
   if (element_variable == "stress") return 6;
-  for (const SolidBlock& block : sources_.blocks) {
+  for (const SolidBlock& block : blocks_) {
     for (const StateVariable& variable : state_of(block.properties.law).variables) {
       if (variable.name == element_variable) return variable.n_components;
     }
@@ -140,7 +139,7 @@ std::size_t InitialConditionSetter::count_components(const std::string& element_
 void InitialConditionSetter::check_has(const std::string& variable, std::span<const ElementIndex> elements,
                                        const DeckName& name) const {
   if (variable == "stress") return;
-  for (const SolidBlock& block : sources_.blocks) {
+  for (const SolidBlock& block : blocks_) {
     const auto known = state_of(block.properties.law).variables;
     const bool has = std::any_of(known.begin(), known.end(),
                                  [&](const StateVariable& one) { return one.name == variable; });

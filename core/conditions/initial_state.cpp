@@ -38,11 +38,11 @@ void set_block(const InitialElementValues& given, const SolidBlock& block, Solid
 
 }  // namespace
 
-InitialState make_initial_state(const ConditionScope& scope, const InitialSources& sources) {
+InitialState make_initial_state(const ConditionScope& scope, std::span<const SolidBlock> blocks) {
   InitialState state;
   state.velocity = state.displacement = Eigen::Matrix3Xd::Zero(3, scope.mesh.n_nodes());
-  set_initial_velocity(scope, sources.start, state.velocity);
-  InitialConditionSetter setter(scope, sources, state);
+  set_initial_velocity(scope, state.velocity);
+  InitialConditionSetter setter(scope, blocks, state);
   for (const InitialCondition& condition : scope.region.initial_conditions) setter.set(condition);
   return state;
 }

@@ -8,7 +8,6 @@
 
 #include "core/conditions/condition_scope.hpp"
 #include "core/elements/solid_block.hpp"
-#include "core/mesh/stored_variables.hpp"
 #include "core/state.hpp"
 
 namespace contactsim {
@@ -27,20 +26,14 @@ struct InitialState {
   std::vector<InitialElementValues> element_values;  ///< in deck order
 };
 
-/// What the values of initial conditions are taken from, besides the deck.
-struct InitialSources {
-  std::span<const SolidBlock> blocks;  ///< of the model
-  const StoredVariables& stored;       ///< results of the mesh file
-  double start = 0.0;                  ///< of the run [time]
-};
-
 /// Carries out INITIAL VELOCITY, then INITIAL CONDITION in deck order; the last that sets a value counts.
 /// Nodal variables are velocity and displacement; element variables are stress (xx yy zz xy yz zx) and what
 /// the materials of the elements remember, such as eqps, the same at all integration points. A component may
 /// be picked: stress(xx). READ VARIABLE without TIME reads at the start of the run.
 /// Errors: unknown names, other variables, MAGNITUDE lines of a wrong length, what the mesh file does not
 /// hold, values that are not finite. Temperatures are ignored with a warning. Throws FileError.
-InitialState make_initial_state(const ConditionScope& scope, const InitialSources& sources);
+///   blocks  of the model
+InitialState make_initial_state(const ConditionScope& scope, std::span<const SolidBlock> blocks);
 
 /// Brings a state at rest to the start.
 ///   state  of the blocks

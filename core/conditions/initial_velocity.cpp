@@ -37,8 +37,8 @@ GivenVelocity along(const Direction& direction, double value, const Eigen::Vecto
 /// Carries blocks out, one after another.
 class VelocitySetter {
  public:
-  VelocitySetter(const ConditionScope& scope, double start, Eigen::Matrix3Xd& velocity)
-      : scope_(scope), start_(start), velocity_(velocity), given_by_(3 * scope.mesh.n_nodes(), nobody) {}
+  VelocitySetter(const ConditionScope& scope, Eigen::Matrix3Xd& velocity)
+      : scope_(scope), velocity_(velocity), given_by_(3 * scope.mesh.n_nodes(), nobody) {}
 
   void set(std::uint32_t block);
 
@@ -56,7 +56,6 @@ class VelocitySetter {
   void warn(const ConditionLabel& label, const Overruled& overruled) const;
 
   const ConditionScope& scope_;
-  double start_;
   Eigen::Matrix3Xd& velocity_;
   std::vector<std::uint32_t> given_by_;  ///< [n_nodes x 3] position of the last block that set it
   Overruled overruled_;                  ///< by the block that is carried out
@@ -112,7 +111,8 @@ void VelocitySetter::set(std::uint32_t block) {
   const Eigen::Matrix3Xd& x = scope_.mesh.coordinates();
   const NodalFields fields{x, x, velocity_};
   for (const NodeIndex node : nodes) {
-    if (set_node(block, node, along(*direction, value->at(start_, fields, node), x.col(node.value))))
+    if (set_node(block, node,
+                 along(*direction, value->at(scope_.start_time(), fields, node), x.col(node.value))))
       continue;
     scope_.diagnostics.add_error(label.location, fmt::format("{} has no finite value at node {}", label.what,
                                                              scope_.mesh.node_id(node)));
@@ -123,8 +123,8 @@ void VelocitySetter::set(std::uint32_t block) {
 
 }  // namespace
 
-void set_initial_velocity(const ConditionScope& scope, double start, Eigen::Matrix3Xd& velocity) {
-  VelocitySetter setter(scope, start, velocity);
+void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity) {
+  VelocitySetter setter(scope, velocity);
   for (std::uint32_t i = 0; i < scope.region.initial_velocities.size(); ++i) setter.set(i);
 }
 

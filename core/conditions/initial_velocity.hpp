@@ -11,8 +11,7 @@ namespace contactsim {
 /// direction or an axis sets the whole vector. Of several blocks on one node the last in the deck counts,
 /// with a warning when it changes what another gave: blocks of equal velocity may share nodes. A function
 /// is taken at the start time. Errors: unknown names, values that are not finite.
-///   start     [time]
 ///   velocity  [3 x n_nodes] [length/time]
-void set_initial_velocity(const ConditionScope& scope, double start, Eigen::Matrix3Xd& velocity);
+void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity);
 
 }  // namespace contactsim

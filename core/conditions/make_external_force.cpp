@@ -8,6 +8,7 @@
 #include "core/conditions/entity_faces.hpp"
 #include "core/conditions/entity_nodes.hpp"
 #include "core/conditions/external_force.hpp"
+#include "core/conditions/stored_values.hpp"
 
 namespace contactsim {
 
@@ -29,7 +30,6 @@ class ExternalForceMaker {
   void find_faces_of(const EntitySet& set, const ConditionLabel& label, FaceLoad& load) const;
   std::vector<NodeIndex> nodes_of(const EntitySet& set, const ConditionLabel& label) const;
   std::optional<Eigen::Vector3d> find_vector(const DirectionChoice& choice) const;
-  bool check_not_read(const MeshVariable& variable, const ConditionLabel& label) const;
   bool check_lines(const Pressure& pressure, const ConditionLabel& label) const;
   void add_error(const DeckLocation& location, std::string text, std::string hint = "") const {
     scope_.diagnostics.add_error(location, std::move(text), std::move(hint));
@@ -44,13 +44,6 @@ std::optional<Eigen::Vector3d> ExternalForceMaker::find_vector(const DirectionCh
   const auto direction = find_direction(choice, scope_);
   if (!direction) return std::nullopt;
   return sum_of_units(*direction);
-}
-
-bool ExternalForceMaker::check_not_read(const MeshVariable& variable, const ConditionLabel& label) const {
-  if (!variable.variable) return true;
-  add_error(variable.variable->location, label.what + " cannot read its values from the mesh yet",
-            "give it a FUNCTION");
-  return false;
 }
 
 /// A set that names nothing is all of the mesh.
@@ -85,16 +78,19 @@ void ExternalForceMaker::add(const NodalLoad& nodal) {
               "forces on several nodes make a moment");
     return;
   }
-  if (!check_not_read(nodal.variable, label)) return;
   NodeLoad load;
-  auto value = make_condition_function(nodal.function, label, scope_);
-  const auto direction = find_vector(nodal.direction);
   load.nodes = find_nodes(nodal.set, label, scope_);
-  if (!value || !direction) return;
-  load.value = std::move(*value);
-  load.direction = *direction;
   load.times = make_active_times(nodal.periods, scope_.blocks);
-  made_.add(std::move(load));
+  const auto direction = find_direction(nodal.direction, scope_);
+  const auto values = find_condition_values(nodal.function, nodal.variable,
+                                            {nodal.direction.components, load.nodes, label}, scope_);
+  if (!values || !direction) return;
+  const std::vector<Eigen::Vector3d> units = unit_vectors(*direction);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    load.value = (*values)[std::min(i, values->size() - 1)];
+    load.direction = units[i];
+    made_.add(load);
+  }
 }
 
 bool ExternalForceMaker::check_lines(const Pressure& pressure, const ConditionLabel& label) const {
@@ -104,7 +100,6 @@ bool ExternalForceMaker::check_lines(const Pressure& pressure, const ConditionLa
         fmt::format("the forces of the pressure alone are not written as '{}'", *pressure.force_output_name),
         "force_external holds those of all loads");
   }
-  if (!check_not_read(pressure.variable, label)) return false;
   if (pressure.masking == Pressure::Masking::off) return true;
   add_error(label.location,
             fmt::format("the pressure has MASKING METHOD = {}, which is not supported",
@@ -126,10 +121,14 @@ void ExternalForceMaker::add(const Pressure& pressure) {
   FaceLoad load;
   load.damping = pressure.velocity_damping_coefficient;
   load.times = make_active_times(pressure.periods, scope_.blocks);
-  auto value = make_condition_function(pressure.function, label, scope_);
   find_faces_of(pressure.set, label, load);
-  if (!value) return;
-  load.value = std::move(*value);
+  MeshVariable variable = pressure.variable;
+  if (!variable.object) variable.object = MeshVariable::Object::face;
+  const auto nodes = load.sums.nodes();
+  const auto values =
+      find_condition_values(pressure.function, variable, {{}, {nodes.begin(), nodes.end()}, label}, scope_);
+  if (!values) return;
+  load.value = values->front();
   made_.add(std::move(load));
 }
 

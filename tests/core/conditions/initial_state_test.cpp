@@ -62,9 +62,9 @@ struct Made {
     std::string lines;
     for (const std::string& condition : conditions)
       lines += "begin initial condition\n" + condition + "\nend\n";
-    ConditionDeck deck(two_rows(), lines);
     const StoredVariables stored = stored_results();
-    const InitialState initial = make_initial_state(deck.scope(), {blocks, stored, 2.0});
+    ConditionDeck deck(two_rows(), lines, 2.0, &stored);
+    const InitialState initial = make_initial_state(deck.scope(), blocks);
     messages = deck.messages();
     state = make_state(two_rows().coordinates(), blocks, 2.0);
     set_initial_state(initial, blocks, state);

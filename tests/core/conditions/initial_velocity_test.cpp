@@ -26,9 +26,9 @@ struct Set {
 Set set(const std::vector<std::string>& blocks) {
   std::string lines;
   for (const std::string& block : blocks) lines += "begin initial velocity\n" + block + "\nend\n";
-  ConditionDeck deck(two_cubes(), lines);
+  ConditionDeck deck(two_cubes(), lines, 2.0);
   Set made{Eigen::Matrix3Xd::Zero(3, two_cubes().n_nodes()), ""};
-  set_initial_velocity(deck.scope(), 2.0, made.velocity);
+  set_initial_velocity(deck.scope(), made.velocity);
   made.messages = deck.messages();
   return made;
 }
