@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -14,6 +15,7 @@
 #include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
 #include "core/output/run_variables.hpp"
+#include "io/exodus_variables.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {
@@ -135,14 +137,27 @@ void stop_on_errors(const Diagnostics& diagnostics) {
   if (diagnostics.has_errors()) throw DeckError(diagnostics);
 }
 
+/// Whether any condition takes its values from the mesh file.
+bool reads_variables(const Region& region) {
+  const auto reads = [](const auto& conditions) {
+    return std::any_of(conditions.begin(), conditions.end(),
+                       [](const auto& condition) { return condition.variable.variable.has_value(); });
+  };
+  return reads(region.prescribed_conditions) || reads(region.nodal_loads) || reads(region.pressures) ||
+         std::any_of(region.initial_conditions.begin(), region.initial_conditions.end(),
+                     [](const InitialCondition& c) { return c.mesh_variable.variable.has_value(); });
+}
+
 Setup set_up(const RunInput& input, Diagnostics& warnings) {
   Model model = make_model(input.definition, input.region, input.mesh, warnings);
-  const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
-                             warnings};
+  StoredVariables stored;
+  if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
+  const ConditionScope scope{
+      input.definition, input.region, input.procedure.time_control->blocks, input.mesh, warnings, &stored};
   model.kinematics = make_kinematics(scope);
   ExternalForce external = make_external_force(scope, model.mass);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
-  InitialState initial = make_initial_state(scope, {model.blocks, {}, control.start_time()});
+  InitialState initial = make_initial_state(scope, model.blocks);
   stop_on_errors(warnings);
   return {std::move(model), std::move(external), std::move(initial), std::move(control)};
 }

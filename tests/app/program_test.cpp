@@ -25,13 +25,6 @@ TEST_CASE("a run that does what was asked ends with code 0", "[app][program]") {
   CHECK(TwoBlocks().run({"two_blocks.i", "--parse"}).exit_code == 0);
 }
 
-TEST_CASE("a run that cannot be integrated in time ends with code 4 and says so", "[app][program]") {
-  const auto [code, out, err] = TwoBlocks().run({"two_blocks.i"});
-  CHECK(code == 4);
-  CHECK_THAT(out, Contains("\nContact surfaces\n"));
-  CHECK_THAT(err, Contains("error: the run ends here"));
-}
-
 TEST_CASE("a deck that is not there ends with code 3 and leaves no log", "[app][program]") {
   const ProgramDirectory directory;
   const auto [code, out, err] = directory.run({"plate.i", "--parse"});
