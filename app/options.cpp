@@ -59,6 +59,7 @@ std::string log_path(const Options& options) {
 CommandLine read_command_line(int argc, const char* const* argv) {
   CommandLine line;
   Options& options = line.options;
+  for (int i = 0; i < argc; ++i) options.command_line += std::string(i == 0 ? "" : " ") + argv[i];
   CLI::App app(
       "Contact simulator: reads a Sierra/SM-style deck and an Exodus mesh, tells which contact surface owns "
       "which face.",

@@ -18,6 +18,7 @@ enum class Stage {
 
 /// What the command line asks for.
 struct Options {
+  std::string command_line;  ///< as it was typed, words joined by blanks
   std::string deck;
   std::optional<std::string> mesh;     ///< in place of the deck's DATABASE NAME
   std::optional<std::string> results;  ///< in place of the deck's results file

@@ -3,77 +3,97 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <sstream>
+
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_report.hpp"
 #include "app/timed_force.hpp"
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/external_force.hpp"
+#include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
-#include "core/mesh/element_checks.hpp"
+#include "core/output/run_variables.hpp"
+#include "io/outputs.hpp"
 
 namespace contactsim {
 
 namespace {
 
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(std::move(line));
+  return lines;
+}
+
 /// An energy that appears or vanishes is worth a warning when it is this share of the largest.
 constexpr double worrying_error = 0.01;
 
-class ExternalForce final : public ForceTerm {
- public:
-  ForceReport set_forces(const Motion&, Eigen::Matrix3Xd& forces) override {
-    forces.setZero();
-    return {};
-  }
+/// A region, ready to be moved.
+struct Setup {
+  Model model;
+  ExternalForce external;
+  InitialState initial;
+  TimeStepControl control;
 };
 
 /// A region on its way from start to end.
 class Run {
  public:
-  Run(const RunInput& input, Model model, ExternalForce external, const TimeStepControl& control, Log& log,
+  Run(const RunInput& input, const Setup& setup, Outputs& outputs, ForceTerm& external, Log& log,
       Diagnostics& warnings)
-      : input_(input),
-        model_(std::move(model)),
-        external_(std::move(external)),
-        control_(control),
-        state_(make_state(input.mesh.coordinates(), model_.blocks, control.start_time())),
+      : model_(setup.model),
+        control_(setup.control),
+        state_(make_state(input.mesh.coordinates(), model_.blocks, control_.start_time())),
+        outputs_(outputs),
+        internal_(model_, state_),
+        timed_internal_(internal_),
+        timed_external_(external),
         log_(log),
-        warnings_(warnings) {}
+        warnings_(warnings) {
+    set_initial_state(setup.initial, model_.blocks, state_);
+  }
 
   ExitCode go() {
     const double begun = clock_seconds();
-    const StepReport at_start = start(model_, terms(), control_, state_);
-    log_.write(format_model(model_, at_start));
-    log_.write(step_heading());
-    tell(false);
+    ExitCode code = ExitCode::done;
     try {
-      while (!control_.is_over(state_.time, state_.dt)) step();
+      const StepReport at_start = start(model_, terms(), control_, state_);
+      log_.write(format_model(model_, at_start) + step_heading());
+      tell(is_over());
+      while (!is_over()) step();
     } catch (const SolveError& error) {
-      log_.write(format_step(state_));
-      finish(begun);
+      progress_.wipe();
       log_.write_error(fmt::format("error: step {}, {}", state_.step, error.what()));
-      return ExitCode::solve;
+      tell(true);
+      code = ExitCode::solve;
     }
-    finish(begun);
-    return ExitCode::done;
+    write_wall_times(clock_seconds() - begun);
+    return code;
   }
 
  private:
   ForceTerms terms() { return {timed_internal_, timed_external_}; }
+  bool is_over() const { return control_.is_over(state_.time, state_.dt); }
 
   void step() {
     advance(model_, terms(), control_, state_);
-    const bool is_last = control_.is_over(state_.time, state_.dt);
-    tell(is_last);
     warn_of_energy();
+    tell(is_over());
     progress_.show(state_.time);
   }
 
-  /// A line of the log when it is due.
+  /// Files and a line of the log, when they are due.
   void tell(bool is_last) {
+    const double begun = clock_seconds();
+    outputs_.write(state_, is_last);
     const auto& parameters = control_.periods()[control_.period_at(state_.time)].parameters;
-    if (!is_last && state_.step % parameters.step_interval != 0) return;
-    progress_.wipe();
-    log_.write(format_step(state_));
+    if (is_last || state_.step % parameters.step_interval == 0) {
+      progress_.wipe();
+      log_.write(format_step(state_));
+    }
+    output_seconds_ += clock_seconds() - begun;
   }
 
   void warn_of_energy() {
@@ -81,56 +101,71 @@ class Run {
     if (has_warned_ || std::abs(e.error) <= worrying_error * e.largest) return;
     has_warned_ = true;
     warnings_.add_warning("energy-error", {},
-                          fmt::format("at step {}, time {:.6g}, energy of {:.3g} has appeared from nowhere "
-                                      "({:.2g} % of the largest)",
+                          fmt::format("at step {}, time {:.6g}, the energy balance is off by {:.3g} "
+                                      "({:.2g} % of the largest term)",
                                       state_.step, state_.time, e.error, 100.0 * e.error / e.largest),
-                          "a smaller time step scale factor tells whether the step is too large");
+                          "a smaller TIME STEP SCALE FACTOR tells whether the steps are too large");
   }
 
-  void finish(double begun) {
-    const double whole = clock_seconds() - begun;
-    const double known = timed_internal_.seconds() + timed_external_.seconds();
+  void write_wall_times(double whole) {
+    const double known = timed_internal_.seconds() + timed_external_.seconds() + output_seconds_;
     const std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
                                       {"loads", timed_external_.seconds()},
-                                      {"nodes and the rest", whole - known}};
-    log_.write(format_wall_times(parts, whole, state_.step, n_elements()));
+                                      {"nodes", whole - known},
+                                      {"log and files", output_seconds_}};
+    std::size_t n_elements = 0;
+    for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
+    log_.write(format_wall_times(parts, whole, state_.step, n_elements));
   }
 
-  std::size_t n_elements() const {
-    std::size_t n = 0;
-    for (const SolidBlock& block : model_.blocks) n += block.n_elements;
-    return n;
-  }
-
-  const RunInput& input_;
-  const Model model_;
-  ExternalForce external_;
+  const Model& model_;
   const TimeStepControl& control_;
   State state_;
+  Outputs& outputs_;
+  InternalForce internal_;
+  TimedForce timed_internal_, timed_external_;
   Log& log_;
   Diagnostics& warnings_;
-  InternalForce internal_{model_, state_};
-  TimedForce timed_internal_{internal_}, timed_external_{external_};
   Progress progress_{control_.start_time(), control_.termination_time()};
+  double output_seconds_ = 0.0;
   bool has_warned_ = false;
 };
 
-}  // namespace
+void stop_on_errors(const Diagnostics& diagnostics) {
+  if (diagnostics.has_errors()) throw DeckError(diagnostics);
+}
 
-ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
-  const auto stop_on_errors = [&] {
-    if (warnings.has_errors()) throw DeckError(warnings);
-  };
-  refuse_what_is_missing(input.procedure, input.region, warnings);
-  stop_on_errors();
+Setup set_up(const RunInput& input, Diagnostics& warnings) {
   Model model = make_model(input.definition, input.region, input.mesh, warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
                              warnings};
   model.kinematics = make_kinematics(scope);
-  stop_on_errors();
-  ExternalForce external;
-  const TimeStepControl control = make_time_step_control(input.procedure, input.region);
-  return Run(input, std::move(model), std::move(external), control, log, warnings).go();
+  ExternalForce external = make_external_force(scope, model.mass);
+  TimeStepControl control = make_time_step_control(input.procedure, input.region);
+  InitialState initial = make_initial_state(scope, {model.blocks, {}, control.start_time()});
+  stop_on_errors(warnings);
+  return {std::move(model), std::move(external), std::move(initial), std::move(control)};
+}
+
+OutputSettings output_settings(const RunInput& input, Log& log) {
+  OutputSettings settings;
+  settings.results_path = input.options.results;
+  settings.command_line = input.options.command_line;
+  settings.deck_lines = lines_of(input.definition.text);
+  settings.log = [&log](std::string_view text) { log.write(text); };
+  return settings;
+}
+
+}  // namespace
+
+ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
+  refuse_what_is_missing(input.procedure, input.region, warnings);
+  stop_on_errors(warnings);
+  Setup setup = set_up(input, warnings);
+  const RunVariables variables(setup.model);
+  Outputs outputs(input.definition, input.region, variables, output_settings(input, log), warnings);
+  stop_on_errors(warnings);
+  return Run(input, setup, outputs, setup.external, log, warnings).go();
 }
 
 }  // namespace contactsim

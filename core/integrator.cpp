@@ -100,7 +100,7 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
   model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
                              state.acceleration);
   const NodeWork work = complete_velocities(model, state);
-  if (!std::isfinite(work.kinetic)) stop_at_non_finite(model, state);
+  if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);
   add_work(work, state);
 }
 
@@ -108,7 +108,11 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
 
 StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
   const Motion motion{state.time, 0.0, state.coordinates, state.velocity};
-  const StepReport report = set_forces(forces, motion, state);
+  StepReport report = set_forces(forces, motion, state);
+  const double dt = control.step_after(state.time, 0.0, report.stable_step);
+  model.kinematics.constrain_velocity({state.time, 0.0, dt, state.coordinates, state.velocity},
+                                      state.velocity);
+  report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
   complete(model, control, report, state);
   return report;
 }

@@ -81,8 +81,9 @@ class Completion {
     const Group now = before + half_before_ * a, after = now + half_after_ * a;
     const Eigen::Index n = std::min(group_size, size_ - i);
     Eigen::Map<Eigen::ArrayXd>(state_.velocity.data() + i, n) = now.head(n);
-    sums.kinetic += mass * now * now;
-    sums.conserved += mass * after * (after - product_span_ * a);
+    // In this order infinite where something pushes a node of next to no mass.
+    sums.kinetic += now * now * mass;
+    sums.conserved += after * (after - product_span_ * a) * mass;
     sums.momentum += mass * now;
     const Group internal = load(state_.forces.internal, i), external = load(state_.forces.external, i);
     sums.internal_ended += internal * before;

@@ -24,10 +24,13 @@ std::vector<std::string> assignments_of(const ParseOptions& options) {
 }
 
 /// The deck as a tree of blocks; nothing when its text could not be had, or holds nothing.
+///   text  set to the deck after Aprepro
 std::optional<Block> read_blocks(const std::string& name, const std::function<Source()>& read_source,
-                                 const FileReader& read_file, Diagnostics& diagnostics) {
+                                 const FileReader& read_file, std::string& text, Diagnostics& diagnostics) {
   try {
-    Block deck = parse_syntax(read_source(), diagnostics, read_file);
+    const Source source = read_source();
+    text = source.text();
+    Block deck = parse_syntax(source, diagnostics, read_file);
     if (!deck.items.empty()) return deck;
     diagnostics.add_error({}, name + ": the deck is empty", "it should have a BEGIN SIERRA block");
   } catch (const DeckError&) {
@@ -36,9 +39,17 @@ std::optional<Block> read_blocks(const std::string& name, const std::function<So
   return std::nullopt;
 }
 
-SimulationDefinition bind_deck(const std::string& name, const std::optional<Block>& deck, bool is_lenient,
-                               Diagnostics& diagnostics) {
+/// What a deck is read from.
+struct DeckSource {
+  const std::string& name;
+  std::function<Source()> read;
+  const FileReader& read_file;  ///< of included files
+};
+
+SimulationDefinition bind_deck(const DeckSource& source, bool is_lenient, Diagnostics& diagnostics) {
   SimulationDefinition simulation;
+  const std::string& name = source.name;
+  const auto deck = read_blocks(name, source.read, source.read_file, simulation.text, diagnostics);
   simulation.deck_base = std::filesystem::path(name).stem().string();
   if (!deck) return simulation;
   simulation.form = find_deck_form(*deck);
@@ -56,8 +67,7 @@ SimulationDefinition parse_deck(const std::string& path, const ParseOptions& opt
                                 Diagnostics& diagnostics) {
   const std::vector<std::string> overrides = assignments_of(options);
   const auto read_source = [&] { return read_deck_source(path, overrides, diagnostics); };
-  const auto deck = read_blocks(path, read_source, read_text_file, diagnostics);
-  return bind_deck(path, deck, options.is_lenient, diagnostics);
+  return bind_deck({path, read_source, read_text_file}, options.is_lenient, diagnostics);
 }
 
 SimulationDefinition parse_deck_text(const std::string& name, const std::string& text,
@@ -68,8 +78,7 @@ SimulationDefinition parse_deck_text(const std::string& name, const std::string&
     const ApreproOptions aprepro{overrides, read_file, options.max_aprepro_work};
     return run_aprepro(make_source(name, text), aprepro, diagnostics);
   };
-  const auto deck = read_blocks(name, read_source, read_file, diagnostics);
-  return bind_deck(name, deck, options.is_lenient, diagnostics);
+  return bind_deck({name, read_source, read_file}, options.is_lenient, diagnostics);
 }
 
 }  // namespace contactsim

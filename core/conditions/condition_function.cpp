@@ -3,12 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <string_view>
 #include <utility>
 
+#include "core/conditions/variable_name.hpp"
 #include "core/errors.hpp"
 
 namespace contactsim {
@@ -17,23 +19,16 @@ namespace {
 
 constexpr std::size_t max_inputs = 16;
 
-/// A variable of a deck in its two parts: "coordinates(x)" is coordinates and x.
-std::pair<std::string, std::string> split_component(const std::string& variable) {
-  const std::string folded = fold(variable);
-  const std::size_t open = folded.find('(');
-  if (open == std::string::npos || folded.back() != ')') return {folded, ""};
-  return {folded.substr(0, open), folded.substr(open + 1, folded.size() - open - 2)};
-}
-
-std::optional<Eigen::Index> find_component(std::string_view word) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    const char letter = static_cast<char>('x' + i), digit = static_cast<char>('1' + i);
-    if (word.size() == 1 && (word[0] == letter || word[0] == digit)) return i;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
+
+double NodalTable::at(double time, NodeIndex node) const {
+  const auto column =
+      static_cast<std::size_t>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin());
+  const StoredTime between = find_stored_time(times, time);
+  const double first = values[between.first * nodes.size() + column];
+  const double second = values[between.second * nodes.size() + column];
+  return (1.0 - between.weight) * first + between.weight * second;
+}
 
 double ConditionFunction::at(double time) const {
   assert(!varies_in_space());
@@ -63,6 +58,7 @@ double ConditionFunction::read(Input input, double time, const NodalFields& fiel
 
 double ConditionFunction::at(double time, const NodalFields& fields, NodeIndex node) const {
   if (!varies_in_space()) return factor_ * function_.evaluate(time);
+  if (table_) return factor_ * table_->at(time, node);
   std::array<double, max_inputs> values;
   for (std::size_t k = 0; k < inputs_.size(); ++k) values[k] = read(inputs_[k], time, fields, node);
   return factor_ * function_.evaluate(std::span<const double>(values.data(), inputs_.size()));
@@ -114,14 +110,14 @@ std::optional<ConditionFunction::Input> ConditionFunctionMaker::find_input(const
       {"model_coordinates", Field::model_coordinates},
       {"displacement", Field::displacement},
       {"velocity", Field::velocity}};
-  const auto [name, own_component] = split_component(input.variable.text);
+  const auto [name, own_component] = split_variable(input.variable.text);
   const bool is_time = input.source == ExpressionSource::global && name == "time" && own_component.empty();
   if (is_time) return Input{Field::time, 0};
   const bool is_nodal =
       input.source == ExpressionSource::nodal || input.source == ExpressionSource::nodal_vector;
-  const auto component = find_component(input.component.empty() ? own_component : input.component);
+  const auto component = find_component(input.component.empty() ? own_component : input.component, 3);
   for (const auto& [known, field] : fields) {
-    if (is_nodal && component && name == known) return Input{field, *component};
+    if (is_nodal && component && name == known) return Input{field, static_cast<Eigen::Index>(*component)};
   }
   diagnostics_.add_error(
       input.variable.location,

@@ -8,6 +8,7 @@
 
 #include "core/conditions/condition_scope.hpp"
 #include "core/functions/function.hpp"
+#include "core/mesh/stored_variables.hpp"
 
 namespace contactsim {
 
@@ -18,16 +19,29 @@ struct NodalFields {
   const Eigen::Matrix3Xd& velocity;           ///< [3 x n_nodes] [length/time]
 };
 
-/// The value of a condition: factor x function of time, or of what EXPRESSION VARIABLE lines read at a node.
+/// Values of nodes at some times, linear in between; before the first and after the last they stay.
+struct NodalTable {
+  std::vector<double> times;     ///< not empty, rising [time]
+  std::vector<NodeIndex> nodes;  ///< ascending
+  std::vector<double> values;    ///< [n_times x n_nodes], time by time
+
+  /// Precondition: the node is one of them.
+  double at(double time, NodeIndex node) const;
+};
+
+/// The value of a condition: factor x function of time, or of what EXPRESSION VARIABLE lines read at a node,
+/// or x values of a table.
 /// Evaluating allocates nothing.
 class ConditionFunction {
  public:
   /// The value that is the same always and everywhere.
   explicit ConditionFunction(double value, ConditionLabel label = {})
       : function_(value), label_(std::move(label)) {}
+  ConditionFunction(NodalTable table, double factor, ConditionLabel label)
+      : function_(0.0), factor_(factor), table_(std::move(table)), label_(std::move(label)) {}
 
   /// Whether nodes have values of their own.
-  bool varies_in_space() const { return !inputs_.empty(); }
+  bool varies_in_space() const { return !inputs_.empty() || table_.has_value(); }
 
   /// The value at a time. Precondition: it does not vary in space. Throws SolveError, with the place of the
   /// condition, when it is not finite.
@@ -53,6 +67,7 @@ class ConditionFunction {
   Function function_;
   double factor_ = 1.0;
   std::vector<Input> inputs_;
+  std::optional<NodalTable> table_;  ///< in place of the function
   ConditionLabel label_;
 };
 

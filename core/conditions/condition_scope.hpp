@@ -7,6 +7,7 @@
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/mesh/stored_variables.hpp"
 
 namespace contactsim {
 
@@ -17,6 +18,10 @@ struct ConditionScope {
   std::span<const TimeSteppingBlock> blocks;  ///< of the region's procedure: the periods; may be empty
   const Mesh& mesh;
   Diagnostics& diagnostics;
+  const StoredVariables* stored = nullptr;  ///< results of the mesh file, for READ VARIABLE; null: none
+
+  /// Of the run [time].
+  double start_time() const { return blocks.empty() ? 0.0 : blocks.front().start_time; }
 };
 
 /// A condition block as messages call it.

@@ -155,7 +155,7 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
 
 void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& velocity) const {
   if (drive == Drive::acceleration) return;
-  const double time = drive == Drive::displacement ? now.time + now.dt_after : now.time;
+  const double time = drive == Drive::displacement ? value_time(drive, now) : now.time;
   const NodalFields fields{mesh.coordinates(), now.coordinates, now.velocity};
   const auto* axis = std::get_if<Axis>(&direction);
   if (axis == nullptr) {
@@ -173,7 +173,7 @@ void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen:
   for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
     const Eigen::Vector3d turned =
         drive == Drive::displacement
-            ? turning.wanted_velocity(i, wanted, {})
+            ? turning.wanted_velocity(i, wanted, Eigen::Vector3d::Zero())
             : Eigen::Vector3d(wanted * axis->direction.cross(axis->offset_of(now.coordinates.col(i))));
     velocity.col(i) += turned - in_plane(*axis, velocity.col(i));
   });

@@ -18,8 +18,8 @@ struct BetweenSteps {
   double dt_before;                     ///< of the step that ends now; 0 at the start [time]
   double dt_after;                      ///< of the step that begins now, > 0 [time]
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
-  const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at the middle of the step before; at the start, now
-                                        ///< [length/time]
+  const Eigen::Matrix3Xd&
+      velocity;  ///< [3 x n_nodes] at the middle of the step before; at the start, now [length/time]
 };
 
 /// What a kinematic condition does to its nodes.

@@ -43,9 +43,9 @@ class Kinematics {
   std::vector<NodeIndex> nodes_;
 };
 
-/// Compiles the kinematic conditions of a region. Errors: unknown names, values that are read from the mesh,
-/// prescribed rotations (solids have none), two conditions that drive one node in one direction at one time.
-/// Holding a node twice is no error. Fixed rotations are ignored with a warning.
+/// Compiles the kinematic conditions of a region. Errors: unknown names, prescribed rotations (solids have
+/// none), two conditions that drive one node in one direction at one time. Holding a node twice is no error.
+/// Fixed rotations are ignored with a warning. Throws FileError when the mesh file cannot be read.
 Kinematics make_kinematics(const ConditionScope& scope);
 
 }  // namespace contactsim

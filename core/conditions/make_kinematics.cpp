@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <utility>
+#include <vector>
 
 #include "core/conditions/entity_nodes.hpp"
 #include "core/conditions/kinematic_conflicts.hpp"
 #include "core/conditions/kinematics.hpp"
 #include "core/conditions/oblique_holds.hpp"
+#include "core/conditions/stored_values.hpp"
 
 namespace contactsim {
 
@@ -32,22 +34,20 @@ class KinematicsMaker {
   std::vector<DrivenNodes> take() { return std::move(driven_); }
 
  private:
-  void add_driven(DrivenNodes driven, const EntitySet& set, const DirectionChoice& choice,
-                  const ActivePeriods& periods);
-  bool check(const PrescribedCondition& prescribed, const ConditionLabel& label);
+  bool find_names(const EntitySet& set, const DirectionChoice& choice, DrivenNodes& driven) const;
+  bool check(const PrescribedCondition& prescribed, const ConditionLabel& label) const;
 
   const ConditionScope& scope_;
   std::vector<DrivenNodes> driven_;
 };
 
-void KinematicsMaker::add_driven(DrivenNodes driven, const EntitySet& set, const DirectionChoice& choice,
-                                 const ActivePeriods& periods) {
+/// Returns whether there is something to drive.
+bool KinematicsMaker::find_names(const EntitySet& set, const DirectionChoice& choice,
+                                 DrivenNodes& driven) const {
   driven.nodes = find_nodes(set, driven.label, scope_);
-  driven.times = make_active_times(periods, scope_.blocks);
   const auto direction = find_direction(choice, scope_);
-  if (!direction || driven.nodes.empty()) return;
-  driven.direction = *direction;
-  driven_.push_back(std::move(driven));
+  if (direction) driven.direction = *direction;
+  return direction && !driven.nodes.empty();
 }
 
 void KinematicsMaker::add(const FixedCondition& fixed) {
@@ -58,22 +58,18 @@ void KinematicsMaker::add(const FixedCondition& fixed) {
   }
   DrivenNodes driven;
   driven.label = {"the fixed displacement", fixed.name.location};
-  add_driven(std::move(driven), fixed.set, fixed.direction, fixed.periods);
+  driven.times = make_active_times(fixed.periods, scope_.blocks);
+  if (find_names(fixed.set, fixed.direction, driven)) driven_.push_back(std::move(driven));
 }
 
-bool KinematicsMaker::check(const PrescribedCondition& prescribed, const ConditionLabel& label) {
+/// Solids know no rotations.
+bool KinematicsMaker::check(const PrescribedCondition& prescribed, const ConditionLabel& label) const {
   const bool turns = prescribed.quantity == PrescribedQuantity::rotation ||
                      prescribed.quantity == PrescribedQuantity::rotational_velocity;
-  if (turns) {
-    scope_.diagnostics.add_error(
-        label.location, label.what + " cannot act: the nodes of solids have no rotations",
-        "PRESCRIBED DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis");
-    return false;
-  }
-  if (!prescribed.variable.variable) return true;
-  const DeckName& variable = *prescribed.variable.variable;
-  scope_.diagnostics.add_error(variable.location, label.what + " cannot read its values from the mesh yet",
-                               "give it a FUNCTION", static_cast<int>(variable.text.size()));
+  if (!turns) return true;
+  scope_.diagnostics.add_error(
+      label.location, label.what + " cannot act: the nodes of solids have no rotations",
+      "PRESCRIBED DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis");
   return false;
 }
 
@@ -82,10 +78,23 @@ void KinematicsMaker::add(const PrescribedCondition& prescribed) {
   driven.label = {words_of(prescribed.quantity), prescribed.name.location};
   if (!check(prescribed, driven.label)) return;
   driven.drive = drive_of(prescribed.quantity);
-  auto value = make_condition_function(prescribed.function, driven.label, scope_);
-  if (!value) return;
-  driven.value = std::move(*value);
-  add_driven(std::move(driven), prescribed.set, prescribed.direction, prescribed.periods);
+  driven.times = make_active_times(prescribed.periods, scope_.blocks);
+  const bool has_nodes = find_names(prescribed.set, prescribed.direction, driven);
+  const ValueTarget target{prescribed.direction.components, driven.nodes, driven.label};
+  const auto values = find_condition_values(prescribed.function, prescribed.variable, target, scope_);
+  if (!values || !has_nodes) return;
+  if (values->size() == 1) {
+    driven.value = values->front();
+    driven_.push_back(std::move(driven));
+    return;
+  }
+  std::size_t next = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (!prescribed.direction.components[c]) continue;
+    DrivenNodes& part = driven_.emplace_back(driven);
+    part.direction = Components{{c == 0, c == 1, c == 2}};
+    part.value = (*values)[next++];
+  }
 }
 
 }  // namespace

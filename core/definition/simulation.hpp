@@ -42,6 +42,7 @@ struct RestartRequest {
 struct SimulationDefinition {
   DeckForm form = DeckForm::full;
   std::string deck_base;  ///< the deck's file name without folder and extension
+  std::string text;       ///< the deck after Aprepro
   DeckName name;          ///< the words after BEGIN SIERRA
   std::string title;
   RestartRequest restart;

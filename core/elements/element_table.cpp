@@ -9,7 +9,9 @@
 namespace contactsim {
 
 std::span<const SolidElement* const> solid_elements() {
-  static constexpr std::array rows{&hex8_mean_quadrature};
+  static constexpr std::array rows{&hex8_mean_quadrature,   &hex8_selective_deviatoric,
+                                   &hex8_fully_integrated,  &tet4_mean_quadrature,
+                                   &wedge6_mean_quadrature, &pyramid5_mean_quadrature};
   return rows;
 }
 

@@ -7,5 +7,10 @@
 namespace contactsim {
 
 extern const SolidElement hex8_mean_quadrature;
+extern const SolidElement hex8_selective_deviatoric;
+extern const SolidElement hex8_fully_integrated;
+extern const SolidElement tet4_mean_quadrature;
+extern const SolidElement wedge6_mean_quadrature;
+extern const SolidElement pyramid5_mean_quadrature;
 
 }  // namespace contactsim

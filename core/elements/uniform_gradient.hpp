@@ -84,7 +84,8 @@ void advance_uniform_gradient(const SolidProperties& properties, const SolidMoti
   step.stress_work = at_point.work * middle.volume;
 
   const Lanes per_mass = 1.0 / motion.mass;
-  const double patterns = properties.hourglass_stiffness * moduli_of(properties.law).shear;
+  const double patterns =
+      Geometry::n_patterns > 0 ? properties.hourglass_stiffness * moduli_of(properties.law).shear : 0.0;
   const Lanes frequency_squared = static_cast<double>(Geometry::n_nodes) * per_mass * middle.per_volume *
                                   ((at_point.moduli.lambda() + patterns) * middle.gradient_norm +
                                    2.0 * at_point.moduli.shear * middle.largest_eigenvalue);

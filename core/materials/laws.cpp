@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/materials/laws.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace contactsim {
 
@@ -17,8 +17,8 @@ SymmetricLanes elastic_stress(const ElasticModuli& moduli, const SymmetricLanes&
   return trial;
 }
 
-LaneModuli constant(const ElasticModuli& moduli) {
-  return {Lanes::Constant(moduli.bulk), Lanes::Constant(moduli.shear)};
+LaneModuli bounds_of(const ElasticModuli& moduli) {
+  return {Lanes::Constant(std::max(moduli.bulk, 2.0 / 3.0 * moduli.shear)), Lanes::Constant(moduli.shear)};
 }
 
 /// What the plastic increment x of a step must satisfy: trial - stiffness x = flow stress(x).
@@ -58,7 +58,7 @@ struct Consistency {
 
 LaneModuli ElasticLaw::update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes>) const {
   stress = elastic_stress(moduli, step.strain, stress);
-  return constant(moduli);
+  return bounds_of(moduli);
 }
 
 template <class Hardening>
@@ -72,7 +72,7 @@ LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes&
   }
   Lanes& eqps = state[n_state - 1];
   const Lanes trial = (1.5 * contract(relative, relative)).sqrt();
-  if ((trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return constant(moduli);
+  if ((trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return bounds_of(moduli);
 
   const double stiffness = 3.0 * moduli.shear + hardening.kinematic_modulus;
   const Lanes increment = Consistency<Hardening>{hardening, trial, eqps, stiffness, dt}.solve();
@@ -83,7 +83,7 @@ LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes&
     if constexpr (Hardening::has_back_stress) state[i] += hardening.kinematic_modulus * flow;
   }
   eqps += increment;
-  return constant(moduli);
+  return bounds_of(moduli);
 }
 
 template struct PlasticLaw<LinearHardening>;

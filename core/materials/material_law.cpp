@@ -15,6 +15,10 @@ struct LawMaker {
     return ElasticLaw{make_elastic_moduli(model.elastic)};
   }
 
+  MaterialLaw operator()(const NeoHookeanModel& model) const {
+    return NeoHookeanLaw{make_elastic_moduli(model.elastic)};
+  }
+
   MaterialLaw operator()(const ElasticPlasticModel& model) const {
     const double modulus = model.hardening_modulus;
     const LinearHardening hardening{model.yield_stress, model.beta * modulus, (1.0 - model.beta) * modulus};
@@ -44,7 +48,8 @@ struct LawMaker {
   template <class Model>
   MaterialLaw operator()(const Model&) const {
     throw std::invalid_argument(
-        "the model is not supported; there are elastic, elastic_plastic, ep_power_hard, johnson_cook");
+        "the model is not supported; there are elastic, neo_hookean, elastic_plastic, ep_power_hard, "
+        "johnson_cook");
   }
 };
 

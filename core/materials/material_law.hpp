@@ -8,12 +8,13 @@
 #include "core/definition/material.hpp"
 #include "core/diagnostics.hpp"
 #include "core/materials/laws.hpp"
+#include "core/materials/neo_hookean.hpp"
 
 namespace contactsim {
 
 /// Every stress update there is.
-using MaterialLaw = std::variant<ElasticLaw, PlasticLaw<LinearHardening>, PlasticLaw<PowerHardening>,
-                                 PlasticLaw<JohnsonCookHardening>>;
+using MaterialLaw = std::variant<ElasticLaw, NeoHookeanLaw, PlasticLaw<LinearHardening>,
+                                 PlasticLaw<PowerHardening>, PlasticLaw<JohnsonCookHardening>>;
 
 /// What a law keeps per element and integration point.
 struct LawState {

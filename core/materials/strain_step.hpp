@@ -12,10 +12,11 @@ struct StrainStep {
   double dt;              ///< size of the step; 0: the state at the start is asked for, nothing moves [time]
 };
 
-/// Moduli that bound the stiffness of eight elements now.
+/// Moduli that bound the stiffness of eight elements now: a velocity gradient L meets a power of the stress
+/// rate of at most lambda (tr L)^2 + 2 shear L : L.
 struct LaneModuli {
-  Lanes bulk;   ///< [force/length^2]
-  Lanes shear;  ///< [force/length^2]
+  Lanes bulk;   ///< >= 2/3 shear, so that lambda >= 0 [force/length^2]
+  Lanes shear;  ///< > 0 [force/length^2]
 
   Lanes lambda() const { return bulk - 2.0 / 3.0 * shear; }
   /// Modulus of the pressure wave [force/length^2].

@@ -37,9 +37,8 @@ ElementBlock make_block(std::uint32_t n, std::array<std::uint32_t, 3> first, std
   return block;
 }
 
-}  // namespace
-
-Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks, bool shuffled) {
+/// The nodes of a grid of unit cells.
+MeshParts make_grid(std::uint32_t n) {
   MeshParts parts;
   parts.path = "cube";
   parts.coordinates.resize(3, static_cast<Eigen::Index>(n + 1) * (n + 1) * (n + 1));
@@ -50,6 +49,34 @@ Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks, bool shuffled) {
             .cast<double>()
             .matrix();
   }
+  return parts;
+}
+
+}  // namespace
+
+Mesh make_tet_cube(std::uint32_t n) {
+  // The six ways from corner 0 along edges to corner 6.
+  constexpr std::size_t ways[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},
+                                      {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}};
+  MeshParts parts = make_grid(n);
+  ElementBlock block;
+  block.id = 1;
+  block.shape = Shape::tet4;
+  block.type_name = "TETRA4";
+  block.nodes_per_element = 4;
+  block.n_elements = 6 * n * n * n;
+  for (std::uint32_t cell = 0; cell < n * n * n; ++cell) {
+    const auto corners = cell_corners(n, cell % n, cell / n % n, cell / n / n);
+    for (const auto& way : ways) {
+      for (const std::size_t corner : way) block.nodes.push_back(corners[corner]);
+    }
+  }
+  parts.blocks.push_back(std::move(block));
+  return Mesh(std::move(parts));
+}
+
+Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks, bool shuffled) {
+  MeshParts parts = make_grid(n);
   const std::uint32_t n_cells = n / n_blocks;
   for (std::uint32_t b = 0; b < n_blocks * n_blocks * n_blocks; ++b) {
     const std::array<std::uint32_t, 3> first{b % n_blocks * n_cells, b / n_blocks % n_blocks * n_cells,

@@ -10,4 +10,7 @@ namespace contactsim::bench {
 /// Precondition: n_blocks divides n.
 Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks = 1, bool shuffled = false);
 
+/// A cube of n x n x n unit cells of six tetrahedra each.
+Mesh make_tet_cube(std::uint32_t n);
+
 }  // namespace contactsim::bench

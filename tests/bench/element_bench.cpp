@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Element-steps per second of a block of 64 x 64 x 64 hexahedra: coordinates, velocities, stresses, hourglass
-// and viscous forces, energies, stable step and the sums at the nodes.
+// Element-steps per second of cubes of solid elements: coordinates, velocities, stresses, hourglass and
+// viscous forces, energies, stable step and the sums at the nodes.
 #include <benchmark/benchmark.h>
 #include <omp.h>
 
@@ -12,25 +12,31 @@ namespace contactsim::bench {
 
 namespace {
 
-MaterialLaw elastic() { return ElasticLaw{{160e9, 80e9}}; }
-MaterialLaw elastic_plastic() { return PlasticLaw<LinearHardening>{{160e9, 80e9}, {200e6, 1e9, 0.0}}; }
+constexpr ElasticModuli steel{160e9, 80e9};
 
-/// Argument: threads.
-template <auto make_law>
-void hexahedra(benchmark::State& bench) {
-  const Mesh mesh = make_hex_cube(64);
+MaterialLaw elastic() { return ElasticLaw{steel}; }
+MaterialLaw neo_hookean() { return NeoHookeanLaw{steel}; }
+MaterialLaw elastic_plastic() { return PlasticLaw<LinearHardening>{steel, {200e6, 1e9, 0.0}}; }
+MaterialLaw kinematic() { return PlasticLaw<LinearHardening>{steel, {200e6, 0.0, 1e9}}; }
+MaterialLaw ep_power_hard() { return PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}}; }
+MaterialLaw johnson_cook() {
+  return PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}};
+}
+
+/// Advances a cube of one element type and law. Argument: threads.
+void advance(benchmark::State& bench, const Mesh& mesh, const char* formulation, const MaterialLaw& law) {
   omp_set_num_threads(static_cast<int>(bench.range(0)));
   Model model;
   model.mesh = &mesh;
-  model.blocks.push_back(make_solid_block(mesh, 0, *find_solid_element(Shape::hex8, "mean_quadrature"),
-                                          SolidProperties{make_law(), 7800.0}));
+  const SolidElement& row = *find_solid_element(mesh.blocks()[0].shape, formulation);
+  model.blocks.push_back(make_solid_block(mesh, 0, row, SolidProperties{law, 7800.0}));
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   InternalForce internal(model, state);
   Eigen::Matrix3Xd x = mesh.coordinates(), v = x, forces(3, x.cols());
-  // A shear wave of strains near 1 %, which takes the plastic law over its yield stress again and again.
+  // A shear wave of strains near 0.1 %, which takes the plastic laws over their yield stress again and again.
   for (Eigen::Index i = 0; i < x.cols(); ++i)
-    v.col(i) = Eigen::Vector3d(std::sin(0.3 * x(1, i)), 0.0, 0.0) * 100.0;
-  constexpr double dt = 5e-5;
+    v.col(i) = Eigen::Vector3d(std::sin(0.3 * x(1, i)), 0.0, 0.0) * 250.0;
+  constexpr double dt = 2e-5;
   for (auto _ : bench) {
     x += dt * v;
     const ForceReport report = internal.set_forces({0.0, dt, x, v}, forces);
@@ -39,8 +45,44 @@ void hexahedra(benchmark::State& bench) {
   }
   bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()) * mesh.n_elements());
 }
-BENCHMARK(hexahedra<elastic>)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(hexahedra<elastic_plastic>)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// 64 x 64 x 64 cells.
+template <auto make_law>
+void hexahedra(benchmark::State& bench) {
+  advance(bench, make_hex_cube(64), "mean_quadrature", make_law());
+}
+
+template <auto make_law>
+void selective_hexahedra(benchmark::State& bench) {
+  advance(bench, make_hex_cube(64), "selective_deviatoric", make_law());
+}
+
+template <auto make_law>
+void full_hexahedra(benchmark::State& bench) {
+  advance(bench, make_hex_cube(64), "fully_integrated", make_law());
+}
+
+/// 40 x 40 x 40 cells of six each.
+template <auto make_law>
+void tetrahedra(benchmark::State& bench) {
+  advance(bench, make_tet_cube(40), "mean_quadrature", make_law());
+}
+
+void with_threads(benchmark::internal::Benchmark* bench) {
+  bench->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK(hexahedra<elastic>)->Apply(with_threads);
+BENCHMARK(hexahedra<neo_hookean>)->Apply(with_threads);
+BENCHMARK(hexahedra<elastic_plastic>)->Apply(with_threads);
+BENCHMARK(hexahedra<kinematic>)->Apply(with_threads);
+BENCHMARK(hexahedra<ep_power_hard>)->Apply(with_threads);
+BENCHMARK(hexahedra<johnson_cook>)->Apply(with_threads);
+BENCHMARK(selective_hexahedra<elastic>)->Apply(with_threads);
+BENCHMARK(selective_hexahedra<elastic_plastic>)->Apply(with_threads);
+BENCHMARK(full_hexahedra<elastic>)->Apply(with_threads);
+BENCHMARK(tetrahedra<elastic>)->Apply(with_threads);
+BENCHMARK(tetrahedra<elastic_plastic>)->Apply(with_threads);
 
 }  // namespace
 

@@ -50,12 +50,14 @@ TimeSteppingBlock period(const std::string& name, double start) {
 
 }  // namespace
 
-ConditionDeck::ConditionDeck(const Mesh& mesh, const std::string& region_lines) : mesh_(mesh) {
+ConditionDeck::ConditionDeck(const Mesh& mesh, const std::string& region_lines, double start,
+                             const StoredVariables* stored)
+    : mesh_(mesh), stored_(stored) {
   static const Table<SimulationDefinition> definitions(definition_rows());
   definition_ = bind_lines(definitions, "d.i", definition_lines);
   Procedure& procedure = definition_.procedures.emplace_back();
   procedure.regions.push_back(bind_lines(region_table(), "c.i", region_lines));
-  procedure.time_control.emplace().blocks = {period("p1", 0.0), period("p2", 1.0), period("p3", 2.0)};
+  procedure.time_control.emplace().blocks = {period("p1", start), period("p2", 1.0), period("p3", 2.0)};
 }
 
 }  // namespace contactsim::test

@@ -17,9 +17,12 @@ namespace contactsim::test {
 /// 0) and the axis spin (z through the origin).
 class ConditionDeck {
  public:
-  ConditionDeck(const Mesh& mesh, const std::string& region_lines);
+  /// start   of the first period [time]
+  /// stored  results of the mesh file; must outlive this
+  ConditionDeck(const Mesh& mesh, const std::string& region_lines, double start = 0.0,
+                const StoredVariables* stored = nullptr);
 
-  ConditionScope scope() { return {definition_, region(), time_blocks(), mesh_, diagnostics_}; }
+  ConditionScope scope() { return {definition_, region(), time_blocks(), mesh_, diagnostics_, stored_}; }
   const Region& region() const { return definition_.procedures.front().regions.front(); }
   /// All that was found wrong, in machine form.
   std::string messages() const { return contactsim::messages(diagnostics_); }
@@ -32,6 +35,7 @@ class ConditionDeck {
   const Mesh& mesh_;
   SimulationDefinition definition_;
   Diagnostics diagnostics_;
+  const StoredVariables* stored_;
 };
 
 }  // namespace contactsim::test

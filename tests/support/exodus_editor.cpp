@@ -102,6 +102,16 @@ ExodusEditor& ExodusEditor::add_records(const std::string& name, const std::vect
   return *this;
 }
 
+ExodusEditor& ExodusEditor::add_texts(const std::string& name, const std::string& dimension,
+                                      const std::vector<std::string>& texts) {
+  const std::string width = "len_" + name;
+  add_dimension(width, 33);
+  define_variable(name, NC_CHAR, {dimension, width});
+  check(nc_enddef(id_));
+  for (std::size_t row = 0; row < texts.size(); ++row) set_text(name, row, texts[row]);
+  return *this;
+}
+
 ExodusEditor& ExodusEditor::declare_reals(const std::string& name, const std::vector<std::string>& dimensions,
                                           bool chunked) {
   const int variable = define_variable(name, NC_DOUBLE, dimensions);

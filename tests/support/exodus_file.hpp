@@ -46,6 +46,9 @@ class ExodusEditor {
                              const std::vector<long long>& values);
   ExodusEditor& add_reals(const std::string& name, const std::vector<std::string>& dimensions,
                           const std::vector<double>& values);
+  /// A new list of texts over a dimension that exists, 32 characters and a zero each.
+  ExodusEditor& add_texts(const std::string& name, const std::string& dimension,
+                          const std::vector<std::string>& texts);
   /// A new variable over the record dimension, one value per record.
   ExodusEditor& add_records(const std::string& name, const std::vector<std::string>& dimensions,
                             const std::vector<double>& values);

@@ -4,6 +4,7 @@
 #include <random>
 #include <vector>
 
+#include "core/elements/middle_of_step.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "support/catch.hpp"
 
@@ -16,10 +17,10 @@ constexpr double natural[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1,
                                   {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
 /// Distorted unit cubes, another in every lane.
-HexVectors distorted_cubes() {
+NodeVectors<8> distorted_cubes() {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> shift(-0.15, 0.15);
-  HexVectors x;
+  NodeVectors<8> x;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t node = 0; node < 8; ++node) {
       for (int lane = 0; lane < n_lanes; ++lane) x[i][node](lane) = 0.5 * natural[node][i] + shift(random);
@@ -29,7 +30,7 @@ HexVectors distorted_cubes() {
 }
 
 /// The volume by the program's other formula.
-double volume_of(const HexVectors& x, int lane) {
+double volume_of(const NodeVectors<8>& x, int lane) {
   Eigen::Matrix3Xd coordinates(3, 8);
   std::vector<NodeIndex> nodes;
   for (std::uint32_t node = 0; node < 8; ++node) {
@@ -48,18 +49,18 @@ double pattern(std::size_t alpha, std::size_t node) {
 }  // namespace
 
 TEST_CASE("the volume of a distorted hexahedron is that of its faces' cones", "[core][elements]") {
-  const HexVectors x = distorted_cubes();
-  const Lanes volume = hex_volume(x, volume_gradient(x));
+  const NodeVectors<8> x = distorted_cubes();
+  const Lanes volume = dot(x[0], HexGeometry::volume_gradient(x)[0]);
   for (int lane = 0; lane < n_lanes; ++lane) CHECK(volume(lane) == Approx(volume_of(x, lane)).epsilon(1e-12));
 }
 
 TEST_CASE("the volume gradient is the difference quotient of the volume", "[core][elements]") {
-  const HexVectors x = distorted_cubes();
-  const HexVectors gradient = volume_gradient(x);
+  const NodeVectors<8> x = distorted_cubes();
+  const NodeVectors<8> gradient = HexGeometry::volume_gradient(x);
   constexpr double h = 1e-3;  // the volume is linear in each coordinate: any step is exact
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t node = 0; node < 8; ++node) {
-      HexVectors moved = x;
+      NodeVectors<8> moved = x;
       moved[i][node] += h;
       for (int lane = 0; lane < n_lanes; ++lane) {
         CHECK(gradient[i][node](lane) ==
@@ -70,21 +71,20 @@ TEST_CASE("the volume gradient is the difference quotient of the volume", "[core
 }
 
 TEST_CASE("gradients of a linear field are exact whatever the shape", "[core][elements]") {
-  const HexVectors x = distorted_cubes();
-  const HexVectors gradient = volume_gradient(x);
-  const Lanes volume = hex_volume(x, gradient);
-  const TensorLanes identity = outer_sum(x, gradient);
+  const NodeVectors<8> x = distorted_cubes();
+  const NodeVectors<8> gradient = HexGeometry::volume_gradient(x);
+  const Lanes volume = dot(x[0], gradient[0]);
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
       const Lanes expected = i == j ? volume : Lanes::Zero();
-      CHECK((identity[i][j] - expected).abs().maxCoeff() < 1e-15);
+      CHECK((dot(x[i], gradient[j]) - expected).abs().maxCoeff() < 1e-15);
     }
   }
 }
 
 TEST_CASE("hourglass sums and their transpose are the products with the patterns", "[core][elements]") {
   const std::array<Lanes, 8> values = distorted_cubes()[0];
-  const std::array<Lanes, 4> sums = hourglass_sums(values);
+  const std::array<Lanes, 4> sums = HexGeometry::pattern_sums(values);
   for (std::size_t alpha = 0; alpha < 4; ++alpha) {
     Lanes expected = Lanes::Zero();
     for (std::size_t node = 0; node < 8; ++node) expected += pattern(alpha, node) * values[node];
@@ -92,7 +92,7 @@ TEST_CASE("hourglass sums and their transpose are the products with the patterns
   }
   std::array<Lanes, 8> added;
   for (Lanes& value : added) value.setZero();
-  add_hourglass(sums, added);
+  HexGeometry::add_patterns(sums, added);
   for (std::size_t node = 0; node < 8; ++node) {
     Lanes expected = Lanes::Zero();
     for (std::size_t alpha = 0; alpha < 4; ++alpha) expected += pattern(alpha, node) * sums[alpha];

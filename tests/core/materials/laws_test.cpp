@@ -28,8 +28,8 @@ struct Element {
   SymmetricLanes stress = SymmetricLanes::zero();
   std::vector<Lanes> state = std::vector<Lanes>(Law::n_state, Lanes::Zero());
 
-  void strain(const SymmetricLanes& increment, double step = dt) {
-    law.update(increment, step, stress, state);
+  void strain(const SymmetricLanes& e, double step = dt) {
+    law.update({e, {{{e[0], e[3], e[5]}, {e[3], e[1], e[4]}, {e[5], e[4], e[2]}}}, step}, stress, state);
   }
   double eqps() const { return state.back()(0); }
   double equivalent_stress() const {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/conditions/condition_scope.hpp"
+#include "core/mesh/indices.hpp"
+
+namespace contactsim {
+
+/// The elements of an entity set, ascending, each once: those of blocks and of ELEMENT lines, less removed
+/// blocks. A set without elements is warned of. Errors: node sets, side sets, nodes.
+///   label  the condition that the set belongs to
+std::vector<ElementIndex> find_elements(const EntitySet& set, const ConditionLabel& label,
+                                        const ConditionScope& scope);
+
+}  // namespace contactsim

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/conditions/external_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "core/mesh/face_geometry.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
+
+/// The values of a load in one step, common to all nodes or of each.
+class LoadValues {
+ public:
+  LoadValues(const ConditionFunction& value, const Motion& motion, const Mesh& mesh)
+      : value_(value),
+        motion_(motion),
+        fields_{mesh.coordinates(), motion.coordinates, motion.velocity},
+        varies_(value.varies_in_space()),
+        common_(varies_ ? 0.0 : value.at(motion.time)) {}
+
+  double at(NodeIndex node) const { return varies_ ? value_.at(motion_.time, fields_, node) : common_; }
+
+  Eigen::Vector4d at(const std::array<NodeIndex, 4>& nodes) const {
+    if (!varies_) return Eigen::Vector4d::Constant(common_);
+    return {at(nodes[0]), at(nodes[1]), at(nodes[2]), at(nodes[3])};
+  }
+
+ private:
+  const ConditionFunction& value_;
+  const Motion& motion_;
+  NodalFields fields_;
+  bool varies_;
+  double common_;
+};
+
+Corners corners_of(const std::array<NodeIndex, 4>& nodes, const Eigen::Matrix3Xd& values) {
+  Corners corners;
+  for (std::size_t a = 0; a < 4; ++a) corners.col(static_cast<Eigen::Index>(a)) = values.col(nodes[a].value);
+  return corners;
+}
+
+/// How fast a face moves along its mean normal [length/time].
+double normal_velocity(const Corners& corners, const Corners& velocities) {
+  const Eigen::Vector3d area = area_vector(corners.col(0), corners.col(1), corners.col(2), corners.col(3));
+  return area.stableNormalized().dot(0.25 * velocities.rowwise().sum());
+}
+
+/// The smaller of two node positions, one of which may be none.
+std::uint32_t first_bad(const Eigen::Vector4d& values, const std::array<NodeIndex, 4>& nodes) {
+  std::uint32_t first = no_node;
+  for (std::size_t a = 0; a < 4; ++a) {
+    if (!std::isfinite(values(static_cast<Eigen::Index>(a)))) first = std::min(first, nodes[a].value);
+  }
+  return first;
+}
+
+}  // namespace
+
+void ExternalForce::add(FaceLoad load) {
+  corner_forces_.resize(std::max(corner_forces_.size(), load.faces.size()));
+  face_loads_.push_back(std::move(load));
+}
+
+void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const {
+  const LoadValues values(load.value, motion, *mesh_);
+  const auto n = static_cast<std::int64_t>(load.nodes.size());
+  std::uint32_t bad = no_node;
+#pragma omp parallel for schedule(static) num_threads(threads_for(load.nodes.size())) reduction(min : bad)
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const NodeIndex node = load.nodes[at];
+    const double value = values.at(node);
+    if (!std::isfinite(value)) bad = std::min(bad, node.value);
+    forces.col(node.value) += (load.masses.empty() ? value : load.masses[at] * value) * load.direction;
+  }
+  if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
+}
+
+void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) {
+  const LoadValues values(load.value, motion, *mesh_);
+  const auto n = static_cast<std::int64_t>(load.faces.size());
+  std::uint32_t bad = no_node;
+#pragma omp parallel for schedule(static) num_threads(threads_for(4 * load.faces.size())) reduction(min : bad)
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto face = static_cast<std::size_t>(i);
+    const Corners corners = corners_of(load.faces[face], motion.coordinates);
+    Eigen::Vector4d value = values.at(load.faces[face]);
+    bad = std::min(bad, first_bad(value, load.faces[face]));
+    if (load.damping != 0.0) {
+      value.array() += load.damping * normal_velocity(corners, corners_of(load.faces[face], motion.velocity));
+    }
+    corner_forces_[face] =
+        load.direction ? traction_forces(corners, value, *load.direction) : pressure_forces(corners, value);
+  }
+  if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
+  load.sums.add(corner_forces_, forces);
+}
+
+ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
+  forces.setZero(3, mesh_->n_nodes());
+  for (const NodeLoad& load : node_loads_) {
+    if (load.times.is_active(motion.time)) add_load(load, motion, forces);
+  }
+  for (const FaceLoad& load : face_loads_) {
+    if (load.times.is_active(motion.time)) add_load(load, motion, forces);
+  }
+  return {};
+}
+
+}  // namespace contactsim

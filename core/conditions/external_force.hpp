@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/conditions/active_times.hpp"
+#include "core/conditions/condition_function.hpp"
+#include "core/conditions/condition_scope.hpp"
+#include "core/conditions/corner_sums.hpp"
+#include "core/force_term.hpp"
+
+namespace contactsim {
+
+/// GRAVITY and PRESCRIBED FORCE: a vector on every node, times its mass or not.
+struct NodeLoad {
+  std::vector<NodeIndex> nodes;                         ///< ascending, each once
+  std::vector<double> masses;                           ///< [n] of the nodes, empty: 1 of each [mass]
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit, or the sum of some units [1]
+  ConditionFunction value{0.0};                         ///< [force], or of masses [length/time^2]
+  ActiveTimes times;
+};
+
+/// PRESSURE and TRACTION: a load per area of the deformed faces.
+struct FaceLoad {
+  std::vector<std::array<NodeIndex, 4>> faces;  ///< corners, outward; a triangle repeats its last
+  CornerSums sums;                              ///< of the faces
+  std::optional<Eigen::Vector3d> direction;     ///< of a traction; absent: a pressure, against the normal
+  ConditionFunction value{0.0};                 ///< [force/length^2]
+  double damping = 0.0;  ///< pressure per velocity out of the face [force*time/length^3]
+  ActiveTimes times;
+};
+
+/// The loads of a region. A load acts at the times of its active periods.
+class ExternalForce final : public ForceTerm {
+ public:
+  /// mesh  must outlive this
+  explicit ExternalForce(const Mesh& mesh) : mesh_(&mesh) {}
+  void add(NodeLoad load) { node_loads_.push_back(std::move(load)); }
+  void add(FaceLoad load);
+
+  /// Sums loads in the order in which they were added: the same bits for any number of threads. Allocates
+  /// nothing. Throws SolveError when a load has no finite value.
+  /// The report sets no limit to the step. VELOCITY DAMPING COEFFICIENT acts on velocities half a step old:
+  /// density times wave speed, which lets waves out, is about the most that stays stable.
+  ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+
+ private:
+  void add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const;
+  void add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces);
+
+  const Mesh* mesh_;
+  std::vector<NodeLoad> node_loads_;
+  std::vector<FaceLoad> face_loads_;
+  std::vector<Corners> corner_forces_;  ///< of the load that is being added [force]
+};
+
+/// Compiles the loads of a region. Errors: unknown names, moments (nodes of solids have no rotations), masked
+/// pressures, pressures of faces that are read from the mesh. Throws FileError.
+///   mass  [3 x n_nodes] lumped, the same in every row [mass]
+ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass);
+
+}  // namespace contactsim

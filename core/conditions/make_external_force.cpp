@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/conditions/direction.hpp"
+#include "core/conditions/entity_faces.hpp"
+#include "core/conditions/entity_nodes.hpp"
+#include "core/conditions/external_force.hpp"
+#include "core/conditions/stored_values.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Compiles loads, each on its own.
+class ExternalForceMaker {
+ public:
+  ExternalForceMaker(const ConditionScope& scope, const Eigen::Matrix3Xd& mass)
+      : scope_(scope), mass_(mass), made_(scope.mesh) {}
+
+  void add(const Gravity& gravity);
+  void add(const NodalLoad& load);
+  void add(const Pressure& pressure);
+  void add(const Traction& traction);
+  ExternalForce take() { return std::move(made_); }
+
+ private:
+  void find_faces_of(const EntitySet& set, const ConditionLabel& label, FaceLoad& load) const;
+  std::vector<NodeIndex> nodes_of(const EntitySet& set, const ConditionLabel& label) const;
+  std::optional<Eigen::Vector3d> find_vector(const DirectionChoice& choice) const;
+  bool check_lines(const Pressure& pressure, const ConditionLabel& label) const;
+  void add_error(const DeckLocation& location, std::string text, std::string hint = "") const {
+    scope_.diagnostics.add_error(location, std::move(text), std::move(hint));
+  }
+
+  const ConditionScope& scope_;
+  const Eigen::Matrix3Xd& mass_;
+  ExternalForce made_;
+};
+
+std::optional<Eigen::Vector3d> ExternalForceMaker::find_vector(const DirectionChoice& choice) const {
+  const auto direction = find_direction(choice, scope_);
+  if (!direction) return std::nullopt;
+  return sum_of_units(*direction);
+}
+
+/// A set that names nothing is all of the mesh.
+std::vector<NodeIndex> ExternalForceMaker::nodes_of(const EntitySet& set, const ConditionLabel& label) const {
+  if (set.names_something()) return find_nodes(set, label, scope_);
+  EntitySet everything = set;
+  everything.includes_all_blocks = true;
+  return find_nodes(everything, label, scope_);
+}
+
+void ExternalForceMaker::add(const Gravity& gravity) {
+  const ConditionLabel label{"the gravity", gravity.name.location};
+  NodeLoad load;
+  ScaledFunction function = gravity.function;
+  function.scale_factor *= gravity.gravitational_constant;
+  auto value = make_condition_function(function, label, scope_);
+  const auto direction = find_vector(gravity.direction);
+  load.nodes = nodes_of(gravity.set, label);
+  if (!value || !direction) return;
+  load.value = std::move(*value);
+  load.direction = *direction;
+  load.times = make_active_times(gravity.periods, scope_.blocks);
+  for (const NodeIndex node : load.nodes) load.masses.push_back(mass_(0, node.value));
+  made_.add(std::move(load));
+}
+
+void ExternalForceMaker::add(const NodalLoad& nodal) {
+  const ConditionLabel label{nodal.is_moment ? "the prescribed moment" : "the prescribed force",
+                             nodal.name.location};
+  if (nodal.is_moment) {
+    add_error(label.location, "the prescribed moment cannot act: the nodes of solids have no rotations",
+              "forces on several nodes make a moment");
+    return;
+  }
+  NodeLoad load;
+  load.nodes = find_nodes(nodal.set, label, scope_);
+  load.times = make_active_times(nodal.periods, scope_.blocks);
+  const auto direction = find_direction(nodal.direction, scope_);
+  const auto values = find_condition_values(nodal.function, nodal.variable,
+                                            {nodal.direction.components, load.nodes, label}, scope_);
+  if (!values || !direction) return;
+  const std::vector<Eigen::Vector3d> units = unit_vectors(*direction);
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    load.value = (*values)[std::min(i, values->size() - 1)];
+    load.direction = units[i];
+    made_.add(load);
+  }
+}
+
+bool ExternalForceMaker::check_lines(const Pressure& pressure, const ConditionLabel& label) const {
+  if (pressure.force_output_name) {
+    scope_.diagnostics.add_warning(
+        "condition-ignored", label.location,
+        fmt::format("the forces of the pressure alone are not written as '{}'", *pressure.force_output_name),
+        "force_external holds those of all loads");
+  }
+  if (pressure.masking == Pressure::Masking::off) return true;
+  add_error(label.location,
+            fmt::format("the pressure has MASKING METHOD = {}, which is not supported",
+                        pressure.masking == Pressure::Masking::on ? "ON" : "CONTACT"),
+            "take faces out with REMOVE SURFACE");
+  return false;
+}
+
+void ExternalForceMaker::find_faces_of(const EntitySet& set, const ConditionLabel& label,
+                                       FaceLoad& load) const {
+  for (const ElementSide face : find_faces(set, label, scope_))
+    load.faces.push_back(scope_.mesh.side_nodes(face));
+  load.sums = CornerSums(load.faces);
+}
+
+void ExternalForceMaker::add(const Pressure& pressure) {
+  const ConditionLabel label{"the pressure", pressure.name.location};
+  if (!check_lines(pressure, label)) return;
+  FaceLoad load;
+  load.damping = pressure.velocity_damping_coefficient;
+  load.times = make_active_times(pressure.periods, scope_.blocks);
+  find_faces_of(pressure.set, label, load);
+  MeshVariable variable = pressure.variable;
+  if (!variable.object) variable.object = MeshVariable::Object::face;
+  const auto nodes = load.sums.nodes();
+  const auto values =
+      find_condition_values(pressure.function, variable, {{}, {nodes.begin(), nodes.end()}, label}, scope_);
+  if (!values) return;
+  load.value = values->front();
+  made_.add(std::move(load));
+}
+
+void ExternalForceMaker::add(const Traction& traction) {
+  const ConditionLabel label{"the traction", traction.name.location};
+  FaceLoad load;
+  load.direction = find_vector(traction.direction);
+  load.times = make_active_times(traction.periods, scope_.blocks);
+  auto value = make_condition_function(traction.function, label, scope_);
+  find_faces_of(traction.set, label, load);
+  if (!value || !load.direction) return;
+  load.value = std::move(*value);
+  made_.add(std::move(load));
+}
+
+}  // namespace
+
+ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass) {
+  ExternalForceMaker maker(scope, mass);
+  for (const Gravity& gravity : scope.region.gravities) maker.add(gravity);
+  for (const NodalLoad& load : scope.region.nodal_loads) maker.add(load);
+  for (const Pressure& pressure : scope.region.pressures) maker.add(pressure);
+  for (const Traction& traction : scope.region.tractions) maker.add(traction);
+  return maker.take();
+}
+
+}  // namespace contactsim

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hexahedra with eight integration points.
+#include "core/elements/element_batches.hpp"
+#include "core/elements/elements.hpp"
+#include "core/elements/hex_geometry.hpp"
+#include "core/elements/hex_points.hpp"
+#include "core/elements/uniform_gradient.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Strains and stresses at all points as they are.
+struct FullQuadrature {
+  static constexpr std::string_view formulation = "fully_integrated";
+  static constexpr bool has_mean_dilatation = false;
+  static constexpr std::size_t n_own = 0;
+};
+
+/// The dilatation is the mean one at all points, so that elements of nearly incompressible material do not
+/// lock. Of the deviation of a point's velocity gradient from the mean one counts the share that the
+/// section's deviatoric parameter says; the rest is resisted by hourglass forces, as in mean quadrature,
+/// which is what a parameter of 0 gives. Source: Hughes, Int. J. Numer. Meth. Eng. 15 (1980) 1413-1418;
+/// Sierra/SM, SOLID SECTION, SELECTIVE_DEVIATORIC.
+struct SelectiveDeviatoric {
+  static constexpr std::string_view formulation = "selective_deviatoric";
+  static constexpr bool has_mean_dilatation = true;
+  static constexpr std::size_t n_own = 3 * HexGeometry::n_patterns;
+};
+
+/// What the points of eight elements give together.
+struct PointSums {
+  Lanes work = Lanes::Zero();              ///< of the stresses [energy]
+  Lanes lambda = Lanes::Zero();            ///< largest bound [force/length^2]
+  Lanes shear = Lanes::Zero();             ///< largest bound [force/length^2]
+  Lanes squared_gradient = Lanes::Zero();  ///< largest of volume x |J^-1|^2 [length]
+  Lanes squared_stretch = Lanes::Zero();   ///< largest of volume x (greatest stretch of J^-1)^2 [length]
+};
+
+/// The velocity gradient [1/time] at a point.
+TensorLanes gradient_at(const PointMap& map, const TensorLanes& slopes) {
+  const Lanes per_volume = 1.0 / map.volume;
+  TensorLanes gradient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto& c = map.cofactors[j];
+      gradient[i][j] = (slopes[i][0] * c[0] + slopes[i][1] * c[1] + slopes[i][2] * c[2]) * per_volume;
+    }
+  }
+  return gradient;
+}
+
+/// mean + share x the deviator of (gradient - mean).
+TensorLanes mixed(const TensorLanes& gradient, const TensorLanes& mean, double share) {
+  TensorLanes mix;
+  Lanes trace = Lanes::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) mix[i][j] = share * (gradient[i][j] - mean[i][j]);
+    trace += mix[i][i];
+  }
+  trace /= 3.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    mix[i][i] -= trace;
+    for (std::size_t j = 0; j < 3; ++j) mix[i][j] += mean[i][j];
+  }
+  return mix;
+}
+
+void add_bounds(const PointMap& map, const LaneModuli& moduli, PointSums& sums) {
+  const auto& c = map.cofactors;
+  const auto product = [&](std::size_t i, std::size_t j) -> Lanes {
+    return c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2];
+  };
+  const SymmetricLanes squares{
+      {product(0, 0), product(1, 1), product(2, 2), product(0, 1), product(1, 2), product(2, 0)}};
+  const Lanes norm = trace(squares), per_volume = 1.0 / map.volume;
+  const SymmetricLanes spread = deviator(squares);
+  const Lanes largest = norm / 3.0 + (2.0 / 3.0 * contract(spread, spread)).sqrt();
+  sums.squared_gradient = sums.squared_gradient.max(norm * per_volume);
+  sums.squared_stretch = sums.squared_stretch.max(largest * per_volume);
+  sums.lambda = sums.lambda.max(moduli.lambda());
+  sums.shear = sums.shear.max(moduli.shear);
+}
+
+/// Adds what the stress at a point puts on the natural slopes of the motion.
+void add_natural_stress(const SymmetricLanes& stress, const PointMap& map, std::size_t point,
+                        VectorSlopes& amounts) {
+  constexpr std::size_t index[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+  const auto& c = map.cofactors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Lanes &x = stress[index[i][0]], &y = stress[index[i][1]], &z = stress[index[i][2]];
+    for (std::size_t j = 0; j < 3; ++j)
+      amounts[i][j][signs_at(point, j)] += x * c[0][j] + y * c[1][j] + z * c[2][j];
+  }
+}
+
+/// An element of eight points; what Quadrature is, see above. The stable step is that of uniform-gradient
+/// elements with another bound of the frequencies,
+///   omega^2 <= n_nodes / m (lambda B:B / V + 2 mu max(V_p s_p^2)),
+/// s_p^2 the greatest eigenvalue of (J^T J)^-1 at a point, B the mean gradient. For the nodal velocities v,
+/// the sum of V_p |L_p|^2 is at most max(V_p s_p^2) times the sum of the squared natural slopes at the
+/// points, and that is at most |v|^2. Mean dilatation takes V (tr L)^2 / 3 off the sum, as much as lambda has
+/// less than the bulk modulus. With full quadrature max(V_p |J^-1|^2) stands for B:B / V.
+template <class Quadrature>
+struct PointHex {
+  static constexpr Shape shape = Shape::hex8;
+  static constexpr std::string_view formulation = Quadrature::formulation;
+  static constexpr std::size_t n_nodes = 8, n_points = n_hex_points, n_own = Quadrature::n_own;
+
+  static Lanes volume(const NodeVectors<8>& x) { return volume_of_points(vector_slopes(x)); }
+  ///   state  [n_points x (6 + material) + n_own]
+  static void advance(const SolidProperties& properties, const SolidMotion<8>& motion, std::span<Lanes> state,
+                      SolidStep<8>& step) {
+    const MiddleOfStep<HexGeometry> middle(motion);
+    const std::span<Lanes> points = state.first(state.size() - n_own), own = state.subspan(points.size());
+    const PointSums sums = update_points(properties, motion, middle, points);
+    step.stress_work = sums.work;
+    const Lanes viscous_stress = damp(properties, motion, middle, sums, step);
+    const auto hourglass = resist_hourglass(properties, motion, middle, own);
+    step.hourglass_work = hourglass.work;
+    set_point_forces(properties, motion.x, points, viscous_stress, hourglass.force, step);
+  }
+
+ private:
+  /// How much of a point's deviation from the mean counts.
+  static double share_of(const SolidProperties& properties) {
+    return Quadrature::has_mean_dilatation ? properties.deviatoric_parameter : 1.0;
+  }
+
+  static PointSums update_points(const SolidProperties& properties, const SolidMotion<8>& motion,
+                                 const MiddleOfStep<HexGeometry>& middle, std::span<Lanes> points) {
+    const VectorSlopes x = vector_slopes(middle.x), v = vector_slopes(motion.v);
+    const std::size_t size = points.size() / n_points;
+    PointSums sums;
+    for (std::size_t p = 0; p < n_points; ++p) {
+      const PointMap map = point_map(x, p);
+      TensorLanes gradient = gradient_at(map, slopes_at(v, p));
+      if constexpr (Quadrature::has_mean_dilatation)
+        gradient = mixed(gradient, middle.velocity_gradient, properties.deviatoric_parameter);
+      const PointStep at_point =
+          update_point(properties.law, split_motion(gradient, motion.dt), points.subspan(p * size, size));
+      sums.work += at_point.work * map.volume;
+      add_bounds(map, at_point.moduli, sums);
+    }
+    return sums;
+  }
+
+  static double pattern_modulus(const SolidProperties& properties) {
+    return (1.0 - share_of(properties)) * properties.hourglass_stiffness * moduli_of(properties.law).shear;
+  }
+
+  /// Sets stable step and work of bulk viscosity; returns its stress [force/length^2].
+  static Lanes damp(const SolidProperties& properties, const SolidMotion<8>& motion,
+                    const MiddleOfStep<HexGeometry>& middle, const PointSums& sums, SolidStep<8>& step) {
+    const Lanes per_mass = 1.0 / motion.mass, mean_norm = middle.gradient_norm * middle.per_volume;
+    const Lanes& dilatation_norm = Quadrature::has_mean_dilatation ? mean_norm : sums.squared_gradient;
+    const Lanes frequency_squared = 8.0 * per_mass *
+                                    (sums.lambda * dilatation_norm + pattern_modulus(properties) * mean_norm +
+                                     2.0 * sums.shear * sums.squared_stretch);
+    const Lanes wave_speed = ((sums.lambda + 2.0 * sums.shear) * middle.volume * per_mass).sqrt();
+    const BulkViscosity viscosity(properties, 2.0 / frequency_squared.sqrt(), middle.dilatation(),
+                                  motion.mass * middle.per_volume, wave_speed);
+    step.stable_step = viscosity.stable_step;
+    step.viscous_work = viscosity.stress * middle.dilatation() * middle.volume * motion.dt;
+    return viscosity.stress;
+  }
+
+  static HourglassStep<HexGeometry> resist_hourglass(const SolidProperties& properties,
+                                                     const SolidMotion<8>& motion,
+                                                     const MiddleOfStep<HexGeometry>& middle,
+                                                     std::span<Lanes> own) {
+    const double modulus = pattern_modulus(properties);
+    if (n_own == 0 || modulus == 0.0) {
+      HourglassStep<HexGeometry> none;
+      for (auto& component : none.force) {
+        for (Lanes& force : component) force.setZero();
+      }
+      return none;
+    }
+    const Lanes stiffness = modulus * middle.gradient_norm * middle.per_volume;
+    const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
+    turn_vectors(split_motion(middle.velocity_gradient, motion.dt).rotation, own);
+    return update_hourglass<HexGeometry>(motion, middle, stiffness, damping, own);
+  }
+
+  /// Sets the forces: what of the stresses is uniform by mean gradients, the rest at the points.
+  static void set_point_forces(const SolidProperties& properties, const NodeVectors<8>& x,
+                               std::span<const Lanes> points, const Lanes& viscous_stress,
+                               const PatternVectors<HexGeometry>& hourglass, SolidStep<8>& step) {
+    const VectorSlopes slopes = vector_slopes(x);
+    const std::size_t size = points.size() / n_points;
+    const double share = share_of(properties);
+    VectorSlopes amounts;
+    for (NaturalSlopes& component : amounts) {
+      for (auto& along : component) along.fill(Lanes::Zero());
+    }
+    SymmetricLanes uniform = SymmetricLanes::zero();  // times the volume
+    Lanes volume = Lanes::Zero(), least = Lanes::Constant(std::numeric_limits<double>::infinity());
+    for (std::size_t p = 0; p < n_points; ++p) {
+      const PointMap map = point_map(slopes, p);
+      SymmetricLanes stress;
+      for (std::size_t i = 0; i < 6; ++i) stress[i] = points[p * size + i];
+      if constexpr (Quadrature::has_mean_dilatation) {
+        SymmetricLanes local = deviator(stress);
+        for (std::size_t i = 0; i < 6; ++i) {
+          local[i] *= share;
+          uniform[i] += map.volume * (stress[i] - local[i]);
+        }
+        stress = local;
+      }
+      add_natural_stress(stress, map, p, amounts);
+      volume += map.volume;
+      least = least.min(map.volume);
+    }
+    for (std::size_t i = 0; i < 6; ++i) uniform[i] /= volume;
+    for (std::size_t i = 0; i < 3; ++i) uniform[i] += viscous_stress;
+    set_forces<HexGeometry>(uniform, hourglass, x, step);
+    subtract_from_nodes(amounts, step.force);
+    step.volume = (least > 0.0).select(volume, least);
+  }
+
+  static void subtract_from_nodes(VectorSlopes& amounts, NodeVectors<8>& force) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (auto& along : amounts[i]) {
+        for (Lanes& amount : along) amount = -amount;
+      }
+      add_from_slopes(amounts[i], force[i]);
+    }
+  }
+};
+
+}  // namespace
+
+const SolidElement hex8_selective_deviatoric = solid_element<PointHex<SelectiveDeviatoric>>();
+const SolidElement hex8_fully_integrated = solid_element<PointHex<FullQuadrature>>();
+
+}  // namespace contactsim

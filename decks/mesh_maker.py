@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes small Exodus II meshes over netCDF (64-bit offset), written with python3-netcdf4."""
+import netCDF4
+import numpy as np
+
+
+class MeshMaker:
+    """Collects blocks and sets whose nodes are shared where they coincide."""
+
+    def __init__(self, place=lambda x, y, z: (x, y, z)):
+        """`place` maps the coordinates in which bricks are given to those of the mesh."""
+        self.nodes, self.given, self.points, self.place = {}, [], [], place
+        self.blocks, self.side_sets, self.node_sets = [], [], []
+
+    def node(self, x, y, z):
+        point = self.place(x, y, z)
+        number = self.nodes.setdefault(tuple(round(c, 9) for c in point), len(self.nodes) + 1)
+        if number > len(self.points):
+            self.points.append(point)
+            self.given.append((x, y, z))
+        return number
+
+    def hexes(self, name, origin, size, cells):
+        """A brick of HEX8 cells; returns its first element (from 1)."""
+        grid = [np.linspace(o, o + s, n + 1) for o, s, n in zip(origin, size, cells)]
+        rows = []
+        for k in range(cells[2]):
+            for j in range(cells[1]):
+                for i in range(cells[0]):
+                    corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+                    rows.append([self.node(grid[0][i + a], grid[1][j + b], grid[2][k + c]) for a, b, c in corners])
+        return self._add(name, "HEX8", rows)
+
+    def shells(self, name, origin, size, cells, thickness):
+        """A horizontal sheet of SHELL4 cells with a thickness attribute."""
+        x = np.linspace(origin[0], origin[0] + size[0], cells[0] + 1)
+        y = np.linspace(origin[1], origin[1] + size[1], cells[1] + 1)
+        rows = [[self.node(x[i + a], y[j + b], origin[2]) for a, b in [(0, 0), (1, 0), (1, 1), (0, 1)]]
+                for j in range(cells[1]) for i in range(cells[0])]
+        return self._add(name, "SHELL4", rows, thickness)
+
+    def _add(self, name, kind, rows, attribute=None):
+        first = sum(len(rows) for _, _, rows, _ in self.blocks) + 1
+        self.blocks.append((name, kind, rows, attribute))
+        return first
+
+    def side_set(self, name, sides):
+        """Sides are pairs of an element (from 1) and its side."""
+        self.side_sets.append((name, sides))
+
+    def node_set(self, name, is_in):
+        """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds."""
+        self.node_sets.append((name, [n for n, given in enumerate(self.given, 1) if is_in(*given)]))
+
+    def write(self, path):
+        with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as file:
+            self._write_head(file)
+            self._write_blocks(file)
+            self._write_side_sets(file)
+            self._write_node_sets(file)
+
+    def _write_head(self, file):
+        file.setncatts({"api_version": np.float32(8.25), "version": np.float32(8.25),
+                        "floating_point_word_size": np.int32(8), "file_size": np.int32(1),
+                        "title": "mesh of a contactsim deck"})
+        for name, size in [("len_string", 33), ("len_name", 33), ("four", 4), ("num_dim", 3),
+                           ("num_nodes", len(self.nodes)), ("num_elem", sum(len(b[2]) for b in self.blocks)),
+                           ("num_el_blk", len(self.blocks)), ("num_side_sets", len(self.side_sets)),
+                           ("num_node_sets", len(self.node_sets))]:
+            if size > 0:
+                file.createDimension(name, size)
+        points = np.array(self.points)
+        for axis, name in enumerate(["coordx", "coordy", "coordz"]):
+            file.createVariable(name, "f8", ("num_nodes",))[:] = points[:, axis]
+
+    def _write_names(self, file, prefix, dimension, names):
+        ids = file.createVariable(f"{prefix}_prop1", "i4", (dimension,))
+        ids.setncattr("name", "ID")
+        ids[:] = np.arange(1, len(names) + 1)
+        file.createVariable(f"{prefix}_status", "i4", (dimension,))[:] = 1
+        text = file.createVariable(f"{prefix}_names", "S1", (dimension, "len_name"))
+        text[:] = netCDF4.stringtochar(np.array([n.encode() for n in names], "S33"))
+
+    def _write_blocks(self, file):
+        self._write_names(file, "eb", "num_el_blk", [b[0] for b in self.blocks])
+        for number, (_, kind, rows, attribute) in enumerate(self.blocks, 1):
+            file.createDimension(f"num_el_in_blk{number}", len(rows))
+            file.createDimension(f"num_nod_per_el{number}", len(rows[0]))
+            connect = file.createVariable(f"connect{number}", "i4", (f"num_el_in_blk{number}", f"num_nod_per_el{number}"))
+            connect.setncattr("elem_type", kind)
+            connect[:] = np.array(rows)
+            if attribute is not None:
+                file.createDimension(f"num_att_in_blk{number}", 1)
+                file.createVariable(f"attrib{number}", "f8", (f"num_el_in_blk{number}", f"num_att_in_blk{number}"))[:] = attribute
+
+    def _write_node_sets(self, file):
+        if not self.node_sets:
+            return
+        self._write_names(file, "ns", "num_node_sets", [s[0] for s in self.node_sets])
+        for number, (_, nodes) in enumerate(self.node_sets, 1):
+            file.createDimension(f"num_nod_ns{number}", len(nodes))
+            file.createVariable(f"node_ns{number}", "i4", (f"num_nod_ns{number}",))[:] = nodes
+
+    def _write_side_sets(self, file):
+        if not self.side_sets:
+            return
+        self._write_names(file, "ss", "num_side_sets", [s[0] for s in self.side_sets])
+        for number, (_, sides) in enumerate(self.side_sets, 1):
+            file.createDimension(f"num_side_ss{number}", len(sides))
+            file.createVariable(f"elem_ss{number}", "i4", (f"num_side_ss{number}",))[:] = [s[0] for s in sides]
+            file.createVariable(f"side_ss{number}", "i4", (f"num_side_ss{number}",))[:] = [s[1] for s in sides]

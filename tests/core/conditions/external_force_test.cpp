@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/conditions/external_force.hpp"
+
+#include <omp.h>
+
+#include "core/errors.hpp"
+#include "core/mesh/face_geometry.hpp"
+#include "support/catch.hpp"
+#include "support/condition_deck.hpp"
+#include "support/mesh_builder.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+/// A brick of 2 x 2 x 1 hexahedra and a wedge-meshed one on top of it.
+Mesh body() {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 1}});
+  b.add_wedges({.id = 2, .cells = {2, 2, 1}, .origin = {0, 0, 1}, .size = {2, 2, 1}});
+  b.add_side_set(1, "top", [](const CandidateSide& side) { return side.centroid.z() > 1.9; });
+  b.add_node_set(1, "edge", [](const Eigen::Vector3d& x) { return x.x() == 0 && x.z() == 0; });
+  return b.build();
+}
+
+/// Positions moved in a smooth, bent way.
+Eigen::Matrix3Xd bent(const Mesh& mesh) {
+  Eigen::Matrix3Xd x = mesh.coordinates();
+  for (auto column : x.colwise())
+    column += Eigen::Vector3d(0.2 * column.y() * column.z(), 0.1 * column.x(), 0.3 * column.x() * column.y());
+  return x;
+}
+
+/// The loads of some lines on a mesh whose nodes have the masses 1, 2, 3, ...
+struct Loaded {
+  Loaded(const Mesh& on, const std::string& lines) : mesh(on), deck(mesh, lines) {
+    for (Eigen::Index i = 0; i < mass.cols(); ++i) mass.col(i).setConstant(double(i + 1));
+    force.emplace(make_external_force(deck.scope(), mass));
+    x = mesh.coordinates();
+    v = Eigen::Matrix3Xd::Zero(3, x.cols());
+  }
+
+  Eigen::Matrix3Xd at(double time) {
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Constant(3, x.cols(), 99.0);
+    force->set_forces({time, 0.1, x, v}, forces);
+    return forces;
+  }
+
+  const Mesh& mesh;
+  ConditionDeck deck;
+  Eigen::Matrix3Xd mass = Eigen::Matrix3Xd(3, mesh.n_nodes());
+  std::optional<ExternalForce> force;
+  Eigen::Matrix3Xd x, v;
+};
+
+std::string block(const std::string& kind, const std::string& lines) {
+  return "begin " + kind + "\n" + lines + "\nend\n";
+}
+
+std::string messages_of(const std::string& lines) {
+  const Mesh mesh = body();
+  return Loaded(mesh, lines).deck.messages();
+}
+
+}  // namespace
+
+TEST_CASE("without loads there are no forces", "[core][conditions]") {
+  const Mesh mesh = body();
+  CHECK(Loaded(mesh, "").at(0.0).isZero(0.0));
+}
+
+TEST_CASE("gravity is mass times acceleration, and several add", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded loaded(mesh, block("gravity", "component = z\ngravitational constant = 10\nscale factor = -0.5") +
+                          block("gravity", "node set = edge\ndirection = slanted\nfunction = ramp"));
+  CHECK(loaded.deck.messages() == "");
+  const Eigen::Matrix3Xd forces = loaded.at(2.0);
+  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) {
+    const double mass = i + 1.0;
+    const bool on_edge = mesh.coordinates()(0, i) == 0 && mesh.coordinates()(2, i) == 0;
+    const Eigen::Vector3d side =
+        on_edge ? Eigen::Vector3d(1.2 * mass, 1.6 * mass, 0) : Eigen::Vector3d(0, 0, 0);
+    CHECK((forces.col(i) - side - Eigen::Vector3d(0, 0, -5 * mass)).norm() < 1e-13);
+  }
+}
+
+TEST_CASE("a prescribed force acts on each node of its set, in its periods", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded loaded(mesh, block("prescribed force",
+                            "node set = edge\ncomponents = x z\nfunction = ramp\n"
+                            "scale factor = 2\nactive periods = p1 p3"));
+  CHECK(loaded.at(0.5).rowwise().sum().isApprox(Eigen::Vector3d(3, 0, 3)));
+  CHECK(loaded.at(0.5).col(0) == Eigen::Vector3d(1, 0, 1));
+  CHECK(loaded.at(1.0).isZero(0.0));
+  CHECK(loaded.at(2.0).rowwise().sum().isApprox(Eigen::Vector3d(12, 0, 12)));
+}
+
+TEST_CASE("the total of a pressure is minus the pressure times the area vectors", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded loaded(mesh, block("pressure", "surface = top\nfunction = ramp\nscale factor = 3"));
+  loaded.x = bent(mesh);
+  Eigen::Vector3d expected = Eigen::Vector3d::Zero();
+  for (const ElementSide side : mesh.side_sets()[0].sides) {
+    const auto n = mesh.side_nodes(side);
+    expected -= 6.0 * area_vector(loaded.x.col(n[0].value), loaded.x.col(n[1].value),
+                                  loaded.x.col(n[2].value), loaded.x.col(n[3].value));
+  }
+  CHECK((loaded.at(2.0).rowwise().sum() - expected).norm() < 1e-12);
+  CHECK(expected.z() < -20.0);  // it pushes into the body
+}
+
+TEST_CASE("a pressure on a closed surface has no net force and no net moment", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded loaded(mesh, block("pressure", "include all blocks\nfunction = one\nscale factor = 5"));
+  loaded.x = bent(mesh);
+  const Eigen::Matrix3Xd forces = loaded.at(0.0);
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < forces.cols(); ++i) {
+    const Eigen::Vector3d x = loaded.x.col(i), f = forces.col(i);
+    moment += x.cross(f);
+  }
+  CHECK(forces.rowwise().norm().minCoeff() > 1.0);
+  CHECK(forces.rowwise().sum().norm() < 1e-12);  // 72 terms of about 2: round-off is 1e-14
+  CHECK(moment.norm() < 1e-12);
+}
+
+TEST_CASE("a traction keeps its direction and takes the area of now", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded loaded(mesh, block("traction", "surface = top\ndirection = slanted\nfunction = one"));
+  loaded.x.row(0) *= 2.0;
+  CHECK(loaded.at(0.0).rowwise().sum().isApprox(Eigen::Vector3d(0.6 * 8, 0.8 * 8, 0)));
+}
+
+TEST_CASE("a pressure may vary over its faces and be damped", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded varying(mesh, block("pressure", "surface = top\nfunction = at_x"));
+  CHECK(varying.at(0.0).row(2).sum() == Approx(-8.0));  // the mean of 2 x is 2
+  Loaded damped(mesh, block("pressure", "surface = top\nfunction = one\nvelocity damping coefficient = 0.5"));
+  damped.v.row(2).setConstant(3.0);
+  damped.v.row(0).setConstant(9.0);
+  CHECK(damped.at(0.0).row(2).sum() == Approx(-10.0));  // 1 + 0.5 x 3 on an area of 4
+}
+
+TEST_CASE("forces do not depend on the number of threads or the numbers of nodes", "[core][conditions]") {
+  const Mesh mesh = MeshBuilder().add_hexes({.id = 1, .cells = {40, 40, 9}}).build();
+  const std::string lines = block("pressure", "block = block_1\nfunction = at_x") +
+                            block("gravity", "component = x\nfunction = at_x");
+  const int n_threads = omp_get_max_threads();
+  Loaded loaded(mesh, lines);
+  loaded.x = bent(mesh);
+  omp_set_num_threads(1);
+  const Eigen::Matrix3Xd one = loaded.at(0.0);
+  omp_set_num_threads(3);
+  CHECK(loaded.at(0.0) == one);
+  omp_set_num_threads(n_threads);
+
+  MeshParts parts = MeshBuilder().add_hexes({.id = 1, .cells = {40, 40, 9}}).parts();
+  const std::uint32_t last = mesh.n_nodes() - 1;
+  parts.coordinates = parts.coordinates.rowwise().reverse().eval();
+  for (NodeIndex& node : parts.blocks[0].nodes) node.value = last - node.value;
+  const Mesh reversed(std::move(parts));
+  Loaded turned(reversed, block("pressure", "block = block_1\nfunction = at_x"));
+  turned.x = bent(reversed);
+  Loaded straight(mesh, block("pressure", "block = block_1\nfunction = at_x"));
+  straight.x = loaded.x;
+  const Eigen::Matrix3Xd found = turned.at(0.0).rowwise().reverse();
+  CHECK((found - straight.at(0.0)).norm() < 1e-14);
+}
+
+TEST_CASE("loads that cannot act are refused or warned of at their block", "[core][conditions]") {
+  CHECK(messages_of(block("prescribed moment", "node set = edge\ncomponent = x\nfunction = one")) ==
+        "c.i:1:1: error: the prescribed moment cannot act: the nodes of solids have no rotations; forces on "
+        "several nodes make a moment\n");
+  CHECK(messages_of(block("pressure", "surface = top\nfunction = one\nmasking method = contact")) ==
+        "c.i:1:1: error: the pressure has MASKING METHOD = CONTACT, which is not supported; take faces out "
+        "with REMOVE SURFACE\n");
+  CHECK(messages_of(block("pressure",
+                          "surface = top\nfunction = one\n"
+                          "external force contribution output name = blow")) ==
+        "c.i:1:1: warning: the forces of the pressure alone are not written as 'blow'; force_external holds "
+        "those of all loads [condition-ignored]\n");
+  CHECK(messages_of(block("pressure", "surface = tip\nfunction = onne")) ==
+        "c.i:2:11: error: the mesh has no side set 'tip'; did you mean 'top'?\n"
+        "c.i:3:12: error: there is no function 'onne'; did you mean 'one'?\n");
+}
+
+TEST_CASE("a load without a finite value ends the run at its block", "[core][conditions]") {
+  const Mesh mesh = body();
+  const auto failure = [&](const std::string& lines) {
+    Loaded loaded(mesh, lines);
+    try {
+      loaded.at(1.0);
+    } catch (const SolveError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK(failure(block("gravity", "component = x\nfunction = bad")) ==
+        "time 1: the function of the gravity at c.i:1:1 has no finite value");
+  CHECK(failure(block("pressure", "surface = top\nfunction = bad_at_x")) ==
+        "time 1: the function of the pressure at c.i:1:1 has no finite value at node 20");
+  CHECK(failure(block("prescribed force", "node set = edge\ncomponent = x\nfunction = one")) == "");
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/materials/material_law.hpp"
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+ElasticConstants steel() {
+  ElasticConstants constants;
+  constants.bulk_modulus = 160e9;
+  constants.shear_modulus = 80e9;
+  return constants;
+}
+
+JohnsonCookModel johnson_cook() {
+  JohnsonCookModel model;
+  model.elastic = steel();
+  model.yield_stress = 200e6;
+  model.hardening_constant = 5e8;
+  model.hardening_exponent = 0.3;
+  model.rate_constant = 0.015;
+  model.reference_rate = 2.0;
+  return model;
+}
+
+std::optional<MaterialLaw> make(const decltype(MaterialModel::parameters)& parameters,
+                                Diagnostics& diagnostics) {
+  return make_material_law({{"steel", {}}, parameters}, diagnostics);
+}
+
+/// The law of a model that must be right.
+template <class Law>
+Law law_of(const decltype(MaterialModel::parameters)& parameters) {
+  Diagnostics diagnostics;
+  const auto law = make(parameters, diagnostics);
+  REQUIRE(law);
+  CHECK(diagnostics.empty());
+  CHECK(moduli_of(*law).bulk == 160e9);
+  CHECK(moduli_of(*law).shear == 80e9);
+  return std::get<Law>(*law);
+}
+
+std::string error_of(const decltype(MaterialModel::parameters)& parameters) {
+  Diagnostics diagnostics;
+  CHECK_FALSE(make(parameters, diagnostics));
+  REQUIRE(diagnostics.error_count() == 1);
+  return diagnostics.all()[0].text;
+}
+
+}  // namespace
+
+TEST_CASE("every model that can be integrated becomes its law", "[core][materials]") {
+  law_of<ElasticLaw>(ElasticModel{steel()});
+  law_of<NeoHookeanLaw>(NeoHookeanModel{steel()});
+  const auto linear = law_of<PlasticLaw<LinearHardening>>(ElasticPlasticModel{steel(), 200e6, 1e9, 0.25});
+  CHECK(linear.hardening.yield_stress == 200e6);
+  CHECK(linear.hardening.isotropic_modulus == 0.25e9);
+  CHECK(linear.hardening.kinematic_modulus == 0.75e9);
+  const auto power = law_of<PlasticLaw<PowerHardening>>(PowerHardeningModel{steel(), 200e6, 5e8, 0.3, 0.01});
+  CHECK(power.hardening.constant == 5e8);
+  CHECK(power.hardening.exponent == 0.3);
+  CHECK(power.hardening.luders_strain == 0.01);
+  const auto cook = law_of<PlasticLaw<JohnsonCookHardening>>(johnson_cook());
+  CHECK(cook.hardening.power.constant == 5e8);
+  CHECK(cook.hardening.rate_constant == 0.015);
+  CHECK(cook.hardening.reference_rate == 2.0);
+}
+
+TEST_CASE("models without a law are refused by name", "[core][materials]") {
+  const std::string text =
+      "model 'steel': the model is not supported; there are elastic, neo_hookean, elastic_plastic, "
+      "ep_power_hard, johnson_cook";
+  CHECK(error_of(OpaqueModel{}) == text);
+  CHECK(error_of(LinearElasticModel{steel()}) == text);
+  JohnsonCookModel failing = johnson_cook();
+  failing.d1 = 0.1;
+  CHECK(error_of(failing) == "model 'steel': failure of the model (d1 to d5) is not supported yet");
+  CHECK(error_of(ElasticPlasticModel{steel(), 200e6, -250e9}) ==
+        "model 'steel': the hardening modulus falls faster than three times the shear modulus");
+  ElasticConstants soft;
+  soft.youngs_modulus = 9e9;
+  soft.bulk_modulus = 1e9;
+  CHECK_THAT(error_of(ElasticModel{soft}), Catch::StartsWith("model 'steel': the elastic constants give"));
+}
+
+TEST_CASE("a law says what it keeps, and starts with undeformed material", "[core][materials]") {
+  CHECK(state_of(ElasticLaw{}).n_state == 0);
+  const LawState neo = state_of(NeoHookeanLaw{});
+  CHECK(neo.n_state == 6);
+  CHECK(neo.n_tensors == 0);
+  std::vector<Lanes> b(6);
+  start_state(NeoHookeanLaw{}, b);
+  for (std::size_t i = 0; i < 6; ++i) CHECK((b[i] == (i < 3 ? 1.0 : 0.0)).all());
+  const LawState plastic = state_of(PlasticLaw<LinearHardening>{});
+  CHECK(plastic.n_state == 7);
+  CHECK(plastic.n_tensors == 1);
+  CHECK(plastic.variables[0].name == "eqps");
+  CHECK(plastic.variables[0].first == 6);
+  CHECK(state_of(PlasticLaw<PowerHardening>{}).n_state == 1);
+  // Every variable lies within the state.
+  for (const MaterialLaw& law :
+       {MaterialLaw(ElasticLaw{}), MaterialLaw(NeoHookeanLaw{}), MaterialLaw(PlasticLaw<LinearHardening>{}),
+        MaterialLaw(PlasticLaw<JohnsonCookHardening>{})}) {
+    for (const StateVariable& variable : state_of(law).variables)
+      CHECK(variable.first + variable.n_components <= state_of(law).n_state);
+  }
+}
+
+TEST_CASE("an auxetic material's bounds hold without the help of its negative lambda", "[core][materials]") {
+  const ElasticLaw law{{10.0, 30.0}};
+  SymmetricLanes stress = SymmetricLanes::zero();
+  const LaneModuli moduli = law.update({SymmetricLanes::zero(), {}, 1.0}, stress, {});
+  CHECK((moduli.lambda() == 0.0).all());
+  CHECK((moduli.shear == 30.0).all());
+}

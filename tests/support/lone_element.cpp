@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/lone_element.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <random>
+
+namespace contactsim::test {
+
+namespace {
+
+Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
+  MeshParts parts;
+  parts.path = "one element";
+  parts.coordinates = coordinates;
+  ElementBlock block;
+  block.id = 1;
+  block.shape = shape;
+  block.nodes_per_element = topology(shape).n_nodes;
+  block.n_elements = 1;
+  for (std::uint32_t node = 0; node < topology(shape).n_nodes; ++node) block.nodes.push_back({node});
+  parts.blocks.push_back(std::move(block));
+  return Mesh(std::move(parts));
+}
+
+constexpr Eigen::Index places[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+
+}  // namespace
+
+Eigen::Matrix3Xd regular_element(Shape shape) {
+  Eigen::Matrix3Xd x(3, topology(shape).n_nodes);
+  const double height = std::sqrt(0.75);
+  switch (shape) {
+    case Shape::tet4:
+      x << 0, 1, 0.5, 0.5, 0, 0, height, height / 3.0, 0, 0, 0, std::sqrt(2.0 / 3.0);
+      break;
+    case Shape::wedge6:
+      x << 0, 1, 0.5, 0, 1, 0.5, 0, 0, height, 0, 0, height, 0, 0, 0, 1, 1, 1;
+      break;
+    case Shape::pyramid5:
+      x << 0, 1, 1, 0, 0.5, 0, 0, 1, 1, 0.5, 0, 0, 0, 0, std::sqrt(0.5);
+      break;
+    default:
+      x << 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1;
+  }
+  return x;
+}
+
+Eigen::Matrix3Xd distorted(const Eigen::Matrix3Xd& coordinates, double size, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-size, size);
+  Eigen::Matrix3Xd moved = coordinates;
+  for (double& number : moved.reshaped()) number += shift(random);
+  return moved;
+}
+
+Eigen::Matrix3d rotation_of(double angle) {
+  return Eigen::AngleAxisd(angle, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
+}
+
+SolidProperties undamped(const MaterialLaw& law) { return {law, 7800.0, 0.05, 0.0, 0.0, 0.0}; }
+
+SolidProperties undamped_elastic() { return undamped(ElasticLaw{{160e9, 80e9}}); }
+
+std::string name_of(const SolidElement& row) {
+  return std::string(topology(row.shape).name) + " " + std::string(row.formulation);
+}
+
+LoneElement::LoneElement(const SolidElement& row, const SolidProperties& properties,
+                         const Eigen::Matrix3Xd& at_rest)
+    : block(make_solid_block(one_element_mesh(row.shape, at_rest), 0, row, properties)),
+      state(make_state(block)),
+      coordinates(at_rest) {}
+
+ChunkStep LoneElement::move_to(const Eigen::Matrix3Xd& there, double dt) {
+  const Eigen::Matrix3Xd velocity =
+      dt > 0.0 ? Eigen::Matrix3Xd((there - coordinates) / dt) : Eigen::Matrix3Xd::Zero(3, there.cols());
+  coordinates = there;
+  return block.element->advance(block, block.chunks[0], {0.0, dt, coordinates, velocity}, state);
+}
+
+double LoneElement::volume() const {
+  Lanes volume;
+  block.element->volumes(block, block.chunks[0], coordinates, {&volume, 1});
+  return volume(0);
+}
+
+Eigen::Matrix3Xd LoneElement::forces() const {
+  Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, coordinates.cols());
+  block.sums.add(state.forces, all);
+  return all;
+}
+
+Eigen::Matrix3d LoneElement::stress(std::size_t point) const {
+  Eigen::Matrix3d tensor;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      const auto place = static_cast<std::size_t>(places[i][j]) + point * block.layout.point_size;
+      tensor(i, j) = state.at(block.layout, 0, place);
+    }
+  }
+  return tensor;
+}
+
+void LoneElement::set_stress(const Eigen::Matrix3d& stress) {
+  for (std::size_t point = 0; point < block.layout.n_points; ++point) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      for (Eigen::Index j = i; j < 3; ++j) {
+        const auto place = static_cast<std::size_t>(places[i][j]) + point * block.layout.point_size;
+        state.values[place].setConstant(stress(i, j));
+      }
+    }
+  }
+}
+
+Eigen::MatrixXd stiffness_of(const LoneElement& element) {
+  constexpr double h = 1e-7;  // of edges near 1: round-off and curvature are then alike
+  const Eigen::Index n = element.coordinates.size();
+  Eigen::MatrixXd stiffness(n, n);
+  for (Eigen::Index column = 0; column < n; ++column) {
+    Eigen::Matrix3Xd at[2] = {element.coordinates, element.coordinates};
+    at[0](column) -= h;
+    at[1](column) += h;
+    Eigen::Matrix3Xd force[2];
+    for (const int side : {0, 1}) {
+      LoneElement moved = element;
+      moved.move_to(at[side]);
+      force[side] = moved.forces();
+    }
+    stiffness.col(column) = (force[0] - force[1]).reshaped() / (2.0 * h);
+  }
+  return stiffness;
+}
+
+double stable_limit(const LoneElement& element) {
+  const Eigen::MatrixXd stiffness = stiffness_of(element);
+  const Eigen::MatrixXd symmetric = 0.5 * (stiffness + stiffness.transpose());
+  const double greatest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+                              .eigenvalues()
+                              .maxCoeff();
+  const double nodal_mass = element.mass() / static_cast<double>(element.coordinates.cols());
+  return 2.0 / std::sqrt(greatest / nodal_mass);
+}
+
+}  // namespace contactsim::test

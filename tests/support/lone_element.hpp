@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "core/elements/element_table.hpp"
+
+namespace contactsim::test {
+
+/// A regular element of edges near 1 [3 x nodes of the shape].
+Eigen::Matrix3Xd regular_element(Shape shape);
+
+/// Every coordinate moved at random by up to a size.
+Eigen::Matrix3Xd distorted(const Eigen::Matrix3Xd& coordinates, double size, unsigned seed);
+
+/// Rotation about an axis that is no coordinate axis.
+Eigen::Matrix3d rotation_of(double angle);
+
+/// Steel-like moduli (bulk 160e9, shear 80e9) without bulk viscosity and hourglass viscosity.
+SolidProperties undamped(const MaterialLaw& law);
+SolidProperties undamped_elastic();
+
+/// "HEX8 mean_quadrature".
+std::string name_of(const SolidElement& row);
+
+/// One solid element that a test moves as it likes.
+struct LoneElement {
+  SolidBlock block;
+  SolidBlockState state;
+  Eigen::Matrix3Xd coordinates;  ///< now [3 x n_nodes]
+
+  LoneElement(const SolidElement& row, const SolidProperties& properties, const Eigen::Matrix3Xd& at_rest);
+
+  /// Moves the nodes along straight lines in one step; dt 0 asks for the forces where it stands.
+  ChunkStep move_to(const Eigen::Matrix3Xd& there, double dt = 1.0);
+  /// Asks for the forces where it stands.
+  ChunkStep stay() { return move_to(coordinates, 0.0); }
+
+  /// On the nodes, of the last move [3 x n_nodes] [force].
+  Eigen::Matrix3Xd forces() const;
+  Eigen::Matrix3d stress(std::size_t point = 0) const;
+  void set_stress(const Eigen::Matrix3d& stress);  ///< at every point
+  double mass() const { return block.mass[0](0); }
+  double volume() const;
+  /// Work of the stress so far [energy].
+  double stress_work() const { return state.at(block.layout, 0, block.layout.energy()); }
+};
+
+/// Derivatives of the restoring forces by the coordinates of the nodes, by differences [force/length].
+Eigen::MatrixXd stiffness_of(const LoneElement& element);
+
+/// 2 / the highest frequency of an element that gives its nodes equal masses [time].
+double stable_limit(const LoneElement& element);
+
+}  // namespace contactsim::test
