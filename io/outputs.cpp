@@ -173,7 +173,7 @@ void Outputs::open_files() {
     if (!job.overwrites && std::filesystem::exists(job.path, ignored))
       throw FileError(job.path, "exists, and the deck says OVERWRITE = OFF");
     job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? *model_.mesh : no_mesh,
-                                                 make_text(job.title), job.fields.views());
+                                                 make_text(job.title), job.fields.fields());
   };
   for (ExodusJob& job : exodus_) open(job);
   for (HeartbeatJob& job : heartbeats_) {
@@ -215,13 +215,11 @@ void Outputs::write(const State& state, bool is_last) {
   user_outputs_.compute(moment, is_any_due);
   for (ExodusJob& job : exodus_) {
     if (!job.is_due) continue;
-    job.fields.fill(moment);
-    job.writer->write_step(state.time, job.fields.views());
+    job.writer->write_step(state.time, [&](std::size_t field) { return job.fields.evaluate(field, moment); });
   }
   for (HeartbeatJob& job : heartbeats_) {
     if (!job.is_due) continue;
-    job.values.fill(moment);
-    job.writer->write(state.time, value_list(job.values));
+    job.writer->write(state.time, evaluate_all(job.values, moment));
   }
 }
 
