@@ -14,8 +14,11 @@
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
+<<<<<<< HEAD
 #include "core/output/run_variables.hpp"
 #include "io/exodus_variables.hpp"
+=======
+>>>>>>> output
 #include "io/outputs.hpp"
 
 namespace contactsim {
@@ -63,8 +66,10 @@ class Run {
     try {
       const StepReport at_start = start(model_, terms(), control_, state_);
       log_.write(format_model(model_, at_start) + step_heading());
+      look_for_end();
       tell(is_over());
       while (!is_over()) step();
+      if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
     } catch (const SolveError& error) {
       progress_.wipe();
       log_.write_error(fmt::format("error: step {}, {}", state_.step, error.what()));
@@ -77,13 +82,20 @@ class Run {
 
  private:
   ForceTerms terms() { return {timed_internal_, timed_external_}; }
-  bool is_over() const { return control_.is_over(state_.time, state_.dt); }
+  bool is_over() const { return end_ || control_.is_over(state_.time, state_.dt); }
 
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
+    look_for_end();
     tell(is_over());
     progress_.show(state_.time);
+  }
+
+  void look_for_end() {
+    const double begun = clock_seconds();
+    end_ = outputs_.find_end(state_);
+    output_seconds_ += clock_seconds() - begun;
   }
 
   /// Files and a line of the log, when they are due.
@@ -131,6 +143,7 @@ class Run {
   Progress progress_{control_.start_time(), control_.termination_time()};
   double output_seconds_ = 0.0;
   bool has_warned_ = false;
+  std::optional<std::string> end_;  // why the run ends before its termination time
 };
 
 void stop_on_errors(const Diagnostics& diagnostics) {
@@ -177,8 +190,9 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
-  const RunVariables variables(setup.model);
-  Outputs outputs(input.definition, input.region, variables, output_settings(input, log), warnings);
+  const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
+                             warnings};
+  Outputs outputs(scope, setup.model, output_settings(input, log));
   stop_on_errors(warnings);
   return Run(input, setup, outputs, setup.external, log, warnings).go();
 }

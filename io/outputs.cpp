@@ -55,7 +55,7 @@ ResultsOutput make_default_results() {
   ResultsOutput output;
   for (const char* name : {"displacement", "velocity"})
     output.variables.push_back({VariableLocation::nodal, {{name, {}}, "", {}}, "", {}});
-  for (const char* name : {"stress", "von_mises", "eqps"})
+  for (const char* name : {"stress", "von_mises"})
     output.variables.push_back({VariableLocation::element, {{name, {}}, "", {}}, "", {}});
   return output;
 }
@@ -71,25 +71,29 @@ void check_clashes(const std::vector<std::string>& paths, const DeckName& region
 
 }  // namespace
 
-Outputs::Outputs(const SimulationDefinition& definition, const Region& region, const RunVariables& variables,
-                 OutputSettings settings, Diagnostics& diagnostics)
-    : variables_(variables), settings_(std::move(settings)) {
-  const FiniteElementModel* model = find_finite_element_model(definition, region);
+Outputs::Outputs(const ConditionScope& scope, const Model& model, OutputSettings settings)
+    : model_(model),
+      variables_(model),
+      user_outputs_(scope, variables_),
+      terminations_(scope.region.terminations, variables_, scope.diagnostics),
+      settings_(std::move(settings)) {
+  const FiniteElementModel* elements = find_finite_element_model(scope.definition, scope.region);
   const std::span<const MeshAlias> aliases =
-      model ? std::span<const MeshAlias>(model->aliases) : std::span<const MeshAlias>();
-  block_names_ = find_block_names(*variables.model().mesh, aliases);
+      elements ? std::span<const MeshAlias>(elements->aliases) : std::span<const MeshAlias>();
+  block_names_ = find_block_names(*model.mesh, aliases);
   std::optional<std::string> path = settings_.results_path;
-  for (const ResultsOutput& output : region.results_outputs)
-    add_results(definition, output, std::exchange(path, std::nullopt), diagnostics);
-  if (path) add_results(definition, make_default_results(), path, diagnostics);
-  for (const HistoryOutput& output : region.history_outputs) add_history(definition, output, diagnostics);
-  for (const HeartbeatOutput& output : region.heartbeat_outputs)
-    add_heartbeat(definition, output, diagnostics);
-  check_clashes(paths(), region.name, diagnostics);
+  for (const ResultsOutput& output : scope.region.results_outputs)
+    add_results(scope, output, std::exchange(path, std::nullopt));
+  if (path) add_results(scope, make_default_results(), path);
+  for (const HistoryOutput& output : scope.region.history_outputs) add_history(scope, output);
+  for (const HeartbeatOutput& output : scope.region.heartbeat_outputs) add_heartbeat(scope, output);
+  check_clashes(paths(), scope.region.name, scope.diagnostics);
 }
 
-void Outputs::add_results(const SimulationDefinition& definition, const ResultsOutput& output,
-                          std::optional<std::string> path, Diagnostics& diagnostics) {
+void Outputs::add_results(const ConditionScope& scope, const ResultsOutput& output,
+                          std::optional<std::string> path) {
+  const SimulationDefinition& definition = scope.definition;
+  Diagnostics& diagnostics = scope.diagnostics;
   const OutputDatabase& database = output.database;
   if (!path) path = expand_file_name(definition, database.name ? database.name->text : "%B.e");
   if (output.mesh != ResultsOutput::OutputMesh::unrefined || !output.included.empty() ||
@@ -107,27 +111,29 @@ void Outputs::add_results(const SimulationDefinition& definition, const ResultsO
   const FieldRequests requests{output.variables, output.included, output.excluded,
                                database.component_separator};
   constexpr std::int64_t ends_only = 0;
-  results_.push_back({*path, database.overwrites, true,
-                      database.title.empty() ? definition.title : database.title,
-                      make_times(schedule, ends_only, output.name, diagnostics),
-                      make_requested_fields(variables_, requests, block_names_, diagnostics), nullptr});
+  exodus_.push_back({*path, database.overwrites, true,
+                     database.title.empty() ? definition.title : database.title,
+                     make_times(schedule, ends_only, output.name, diagnostics),
+                     make_requested_fields(variables_, requests, block_names_, diagnostics), nullptr});
 }
 
-void Outputs::add_history(const SimulationDefinition& definition, const HistoryOutput& output,
-                          Diagnostics& diagnostics) {
+void Outputs::add_history(const ConditionScope& scope, const HistoryOutput& output) {
+  const SimulationDefinition& definition = scope.definition;
+  Diagnostics& diagnostics = scope.diagnostics;
   const OutputDatabase& database = output.database;
   const OutputSchedule schedule =
       resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
   constexpr std::int64_t every_step = 1;
-  histories_.push_back(
+  exodus_.push_back(
       {expand_file_name(definition, database.name ? database.name->text : "%B.h"), database.overwrites, false,
        database.title.empty() ? definition.title : database.title,
        make_times(schedule, every_step, output.name, diagnostics),
        make_single_values(variables_, output.variables, database.component_separator, diagnostics), nullptr});
 }
 
-void Outputs::add_heartbeat(const SimulationDefinition& definition, const HeartbeatOutput& output,
-                            Diagnostics& diagnostics) {
+void Outputs::add_heartbeat(const ConditionScope& scope, const HeartbeatOutput& output) {
+  const SimulationDefinition& definition = scope.definition;
+  Diagnostics& diagnostics = scope.diagnostics;
   const std::string path = expand_file_name(definition, output.stream ? output.stream->text : "%B.csv");
   const OutputSchedule schedule =
       resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
@@ -140,8 +146,7 @@ void Outputs::add_heartbeat(const SimulationDefinition& definition, const Heartb
 
 std::vector<std::string> Outputs::paths() const {
   std::vector<std::string> paths;
-  for (const ExodusJob& job : results_) paths.push_back(job.path);
-  for (const ExodusJob& job : histories_) paths.push_back(job.path);
+  for (const ExodusJob& job : exodus_) paths.push_back(job.path);
   for (const HeartbeatJob& job : heartbeats_) {
     if (!job.path.empty()) paths.push_back(job.path);
   }
@@ -149,7 +154,7 @@ std::vector<std::string> Outputs::paths() const {
 }
 
 ResultsText Outputs::make_text(const std::string& title) const {
-  const Mesh& mesh = *variables_.model().mesh;
+  const Mesh& mesh = *model_.mesh;
   ResultsText text;
   text.title = title;
   if (!mesh.path().empty()) text.qa_records = read_qa_records(mesh.path());
@@ -167,11 +172,10 @@ void Outputs::open_files() {
     std::error_code ignored;
     if (!job.overwrites && std::filesystem::exists(job.path, ignored))
       throw FileError(job.path, "exists, and the deck says OVERWRITE = OFF");
-    job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? *variables_.model().mesh : no_mesh,
-                                                 make_text(job.title), job.fields.views());
+    job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? *model_.mesh : no_mesh,
+                                                 make_text(job.title), job.fields.fields());
   };
-  for (ExodusJob& job : results_) open(job);
-  for (ExodusJob& job : histories_) open(job);
+  for (ExodusJob& job : exodus_) open(job);
   for (HeartbeatJob& job : heartbeats_) {
     std::error_code ignored;
     const bool goes_on = job.appends && std::filesystem::file_size(job.path, ignored) > 0 && !ignored;
@@ -181,27 +185,41 @@ void Outputs::open_files() {
   }
 }
 
-bool Outputs::write_job(ExodusJob& job, const State& state, const RunMoment& now) {
-  if (!job.times.is_due(now)) return false;
-  job.fields.fill({variables_.model(), state});
-  job.writer->write_step(state.time, job.fields.views());
-  return true;
+std::optional<std::string> Outputs::find_end(const State& state) {
+  const OutputMoment moment{model_, state};
+  user_outputs_.compute(moment, !terminations_.is_empty());
+  return terminations_.find_reason(moment);
+}
+
+bool Outputs::find_due(const RunMoment& now) {
+  bool has_results = false, has_history = false, is_any = false;
+  for (ExodusJob& job : exodus_) {
+    job.is_due = job.times.is_due(now);
+    (job.has_mesh ? has_results : has_history) |= job.is_due;
+    is_any |= job.is_due;
+  }
+  using Monitored = HeartbeatOutput::Monitored;
+  for (HeartbeatJob& job : heartbeats_) {
+    job.is_due = job.times.is_due(now) && (job.has_schedule || !job.monitored);
+    job.is_due |= job.monitored == Monitored::results && has_results;
+    job.is_due |= job.monitored == Monitored::history && has_history;
+    is_any |= job.is_due;
+  }
+  return is_any;
 }
 
 void Outputs::write(const State& state, bool is_last) {
   if (!std::exchange(is_open_, true)) open_files();
-  const RunMoment now{state.step, state.time, is_last};
-  bool has_results = false, has_history = false;
-  for (ExodusJob& job : results_) has_results |= write_job(job, state, now);
-  for (ExodusJob& job : histories_) has_history |= write_job(job, state, now);
-  using Monitored = HeartbeatOutput::Monitored;
+  const OutputMoment moment{model_, state};
+  const bool is_any_due = find_due({state.step, state.time, is_last});
+  user_outputs_.compute(moment, is_any_due);
+  for (ExodusJob& job : exodus_) {
+    if (!job.is_due) continue;
+    job.writer->write_step(state.time, [&](std::size_t field) { return job.fields.evaluate(field, moment); });
+  }
   for (HeartbeatJob& job : heartbeats_) {
-    bool is_due = job.times.is_due(now) && (job.has_schedule || !job.monitored);
-    if (job.monitored == Monitored::results) is_due |= has_results;
-    if (job.monitored == Monitored::history) is_due |= has_history;
-    if (!is_due) continue;
-    job.values.fill({variables_.model(), state});
-    job.writer->write(state.time, value_list(job.values));
+    if (!job.is_due) continue;
+    job.writer->write(state.time, evaluate_all(job.values, moment));
   }
 }
 

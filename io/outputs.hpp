@@ -10,6 +10,8 @@
 
 #include "core/output/output_times.hpp"
 #include "core/output/requested_fields.hpp"
+#include "core/output/termination.hpp"
+#include "core/output/user_outputs.hpp"
 #include "io/heartbeat_writer.hpp"
 #include "io/results_writer.hpp"
 
@@ -28,12 +30,18 @@ struct OutputSettings {
 /// of write(). Asking for output changes nothing in the run.
 class Outputs {
  public:
-  /// Reports requests that mean nothing (warnings), schedulers, nodes and elements that do not exist and two
-  /// outputs to one file (errors). The variables and the mesh of their model must outlive it.
-  Outputs(const SimulationDefinition& definition, const Region& region, const RunVariables& variables,
-          OutputSettings settings, Diagnostics& diagnostics);
+  /// Reports requests that mean nothing (warnings), schedulers, nodes, elements and functions that do not
+  /// exist and two outputs to one file (errors). The model and its mesh must outlive it.
+  Outputs(const ConditionScope& scope, const Model& model, OutputSettings settings);
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
 
-  /// Writes what is due; to be called for the state of the start and that after every step.
+  /// Brings what the deck computes to the state, and says whether a SOLUTION TERMINATION ends the run with
+  /// it: why, in words. To be called once for the state of the start and that after every step, before
+  /// write().
+  std::optional<std::string> find_end(const State& state);
+
+  /// Writes what is due.
   ///   is_last  the run ends with this state
   /// Throws FileError.
   void write(const State& state, bool is_last);
@@ -50,6 +58,7 @@ class Outputs {
     OutputTimes times;
     RequestedFields fields;
     std::unique_ptr<ResultsWriter> writer;
+    bool is_due = false;
   };
   struct HeartbeatJob {
     std::string path;  ///< "" for the log
@@ -60,22 +69,23 @@ class Outputs {
     RequestedFields values;
     HeartbeatStyle style;
     std::optional<HeartbeatWriter> writer;
+    bool is_due = false;
   };
 
-  void add_results(const SimulationDefinition& definition, const ResultsOutput& output,
-                   std::optional<std::string> path, Diagnostics& diagnostics);
-  void add_history(const SimulationDefinition& definition, const HistoryOutput& output,
-                   Diagnostics& diagnostics);
-  void add_heartbeat(const SimulationDefinition& definition, const HeartbeatOutput& output,
-                     Diagnostics& diagnostics);
+  void add_results(const ConditionScope& scope, const ResultsOutput& output, std::optional<std::string> path);
+  void add_history(const ConditionScope& scope, const HistoryOutput& output);
+  void add_heartbeat(const ConditionScope& scope, const HeartbeatOutput& output);
   void open_files();
   ResultsText make_text(const std::string& title) const;
-  bool write_job(ExodusJob& job, const State& state, const RunMoment& now);
+  bool find_due(const RunMoment& now);
 
-  const RunVariables& variables_;
+  const Model& model_;
+  RunVariables variables_;
+  UserOutputs user_outputs_;
+  Terminations terminations_;
   OutputSettings settings_;
   std::vector<std::vector<std::string>> block_names_;
-  std::vector<ExodusJob> results_, histories_;
+  std::vector<ExodusJob> exodus_;  // results, then histories
   std::vector<HeartbeatJob> heartbeats_;
   bool is_open_ = false;
 };

@@ -57,10 +57,12 @@ void RecordFile::fail(int error) {
   throw FileError(path_, "cannot be written (" + std::generic_category().message(error) + ")");
 }
 
-void RecordFile::write(const std::string& variable, std::span<const double> values, Stride stride) {
+void RecordFile::write(const std::string& variable, std::span<const double> values, Stride stride,
+                       std::size_t first) {
   const auto place = layout_.places.find(variable);
   assert(place != layout_.places.end());
-  std::uint64_t position = layout_.begin + layout_.n_records * layout_.record_size + place->second;
+  std::uint64_t position =
+      layout_.begin + layout_.n_records * layout_.record_size + place->second + first * sizeof(double);
   std::size_t n_buffered = 0;
   for (std::size_t i = stride.first; i < values.size(); i += stride.stride) {
     const std::uint64_t bits = to_big_endian(values[i]);

@@ -27,9 +27,11 @@ class RecordFile {
   RecordFile(const RecordFile&) = delete;
   RecordFile& operator=(const RecordFile&) = delete;
 
-  /// Sets a variable of doubles in the record after the last. Precondition: there is such a variable, as
-  /// long as the values are many.
-  void write(const std::string& variable, std::span<const double> values, Stride stride = {});
+  /// Sets a variable of doubles, or a part of it, in the record after the last. Precondition: there is such a
+  /// variable, and the values that are taken fit into it.
+  ///   first  position in the variable of the first value
+  void write(const std::string& variable, std::span<const double> values, Stride stride = {},
+             std::size_t first = 0);
 
   /// Ends the record: from now on it counts.
   void end_record();

@@ -18,17 +18,12 @@ std::size_t count_entities(const Mesh& mesh, const OutputField& field) {
   return mesh.blocks()[field.block].n_elements;
 }
 
-bool is_same_field(const OutputField& a, const OutputField& b) {
-  return a.name == b.name && a.location == b.location && a.shape == b.shape &&
-         a.n_components == b.n_components && a.block == b.block && a.separator == b.separator;
-}
-
 }  // namespace
 
 ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields,
                                    ExodusDraft& draft) {
   for (const OutputField& field : fields) {
-    fields_.push_back({field, count_entities(mesh, field), {}});
+    fields_.push_back({field, count_entities(mesh, field), 0, {}});
     fields_.back().field.values = {};
   }
   steps_ = draft.add_dimension("time_step", NetcdfOutput::unlimited);
@@ -41,7 +36,7 @@ ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField
 // Each once, in the order of first mention.
 std::vector<std::string> ResultsVariables::component_names(FieldLocation location) const {
   std::vector<std::string> names;
-  for (const auto& [field, n_entities, variables] : fields_) {
+  for (const auto& [field, n_entities, first_global, variables] : fields_) {
     if (field.location != location) continue;
     for (int c = 0; c < field.n_components; ++c) {
       const std::string name = component_name(field, c);
@@ -56,6 +51,12 @@ std::vector<std::string> ResultsVariables::component_names(FieldLocation locatio
 void ResultsVariables::add_globals(ExodusDraft& draft) {
   const std::vector<std::string> names = component_names(FieldLocation::global);
   if (names.empty()) return;
+  std::size_t n_before = 0;
+  for (DefinedField& defined : fields_) {
+    if (defined.field.location != FieldLocation::global) continue;
+    defined.first_global = n_before;
+    n_before += static_cast<std::size_t>(defined.field.n_components);
+  }
   const int n_names = draft.add_dimension("num_glo_var", names.size());
   draft.add_texts("name_glo_var", {n_names}, "len_name", names);
   draft.file().define_variable("vals_glo_var", NetcdfType::float64, {steps_, n_names});
@@ -98,34 +99,17 @@ void ResultsVariables::add_element(const Mesh& mesh, ExodusDraft& draft) {
   draft.add_integers("elem_var_tab", {draft.dimension("num_el_blk"), n_names}, [table] { return table; });
 }
 
-void ResultsVariables::check(std::span<const OutputField> fields) const {
-  if (fields.size() != fields_.size()) {
-    throw std::logic_error(
-        fmt::format("{} result fields where {} were defined", fields.size(), fields_.size()));
+void ResultsVariables::write(std::size_t field, std::span<const double> values, RecordFile& file) const {
+  const DefinedField& defined = fields_.at(field);
+  const auto n_components = static_cast<std::size_t>(defined.field.n_components);
+  if (values.size() != defined.n_entities * n_components) {
+    throw std::logic_error(fmt::format("result field {} with {} values where {} were defined",
+                                       defined.field.name, values.size(), defined.n_entities * n_components));
   }
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::size_t n_values =
-        fields_[i].n_entities * static_cast<std::size_t>(fields_[i].field.n_components);
-    if (is_same_field(fields[i], fields_[i].field) && fields[i].values.size() == n_values) continue;
-    throw std::logic_error(fmt::format("result field {} with {} values where {} with {} was defined",
-                                       fields[i].name, fields[i].values.size(), fields_[i].field.name,
-                                       n_values));
-  }
-}
-
-void ResultsVariables::write(double time, std::span<const OutputField> fields, RecordFile& file) const {
-  check(fields);
-  file.write("time_whole", std::span(&time, 1));
-  std::vector<double> globals;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::span<const double> values = fields[i].values;
-    if (fields[i].location == FieldLocation::global)
-      globals.insert(globals.end(), values.begin(), values.end());
-    const std::vector<std::string>& variables = fields_[i].variables;
-    for (std::size_t c = 0; c < variables.size(); ++c)
-      file.write(variables[c], values, {c, variables.size()});
-  }
-  if (!globals.empty()) file.write("vals_glo_var", globals);
+  if (defined.field.location == FieldLocation::global)
+    file.write("vals_glo_var", values, {}, defined.first_global);
+  for (std::size_t c = 0; c < defined.variables.size(); ++c)
+    file.write(defined.variables[c], values, {c, n_components});
 }
 
 }  // namespace contactsim

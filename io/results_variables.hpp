@@ -20,14 +20,18 @@ class ResultsVariables {
   /// Preconditions: the components of one location have different names (of one block for element fields).
   ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields, ExodusDraft& draft);
 
-  /// Writes one record of everything. Throws std::logic_error when the fields are not those of the
-  /// constructor in the same order with values for every node or element; nothing is written then.
-  void write(double time, std::span<const OutputField> fields, RecordFile& file) const;
+  std::size_t size() const { return fields_.size(); }
+
+  /// Writes one field of the constructor to the record that is open. Throws std::logic_error when there are
+  /// not values for every node or element; nothing is written then.
+  ///   values  n_entities x n_components, entity by entity
+  void write(std::size_t field, std::span<const double> values, RecordFile& file) const;
 
  private:
   struct DefinedField {
     OutputField field;                   ///< without values
     std::size_t n_entities = 0;          ///< nodes, elements of the block, or 1
+    std::size_t first_global = 0;        ///< position of a global's first component in vals_glo_var
     std::vector<std::string> variables;  ///< n_components; empty for globals and where there are no entities
   };
 
@@ -35,7 +39,6 @@ class ResultsVariables {
   void add_globals(ExodusDraft& draft);
   void add_nodal(ExodusDraft& draft);
   void add_element(const Mesh& mesh, ExodusDraft& draft);
-  void check(std::span<const OutputField> fields) const;
 
   std::vector<DefinedField> fields_;
   int steps_ = 0;  // dimension

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 
 #include "core/errors.hpp"
 #include "io/exodus_draft.hpp"
@@ -98,9 +99,15 @@ ResultsWriter::ResultsWriter(const std::string& path, const Mesh& mesh, const Re
   records_.emplace(path);
 }
 
-void ResultsWriter::write_step(double time, std::span<const OutputField> fields) {
-  variables_->write(time, fields, *records_);
+void ResultsWriter::write_step(double time, const Values& values) {
+  records_->write("time_whole", std::span(&time, 1));
+  for (std::size_t i = 0; i < variables_->size(); ++i) variables_->write(i, values(i), *records_);
   records_->end_record();
+}
+
+void ResultsWriter::write_step(double time, std::span<const OutputField> fields) {
+  if (fields.size() != variables_->size()) throw std::logic_error("other result fields than were defined");
+  write_step(time, [&](std::size_t field) { return fields[field].values; });
 }
 
 }  // namespace contactsim

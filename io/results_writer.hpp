@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,9 +37,15 @@ class ResultsWriter {
   ResultsWriter(const std::string& path, const Mesh& mesh, const ResultsText& text,
                 std::span<const OutputField> fields);
 
-  /// Appends a step and flushes it. Throws FileError when that is not possible; the file is then closed with
-  /// the earlier steps. Throws std::logic_error for fields other than the constructor's in the same order.
+  /// Gives the values of one field of the constructor.
+  using Values = std::function<std::span<const double>(std::size_t field)>;
+
+  /// Appends a step and flushes it; the values of each field are asked for when it is their turn. Throws
+  /// FileError when that is not possible; the file is then closed with the earlier steps. Throws
+  /// std::logic_error when there are not values for every node or element; the step does not count then.
   ///   time  [time]
+  void write_step(double time, const Values& values);
+  /// The same with all values at hand, in the order of the constructor's fields.
   void write_step(double time, std::span<const OutputField> fields);
 
   std::size_t n_steps() const { return records_->n_records(); }

@@ -137,7 +137,6 @@ RequestedFields::Field make_field(const VariablePick& pick, const Model& model, 
   made.field.shape = pick.component ? FieldShape::scalar : pick.variable->shape;
   made.field.n_components = static_cast<int>(pick.n_components());
   if (made.field.location == FieldLocation::element) made.field.block = model.blocks[range.block].mesh_block;
-  made.values.assign(range.count * pick.n_components(), 0.0);
   return made;
 }
 
@@ -153,17 +152,17 @@ std::string field_name(const VariableRequest& request, const VariablePick& pick,
   return ending.empty() ? name : name + separator + ending;
 }
 
-void RequestedFields::fill(const OutputMoment& moment) {
-  for (Field& field : fields_) contactsim::fill(field.pick, moment, field.range, field.values);
+std::vector<OutputField> RequestedFields::fields() const {
+  std::vector<OutputField> fields;
+  for (const Field& field : fields_) fields.push_back(field.field);
+  return fields;
 }
 
-std::vector<OutputField> RequestedFields::views() const {
-  std::vector<OutputField> views;
-  for (const Field& field : fields_) {
-    views.push_back(field.field);
-    views.back().values = field.values;
-  }
-  return views;
+std::span<const double> RequestedFields::evaluate(std::size_t field, const OutputMoment& moment) {
+  const auto& [pick, range, description] = fields_[field];
+  values_.resize(range.count * pick.n_components());
+  fill(pick, moment, range, values_);
+  return values_;
 }
 
 RequestedFields make_requested_fields(const RunVariables& variables, const FieldRequests& requests,

@@ -26,24 +26,26 @@ class RequestedFields {
   struct Field {
     VariablePick pick;
     EntityRange range;
-    OutputField field;           ///< without values
-    std::vector<double> values;  ///< of the moment that was filled last
+    OutputField field;  ///< without values
   };
 
   RequestedFields() = default;
   explicit RequestedFields(std::vector<Field> fields) : fields_(std::move(fields)) {}
 
-  /// Sets all values. Changes nothing in the run.
-  void fill(const OutputMoment& moment);
+  std::size_t size() const { return fields_.size(); }
+  /// Names and places of all fields, without values.
+  std::vector<OutputField> fields() const;
 
-  /// Views of what was filled last, of zeros before.
-  std::vector<OutputField> views() const;
+  /// The values of one field at a moment, good until the next call: a run has room for one field, not for
+  /// all. Changes nothing in the run.
+  std::span<const double> evaluate(std::size_t field, const OutputMoment& moment);
 
  private:
   std::vector<Field> fields_;
+  std::vector<double> values_;  // of the field that was evaluated last
 };
 
-/// A field of a variable for a range of its entities, of zeros.
+/// A field of a variable for a range of its entities.
 ///   name  on the file, without components
 RequestedFields::Field make_field(const VariablePick& pick, const Model& model, const EntityRange& range,
                                   const std::string& name);

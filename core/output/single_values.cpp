@@ -168,17 +168,19 @@ RequestedFields make_single_values(const RunVariables& variables, std::span<cons
 
 std::vector<std::string> value_names(const RequestedFields& fields) {
   std::vector<std::string> names;
-  for (const OutputField& field : fields.views()) {
+  for (const OutputField& field : fields.fields()) {
     for (int c = 0; c < field.n_components; ++c) names.push_back(component_name(field, c));
   }
   return names;
 }
 
-std::vector<double> value_list(const RequestedFields& fields) {
-  std::vector<double> values;
-  for (const OutputField& field : fields.views())
-    values.insert(values.end(), field.values.begin(), field.values.end());
-  return values;
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputMoment& moment) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::span<const double> values = fields.evaluate(i, moment);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  return all;
 }
 
 }  // namespace contactsim

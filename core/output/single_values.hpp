@@ -16,10 +16,10 @@ namespace contactsim {
 RequestedFields make_single_values(const RunVariables& variables, std::span<const VariableRequest> requests,
                                    const std::string& separator, Diagnostics& diagnostics);
 
-/// The names of all values, component by component, in the order of value_list().
+/// The names of all values, component by component, in the order of evaluate_all().
 std::vector<std::string> value_names(const RequestedFields& fields);
 
-/// All values that were filled last, field by field.
-std::vector<double> value_list(const RequestedFields& fields);
+/// All values at a moment, field by field.
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputMoment& moment);
 
 }  // namespace contactsim

@@ -30,14 +30,16 @@ class OutputRun {
   /// Runs to a step. Returns the messages of the set-up.
   Names go(int n_steps) {
     Diagnostics diagnostics;
-    const RunVariables variables(run.model);
-    Outputs outputs(definition, region, variables, settings, diagnostics);
+    const ConditionScope scope{definition, region, {}, run.mesh, diagnostics};
+    Outputs outputs(scope, run.model, settings);
     paths = outputs.paths();
     for (int step = 0; step <= n_steps && !diagnostics.has_errors(); ++step) {
       run.state.step = step;
       run.state.time = step;
       run.deform((1.0 + step) * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero());
-      outputs.write(run.state, step == n_steps);
+      end = outputs.find_end(run.state);
+      outputs.write(run.state, end || step == n_steps);
+      if (end) break;
     }
     Names messages;
     for (const Diagnostic& found : diagnostics.all())
@@ -52,6 +54,7 @@ class OutputRun {
   Region region;
   OutputSettings settings;
   Names paths;
+  std::optional<std::string> end;
 
  private:
   TemporaryDirectory directory_;
@@ -174,6 +177,23 @@ TEST_CASE("what outputs cannot do is said before anything is written", "[io][out
                            "output-variable-unknown: no element variable 'memb_stress' is known here",
                            "error: two outputs would write " + run.path("deck.e")});
   CHECK_FALSE(std::filesystem::exists(run.path("deck.e")));
+}
+
+TEST_CASE("a termination ends the run, and its last state is written", "[io][outputs]") {
+  OutputRun run;
+  run.region.results_outputs = {results_of(100.0, {})};
+  SolutionTermination termination;
+  termination.criteria.resize(1);
+  termination.criteria[0].test = {{{"volume_sum", {}}, "", {}}, Comparison::greater, 200.0};
+  run.region.terminations = {termination};
+  UserOutput sum;
+  sum.variables = {
+      ReducedVariable{{"volume_sum", {}}, OutputReduction::sum, L::element, {{"volume", {}}, "", {}}}};
+  run.region.user_outputs = {sum};
+  CHECK(run.go(10).empty());
+  // 11 elements of (1 + t)^3: 297 at time 2.
+  CHECK(run.end == "volume_sum is 297 > 200");
+  CHECK(read_times(NetcdfFile(run.path("deck.e"))) == std::vector<double>{0, 2});
 }
 
 TEST_CASE("OVERWRITE = OFF keeps an older file", "[io][outputs]") {

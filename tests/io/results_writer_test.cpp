@@ -180,7 +180,7 @@ TEST_CASE("fields other than those defined are refused and nothing is written", 
   fields[0].values = fields[0].values.first(3);
   CHECK_THROWS_AS(writer.write_step(0.0, fields), std::logic_error);
   fields = results.fields();
-  std::swap(fields[2], fields[3]);
+  std::swap(fields[0], fields[1]);
   CHECK_THROWS_AS(writer.write_step(0.0, fields), std::logic_error);
   CHECK(read_times(NetcdfFile(directory.file("r.e"))).empty());
 }

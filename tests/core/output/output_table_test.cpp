@@ -143,6 +143,19 @@ TEST_CASE("nodal variables by hand", "[core][output]") {
   check_close(nodal(run, "residual", 0), {3, 2, 1});
 }
 
+TEST_CASE("what holds a node is the reaction", "[core][output]") {
+  SampleRun run;
+  DrivenNodes held;
+  held.nodes = {{0}};
+  run.model.kinematics = Kinematics(run.mesh, {held});
+  for (const Eigen::Index n : {0, 1}) {
+    run.state.acceleration.col(n) << 4, 0, 0;
+    run.state.forces.internal.col(n) << 3, 1, 0;
+  }
+  check_close(nodal(run, "reaction", 0), {1 - 3, -1, 0});  // mass 0.25
+  check_close(nodal(run, "reaction", 1), {0, 0, 0});
+}
+
 TEST_CASE("a node without elements has no mass", "[core][output]") {
   SampleRun run;
   run.model.mass.col(3).setConstant(least_mass);

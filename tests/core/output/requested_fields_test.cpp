@@ -24,7 +24,7 @@ struct Outcome {
   /// "<component name>@<block>" of all fields that are not global, without the block for nodal ones.
   Names names() const {
     Names names;
-    for (const OutputField& field : fields.views()) {
+    for (const OutputField& field : fields.fields()) {
       const std::string at =
           field.location == FieldLocation::element ? "@" + std::to_string(field.block) : "";
       for (int c = 0; c < field.n_components && field.location != FieldLocation::global; ++c)
@@ -34,7 +34,7 @@ struct Outcome {
   }
   Names globals() const {
     Names names;
-    for (const OutputField& field : fields.views()) {
+    for (const OutputField& field : fields.fields()) {
       if (field.location == FieldLocation::global) names.push_back(field.name);
     }
     return names;
@@ -125,12 +125,11 @@ TEST_CASE("fields have the values of the moment", "[core][output]") {
   Outcome found = ask(run, {request(L::nodal, "displacement", "x"), request(L::element, "volume")});
   run.deform(3.0 * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero());
   const Eigen::Matrix3Xd before = run.state.coordinates;
-  found.fields.fill(run.moment());
-  const std::vector<OutputField> fields = found.fields.views();
-  REQUIRE(fields[0].values.size() == run.mesh.n_nodes());
-  for (std::size_t n = 0; n < run.mesh.n_nodes(); ++n)
-    CHECK(fields[0].values[n] == Approx(2.0 * run.mesh.coordinates()(0, static_cast<Eigen::Index>(n))));
-  CHECK(fields[1].values.size() == 9);
-  CHECK(fields[2].values[1] == Approx(27.0));
+  const std::span<const double> x = found.fields.evaluate(0, run.moment());
+  REQUIRE(x.size() == run.mesh.n_nodes());
+  for (std::size_t n = 0; n < x.size(); ++n)
+    CHECK(x[n] == Approx(2.0 * run.mesh.coordinates()(0, static_cast<Eigen::Index>(n))));
+  CHECK(found.fields.evaluate(1, run.moment()).size() == 9);
+  CHECK(found.fields.evaluate(2, run.moment())[1] == Approx(27.0));
   CHECK(run.state.coordinates == before);
 }

@@ -52,11 +52,10 @@ TEST_CASE("single values of nodes, elements and the whole", "[core][output]") {
   CHECK(found.messages.empty());
   CHECK(value_names(found.fields) ==
         Names{"tip", "time", "stress_yy", "centroid_x", "centroid_y", "centroid_z"});
-  found.fields.fill(run.moment());
-  const std::vector<double> values = value_list(found.fields);
+  const std::vector<double> values = evaluate_all(found.fields, run.moment());
   const double x = run.mesh.coordinates()(0, run.mesh.find_node(1010)->value);
   CHECK(values == std::vector<double>{x, 0.5, 4.0, 3.0, 1.0, 1.0});
-  for (const OutputField& field : found.fields.views()) CHECK(field.location == FieldLocation::global);
+  for (const OutputField& field : found.fields.fields()) CHECK(field.location == FieldLocation::global);
 }
 
 TEST_CASE("the entity nearest to a point is found on the undeformed mesh", "[core][output]") {
@@ -66,8 +65,7 @@ TEST_CASE("the entity nearest to a point is found on the undeformed mesh", "[cor
                             nearest(request(L::element, "element_mass"), 0.4, 0.5, 1.2),
                             nearest(request(L::element, "eqps", "", "e"), 9, 0, 0)});
   CHECK(found.messages.empty());
-  found.fields.fill(run.moment());
-  CHECK(value_list(found.fields) == std::vector<double>{9, 0, 0, 3, 0});
+  CHECK(evaluate_all(found.fields, run.moment()) == std::vector<double>{9, 0, 0, 3, 0});
 }
 
 TEST_CASE("equal names are told apart by the entities", "[core][output]") {

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/global_expression.hpp"
+
+#include <algorithm>
+
+#include "core/functions/expression_tokens.hpp"
+
+namespace contactsim {
+
+namespace {
+
+// The names that an expression reads, in order of first mention.
+std::vector<std::string> names_in(std::string_view expression) {
+  std::vector<std::string> names;
+  const std::vector<ExpressionToken> tokens = read_expression_tokens(expression);
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].kind != ExpressionTokenKind::name || tokens[i + 1].text == "(") continue;
+    std::string name = fold(tokens[i].text);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+  }
+  return names;
+}
+
+// The global number of a name: a scalar, or the component that the name's ending tells.
+std::optional<VariablePick> find_global_number(const RunVariables& variables, const std::string& name) {
+  const RunVariable* whole = variables.find(FieldLocation::global, canonical_variable_name(name));
+  if (whole != nullptr && whole->n_components == 1) return VariablePick{whole, {}, {}};
+  const std::size_t end = name.rfind('_');
+  if (end == std::string::npos) return std::nullopt;
+  const RunVariable* base =
+      variables.find(FieldLocation::global, canonical_variable_name(name.substr(0, end)));
+  if (base == nullptr) return std::nullopt;
+  const auto component = find_component(*base, std::string_view(name).substr(end + 1));
+  if (!component) return std::nullopt;
+  return VariablePick{base, component, {}};
+}
+
+}  // namespace
+
+GlobalExpression::GlobalExpression(std::string_view text, const RunVariables& variables) {
+  std::vector<std::string> names;
+  for (std::string& name : names_in(text)) {
+    // Others are constants, names that the expression sets, or unknown to the compiler too.
+    const auto pick = find_global_number(variables, name);
+    if (!pick) continue;
+    inputs_.push_back(*pick);
+    names.push_back(std::move(name));
+  }
+  expression_ = compile_expression(text, names);
+}
+
+double GlobalExpression::evaluate(const OutputMoment& moment) const {
+  std::vector<double> numbers(inputs_.size());
+  for (std::size_t i = 0; i < inputs_.size(); ++i)
+    fill(inputs_[i], moment, EntityRange{}, std::span(numbers).subspan(i, 1));
+  return expression_.evaluate(numbers);
+}
+
+}  // namespace contactsim

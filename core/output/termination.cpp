@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/termination.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/output/reduction.hpp"
+
+namespace contactsim {
+
+namespace {
+
+bool holds(double value, Comparison comparison, double limit) {
+  switch (comparison) {
+    case Comparison::less:
+      return value < limit;
+    case Comparison::less_equal:
+      return value <= limit;
+    case Comparison::equal:
+      return value == limit;
+    case Comparison::greater_equal:
+      return value >= limit;
+    case Comparison::greater:
+      break;
+  }
+  return value > limit;
+}
+
+std::string_view symbol(Comparison comparison) {
+  constexpr std::array<std::string_view, 5> symbols{"<", "<=", "=", ">=", ">"};
+  return symbols[static_cast<std::size_t>(comparison)];
+}
+
+OutputReduction reduction_of(NodalCriterion::Reduction reduction) {
+  if (reduction == NodalCriterion::Reduction::average) return OutputReduction::average;
+  return reduction == NodalCriterion::Reduction::maximum ? OutputReduction::maximum
+                                                         : OutputReduction::minimum;
+}
+
+std::vector<EntityRange> all_entities(const VariablePick& pick, const Model& model) {
+  if (pick.variable->location == FieldLocation::global) return {{0, 0, 1, {}}};
+  if (pick.variable->location == FieldLocation::node) return {{0, 0, model.mesh->n_nodes(), {}}};
+  std::vector<EntityRange> ranges;
+  for (std::size_t b = 0; b < model.blocks.size(); ++b)
+    ranges.push_back({b, 0, model.blocks[b].n_elements, {}});
+  return ranges;
+}
+
+}  // namespace
+
+Terminations::Terminations(std::span<const SolutionTermination> definitions, const RunVariables& variables,
+                           Diagnostics& diagnostics) {
+  for (const SolutionTermination& definition : definitions) {
+    Block& block = blocks_.emplace_back();
+    block.skipped_times = definition.skipped_times;
+    for (const TerminationCriterion& criterion : definition.criteria) {
+      Diagnostics problems;
+      const auto pick = find_pick(variables, criterion.location, criterion.test.variable, problems);
+      // A criterion that is left out would change when the run ends.
+      for (Diagnostic problem : problems.all()) {
+        problem.severity = Severity::error;
+        problem.id.clear();
+        diagnostics.add(std::move(problem));
+      }
+      if (pick) block.criteria.push_back({*pick, criterion, all_entities(*pick, variables.model())});
+    }
+  }
+}
+
+std::optional<std::string> Terminations::find_reason(const OutputMoment& moment) const {
+  for (const Block& block : blocks_) {
+    const double time = moment.state.time;
+    const bool is_skipped = std::any_of(block.skipped_times.begin(), block.skipped_times.end(),
+                                        [&](const TimeRange& r) { return r.from <= time && time <= r.to; });
+    if (is_skipped) continue;
+    for (const auto& [pick, definition, ranges] : block.criteria) {
+      std::optional<double> found;
+      const auto look = [&](double value) {
+        if (!found && holds(value, definition.test.comparison, definition.test.value)) found = value;
+      };
+      if (definition.reduction) {
+        for (const double value : reduce(reduction_of(*definition.reduction), pick, ranges, moment))
+          look(value);
+      } else {
+        visit_values(pick, ranges, moment, [&](const EntityRange&, std::span<const double> values) {
+          for (const double value : values) look(value);
+        });
+      }
+      if (!found) continue;
+      return fmt::format("{} is {:.6g} {} {:.6g}", definition.test.variable.name.text, *found,
+                         symbol(definition.test.comparison), definition.test.value);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace contactsim

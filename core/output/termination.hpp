@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/definition/region_parts.hpp"
+#include "core/output/variable_pick.hpp"
+
+namespace contactsim {
+
+/// The SOLUTION TERMINATION blocks of a region: what ends the run early.
+/// Source: Sierra/SM 5.22, solution termination.
+class Terminations {
+ public:
+  /// A variable that is not known is an error. The variables must outlive it.
+  Terminations(std::span<const SolutionTermination> definitions, const RunVariables& variables,
+               Diagnostics& diagnostics);
+
+  /// Why the run ends at a moment, in words; nothing when it goes on. A value that is not a number fulfils no
+  /// criterion.
+  std::optional<std::string> find_reason(const OutputMoment& moment) const;
+
+  bool is_empty() const { return blocks_.empty(); }
+
+ private:
+  struct Criterion {
+    VariablePick pick;
+    TerminationCriterion definition;
+    std::vector<EntityRange> ranges;  ///< all of the model
+  };
+  struct Block {
+    std::vector<TimeRange> skipped_times;
+    std::vector<Criterion> criteria;
+  };
+  std::vector<Block> blocks_;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/user_outputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "core/output/element_geometry.hpp"
+#include "core/output/entity_ranges.hpp"
+#include "core/output/function_inputs.hpp"
+#include "core/output/global_expression.hpp"
+#include "core/output/reduction.hpp"
+#include "core/output/stored_variable.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using Storage = std::shared_ptr<StoredValues>;
+
+FieldLocation field_location(UserVariable::Place place) {
+  if (place == UserVariable::Place::node) return FieldLocation::node;
+  return place == UserVariable::Place::element ? FieldLocation::element : FieldLocation::global;
+}
+
+FieldLocation field_location(VariableLocation location) {
+  if (location == VariableLocation::nodal) return FieldLocation::node;
+  return location == VariableLocation::element ? FieldLocation::element : FieldLocation::global;
+}
+
+FieldShape field_shape(const UserVariable& variable) {
+  using S = UserVariable::Shape;
+  if (variable.shape == S::vector) return FieldShape::vector;
+  if (variable.shape == S::sym_tensor) return FieldShape::symmetric_tensor;
+  if (variable.shape == S::full_tensor) return FieldShape::full_tensor;
+  return variable.length == 1 ? FieldShape::scalar : FieldShape::list;
+}
+
+// A variable of the whole model's nodes from those of elements, weighted by their volumes now.
+void extrapolate(const VariablePick& pick, std::span<const EntityRange> ranges, const OutputMoment& moment,
+                 std::span<double> values) {
+  const std::size_t n = pick.n_components();
+  std::vector<double> weights(moment.model.mesh->n_nodes(), 0.0);
+  std::fill(values.begin(), values.end(), 0.0);
+  visit_values(pick, ranges, moment, [&](const EntityRange& part, std::span<const double> of_elements) {
+    const ElementBlock& block = moment.model.mesh->blocks()[moment.model.blocks[part.block].mesh_block];
+    for (std::size_t i = 0; i < part.count; ++i) {
+      const auto nodes = block.element_nodes(static_cast<std::uint32_t>(part.first + i));
+      const ElementVectors x = gather(nodes, moment.state.coordinates);
+      const double volume = solid_volume(x, volume_gradient(topology(block.shape), x));
+      for (const NodeIndex node : nodes) {
+        weights[node.value] += volume;
+        for (std::size_t c = 0; c < n; ++c) values[node.value * n + c] += volume * of_elements[i * n + c];
+      }
+    }
+  });
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (weights[v / n] != 0.0) values[v] /= weights[v / n];
+  }
+}
+
+}  // namespace
+
+/// Makes the variables and computations of one region.
+class UserOutputMaker {
+ public:
+  UserOutputMaker(const ConditionScope& scope, RunVariables& variables, UserOutputs& outputs)
+      : scope_(scope), variables_(variables), outputs_(outputs) {}
+
+  void make() {
+    for (const UserVariable& variable : scope_.region.user_variables) add(variable);
+    for (const UserOutput& output : scope_.region.user_outputs) {
+      output_ = &output;
+      label_ = {"the user output", output.name.location};
+      for (const ComputedVariable& variable : output.variables)
+        std::visit([&](const auto& alternative) { add(alternative); }, variable);
+    }
+  }
+
+ private:
+  void warn(const DeckName& at, std::string text) {
+    scope_.diagnostics.add_warning("output-not-computed", at.location, std::move(text), "",
+                                   static_cast<int>(at.text.size()));
+  }
+
+  std::vector<EntityRange> find_ranges(FieldLocation location) {
+    if (location == FieldLocation::global) return {{0, 0, 1, {}}};
+    if (location == FieldLocation::node) return find_node_ranges(output_->set, label_, scope_);
+    return find_element_ranges(output_->set, label_, scope_, variables_.model());
+  }
+
+  void compute(std::function<void(const OutputMoment&)> run) {
+    outputs_.computations_.push_back({output_->is_every_step, std::move(run)});
+  }
+
+  // Storage of a variable; one that the deck has made before goes on. Null when that has another size.
+  Storage store(const DeckName& name, FieldLocation location, FieldShape shape, std::vector<double> initial,
+                std::vector<std::uint8_t> in_blocks = {}) {
+    Storage& storage = stored_[{location, fold(name.text)}];
+    if (storage != nullptr) {
+      if (storage->n_components() == initial.size()) return storage;
+      warn(name, fmt::format("{} has {} numbers, and {} are computed", name.text, storage->n_components(),
+                             initial.size()));
+      return nullptr;
+    }
+    storage = std::make_shared<StoredValues>(variables_.model(), location, std::move(initial));
+    RunVariable variable;
+    variable.name = canonical_variable_name(name.text);
+    variable.location = location;
+    variable.shape = shape;
+    variable.in_blocks = std::move(in_blocks);
+    add_stored_variable(variables_, std::move(variable), storage);
+    return storage;
+  }
+
+  Storage store_like(const DeckName& name, FieldLocation location, const VariablePick& pick) {
+    const FieldShape shape = pick.component ? FieldShape::scalar : pick.variable->shape;
+    return store(name, location, shape, std::vector<double>(pick.n_components(), 0.0));
+  }
+
+  void add(const UserVariable& variable) {
+    const FieldShape shape = field_shape(variable);
+    const std::size_t n = static_cast<std::size_t>(
+        shape == FieldShape::list ? variable.length : std::int64_t{component_count(shape)});
+    std::vector<double> initial = variable.initial_values;
+    if (initial.empty()) initial.push_back(0.0);
+    if (initial.size() == 1) initial.resize(n, initial[0]);
+    if (initial.size() != n) {
+      scope_.diagnostics.add_error(
+          variable.name.location,
+          fmt::format("{} has {} numbers and {} initial values", variable.name.text, n, initial.size()));
+      return;
+    }
+    store(variable.name, field_location(variable.place), shape, std::move(initial), find_blocks(variable));
+  }
+
+  std::vector<std::uint8_t> find_blocks(const UserVariable& variable) {
+    if (variable.blocks.empty() || variable.place != UserVariable::Place::element) return {};
+    EntitySet set;
+    set.blocks = variable.blocks;
+    const Model& model = variables_.model();
+    std::vector<std::uint8_t> in_blocks(model.blocks.size(), 0);
+    const ConditionLabel label{"the user variable", variable.name.location};
+    for (const EntityRange& range : find_element_ranges(set, label, scope_, model))
+      in_blocks[range.block] = 1;
+    return in_blocks;
+  }
+
+  void add(const ReducedVariable& reduced) {
+    const auto pick = find_pick(variables_, reduced.source_location, reduced.source, scope_.diagnostics);
+    if (!pick) return;
+    if (pick->variable->location == FieldLocation::global)
+      return warn(reduced.source.name, fmt::format("{} is one value already", reduced.source.name.text));
+    auto ranges = find_ranges(pick->variable->location);
+    const Storage values = store_like(reduced.name, FieldLocation::global, *pick);
+    if (values == nullptr) return;
+    compute([pick = *pick, ranges = std::move(ranges), values,
+             reduction = reduced.reduction](const OutputMoment& moment) {
+      const std::vector<double> results = reduce(reduction, pick, ranges, moment);
+      std::copy(results.begin(), results.end(), values->at(EntityRange{}).begin());
+    });
+  }
+
+  void add(const FunctionVariable& computed) {
+    const FieldLocation location = field_location(computed.location);
+    auto function = make_named_function(computed.function, scope_.definition.functions, scope_.diagnostics);
+    if (!function) return;
+    auto ranges = find_ranges(location);
+    // Stored before the function looks for what it reads: that may be what it was before.
+    const Storage values = store(computed.name, location, FieldShape::scalar, {0.0});
+    auto made = make_variable_function(std::move(*function), location, variables_, scope_.diagnostics);
+    if (!made || values == nullptr) return;
+    compute([made = std::move(*made), ranges = std::move(ranges), values](const OutputMoment& moment) {
+      for (const EntityRange& range : ranges) made.evaluate(moment, range, values->at(range));
+    });
+  }
+
+  void add(const ComputedExpression& computed) {
+    const Storage values = store(computed.name, FieldLocation::global, FieldShape::scalar, {0.0});
+    if (values == nullptr) return;
+    try {
+      const auto expression = std::make_shared<GlobalExpression>(computed.text, variables_);
+      compute([expression, values](const OutputMoment& moment) {
+        values->at(EntityRange{})[0] = expression->evaluate(moment);
+      });
+    } catch (const ExpressionError& error) {
+      scope_.diagnostics.add_error(computed.name.location,
+                                   fmt::format("the expression of {}: {}", computed.name.text, error.text),
+                                   error.hint);
+    }
+  }
+
+  void add(const VolumeAverage& average) {
+    const auto pick = find_pick(variables_, VariableLocation::element, average.source, scope_.diagnostics);
+    if (!pick) return;
+    auto ranges = find_ranges(FieldLocation::element);
+    const Storage values = store_like(average.name, FieldLocation::element, *pick);
+    if (values == nullptr) return;
+    // The points of an element share its volume equally: their average is the mean that a variable gives.
+    compute([pick = *pick, ranges = std::move(ranges), values](const OutputMoment& moment) {
+      visit_values(pick, ranges, moment, [&](const EntityRange& part, std::span<const double> found) {
+        std::copy(found.begin(), found.end(), values->at(part).begin());
+      });
+    });
+  }
+
+  void add(const NodalExtrapolation& extrapolation) {
+    const auto pick =
+        find_pick(variables_, VariableLocation::element, extrapolation.source, scope_.diagnostics);
+    if (!pick) return;
+    auto ranges = find_ranges(FieldLocation::element);
+    const Storage values = store_like(extrapolation.name, FieldLocation::node, *pick);
+    if (values == nullptr) return;
+    compute([pick = *pick, ranges = std::move(ranges), values](const OutputMoment& moment) {
+      extrapolate(pick, ranges, moment, values->at({0, 0, moment.model.mesh->n_nodes(), {}}));
+    });
+  }
+
+  const ConditionScope& scope_;
+  RunVariables& variables_;
+  UserOutputs& outputs_;
+  const UserOutput* output_ = nullptr;
+  ConditionLabel label_;
+  std::map<std::pair<FieldLocation, std::string>, Storage> stored_;
+};
+
+UserOutputs::UserOutputs(const ConditionScope& scope, RunVariables& variables) {
+  UserOutputMaker(scope, variables, *this).make();
+}
+
+void UserOutputs::compute(const OutputMoment& moment, bool are_needed) {
+  const std::int64_t step = moment.state.step;
+  const bool is_new = last_step_ != step, is_newly_needed = are_needed && last_needed_step_ != step;
+  for (const Computation& computation : computations_) {
+    if (computation.is_every_step ? is_new : is_newly_needed) computation.run(moment);
+  }
+  last_step_ = step;
+  if (are_needed) last_needed_step_ = step;
+}
+
+}  // namespace contactsim

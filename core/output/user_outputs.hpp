@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/conditions/condition_scope.hpp"
+#include "core/output/run_variables.hpp"
+
+namespace contactsim {
+
+/// The variables that a region makes by USER VARIABLE and USER OUTPUT. Each keeps its values from one
+/// computation to the next, so that one computed at every step may read what it was before.
+/// Source: Sierra/SM 5.22, 9.4 and 10.1.
+class UserOutputs {
+ public:
+  /// Adds the variables to those of the run. What cannot be computed is left out with a warning; functions
+  /// and parts of the mesh that do not exist are errors. The variables must outlive it.
+  UserOutputs(const ConditionScope& scope, RunVariables& variables);
+
+  /// Computes the variables in the order of the deck: those of COMPUTE AT EVERY STEP, and when the values are
+  /// needed the others. Each is computed once a step, however often it is asked for.
+  void compute(const OutputMoment& moment, bool are_needed);
+
+ private:
+  friend class UserOutputMaker;
+  struct Computation {
+    bool is_every_step = false;
+    std::function<void(const OutputMoment&)> run;
+  };
+  std::vector<Computation> computations_;
+  std::optional<std::int64_t> last_step_, last_needed_step_;  // for which it was done
+};
+
+}  // namespace contactsim
