@@ -25,10 +25,13 @@ class BlockMaker {
                 fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text), "");
       return;
     }
-    const SolidElement* element = find_element(index, *parameters);
-    const auto properties = make_properties(*parameters);
+    const SolidSection* section = find_solid_section(index, *parameters);
+    const SolidElement* element =
+        section ? find_formulation(topology(mesh_.blocks()[index].shape), *section, *parameters) : nullptr;
+    const auto properties = make_properties(*parameters, section);
     if (element == nullptr || !properties) return;
     blocks.push_back(make_solid_block(mesh_, index, *element, *properties));
+    check_volumes(blocks.back(), *parameters);
     blocks.back().material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
   }
 
@@ -37,7 +40,7 @@ class BlockMaker {
     diagnostics_.add_error(location, std::move(text), std::move(hint));
   }
 
-  const SolidElement* find_element(std::uint32_t index, const BlockParameters& parameters) {
+  const SolidSection* find_solid_section(std::uint32_t index, const BlockParameters& parameters) {
     const Topology& shape = topology(mesh_.blocks()[index].shape);
     const SectionDefinition* section = find_section(definition_, parameters);
     const SolidSection* solid = &default_section_;
@@ -51,7 +54,7 @@ class BlockMaker {
     }
     if (section != nullptr && section->rigid_body)
       add_error(section->rigid_body->location, "rigid bodies are not supported yet", "");
-    return find_formulation(shape, *solid, parameters);
+    return solid;
   }
 
   const SolidElement* find_formulation(const Topology& shape, const SolidSection& solid,
@@ -74,7 +77,8 @@ class BlockMaker {
     return nullptr;
   }
 
-  std::optional<SolidProperties> make_properties(const BlockParameters& parameters) {
+  std::optional<SolidProperties> make_properties(const BlockParameters& parameters,
+                                                 const SolidSection* section) {
     if (!parameters.material || !parameters.model) {
       add_error(parameters.location,
                 fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
@@ -90,7 +94,25 @@ class BlockMaker {
                            parameters.hourglass_stiffness,
                            parameters.hourglass_viscosity,
                            parameters.linear_bulk_viscosity,
-                           parameters.quadratic_bulk_viscosity};
+                           parameters.quadratic_bulk_viscosity,
+                           section != nullptr ? section->deviatoric_parameter.value_or(1.0) : 1.0};
+  }
+
+  /// Elements without a positive volume have no mass and no gradients.
+  void check_volumes(const SolidBlock& block, const BlockParameters& parameters) {
+    std::size_t n_bad = 0, first = 0;
+    for (std::size_t element = 0; element < block.n_elements; ++element) {
+      if (block.mass[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) > 0.0) continue;
+      if (n_bad++ == 0) first = element;
+    }
+    if (n_bad == 0) return;
+    const auto id = mesh_.element_id({block.first_element.value + static_cast<std::uint32_t>(first)});
+    const std::string others = n_bad > 1 ? fmt::format(" and {} more", n_bad - 1) : "";
+    add_error(
+        parameters.location,
+        fmt::format("{}: element {}{} without a positive volume", block_name_, id,
+                    n_bad > 1 ? others + " are" : " is"),
+        block.element->n_points > 1 ? "at an integration point; mean quadrature asks less of a shape" : "");
   }
 
   const SimulationDefinition& definition_;

@@ -94,6 +94,19 @@ void add_natural_stress(const SymmetricLanes& stress, const PointMap& map, std::
   }
 }
 
+/// The stresses at the points of eight elements in two parts.
+struct PointForces {
+  VectorSlopes amounts;                             ///< of what acts at the points, on the natural slopes
+  SymmetricLanes uniform = SymmetricLanes::zero();  ///< what acts on the mean gradient [force/length^2]
+  Lanes volume;                                     ///< as volume_of_points [length^3]
+
+  PointForces() {
+    for (NaturalSlopes& component : amounts) {
+      for (auto& along : component) along.fill(Lanes::Zero());
+    }
+  }
+};
+
 /// An element of eight points; what Quadrature is, see above. The stable step is that of uniform-gradient
 /// elements with another bound of the frequencies,
 ///   omega^2 <= n_nodes / m (lambda B:B / V + 2 mu max(V_p s_p^2)),
@@ -118,7 +131,11 @@ struct PointHex {
     const Lanes viscous_stress = damp(properties, motion, middle, sums, step);
     const auto hourglass = resist_hourglass(properties, motion, middle, own);
     step.hourglass_work = hourglass.work;
-    set_point_forces(properties, motion.x, points, viscous_stress, hourglass.force, step);
+    PointForces forces = split_stresses(properties, motion.x, points);
+    for (std::size_t i = 0; i < 3; ++i) forces.uniform[i] += viscous_stress;
+    set_forces<HexGeometry>(forces.uniform, hourglass.force, motion.x, step);
+    subtract_from_nodes(forces.amounts, step.force);
+    step.volume = forces.volume;
   }
 
  private:
@@ -183,40 +200,31 @@ struct PointHex {
     return update_hourglass<HexGeometry>(motion, middle, stiffness, damping, own);
   }
 
-  /// Sets the forces: what of the stresses is uniform by mean gradients, the rest at the points.
-  static void set_point_forces(const SolidProperties& properties, const NodeVectors<8>& x,
-                               std::span<const Lanes> points, const Lanes& viscous_stress,
-                               const PatternVectors<HexGeometry>& hourglass, SolidStep<8>& step) {
+  static PointForces split_stresses(const SolidProperties& properties, const NodeVectors<8>& x,
+                                    std::span<const Lanes> points) {
     const VectorSlopes slopes = vector_slopes(x);
     const std::size_t size = points.size() / n_points;
-    const double share = share_of(properties);
-    VectorSlopes amounts;
-    for (NaturalSlopes& component : amounts) {
-      for (auto& along : component) along.fill(Lanes::Zero());
-    }
-    SymmetricLanes uniform = SymmetricLanes::zero();  // times the volume
+    PointForces forces;
     Lanes volume = Lanes::Zero(), least = Lanes::Constant(std::numeric_limits<double>::infinity());
     for (std::size_t p = 0; p < n_points; ++p) {
       const PointMap map = point_map(slopes, p);
       SymmetricLanes stress;
       for (std::size_t i = 0; i < 6; ++i) stress[i] = points[p * size + i];
       if constexpr (Quadrature::has_mean_dilatation) {
-        SymmetricLanes local = deviator(stress);
+        const SymmetricLanes whole = stress;
+        stress = deviator(stress);
         for (std::size_t i = 0; i < 6; ++i) {
-          local[i] *= share;
-          uniform[i] += map.volume * (stress[i] - local[i]);
+          stress[i] *= properties.deviatoric_parameter;
+          forces.uniform[i] += map.volume * (whole[i] - stress[i]);
         }
-        stress = local;
       }
-      add_natural_stress(stress, map, p, amounts);
+      add_natural_stress(stress, map, p, forces.amounts);
       volume += map.volume;
       least = least.min(map.volume);
     }
-    for (std::size_t i = 0; i < 6; ++i) uniform[i] /= volume;
-    for (std::size_t i = 0; i < 3; ++i) uniform[i] += viscous_stress;
-    set_forces<HexGeometry>(uniform, hourglass, x, step);
-    subtract_from_nodes(amounts, step.force);
-    step.volume = (least > 0.0).select(volume, least);
+    for (Lanes& component : forces.uniform.components) component /= volume;
+    forces.volume = (least > 0.0).select(volume, least);
+    return forces;
   }
 
   static void subtract_from_nodes(VectorSlopes& amounts, NodeVectors<8>& force) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/model.hpp"
 
+#include "core/elements/element_table.hpp"
+
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
 
@@ -63,4 +65,65 @@ TEST_CASE("blocks that cannot move are errors", "[core][model]") {
   section.sections.push_back({named("s"), {}, solid});
   section.finite_element_models[0].block_parameters[0].section = named("s");
   CHECK(errors_of(section, hexes) == "block_1: there is no HEX8 with the formulation q1p0\n");
+}
+
+TEST_CASE("a section's deviatoric parameter reaches its elements, and counts 1 by default", "[core][model]") {
+  const Mesh mesh = test::MeshBuilder().add_hexes({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  SolidSection solid;
+  solid.formulation = named("Selective_Deviatoric");
+  const auto made = [&] {
+    definition.sections = {{named("s"), {}, solid}};
+    definition.finite_element_models[0].block_parameters[0].section = named("s");
+    Diagnostics diagnostics;
+    const Model model = make_model(definition, {}, mesh, diagnostics);
+    CHECK(diagnostics.empty());
+    REQUIRE(model.blocks.size() == 1);
+    CHECK(model.blocks[0].element->n_points == 8);
+    return model.blocks[0].properties.deviatoric_parameter;
+  };
+  CHECK(made() == 1.0);
+  solid.deviatoric_parameter = 0.25;
+  CHECK(made() == 0.25);
+}
+
+TEST_CASE("elements without volume are refused by id", "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({.cells = {3, 1, 1}}).parts();
+  parts.element_ids = {10, 20, 30};
+  for (Eigen::Index node = 0; node < parts.coordinates.cols(); ++node) {
+    if (parts.coordinates(0, node) > 0.5)
+      parts.coordinates(0, node) = 1.0;  // the second cell keeps its volume
+  }
+  CHECK(errors_of(definition_for("block_1"), Mesh(parts)) ==
+        "block_1: element 30 is without a positive volume\n");
+  std::swap(parts.blocks[0].nodes[0], parts.blocks[0].nodes[4]);  // the first one is turned inside out
+  std::swap(parts.blocks[0].nodes[1], parts.blocks[0].nodes[5]);
+  std::swap(parts.blocks[0].nodes[2], parts.blocks[0].nodes[6]);
+  std::swap(parts.blocks[0].nodes[3], parts.blocks[0].nodes[7]);
+  CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
+        "block_1: element 10 and 1 more are without a positive volume\n");
+}
+
+TEST_CASE("a hexahedron that turns inside out at a point is refused where points are asked for",
+          "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
+  const auto corner = parts.blocks[0].nodes[6].value;
+  parts.coordinates.col(corner).setConstant(0.25);  // a dent: the volume stays positive
+  const Mesh mesh(std::move(parts));
+  SimulationDefinition definition = definition_for("block_1");
+  CHECK(errors_of(definition, mesh).empty());
+  SolidSection solid;
+  solid.formulation = named("fully_integrated");
+  definition.sections = {{named("s"), {}, solid}};
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  CHECK(errors_of(definition, mesh) == "block_1: element 1 is without a positive volume\n");
+}
+
+TEST_CASE("quadratic elements are refused", "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
+  parts.blocks[0].shape = Shape::tet10;
+  parts.blocks[0].nodes_per_element = 10;
+  for (std::uint32_t i = 0; i < 2; ++i) parts.blocks[0].nodes.push_back({i});
+  CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
+        "block_1 has elements of type TETRA10, which are not supported\n");
 }

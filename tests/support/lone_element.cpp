@@ -10,7 +10,8 @@ namespace contactsim::test {
 
 namespace {
 
-Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
+Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates,
+                      const std::vector<std::uint32_t>& nodes) {
   MeshParts parts;
   parts.path = "one element";
   parts.coordinates = coordinates;
@@ -19,7 +20,8 @@ Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
   block.shape = shape;
   block.nodes_per_element = topology(shape).n_nodes;
   block.n_elements = 1;
-  for (std::uint32_t node = 0; node < topology(shape).n_nodes; ++node) block.nodes.push_back({node});
+  for (std::uint32_t node = 0; node < topology(shape).n_nodes; ++node)
+    block.nodes.push_back({nodes.empty() ? node : nodes[node]});
   parts.blocks.push_back(std::move(block));
   return Mesh(std::move(parts));
 }
@@ -68,8 +70,8 @@ std::string name_of(const SolidElement& row) {
 }
 
 LoneElement::LoneElement(const SolidElement& row, const SolidProperties& properties,
-                         const Eigen::Matrix3Xd& at_rest)
-    : block(make_solid_block(one_element_mesh(row.shape, at_rest), 0, row, properties)),
+                         const Eigen::Matrix3Xd& at_rest, std::vector<std::uint32_t> nodes)
+    : block(make_solid_block(one_element_mesh(row.shape, at_rest, nodes), 0, row, properties)),
       state(make_state(block)),
       coordinates(at_rest) {}
 
@@ -134,13 +136,19 @@ Eigen::MatrixXd stiffness_of(const LoneElement& element) {
 }
 
 double stable_limit(const LoneElement& element) {
+  const std::size_t n_corners = element.block.element->n_nodes;
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(element.coordinates.size());
+  for (std::size_t corner = 0; corner < n_corners; ++corner) {
+    const Eigen::Index node = element.block.chunk_nodes[element.block.nodes[corner * n_lanes]];
+    mass.segment<3>(3 * node).array() += element.mass() / static_cast<double>(n_corners);
+  }
   const Eigen::MatrixXd stiffness = stiffness_of(element);
-  const Eigen::MatrixXd symmetric = 0.5 * (stiffness + stiffness.transpose());
-  const double greatest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
-                              .eigenvalues()
-                              .maxCoeff();
-  const double nodal_mass = element.mass() / static_cast<double>(element.coordinates.cols());
-  return 2.0 / std::sqrt(greatest / nodal_mass);
+  const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled =
+      scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();
+  return 2.0 / std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled, Eigen::EigenvaluesOnly)
+                             .eigenvalues()
+                             .maxCoeff());
 }
 
 }  // namespace contactsim::test

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "core/elements/element_table.hpp"
 
@@ -30,7 +32,9 @@ struct LoneElement {
   SolidBlockState state;
   Eigen::Matrix3Xd coordinates;  ///< now [3 x n_nodes]
 
-  LoneElement(const SolidElement& row, const SolidProperties& properties, const Eigen::Matrix3Xd& at_rest);
+  ///   nodes  of the element by columns of at_rest, when they are not 0, 1, 2...
+  LoneElement(const SolidElement& row, const SolidProperties& properties, const Eigen::Matrix3Xd& at_rest,
+              std::vector<std::uint32_t> nodes = {});
 
   /// Moves the nodes along straight lines in one step; dt 0 asks for the forces where it stands.
   ChunkStep move_to(const Eigen::Matrix3Xd& there, double dt = 1.0);
@@ -50,7 +54,7 @@ struct LoneElement {
 /// Derivatives of the restoring forces by the coordinates of the nodes, by differences [force/length].
 Eigen::MatrixXd stiffness_of(const LoneElement& element);
 
-/// 2 / the highest frequency of an element that gives its nodes equal masses [time].
+/// 2 / the highest frequency of an element that gives its corners equal masses [time].
 double stable_limit(const LoneElement& element);
 
 }  // namespace contactsim::test

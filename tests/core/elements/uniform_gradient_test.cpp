@@ -99,3 +99,21 @@ TEST_CASE("the stable step of a cube is near its limit", "[core][elements]") {
     CHECK(element.stay().stable_step >= 0.8 * stable_limit(element));
   }
 }
+
+TEST_CASE("the patterns of wedges and pyramids strain nothing and are resisted", "[core][elements]") {
+  const auto check = [](Shape shape, const Eigen::RowVectorXd& pattern) {
+    LoneElement element(*find_solid_element(shape, "mean_quadrature"), undamped_elastic(),
+                        regular_element(shape));
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      LoneElement bent = element;
+      Eigen::Matrix3Xd there = bent.coordinates;
+      there.row(i) += 1e-7 * pattern;
+      CHECK(bent.move_to(there).hourglass_work > 0.0);
+      CHECK(bent.stress().norm() < 1e-4 * 1e-7 * 1e11);  // of second order in the motion
+      CHECK(bent.forces().row(i).dot(pattern) < 0.0);
+    }
+  };
+  check(Shape::wedge6, Eigen::RowVectorXd{{1, -1, 0, -1, 1, 0}});
+  check(Shape::wedge6, Eigen::RowVectorXd{{1, 1, -2, -1, -1, 2}});
+  check(Shape::pyramid5, Eigen::RowVectorXd{{1, -1, 1, -1, 0}});
+}
