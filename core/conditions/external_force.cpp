@@ -25,6 +25,8 @@ class LoadValues {
         varies_(value.varies_in_space()),
         common_(varies_ ? 0.0 : value.at(motion.time)) {}
 
+  bool vary() const { return varies_; }
+
   double at(NodeIndex node) const { return varies_ ? value_.at(motion_.time, fields_, node) : common_; }
 
   Eigen::Vector4d at(const std::array<NodeIndex, 4>& nodes) const {
@@ -91,13 +93,17 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
   for (std::int64_t i = 0; i < n; ++i) {
     const auto face = static_cast<std::size_t>(i);
     const Corners corners = corners_of(load.faces[face], motion.coordinates);
-    Eigen::Vector4d value = values.at(load.faces[face]);
+    const Eigen::Vector4d value = values.at(load.faces[face]);
     bad = std::min(bad, first_bad(value, load.faces[face]));
-    if (load.damping != 0.0) {
-      value.array() += load.damping * normal_velocity(corners, corners_of(load.faces[face], motion.velocity));
+    if (load.direction) {
+      corner_forces_[face] = traction_forces(corners, value, *load.direction);
+      continue;
     }
     corner_forces_[face] =
-        load.direction ? traction_forces(corners, value, *load.direction) : pressure_forces(corners, value);
+        values.vary() ? pressure_forces(corners, value) : pressure_forces(corners, value(0));
+    if (load.damping == 0.0) continue;
+    const double speed = normal_velocity(corners, corners_of(load.faces[face], motion.velocity));
+    corner_forces_[face] += pressure_forces(corners, load.damping * speed);
   }
   if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
   load.sums.add(corner_forces_, forces);

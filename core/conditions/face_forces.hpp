@@ -17,6 +17,9 @@ using Corners = Eigen::Matrix<double, 3, 4>;
 ///   pressure  at each corner [force/length^2]
 Corners pressure_forces(const Corners& corners, const Eigen::Vector4d& pressure);
 
+/// The same of a pressure that is one number all over the face, integrated in closed form.
+Corners pressure_forces(const Corners& corners, double pressure);
+
 /// The same of a traction along a vector that does not turn with the face.
 ///   traction   at each corner [force/length^2]
 ///   direction  unit, or the sum of some units [1]

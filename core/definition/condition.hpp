@@ -11,7 +11,8 @@
 /// chapter 7.
 namespace contactsim {
 
-/// BEGIN FIXED DISPLACEMENT and BEGIN FIXED ROTATION: held at zero.
+/// BEGIN FIXED DISPLACEMENT and BEGIN FIXED ROTATION: nodes are held where they are when the condition
+/// begins to act, which is their mesh position if it acts from the start.
 struct FixedCondition {
   DeckName name;
   bool is_rotation = false;
@@ -29,7 +30,8 @@ enum class PrescribedQuantity : std::uint8_t {
 };
 
 /// BEGIN PRESCRIBED DISPLACEMENT | VELOCITY | ACCELERATION | ROTATION | ROTATIONAL VELOCITY: the values come
-/// from a function of time or from the mesh file.
+/// from a function of time or from the mesh file. A displacement counts from the mesh position and is reached
+/// at the end of a step; a velocity holds at its middle, an acceleration at its start.
 struct PrescribedCondition {
   DeckName name;
   PrescribedQuantity quantity = PrescribedQuantity::displacement;

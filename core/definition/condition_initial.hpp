@@ -12,7 +12,8 @@
 namespace contactsim {
 
 /// BEGIN INITIAL VELOCITY: along components or a direction by magnitude or function, or about an axis by
-/// angular velocity.
+/// angular velocity. Components leave the others as they are, a direction or axis sets the whole vector. Of
+/// several blocks on a node the last counts.
 struct InitialVelocity {
   DeckName name;
   EntitySet set;

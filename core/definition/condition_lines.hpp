@@ -10,7 +10,9 @@
 
 namespace contactsim {
 
-/// Which way a condition acts: one of components, a direction, an axis; or none of them.
+/// Which way a condition acts: one of components, a direction, an axis; or none of them. Along components or
+/// a direction motion at right angles stays free. About an axis values are angles [1] where they would be
+/// lengths; nodes move on arcs, their distance from the axis is kept, motion along the axis stays free.
 struct DirectionChoice {
   std::array<bool, 3> components{};   ///< COMPONENTS = X Y Z: the global axes, each with the same value
   std::optional<DeckName> direction;  ///< DIRECTION: defined by DEFINE DIRECTION
@@ -26,7 +28,8 @@ struct ScaledFunction {
   bool operator==(const ScaledFunction&) const = default;
 };
 
-/// The time stepping blocks in which a command acts. Both lists empty: always.
+/// The time stepping blocks in which a command acts: active ones less inactive ones. Both lists empty:
+/// always.
 struct ActivePeriods {
   std::vector<DeckName> active;    ///< acts in these only
   std::vector<DeckName> inactive;  ///< acts in all but these

@@ -82,7 +82,7 @@ Row<Region> fixed_block(std::string_view phrase, bool is_rotation, std::string_v
 std::vector<Row<Region>> kinematic_condition_rows() {
   using Q = PrescribedQuantity;
   return {
-      fixed_block("fixed displacement", false, "Holds nodes where they are"),
+      fixed_block("fixed displacement", false, "Holds nodes where they are when it begins to act"),
       fixed_block("fixed rotation", true, "Holds the rotations of nodes"),
       prescribed_block<Q::displacement>("Moves nodes by a function of time, from their mesh position"),
       prescribed_block<Q::velocity>("Moves nodes at a velocity"),

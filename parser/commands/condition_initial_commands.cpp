@@ -54,7 +54,8 @@ std::vector<Row<Region>> initial_condition_rows() {
   using R = Region;
   return {
       block<R, InitialVelocity>("initial velocity", Naming::optional, initial_velocity_table,
-                                &R::initial_velocities, "Velocity at the start"),
+                                &R::initial_velocities,
+                                "Velocity at the start; of several blocks on a node the last one counts"),
       block<R, InitialCondition>("initial condition", Naming::optional, initial_condition_table,
                                  &R::initial_conditions, "A variable's values at the start"),
   };

@@ -50,7 +50,7 @@ std::vector<Row<DirectionChoice>> direction_rows() {
 std::vector<Row<DirectionChoice>> direction_or_axis_rows() {
   std::vector<Row<DirectionChoice>> rows = direction_rows();
   rows.push_back(row("cylindrical axis", read::name, &DirectionChoice::cylindrical_axis,
-                     "Acts about an axis of DEFINE AXIS"));
+                     "Turns about an axis of DEFINE AXIS: values are angles in radians [1] for lengths"));
   return rows;
 }
 

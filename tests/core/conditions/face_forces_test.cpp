@@ -75,6 +75,13 @@ TEST_CASE("pressure forces of warped faces are the exact integral", "[core][cond
   }
 }
 
+TEST_CASE("the closed form of a uniform pressure is the integral", "[core][conditions]") {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const Corners corners = random_corners(seed);
+    CHECK(pressure_forces(corners, 1.5).isApprox(pressure_forces(corners, Eigen::Vector4d::Constant(1.5))));
+  }
+}
+
 TEST_CASE("a uniform pressure adds up to itself times the area vector", "[core][conditions]") {
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Corners x = random_corners(seed);
