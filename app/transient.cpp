@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/file_clashes.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_report.hpp"
@@ -14,11 +15,7 @@
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
-<<<<<<< HEAD
-#include "core/output/run_variables.hpp"
 #include "io/exodus_variables.hpp"
-=======
->>>>>>> output
 #include "io/outputs.hpp"
 
 namespace contactsim {
@@ -175,6 +172,18 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   return {std::move(model), std::move(external), std::move(initial), std::move(control)};
 }
 
+/// No output may overwrite what the run reads, or the log.
+void check_paths(const RunInput& input, const Outputs& outputs) {
+  std::vector<RunFile> kept = files_read(input.options);
+  kept.push_back({input.mesh.path(), "the mesh"});
+  kept.push_back({log_path(input.options), "the log"});
+  for (const std::string& path : outputs.paths()) {
+    const RunFile file{path, "the output file " + path};
+    const std::string clash = find_file_clash(kept, {&file, 1});
+    if (!clash.empty()) throw FileError(path, clash);
+  }
+}
+
 OutputSettings output_settings(const RunInput& input, Log& log) {
   OutputSettings settings;
   settings.results_path = input.options.results;
@@ -194,6 +203,7 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
                              warnings};
   Outputs outputs(scope, setup.model, output_settings(input, log));
   stop_on_errors(warnings);
+  check_paths(input, outputs);
   return Run(input, setup, outputs, setup.external, log, warnings).go();
 }
 
