@@ -162,8 +162,8 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   Model model = make_model(input.definition, input.region, input.mesh, warnings);
   StoredVariables stored;
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
-  const ConditionScope scope{
-      input.definition, input.region, input.procedure.time_control->blocks, input.mesh, warnings, &stored};
+  const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks,
+                             input.mesh,       warnings,     &stored};
   model.kinematics = make_kinematics(scope);
   ExternalForce external = make_external_force(scope, model.mass);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);

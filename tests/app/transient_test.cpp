@@ -21,7 +21,8 @@ struct PulledBar : ProgramDirectory {
           "begin sierra\n"
           "begin material m\ndensity = 8000\nbegin parameters for model elastic\nyoungs modulus = 200e9\n"
           "poissons ratio = 0.3\nend\nend\n"
-          "begin finite element model f\nbegin parameters for block bar\nmaterial = m\nmodel = elastic\nend\nend\n"
+          "begin finite element model f\nbegin parameters for block bar\nmaterial = m\nmodel = "
+          "elastic\nend\nend\n"
           "begin presto procedure p\nbegin time control\nbegin time stepping block t\nstart time = 0\n"
           "begin parameters for presto region r\nstep interval = 10\nend\nend\n"
           "termination time = " +
@@ -38,9 +39,7 @@ const std::string results =
 const std::string held = "begin fixed displacement\nnode = 1 2 3\ncomponents = x y z\nend\n";
 
 /// What the log says of steps, without the times of the clock.
-std::string steps_of(const std::string& log) {
-  return log.substr(0, log.find("\nWall time"));
-}
+std::string steps_of(const std::string& log) { return log.substr(0, log.find("\nWall time")); }
 
 }  // namespace
 
@@ -49,7 +48,8 @@ TEST_CASE("a deck of solids runs to its termination time and tells how", "[app][
   const auto [code, out, err] = bar.run({"a.i"});
   CHECK(err == "");
   CHECK(code == 0);
-  CHECK_THAT(out, Contains("  bar                            2000 HEX8      mean_quadrature        m (elastic)"));
+  CHECK_THAT(out,
+             Contains("  bar                            2000 HEX8      mean_quadrature        m (elastic)"));
   CHECK_THAT(out, Contains("mass 8000, 3 nodes held or driven") && Contains("set by element"));
   CHECK_THAT(out, Contains("Wall time") && Contains("million element-steps per second"));
   CHECK(bar.has("a.e"));
