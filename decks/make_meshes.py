@@ -24,9 +24,9 @@ def two_blocks():
     return mesh
 
 
-def taylor_bar():
+def taylor_bar(across=4):
     """A quarter of a rod, 3.2 mm by 32.4 mm: a core with bulging sides and a ring about it."""
-    across, along, radius, length = 6, 54, 3.2e-3, 32.4e-3
+    along, radius, length = 10 * across, 3.2e-3, 32.4e-3
 
     def core(x, y):
         return 0.55 * radius * x * (1 - 0.15 * y * y), 0.55 * radius * y * (1 - 0.15 * x * x)
