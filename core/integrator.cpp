@@ -57,9 +57,10 @@ void move(State& state) {
 /// Names the first node whose motion is not finite.
 [[noreturn]] void stop_at_non_finite(const Model& model, const State& state) {
   for (std::uint32_t node = 0; node < model.mesh->n_nodes(); ++node) {
-    if (state.acceleration.col(node).allFinite() && state.velocity.col(node).allFinite()) continue;
-    const char* cause =
-        model.mass(0, node) <= least_mass ? "has no mass but is pushed" : "moves without bound";
+    const auto acceleration = state.acceleration.col(node);
+    const bool is_massless = model.mass(0, node) <= least_mass && !acceleration.isZero(0.0);
+    if (acceleration.allFinite() && state.velocity.col(node).allFinite() && !is_massless) continue;
+    const char* cause = is_massless ? "has no mass but is pushed" : "moves without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
   throw SolveError(state.time, "the energy is not finite");

@@ -18,8 +18,8 @@ struct BetweenSteps {
   double dt_before;                     ///< of the step that ends now; 0 at the start [time]
   double dt_after;                      ///< of the step that begins now, > 0 [time]
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
-  const Eigen::Matrix3Xd&
-      velocity;  ///< [3 x n_nodes] at the middle of the step before; at the start, now [length/time]
+  /// [3 x n_nodes] at the middle of the step before; at the start, now [length/time].
+  const Eigen::Matrix3Xd& velocity;
 };
 
 /// What a kinematic condition does to its nodes.
@@ -36,8 +36,8 @@ enum class Drive : std::uint8_t {
 struct DrivenNodes {
   Drive drive = Drive::hold;
   Direction direction;
-  ConditionFunction value{
-      0.0};  ///< [length], [length/time], [length/time^2]; about an axis radians for length
+  /// [length], [length/time], [length/time^2]; about an axis radians for the length.
+  ConditionFunction value{0.0};
   ActiveTimes times;
   std::vector<NodeIndex> nodes;  ///< ascending, each once
   ConditionLabel label;

@@ -7,10 +7,10 @@
 
 namespace contactsim {
 
-/// Adds what INITIAL VELOCITY blocks give to the velocities at the start. Components are set one by one; a
-/// direction or an axis sets the whole vector. Of several blocks on one node the last in the deck counts,
-/// with a warning when it changes what another gave: blocks of equal velocity may share nodes. A function
-/// is taken at the start time. Errors: unknown names, values that are not finite.
+/// Sets the velocities that INITIAL VELOCITY blocks give. Components are set one by one; a direction or an
+/// axis sets the whole vector. Of several blocks on one node the last in the deck counts, with a warning when
+/// it changes what another gave: blocks of equal velocity may share nodes. A function is taken at the start
+/// time. Errors: unknown names, values that are not finite.
 ///   velocity  [3 x n_nodes] [length/time]
 void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity);
 

@@ -72,7 +72,8 @@ LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes&
   }
   Lanes& eqps = state[n_state - 1];
   const Lanes trial = (1.5 * contract(relative, relative)).sqrt();
-  if ((trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return bounds_of(moduli);
+  // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
+  if (dt == 0.0 || (trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return bounds_of(moduli);
 
   const double stiffness = 3.0 * moduli.shear + hardening.kinematic_modulus;
   const Lanes increment = Consistency<Hardening>{hardening, trial, eqps, stiffness, dt}.solve();

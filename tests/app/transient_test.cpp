@@ -77,7 +77,7 @@ TEST_CASE("an element that turns inside out ends the run with code 4, its id and
           "[app][transient]") {
   const std::string crush =
       "begin prescribed velocity\nnode = 11\ncomponent = x\nfunction = sierra_constant_function_one\n"
-      "scale factor = -5000\nend\n";
+      "scale factor = -50000\nend\n";
   const PulledBar bar(crush + results);
   const auto [code, out, err] = bar.run({"a.i"});
   CHECK(code == 4);

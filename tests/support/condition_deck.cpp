@@ -27,6 +27,7 @@ constexpr const char* definition_lines =
     "define direction slanted with vector 3 4 0\n"
     "define direction across with vector -4 3 0\n"
     "define axis spin with point origin direction up\n"
+    "define axis rightward with point origin point right\n"
     "define axis none with point right point right\n"
     "begin finite element model m\n alias block_1 as body\nend\n";
 

@@ -14,7 +14,7 @@ namespace contactsim::test {
 /// from 0, p2 from 1 and p3 from 2 [time]. Lines of the region stand in the file "c.i" from line 1; outside
 /// are, in "d.i", the functions one (1), ramp (its abscissa), bad (1/x at 0: not finite), at_x (2 coordinates
 /// x), of_stress; the points origin, right (1 0 0); the directions up (0 0 2), slanted (3 4 0), across (-4 3
-/// 0) and the axis spin (z through the origin).
+/// 0) and the axes spin (z through the origin) and rightward (x).
 class ConditionDeck {
  public:
   /// start   of the first period [time]

@@ -228,7 +228,7 @@ TEST_CASE("what solids cannot do is refused, what changes nothing is ignored", "
       "DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis\n");
   CHECK(
       messages_of(block("prescribed velocity", "block = block_1\ncylindrical axis = none\nfunction = one")) ==
-      "d.i:36:13: error: the axis 'none' runs through one point only; its two points lie at one place\n");
+      "d.i:37:13: error: the axis 'none' runs through one point only; its two points lie at one place\n");
   CHECK(
       messages_of(block("prescribed velocity", "block = block_1\ncomponent = x\nfunction = of_stress")) ==
       "d.i:27:35: error: the function of the prescribed velocity reads 'stress(xx)', which conditions do not "

@@ -197,6 +197,19 @@ TEST_CASE("the forces are the derivatives of the work", "[core][conformance]") {
   });
 }
 
+TEST_CASE("asking for the forces where an element stands changes nothing", "[core][conformance]") {
+  for_each_row(all_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+    LoneElement element = make_element(row, law);
+    element.stay();
+    CHECK(element.forces() == Matrix3Xd::Zero(3, element.coordinates.cols()));
+    element.move_to(distorted(element.coordinates, 0.01, 2), 1e-5);  // fast
+    const LoneElement before = element;
+    element.stay();
+    CHECK((element.forces() - before.forces()).norm() <= 1e-12 * before.forces().norm());
+    CHECK(plastic_strain(element, 0) == plastic_strain(before, 0));
+  });
+}
+
 TEST_CASE("the work on a neo-Hookean element is its strain energy", "[core][conformance]") {
   for_each_row({NeoHookeanLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
