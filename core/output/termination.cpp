@@ -69,28 +69,35 @@ Terminations::Terminations(std::span<const SolutionTermination> definitions, con
   }
 }
 
+std::optional<double> Terminations::find_fulfilling(const Criterion& criterion, const OutputMoment& moment) {
+  const VariableTest& test = criterion.definition.test;
+  std::optional<double> found;
+  const auto look = [&](std::span<const double> values) {
+    for (const double value : values) {
+      if (!found && holds(value, test.comparison, test.value)) found = value;
+    }
+  };
+  if (criterion.definition.reduction) {
+    look(reduce(reduction_of(*criterion.definition.reduction), criterion.pick, criterion.ranges, moment));
+  } else {
+    visit_values(criterion.pick, criterion.ranges, moment,
+                 [&](const EntityRange&, std::span<const double> values) { look(values); });
+  }
+  return found;
+}
+
 std::optional<std::string> Terminations::find_reason(const OutputMoment& moment) const {
+  const double time = moment.state.time;
   for (const Block& block : blocks_) {
-    const double time = moment.state.time;
     const bool is_skipped = std::any_of(block.skipped_times.begin(), block.skipped_times.end(),
                                         [&](const TimeRange& r) { return r.from <= time && time <= r.to; });
     if (is_skipped) continue;
-    for (const auto& [pick, definition, ranges] : block.criteria) {
-      std::optional<double> found;
-      const auto look = [&](double value) {
-        if (!found && holds(value, definition.test.comparison, definition.test.value)) found = value;
-      };
-      if (definition.reduction) {
-        for (const double value : reduce(reduction_of(*definition.reduction), pick, ranges, moment))
-          look(value);
-      } else {
-        visit_values(pick, ranges, moment, [&](const EntityRange&, std::span<const double> values) {
-          for (const double value : values) look(value);
-        });
-      }
+    for (const Criterion& criterion : block.criteria) {
+      const auto found = find_fulfilling(criterion, moment);
       if (!found) continue;
-      return fmt::format("{} is {:.6g} {} {:.6g}", definition.test.variable.name.text, *found,
-                         symbol(definition.test.comparison), definition.test.value);
+      const VariableTest& test = criterion.definition.test;
+      return fmt::format("{} is {:.6g} {} {:.6g}", test.variable.name.text, *found, symbol(test.comparison),
+                         test.value);
     }
   }
   return std::nullopt;

@@ -31,6 +31,9 @@ class Terminations {
     TerminationCriterion definition;
     std::vector<EntityRange> ranges;  ///< all of the model
   };
+  /// The first value that fulfils a criterion.
+  static std::optional<double> find_fulfilling(const Criterion& criterion, const OutputMoment& moment);
+
   struct Block {
     std::vector<TimeRange> skipped_times;
     std::vector<Criterion> criteria;

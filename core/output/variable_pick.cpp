@@ -22,6 +22,35 @@ std::optional<FieldLocation> to_field_location(VariableLocation location) {
   return std::nullopt;
 }
 
+// Variables of Sierra/SM that mean something to other elements and materials than those of a run.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 7> foreign_variables{{
+    {"element_shape", "contactsim judges no element shapes"},
+    {"element_thickness", "shells have it"},
+    {"memb_stress", "shells have it"},
+    {"rotational_displacement", "shells and beams have it"},
+    {"rotational_velocity", "shells and beams have it"},
+    {"tearing_parameter", "materials that fail have it"},
+    {"temperature", "nothing is heated here"},
+}};
+
+// What may have been meant by a name that is not known: "" when nothing comes to mind.
+std::string hint_at(const RunVariables& variables, const std::string& name,
+                    std::span<const FieldLocation> locations) {
+  for (const auto& [foreign, hint] : foreign_variables) {
+    if (name == foreign) return std::string(hint);
+  }
+  const std::string base = name.substr(0, name.rfind('_'));
+  std::vector<std::string> known;
+  for (const FieldLocation location : locations) {
+    const RunVariable* whole = base.size() < name.size() ? variables.find(location, base) : nullptr;
+    const std::string ending = whole ? name.substr(base.size() + 1) : "";
+    if (whole && find_component(*whole, ending)) return fmt::format("did you mean {}({})?", base, ending);
+    const auto names = variables.names(location);
+    known.insert(known.end(), names.begin(), names.end());
+  }
+  return suggest(name, known);
+}
+
 // What is wrong with one reference.
 class PickProblem {
  public:
@@ -35,19 +64,16 @@ class PickProblem {
 
   void add_unknown(const RunVariables& variables, std::optional<FieldLocation> wanted) {
     const std::string canonical = canonical_variable_name(name_.text);
-    std::vector<std::string> known;
     for (const FieldLocation location : all_locations) {
-      if (wanted && location != *wanted && variables.find(location, canonical) != nullptr) {
-        add(fmt::format("'{}' is no {} variable", name_.text, to_string(*wanted)),
-            fmt::format("did you mean {} {}?", to_string(location), name_.text));
-        return;
-      }
-      if (wanted && location != *wanted) continue;
-      const auto names = variables.names(location);
-      known.insert(known.end(), names.begin(), names.end());
+      if (!wanted || location == *wanted || variables.find(location, canonical) == nullptr) continue;
+      add(fmt::format("'{}' is no {} variable", name_.text, to_string(*wanted)),
+          fmt::format("did you mean {} {}?", to_string(location), name_.text));
+      return;
     }
     const std::string kind = wanted ? fmt::format("{} ", to_string(*wanted)) : "";
-    add(fmt::format("no {}variable '{}' is known here", kind, name_.text), suggest(canonical, known));
+    const auto locations = wanted ? std::span<const FieldLocation>(&*wanted, 1) : std::span(all_locations);
+    add(fmt::format("no {}variable '{}' is known here", kind, name_.text),
+        hint_at(variables, canonical, locations));
   }
 
  private:

@@ -47,7 +47,13 @@ TEST_CASE("what is unknown is a warning that helps", "[core][output]") {
   const RunVariables variables(run.model);
   CHECK(warning(variables, request(L::nodal, "velocty")) ==
         "no nodal variable 'velocty' is known here; did you mean 'velocity'?");
-  CHECK(warning(variables, request(L::any, "memb_stress")) == "no variable 'memb_stress' is known here; ");
+  CHECK(warning(variables, request(L::any, "memb_stress")) ==
+        "no variable 'memb_stress' is known here; shells have it");
+  CHECK(warning(variables, request(L::nodal, "Velocity_x")) ==
+        "no nodal variable 'Velocity_x' is known here; did you mean velocity(x)?");
+  CHECK(warning(variables, request(L::any, "stress_xz")) ==
+        "no variable 'stress_xz' is known here; did you mean stress(xz)?");
+  CHECK(warning(variables, request(L::global, "x")) == "no global variable 'x' is known here; ");
   CHECK(warning(variables, request(L::nodal, "stress")) ==
         "'stress' is no nodal variable; did you mean element stress?");
   CHECK(warning(variables, request(L::face, "pressure")) ==
