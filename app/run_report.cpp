@@ -40,6 +40,10 @@ std::string format_model(const Model& model, const StepReport& at_start) {
   return text + "\n";
 }
 
+std::string format_paths(std::span<const std::string> paths) {
+  return paths.empty() ? "" : fmt::format("  writes {}\n", fmt::join(paths, ", "));
+}
+
 std::string step_heading() {
   return fmt::format("\n{:>9} {:>13} {:>12} {:>13} {:>13} {:>13} {:>13} {:>9}\n", "step", "time", "time step",
                      "kinetic", "internal", "external", "contact", "error %");

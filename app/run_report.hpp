@@ -15,6 +15,9 @@ namespace contactsim {
 /// Blocks with elements, formulation, law and mass; totals; the stable step at the start and what sets it.
 std::string format_model(const Model& model, const StepReport& at_start);
 
+/// The files that the run writes; "" when there are none.
+std::string format_paths(std::span<const std::string> paths);
+
 /// The heading of the lines of steps.
 std::string step_heading();
 

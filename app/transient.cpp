@@ -62,7 +62,8 @@ class Run {
     ExitCode code = ExitCode::done;
     try {
       const StepReport at_start = start(model_, terms(), control_, state_);
-      log_.write(format_model(model_, at_start) + step_heading());
+      log_.write(format_model(model_, at_start) + format_paths(outputs_.paths()) + step_heading());
+      warn_of_user_step(at_start);
       look_for_end();
       tell(is_over());
       while (!is_over()) step();
@@ -105,6 +106,13 @@ class Run {
       log_.write(format_step(state_));
     }
     output_seconds_ += clock_seconds() - begun;
+  }
+
+  void warn_of_user_step(const StepReport& at_start) {
+    if (state_.next_dt <= at_start.stable_step) return;
+    warnings_.add_warning("user-time-step", {},
+                          fmt::format("the user time step {:.4g} is larger than the stable one, {:.4g}",
+                                      state_.next_dt, at_start.stable_step));
   }
 
   void warn_of_energy() {

@@ -5,6 +5,7 @@
 
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
+#include "core/names.hpp"
 
 namespace contactsim {
 
@@ -45,16 +46,40 @@ class BlockMaker {
     const SectionDefinition* section = find_section(definition_, parameters);
     const SolidSection* solid = &default_section_;
     if (section != nullptr) solid = std::get_if<SolidSection>(&section->properties);
-    if (shape.family != Family::solid || solid == nullptr) {
+    if (shape.family != Family::solid) {
       add_error(
           parameters.location,
           fmt::format("{} has elements of type {}: only solids can move so far", block_name_, shape.name),
           "--check resolves the surfaces of all of them");
       return nullptr;
     }
+    if (solid == nullptr) {
+      add_error(section->name.location,
+                fmt::format("{} has elements of type {}, but its section '{}' is not a SOLID SECTION",
+                            block_name_, shape.name, section->name.text),
+                "");
+      return nullptr;
+    }
+    check_options(*solid);
     if (section != nullptr && section->rigid_body)
       add_error(section->rigid_body->location, "rigid bodies are not supported yet", "");
     return solid;
+  }
+
+  /// Everything but the formulation that a SOLID SECTION may ask for.
+  void check_options(const SolidSection& solid) {
+    const DeckName& strain = solid.strain_incrementation;
+    // Hughes and Winget's increment is objective and taken in the middle of the step: it is both.
+    if (fold(strain.text) != "midpoint_increment" && fold(strain.text) != "strongly_objective") {
+      add_error(strain.location, fmt::format("there is no strain incrementation '{}'", strain.text),
+                "there are midpoint_increment and strongly_objective");
+    }
+    if (solid.is_hourglass_total || solid.is_hourglass_rotation_scaled) {
+      diagnostics_.add_warning(
+          "hourglass-incremental", strain.location,
+          fmt::format("{}: hourglass forces are incremental and turn with the material", block_name_),
+          "HOURGLASS FORMULATION and HOURGLASS ROTATION have no effect");
+    }
   }
 
   const SolidElement* find_formulation(const Topology& shape, const SolidSection& solid,

@@ -127,3 +127,19 @@ TEST_CASE("quadratic elements are refused", "[core][model]") {
   CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
         "block_1 has elements of type TETRA10, which are not supported\n");
 }
+
+TEST_CASE("options of a solid section that are not supported are told", "[core][model]") {
+  const Mesh hexes = test::MeshBuilder().add_hexes({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  SolidSection solid;
+  solid.strain_incrementation = named("node_based");
+  solid.is_hourglass_total = true;
+  definition.sections.push_back({named("s"), {}, solid});
+  CHECK(errors_of(definition, hexes) ==
+        "there is no strain incrementation 'node_based'\n"
+        "block_1: hourglass forces are incremental and turn with the material\n");
+  definition.sections[0].properties = ShellSection{};
+  CHECK(errors_of(definition, hexes) ==
+        "block_1 has elements of type HEX8, but its section 's' is not a SOLID SECTION\n");
+}
