@@ -15,6 +15,7 @@
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
+#include "core/mesh/element_checks.hpp"
 #include "io/exodus_variables.hpp"
 #include "io/outputs.hpp"
 
@@ -166,7 +167,17 @@ bool reads_variables(const Region& region) {
                      [](const InitialCondition& c) { return c.mesh_variable.variable.has_value(); });
 }
 
+/// Positions of the blocks that have elements.
+std::vector<std::uint32_t> blocks_in_use(const Mesh& mesh) {
+  std::vector<std::uint32_t> blocks;
+  for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
+    if (mesh.blocks()[i].n_elements > 0) blocks.push_back(i);
+  }
+  return blocks;
+}
+
 Setup set_up(const RunInput& input, Diagnostics& warnings) {
+  check_elements(input.mesh, blocks_in_use(input.mesh), warnings);
   Model model = make_model(input.definition, input.region, input.mesh, warnings);
   StoredVariables stored;
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);

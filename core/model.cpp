@@ -112,6 +112,11 @@ class BlockMaker {
     const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
     const MaterialModel* model = material ? find_model(*material, parameters.model->text) : nullptr;
     if (model == nullptr) return std::nullopt;  // the binder has said so
+    if (parameters.effective_moduli_model != EffectiveModuliModel::elastic) {
+      diagnostics_.add_warning("effective-moduli", parameters.location,
+                               fmt::format("{}: EFFECTIVE MODULI MODEL has no effect", block_name_),
+                               "viscosity and hourglass resistance follow the elastic moduli");
+    }
     const auto law = make_material_law(*model, diagnostics_);
     if (!law) return std::nullopt;
     return SolidProperties{*law,
