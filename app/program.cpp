@@ -9,6 +9,7 @@
 
 #include "app/counted.hpp"
 #include "app/exit_guard.hpp"
+#include "app/explain_variables.hpp"
 #include "app/file_clashes.hpp"
 #include "app/log.hpp"
 #include "app/options.hpp"
@@ -54,6 +55,16 @@ void check_deck_is_a_file(const std::string& deck) {
   if (std::filesystem::is_directory(status)) throw FileError(deck, "this is a directory, not a deck");
 }
 
+/// The deck language, and output variables of the same name.
+Explanation explain_all(std::span<const std::string> words) {
+  Explanation explanation = explain(words);
+  const std::string variables = words.empty() ? "" : explain_variables(words);
+  if (variables.empty()) return explanation;
+  if (!explanation.is_found) return {variables, true};
+  explanation.text += "\n" + variables;
+  return explanation;
+}
+
 ExitCode start(const Options& options) {
   check_deck_is_a_file(options.deck);
   const std::string clash = find_file_clash(files_read(options), files_written(options));
@@ -76,7 +87,7 @@ int run_program(int argc, const char* const* argv) {
     const CommandLine line = read_command_line(argc, argv);
     if (line.exit_code) return *line.exit_code;
     if (!line.options.explains) return start(line.options);
-    const Explanation explanation = explain(line.options.explain_words);
+    const Explanation explanation = explain_all(line.options.explain_words);
     std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
     return explanation.is_found ? ExitCode::done : ExitCode::deck;
   };

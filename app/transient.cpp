@@ -223,6 +223,7 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   Outputs outputs(scope, setup.model, output_settings(input, log));
   stop_on_errors(warnings);
   check_paths(input, outputs);
+  for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
   return Run(input, setup, outputs, setup.external, log, warnings).go();
 }
 

@@ -2,6 +2,7 @@
 #include "core/time_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/definition/region.hpp"
 
@@ -14,6 +15,18 @@ std::size_t TimeStepControl::period_at(double time) const {
 }
 
 double TimeStepControl::step_after(double time, double before, double stable) const {
+  double step = free_step_after(time, before, stable);
+  for (const StepTarget& target : targets_) {
+    const std::optional<double> next = target.next_time(time);
+    if (!next) continue;
+    constexpr double round_off = 1e-9;  // of a step: a target so near is met by the step as it is
+    const double left = *next - time, n = std::max(1.0, std::ceil(left / step - round_off));
+    if (n <= static_cast<double>(target.n_steps)) step = std::min(step, left / n);
+  }
+  return step;
+}
+
+double TimeStepControl::free_step_after(double time, double before, double stable) const {
   const std::size_t period = period_at(time);
   const ExplicitTimeParameters& parameters = periods_[period].parameters;
   if (parameters.user_time_step) return *parameters.user_time_step;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +17,12 @@ struct TimePeriod {
   std::string name;
   double start = 0.0;  ///< [time]
   ExplicitTimeParameters parameters;
+};
+
+/// Someone who wants steps to end at certain times. Source: Sierra/SM 5.22, TIMESTEP ADJUSTMENT INTERVAL.
+struct StepTarget {
+  std::function<std::optional<double>(double time)> next_time;  ///< the first after a time [time]
+  std::int64_t n_steps = 1;  ///< over so many steps before its time the steps may be shortened, >= 1
 };
 
 /// How long the run is and how large its steps are. Source: Sierra/SM 5.22, 3.1.
@@ -32,14 +41,20 @@ class TimeStepControl {
   /// Position of the period that a time belongs to; each one begins at its start.
   std::size_t period_at(double time) const;
 
+  /// From now on shortens steps such that one of them ends at each time of the target.
+  void add_target(StepTarget target) { targets_.push_back(std::move(target)); }
+
   /// Size of the step that begins at a time: the user's; else the stable one scaled, grown by no more than
-  /// the increase factor, the first no larger than the initial one.
+  /// the increase factor, the first no larger than the initial one; shortened for the targets.
   ///   stable   the largest that is stable [time]
   ///   before   size of the step before, 0 if there is none [time]
   double step_after(double time, double before, double stable) const;
 
  private:
+  double free_step_after(double time, double before, double stable) const;
+
   std::vector<TimePeriod> periods_;
+  std::vector<StepTarget> targets_;
   double termination_time_;
 };
 

@@ -27,15 +27,6 @@ bool has_lines(const OutputSchedule& schedule) {
          !schedule.additional_times.empty() || !schedule.additional_steps.empty();
 }
 
-OutputTimes make_times(const OutputSchedule& schedule, std::int64_t default_increment, const DeckName& output,
-                       Diagnostics& diagnostics) {
-  if (schedule.adjustment_interval) {
-    warn(diagnostics, "output-steps-kept", output, "TIMESTEP ADJUSTMENT INTERVAL has no effect",
-         "the first step at or past an output time is written");
-  }
-  return {schedule, default_increment};
-}
-
 bool is_log(const std::string& stream) {
   constexpr std::array names{"cout", "stdout", "cerr", "stderr", "clog", "log", "output", "outputp0"};
   const std::string folded = fold(stream);
@@ -113,7 +104,7 @@ void Outputs::add_results(const ConditionScope& scope, const ResultsOutput& outp
   constexpr std::int64_t ends_only = 0;
   exodus_.push_back({*path, database.overwrites, true,
                      database.title.empty() ? definition.title : database.title,
-                     make_times(schedule, ends_only, output.name, diagnostics),
+                     OutputTimes(schedule, ends_only),
                      make_requested_fields(variables_, requests, block_names_, diagnostics), nullptr});
 }
 
@@ -126,8 +117,7 @@ void Outputs::add_history(const ConditionScope& scope, const HistoryOutput& outp
   constexpr std::int64_t every_step = 1;
   exodus_.push_back(
       {expand_file_name(definition, database.name ? database.name->text : "%B.h"), database.overwrites, false,
-       database.title.empty() ? definition.title : database.title,
-       make_times(schedule, every_step, output.name, diagnostics),
+       database.title.empty() ? definition.title : database.title, OutputTimes(schedule, every_step),
        make_single_values(variables_, output.variables, database.component_separator, diagnostics), nullptr});
 }
 
@@ -139,7 +129,7 @@ void Outputs::add_heartbeat(const ConditionScope& scope, const HeartbeatOutput& 
       resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
   constexpr std::int64_t every_step = 1;
   heartbeats_.push_back({is_log(path) ? "" : path, output.appends, output.monitored, has_lines(schedule),
-                         make_times(schedule, every_step, output.name, diagnostics),
+                         OutputTimes(schedule, every_step),
                          make_single_values(variables_, output.variables, "_", diagnostics),
                          heartbeat_style(output), std::nullopt});
 }
@@ -151,6 +141,17 @@ std::vector<std::string> Outputs::paths() const {
     if (!job.path.empty()) paths.push_back(job.path);
   }
   return paths;
+}
+
+std::vector<StepTarget> Outputs::step_targets() const {
+  std::vector<StepTarget> targets;
+  const auto add = [&](const OutputTimes& times) {
+    if (!times.adjustment_interval()) return;
+    targets.push_back({[times](double time) { return times.next_time(time); }, *times.adjustment_interval()});
+  };
+  for (const ExodusJob& job : exodus_) add(job.times);
+  for (const HeartbeatJob& job : heartbeats_) add(job.times);
+  return targets;
 }
 
 ResultsText Outputs::make_text(const std::string& title) const {

@@ -12,6 +12,7 @@
 #include "core/output/requested_fields.hpp"
 #include "core/output/termination.hpp"
 #include "core/output/user_outputs.hpp"
+#include "core/time_step.hpp"
 #include "io/heartbeat_writer.hpp"
 #include "io/results_writer.hpp"
 
@@ -45,6 +46,9 @@ class Outputs {
   ///   is_last  the run ends with this state
   /// Throws FileError.
   void write(const State& state, bool is_last);
+
+  /// The times at which outputs with a TIMESTEP ADJUSTMENT INTERVAL want steps to end.
+  std::vector<StepTarget> step_targets() const;
 
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;

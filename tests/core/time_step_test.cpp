@@ -58,3 +58,19 @@ TEST_CASE("a run ends at the first step at or past the termination time, round-o
   CHECK(control.is_over(1.05, 0.1));
   CHECK_FALSE(control.is_over(0.99, 0.1));
 }
+
+TEST_CASE("steps before a target are shortened evenly to end at its time", "[core][time_step]") {
+  TimeStepControl control({period("a", 0.0)}, 1.0);
+  control.add_target({[](double time) { return time < 0.32 ? std::optional(0.32) : std::nullopt; }, 3});
+  double time = 0.0, before = 0.0;
+  std::vector<double> steps;
+  while (time < 0.4) {
+    before = control.step_after(time, before, 0.2);  // free steps of 0.1
+    time += before;
+    steps.push_back(before);
+  }
+  REQUIRE(steps.size() == 5);
+  CHECK(steps[0] == Approx(0.1));  // four steps away: not yet
+  for (int i : {1, 2, 3}) CHECK(steps[i] == Approx(0.22 / 3));
+  CHECK(steps[4] == Approx(0.22 / 3 * 1.1));  // and grows again
+}
