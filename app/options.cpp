@@ -10,7 +10,8 @@ namespace {
 
 constexpr const char* footer =
     "Exit codes: 0 done, 1 a bug in contactsim, 2 deck or command line, 3 mesh or other file, 4 solution.\n"
-    "Example:    contactsim plate.i plate.g --check --surfaces plate_surfaces.exo";
+    "Examples:   contactsim plate.i plate.g -o plate.e\n"
+    "            contactsim plate.i plate.g --check --surfaces plate_surfaces.exo";
 
 void add_run_options(CLI::App& app, Options& options) {
   app.add_option("deck", options.deck, "Input deck")->type_name("DECK");
@@ -61,15 +62,18 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   Options& options = line.options;
   for (int i = 0; i < argc; ++i) options.command_line += std::string(i == 0 ? "" : " ") + argv[i];
   CLI::App app(
-      "Contact simulator: reads a Sierra/SM-style deck and an Exodus mesh, tells which contact surface owns "
-      "which face.",
+      "Contact simulator: reads a Sierra/SM-style deck and an Exodus mesh, moves solids by explicit "
+      "dynamics, "
+      "tells which contact surface owns which face.",
       "contactsim");
   app.footer(footer);
   app.set_version_flag("--version", std::string("contactsim ") + CONTACTSIM_VERSION);
   add_run_options(app, options);
   add_surface_options(app, add_stages(app, options.stage), options);
-  auto* explain = app.add_subcommand("explain", "Print the reference of deck blocks and commands");
-  explain->add_option("words", options.explain_words, "Block or command to explain")->type_name("WORDS");
+  auto* explain =
+      app.add_subcommand("explain", "Print the reference of deck blocks, commands and output variables");
+  explain->add_option("words", options.explain_words, "What to explain, such as: contact surface")
+      ->type_name("WORDS");
   try {
     app.parse(argc, argv);
     options.explains = explain->parsed();
