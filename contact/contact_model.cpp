@@ -47,6 +47,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
   model.planes = region.analytic_planes;
   model.surfaces = resolve_surfaces(*region.contact, names_of(definition, region), mesh, alive, diagnostics);
   check_surface_names(*region.contact, model.surfaces, diagnostics);
+  model.pairs = make_surface_pairs(*region.contact, model.surfaces, diagnostics);
   const auto owned = owned_elements(model.surfaces.surfaces);
   const auto sizes = find_loft_sizes(definition, region, mesh, {model.surfaces.surfaces, owned}, diagnostics);
   std::vector<ElementIndex> elements;

@@ -7,6 +7,7 @@
 
 #include "contact/contact_surface.hpp"
 #include "contact/loft.hpp"
+#include "contact/surface_pairs.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
@@ -21,11 +22,13 @@ struct ContactModel {
   std::vector<std::uint32_t> surface_of_facet;   ///< [n_loft_facets]
   std::vector<std::uint32_t> surface_of_sphere;  ///< [n_loft_spheres]
   std::vector<AnalyticPlane> planes;             ///< those of the region
+  std::vector<SurfacePair> pairs;                ///< sorted by their surfaces
 };
 
-/// Resolves the surfaces of a region's contact definition and builds their lofts.
+/// Resolves the surfaces of a region's contact definition, pairs them and builds their lofts.
 ///   alive        [n_elements] 0 or 1, or empty when all live
-///   diagnostics  gets an error for every wrong name and every block without a thickness or radius
+///   diagnostics  gets an error for every wrong name and every block without a thickness or radius,
+///                and what make_surface_pairs() reports
 /// Throws FileError when contact needs a block whose element type is not known.
 ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
                                 const Mesh& mesh, std::span<const std::uint8_t> alive,

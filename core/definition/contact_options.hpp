@@ -33,6 +33,7 @@ struct DashOptions {
 struct EnforcementOptions {
   std::int64_t momentum_balance_iterations = 5;            ///< >= 1
   std::optional<std::int64_t> geometry_update_iterations;  ///< of the active set within a step, >= 1
+  double penalty_scale = 1.0;                              ///< of all pairs, times their own, > 0 [1]
 };
 
 /// BEGIN SURFACE OPTIONS, older SHELL LOFTING: how lofted elements of some contact surfaces get their

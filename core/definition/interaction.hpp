@@ -16,6 +16,12 @@ enum class ConstraintFormulation : std::uint8_t { node_face, face_face };
 /// pair off.
 enum class InteractionBehavior : std::uint8_t { sliding, infinitesimal_sliding, no_interaction };
 
+/// PENALTY STIFFNESS = AUTO or a number: force per area of contact and per depth.
+struct PenaltyStiffness {
+  std::optional<double> given;  ///< absent: AUTO, from the elements of both sides; > 0 [force/length^3]
+  bool operator==(const PenaltyStiffness&) const = default;
+};
+
 /// The settings of a pair of surfaces. One that is absent in an INTERACTION comes from INTERACTION DEFAULTS;
 /// one absent there too is the program's.
 struct PairSettings {
@@ -28,6 +34,9 @@ struct PairSettings {
       overlap_normal_tolerance;  ///< deepest overlap that is removed at the start, >= 0 [length]
   std::optional<double> overlap_tangential_tolerance;  ///< the same beyond a face's edge, >= 0 [length]
   std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
+  std::optional<double> penalty_scale;                 ///< of the automatic stiffness, > 0; program: 1 [1]
+  std::optional<PenaltyStiffness> penalty_stiffness;   ///< program: automatic
+  std::optional<double> damping_fraction;              ///< of critical damping, >= 0; program: 0 [1]
 };
 
 /// The settings of a pair with what is absent taken from the defaults.

@@ -49,6 +49,8 @@ const Table<EnforcementOptions>& enforcement_options_table() {
           "Passes [1] over all pairs within a step"),
       row("num geometry update iterations", read::positive_integer, &E::geometry_update_iterations,
           "Updates [1] of the set of touching pairs within a step"),
+      row("penalty scale", read::positive, &E::penalty_scale,
+          "Multiplies the penalty stiffness of all pairs [1]; contactsim's own line"),
   });
   return table;
 }

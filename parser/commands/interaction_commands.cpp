@@ -8,6 +8,11 @@ namespace contactsim {
 
 namespace {
 
+void read_penalty_stiffness(Arguments& arguments, PairSettings& pair) {
+  pair.penalty_stiffness.emplace();
+  if (!arguments.accept("auto")) pair.penalty_stiffness->given = arguments.positive();
+}
+
 /// The lines that pairs and their defaults share.
 std::vector<Row<PairSettings>> pair_rows() {
   using P = PairSettings;
@@ -29,6 +34,12 @@ std::vector<Row<PairSettings>> pair_rows() {
           "Overlap beyond a face's edge that is removed at the start [length]", "automatic"),
       row("capture tolerance", read::non_negative, &P::capture_tolerance,
           "Gap that is closed at the start [length]", "0"),
+      row("penalty scale", read::positive, &P::penalty_scale,
+          "Multiplies the penalty stiffness [1]; contactsim's own line", "1"),
+      row<P>("penalty stiffness", "= {AUTO|<real>}", read_penalty_stiffness,
+             "Force per area and depth [force/length^3]; contactsim's own line", "AUTO"),
+      row("contact damping fraction", read::non_negative, &P::damping_fraction,
+          "Share of critical damping along the normal [1]; contactsim's own line", "0"),
       ignored<P>("automatic kinematic partition", "[= {ON|OFF}]",
                  "Of ACME's enforcement; penalties are balanced"),
   };

@@ -27,6 +27,7 @@ TEST_CASE("an empty contact definition has the documented defaults", "[parser][c
   CHECK(contact.dash.subdivision_level == 0);
   CHECK(contact.enforcement.momentum_balance_iterations == 5);
   CHECK_FALSE(contact.enforcement.geometry_update_iterations);
+  CHECK(contact.enforcement.penalty_scale == 1.0);
   CHECK_FALSE(contact.overlap_removal.is_on());
   CHECK(contact.overlap_removal.iterations == 10);
   CHECK_FALSE(contact.overlap_removal.is_all_there_is);
@@ -56,12 +57,13 @@ TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {
   const ContactDefinition contact = contact_of(
       "begin dash options\nsearch length scaling = 0.3\naccuracy level = 2\nsubdivision level = 1\nend\n"
       "begin enforcement options e\nmomentum balance iterations = 25\nnum geometry update iterations = "
-      "2\nend\n");
+      "2\npenalty scale = 0.5\nend\n");
   CHECK(contact.dash.search_length_scaling == 0.3);
   CHECK(contact.dash.accuracy_level == 2.0);
   CHECK(contact.dash.subdivision_level == 1);
   CHECK(contact.enforcement.momentum_balance_iterations == 25);
   CHECK(contact.enforcement.geometry_update_iterations == 2);
+  CHECK(contact.enforcement.penalty_scale == 0.5);
 }
 
 TEST_CASE("surface options may repeat", "[parser][contact]") {

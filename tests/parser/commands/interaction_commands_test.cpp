@@ -101,6 +101,36 @@ TEST_CASE("an interaction takes all of its lines", "[parser][interaction]") {
   CHECK(joined_names(interaction.periods.active) == "p1");
 }
 
+TEST_CASE("pairs and their defaults take a penalty stiffness and a damping", "[parser][interaction]") {
+  const std::string lines = "penalty scale = 0.5\npenalty stiffness = 1e9\ncontact damping fraction = 0.1\n";
+  const BoundContact bound = bound_contact("begin interaction defaults\n" + lines +
+                                           "end\nbegin interaction\nsurfaces = a b\n" + lines + "end\n");
+  CHECK(bound.messages == "");
+  for (const PairSettings& pair :
+       {bound.contact.interaction_defaults.value().pair, bound.contact.interactions.at(0).pair}) {
+    CHECK(pair.penalty_scale == 0.5);
+    CHECK(pair.penalty_stiffness == PenaltyStiffness{1e9});
+    CHECK(pair.damping_fraction == 0.1);
+  }
+}
+
+TEST_CASE("an automatic penalty stiffness can be asked for", "[parser][interaction]") {
+  const BoundContact bound =
+      bound_contact("begin interaction\nsurfaces = a b\npenalty stiffness = AUTO\nend\n");
+  CHECK(bound.messages == "");
+  CHECK(bound.contact.interactions.at(0).pair.penalty_stiffness == PenaltyStiffness{});
+  CHECK_FALSE(bound.contact.interactions.at(0).pair.penalty_scale);
+}
+
+TEST_CASE("penalties must be positive and damping not negative", "[parser][interaction]") {
+  CHECK(bound_contact("begin interaction\nsurfaces = a b\npenalty stiffness = 0\npenalty scale = -1\n"
+                      "contact damping fraction = -0.1\nend\n")
+            .messages ==
+        "a.i:4:21: error: expected a number > 0 for 'penalty stiffness', found '0'\n"
+        "a.i:5:17: error: expected a number > 0 for 'penalty scale', found '-1'\n"
+        "a.i:6:28: error: expected a number >= 0 for 'contact damping fraction', found '-0.1'\n");
+}
+
 TEST_CASE("lines of other algorithms are ignored with a reason", "[parser][interaction]") {
   const BoundContact bound = bound_contact(
       "begin interaction\nsurfaces = a b\nkinematic partition = 0.5\nautomatic kinematic partition\n"
