@@ -13,6 +13,7 @@ namespace contactsim {
 struct SearchOptions {
   enum class Tolerance : std::uint8_t { automatic, user_defined };
 
+  bool global_search_once = false;  ///< at the start only
   Tolerance tolerance = Tolerance::automatic;
   std::optional<double> normal_tolerance;      ///< reach off a face, >= 0 [length]
   std::optional<double> tangential_tolerance;  ///< reach beyond a face's edge, >= 0 [length]

@@ -12,7 +12,7 @@ const Table<SearchOptions>& search_options_table() {
   static const auto tolerance = choice_of<S::Tolerance>({"automatic", "user_defined"});
   static const Table<S> table({
       ignored<S>("global search increment", "= <integer>", "Global searches come when motion demands them"),
-      ignored<S>("global search once", "= {ON|OFF}", "Global searches come when motion demands them"),
+      row("global search once", read::on_off, &S::global_search_once, "Searches globally at the start only"),
       row("search tolerance", tolerance, &S::tolerance, "Whether the tolerances below are taken"),
       row("normal tolerance", read::non_negative, &S::normal_tolerance,
           "Reach of the search off a face [length]", "automatic"),

@@ -34,11 +34,12 @@ TEST_CASE("an empty contact definition has the documented defaults", "[parser][c
 TEST_CASE("search options are bound", "[parser][contact]") {
   const SearchOptions search =
       contact_of(
-          "begin search options fine\n"
+          "begin search options fine\nglobal search once = on\n"
           "search tolerance = user_defined\nnormal tolerance = 1\ntangential tolerance = 2\ncapture "
           "tolerance = 3\n"
           "face multiplier = 0.2\nend\n")
           .search;
+  CHECK(search.global_search_once);
   CHECK(search.tolerance == SearchOptions::Tolerance::user_defined);
   CHECK(search.normal_tolerance == 1.0);
   CHECK(search.tangential_tolerance == 2.0);
@@ -55,20 +56,18 @@ TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {
 }
 
 TEST_CASE("options of other algorithms are told to have no effect", "[parser][contact]") {
-  CHECK(bound_contact("begin search options\nglobal search increment = 5\nglobal search once = on\nend\n"
+  CHECK(bound_contact("begin search options\nglobal search increment = 5\nend\n"
                       "begin dash options\naccuracy level = 2\nsubdivision level = 1\nend\n"
                       "begin enforcement options\nmomentum balance iterations = 25\n"
                       "num geometry update iterations = 2\nend\n")
             .messages ==
         "a.i:3:1: warning: 'global search increment' has no effect here; global searches come when motion "
         "demands them [deck-ignored]\n"
-        "a.i:4:1: warning: 'global search once' has no effect here; global searches come when motion demands "
-        "them [deck-ignored]\n"
-        "a.i:7:1: warning: 'accuracy level' has no effect here; gaps are found exactly [deck-ignored]\n"
-        "a.i:8:1: warning: 'subdivision level' has no effect here; faces are paired whole [deck-ignored]\n"
-        "a.i:11:1: warning: 'momentum balance iterations' has no effect here; penalty forces balance in one "
+        "a.i:6:1: warning: 'accuracy level' has no effect here; gaps are found exactly [deck-ignored]\n"
+        "a.i:7:1: warning: 'subdivision level' has no effect here; faces are paired whole [deck-ignored]\n"
+        "a.i:10:1: warning: 'momentum balance iterations' has no effect here; penalty forces balance in one "
         "pass [deck-ignored]\n"
-        "a.i:12:1: warning: 'num geometry update iterations' has no effect here; the set of touching pairs "
+        "a.i:11:1: warning: 'num geometry update iterations' has no effect here; the set of touching pairs "
         "is renewed in every step [deck-ignored]\n");
 }
 
