@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench_meshes.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -52,6 +55,62 @@ MeshParts make_grid(std::uint32_t n) {
   return parts;
 }
 
+/// Where the point (i, j, k) of an n x n x n cube's surface comes to lie on the unit sphere; equal angles
+/// between neighbours make faces of nearly equal size.
+Eigen::Vector3d on_unit_sphere(std::uint32_t n, std::array<std::uint32_t, 3> at) {
+  Eigen::Vector3d point;
+  for (int axis = 0; axis < 3; ++axis)
+    point[axis] = std::tan(std::numbers::pi / 4 * (2.0 * at[static_cast<std::size_t>(axis)] / n - 1.0));
+  return point.normalized();
+}
+
+/// Numbers the points of an n x n x n cube's surface as they are asked for.
+class CubeNodes {
+ public:
+  explicit CubeNodes(std::uint32_t n) : n_(n), numbers_(std::size_t{n + 1} * (n + 1) * 6, none) {}
+
+  std::uint32_t number(std::array<std::uint32_t, 3> at) {
+    std::uint32_t& number = numbers_[place(at)];
+    if (number == none) {
+      number = static_cast<std::uint32_t>(points_.size());
+      points_.push_back(on_unit_sphere(n_, at));
+    }
+    return number;
+  }
+  const std::vector<Eigen::Vector3d>& points() const { return points_; }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// One place for each point, on the first side that has it.
+  std::size_t place(std::array<std::uint32_t, 3> at) const {
+    std::size_t axis = 0;
+    while (at[axis] != 0 && at[axis] != n_) ++axis;
+    const std::size_t side = 2 * axis + (at[axis] == n_), width = n_ + 1;
+    return (side * width + at[(axis + 1) % 3]) * width + at[(axis + 2) % 3];
+  }
+
+  std::uint32_t n_;
+  std::vector<std::uint32_t> numbers_;
+  std::vector<Eigen::Vector3d> points_;
+};
+
+/// The quad i, j of one of the cube's six sides.
+std::array<std::uint32_t, 4> side_quad(CubeNodes& nodes, std::uint32_t n, std::uint32_t side,
+                                       std::array<std::uint32_t, 2> cell) {
+  const std::uint32_t axis = side / 2;
+  const bool is_far = side % 2 == 1;
+  const auto corner = [&](std::uint32_t a, std::uint32_t b) {
+    std::array<std::uint32_t, 3> at = {};
+    at[axis] = is_far ? n : 0;
+    at[(axis + 1) % 3] = cell[0] + a;
+    at[(axis + 2) % 3] = cell[1] + b;
+    return nodes.number(at);
+  };
+  if (is_far) return {corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+  return {corner(0, 0), corner(0, 1), corner(1, 1), corner(1, 0)};
+}
+
 }  // namespace
 
 Mesh make_tet_cube(std::uint32_t n) {
@@ -85,6 +144,35 @@ Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks, bool shuffled) {
     parts.blocks.back().id = b + 1;
   }
   return Mesh(std::move(parts));
+}
+
+QuadSurface make_cubed_sphere(std::uint32_t n, double radius, double noise) {
+  QuadSurface surface;
+  CubeNodes nodes(n);
+  surface.quads.reserve(std::size_t{6} * n * n);
+  for (std::uint32_t side = 0; side < 6; ++side) {
+    for (std::uint32_t cell = 0; cell < n * n; ++cell)
+      surface.quads.push_back(side_quad(nodes, n, side, {cell % n, cell / n}));
+  }
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> off(-noise, noise);
+  surface.positions.resize(3, static_cast<Eigen::Index>(nodes.points().size()));
+  for (Eigen::Index i = 0; i < surface.positions.cols(); ++i) {
+    const Eigen::Vector3d moved = Eigen::Vector3d::NullaryExpr([&] { return off(random); });
+    surface.positions.col(i) = radius * nodes.points()[static_cast<std::size_t>(i)] + moved;
+  }
+  return surface;
+}
+
+SpherePair make_sphere_pair(std::uint32_t n) {
+  const double radius = n * std::sqrt(6.0 / (4.0 * std::numbers::pi));
+  return {make_cubed_sphere(n, radius, 0.02), make_cubed_sphere(n, radius + 0.1, 0.02)};
+}
+
+void turn(QuadSurface& surface, double angle) {
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix();
+  surface.positions = (rotation * surface.positions).eval();
 }
 
 }  // namespace contactsim::bench

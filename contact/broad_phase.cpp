@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/broad_phase.hpp"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace contactsim {
+
+namespace {
+
+using Tree = fcl::BVHModel<fcl::AABB<double>>;
+
+/// A triangle from corner to corner of each box and back: its bounding box is that box.
+void add_boxes(std::span<const Box> boxes, Tree& tree) {
+  std::vector<fcl::Vector3d> corners;
+  std::vector<fcl::Triangle> triangles;
+  corners.reserve(2 * boxes.size());
+  triangles.reserve(boxes.size());
+  for (const Box& box : boxes) {
+    triangles.emplace_back(corners.size(), corners.size() + 1, corners.size());
+    corners.emplace_back(box.lo[0], box.lo[1], box.lo[2]);
+    corners.emplace_back(box.hi[0], box.hi[1], box.hi[2]);
+  }
+  tree.addSubModel(corners, triangles);
+}
+
+/// Who is whose child, as FCL has it.
+void link_nodes(const Tree& from, BoxTree& to) {
+  to.nodes.resize(static_cast<std::size_t>(from.getNumBVs()));
+  for (std::size_t i = 0; i < to.nodes.size(); ++i) {
+    const auto& node = from.getBV(static_cast<int>(i));
+    to.nodes[i].n_boxes = static_cast<std::uint32_t>(node.num_primitives);
+    to.nodes[i].link = static_cast<std::uint32_t>(node.isLeaf() ? node.primitiveId() : node.leftChild());
+    assert(node.isLeaf() || node.leftChild() > static_cast<int>(i));
+  }
+}
+
+}  // namespace
+
+BoxTree make_box_tree(std::span<const Box> boxes) {
+  BoxTree tree;
+  if (boxes.empty()) return tree;
+  Tree model;
+  model.beginModel(static_cast<int>(boxes.size()), static_cast<int>(2 * boxes.size()));
+  add_boxes(boxes, model);
+  model.endModel();
+  link_nodes(model, tree);
+  divide(tree);
+  refit(tree, boxes);
+  return tree;
+}
+
+std::optional<std::uint32_t> BroadPhase::update(std::span<const Box> boxes) {
+  const auto unsound = std::find_if_not(boxes.begin(), boxes.end(), is_sound);
+  if (unsound != boxes.end()) return static_cast<std::uint32_t>(unsound - boxes.begin());
+  constexpr double worth_a_build = 1.2;
+  const bool is_stale = fresh_effort_ > 0.0 && effort_ > worth_a_build * fresh_effort_;
+  if (counts_.builds == 0 || boxes.size() != tree_.n_boxes() || is_stale) {
+    tree_ = make_box_tree(boxes);
+    ++counts_.builds;
+    fresh_effort_ = 0.0;
+  } else {
+    refit(tree_, boxes);
+    ++counts_.refits;
+    if (fresh_effort_ == 0.0) fresh_effort_ = effort_;
+  }
+  effort_ = 0.0;
+  return std::nullopt;
+}
+
+void BroadPhase::note_search(std::size_t n_pairs, std::uint32_t n_partners) {
+  std::uint64_t visits = 0;
+  for (const FoundPairs& part : parts_) visits += part.visits;
+  counts_.visits += visits;
+  counts_.candidates += n_pairs;
+  const double n_asked = 1.0 * tree_.n_boxes() + n_partners + static_cast<double>(n_pairs);
+  if (n_asked > 0.0) effort_ = std::max(effort_, static_cast<double>(visits) / n_asked);
+}
+
+}  // namespace contactsim

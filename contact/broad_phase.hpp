@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/box_tree.hpp"
+#include "contact/pair_lists.hpp"
+#include "contact/tree_pairs.hpp"
+
+namespace contactsim {
+
+/// A tree over boxes in the order that FCL's BVHModel<AABB<double>> gives them. Takes about as long as three
+/// searches.
+///   boxes  [n] sound, n < 2^30
+BoxTree make_box_tree(std::span<const Box> boxes);
+
+/// What a broad phase has done so far, for the log.
+struct BroadPhaseCounts {
+  std::uint64_t builds = 0;      ///< trees built, the first one included
+  std::uint64_t refits = 0;      ///< trees fitted to moved boxes
+  std::uint64_t visits = 0;      ///< pairs of tree nodes looked at
+  std::uint64_t candidates = 0;  ///< pairs of boxes handed out
+};
+
+/// Finds which boxes of a moving set meet which of its own or of another set.
+class BroadPhase {
+ public:
+  /// Takes the boxes as they are now: fits the tree to them, or builds it anew at the first use, when their
+  /// number has changed, or when searches have come to take a fifth more visits than after the last build.
+  /// Returns the number of the first box that is not sound (see is_sound), and then leaves the tree as it
+  /// was.
+  ///   boxes  [n] n < 2^30
+  [[nodiscard]] std::optional<std::uint32_t> update(std::span<const Box> boxes);
+
+  /// Lists the partners of each of these boxes among the others: all that overlap and for which
+  /// keep(row, partner) holds. Boxes closer than one part in 10^7 of their coordinates may count as
+  /// overlapping. The result is the same for any number of threads; keep is called from several at once.
+  ///   partners  another broad phase, not this one
+  ///   lists     overwritten, its memory reused; a row for each of these boxes
+  template <class Keep>
+  void find_pairs(BroadPhase& partners, const Keep& keep, PairLists& lists) {
+    find_tree_pairs<false>(tree_, partners.tree_, keep, parts_);
+    list_pairs(parts_, tree_.n_boxes(), lists);
+    note_search(lists.partners.size(), partners.tree_.n_boxes());
+    partners.effort_ = std::max(partners.effort_, effort_);
+  }
+
+  /// The same among these boxes, each pair once: partners have greater numbers than their row.
+  template <class Keep>
+  void find_pairs(const Keep& keep, PairLists& lists) {
+    find_tree_pairs<true>(tree_, tree_, keep, parts_);
+    list_pairs(parts_, tree_.n_boxes(), lists);
+    note_search(lists.partners.size(), 0);
+  }
+
+  const BroadPhaseCounts& counts() const { return counts_; }
+
+ private:
+  void build(std::span<const Box> boxes);
+  /// Counts what the last search took.
+  void note_search(std::size_t n_pairs, std::uint32_t n_partners);
+
+  BoxTree tree_;
+  std::vector<FoundPairs> parts_;  ///< of the last search
+  BroadPhaseCounts counts_;
+  double effort_ = 0.0;        ///< visits per box and pair since the last update, the greatest [1]
+  double fresh_effort_ = 0.0;  ///< the same right after the last build, 0 if not known yet [1]
+};
+
+}  // namespace contactsim

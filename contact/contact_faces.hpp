@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/contact_surface.hpp"
+#include "contact/pair_lists.hpp"
+#include "core/model.hpp"
+
+namespace contactsim {
+
+
+/// What stands behind a piece of a contact surface.
+struct Backing {
+  double thickness = 0.0;      ///< of the element: its volume over the face's area [length]
+  double stiffness = 0.0;      ///< of the penalty, per area: see contact/penalty.hpp [force/length^3]
+  double mass_per_area = 0.0;  ///< that moves with the face [mass/length^2]
+};
+
+/// One face of a contact surface.
+struct ContactFace {
+  std::array<std::uint32_t, 4> corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
+  std::uint32_t surface = 0;
+  ElementSide side;
+  Backing backing;
+
+  bool is_triangle() const { return corners[2] == corners[3]; }
+  bool shares_node(const ContactFace& other) const;
+};
+
+/// A node of a contact surface that meets faces as a node.
+struct SurfaceNode {
+  std::uint32_t node = 0;  ///< contact node
+  std::uint32_t surface = 0;
+  double area = 0.0;  ///< its share of the surface at the start [length^2]
+  Backing backing;
+};
+
+/// The faces and nodes of all contact surfaces, with nodes numbered for contact alone, ascending as in the mesh.
+/// Const between deaths of elements.
+struct ContactFaces {
+  std::vector<std::uint32_t> mesh_nodes;     ///< [n_contact_nodes] of the mesh
+  std::vector<ContactFace> faces;            ///< by surface, then as the surface has them
+  std::vector<SurfaceNode> surface_nodes;    ///< by surface, then by node
+  std::vector<std::uint32_t> first_face;     ///< [n_surfaces + 1] in faces
+  std::vector<std::uint32_t> first_node;     ///< [n_surfaces + 1] in surface_nodes
+  std::vector<double> mass;                  ///< [n_contact_nodes] [mass]
+  PairLists faces_of_node;                   ///< [n_contact_nodes] faces that have the node as a corner
+
+  std::size_t n_nodes() const { return mesh_nodes.size(); }
+};
+
+/// Numbers the faces and nodes of the surfaces of solids. Lofted elements are left out.
+///   model  its blocks hold every element with a contact face
+ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Model& model);
+
+}  // namespace contactsim

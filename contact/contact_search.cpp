@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/mesh/face_geometry.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// How deep behind a face its box reaches, over the thickness of its element: a bit deeper than contact does.
+constexpr double depth_share = 0.8;
+
+void include(const Eigen::Vector3d& point, Box& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double value = point[static_cast<Eigen::Index>(i)];
+    // A number that is none must not be lost: comparisons with it would leave the box as it was.
+    box.lo[i] = value >= box.lo[i] ? box.lo[i] : value;
+    box.hi[i] = value <= box.hi[i] ? box.hi[i] : value;
+  }
+}
+
+Box box_at(const Eigen::Vector3d& point) {
+  Box box;
+  for (std::size_t i = 0; i < 3; ++i) box.lo[i] = box.hi[i] = point[static_cast<Eigen::Index>(i)];
+  return box;
+}
+
+void widen(double margin, Box& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lo[i] -= margin;
+    box.hi[i] += margin;
+  }
+}
+
+bool holds(const PairLists& lists, std::uint32_t row, std::uint32_t partner) {
+  const auto partners = lists.of(row);
+  return std::binary_search(partners.begin(), partners.end(), partner);
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
+                             const SearchOptions& search, const DashOptions& dash)
+    : faces_(faces),
+      mesh_(mesh),
+      rules_(rules),
+      is_once_(search.global_search_once),
+      node_margin_(faces.n_nodes(), std::numeric_limits<double>::infinity()) {
+  for (const PairRule& rule : rules.rules()) {
+    const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
+    (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
+    has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
+  }
+  for (const ContactFace& face : faces.faces) {
+    face_margin_.push_back(dash.search_length_scaling * std::sqrt(area_vector(mesh, face.side).norm()));
+    for (const std::uint32_t corner : face.corners)
+      node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
+  }
+  for (const SurfaceNode& node : faces.surface_nodes)
+    node_margin_[node.node] = std::min(node_margin_[node.node], dash.search_length_scaling * std::sqrt(node.area));
+}
+
+bool ContactSearch::is_due(const MovingSurface& surface) const {
+  if (n_searches_ == 0) return true;
+  if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
+  const auto n = static_cast<std::int64_t>(faces_.n_nodes());
+  int n_moved = 0;
+#pragma omp parallel for schedule(static) reduction(+ : n_moved) num_threads(threads_for(faces_.n_nodes()))
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double moved_squared = (surface.x(static_cast<std::uint32_t>(i)) - searched_at_[k]).squaredNorm();
+    n_moved += moved_squared <= node_margin_[k] * node_margin_[k] ? 0 : 1;
+  }
+  return n_moved > 0;
+}
+
+void ContactSearch::find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates) {
+  set_boxes(surface, motion.dt);
+  const auto stop_at = [&](std::uint32_t node) {
+    const NodeIndex index{faces_.mesh_nodes[node]};
+    throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
+  };
+  if (const auto bad = faces_phase_.update(face_boxes_)) {
+    for (const std::uint32_t corner : faces_.faces[*bad].corners) {
+      if (!surface.x(corner).allFinite() || !surface.v(corner).allFinite()) stop_at(corner);
+    }
+    stop_at(faces_.faces[*bad].corners[0]);
+  }
+  if (has_face_pairs_) {
+    faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
+                            candidates.face_partners);
+  }
+  if (has_node_pairs_) {
+    if (const auto bad = nodes_phase_.update(node_boxes_)) stop_at(faces_.surface_nodes[*bad].node);
+    nodes_phase_.find_pairs(faces_phase_,
+                            [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
+                            candidates.node_faces);
+  }
+  if (has_small_sliding_) keep_first_partners(candidates);
+  ++n_searches_;
+  searched_at_.resize(faces_.n_nodes());
+  for (std::uint32_t i = 0; i < faces_.n_nodes(); ++i) searched_at_[i] = surface.x(i);
+}
+
+void ContactSearch::set_boxes(const MovingSurface& surface, double dt) {
+  face_boxes_.resize(faces_.faces.size());
+  const auto n_faces = static_cast<std::int64_t>(faces_.faces.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.faces.size()))
+  for (std::int64_t i = 0; i < n_faces; ++i)
+    face_boxes_[static_cast<std::size_t>(i)] = face_box(surface, static_cast<std::uint32_t>(i), dt);
+  if (!has_node_pairs_) return;
+  node_boxes_.resize(faces_.surface_nodes.size());
+  for (std::uint32_t row = 0; row < faces_.surface_nodes.size(); ++row)
+    node_boxes_[row] = node_box(surface, row, dt);
+}
+
+Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, double dt) const {
+  const ContactFace& face = faces_.faces[index];
+  const Eigen::Vector3d inward = -depth_share * face.backing.thickness * surface.bound(index).normal;
+  Box box = box_at(surface.x(face.corners[0]));
+  for (const std::uint32_t corner : face.corners) {
+    const Eigen::Vector3d x = surface.x(corner);
+    include(x, box);
+    include(x - dt * surface.v(corner), box);
+    include(x + inward, box);
+  }
+  widen(face_margin_[index], box);
+  return box;
+}
+
+Box ContactSearch::node_box(const MovingSurface& surface, std::uint32_t row, double dt) const {
+  const std::uint32_t node = faces_.surface_nodes[row].node;
+  Box box = box_at(surface.x(node));
+  include(surface.x(node) - dt * surface.v(node), box);
+  widen(node_margin_[node], box);
+  return box;
+}
+
+bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
+  const ContactFace &a = faces_.faces[first], &b = faces_.faces[second];
+  const std::uint32_t pair = rules_.find(a.surface, b.surface);
+  if (pair == PairRules::none) return false;
+  if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  return a.side.element() != b.side.element() && !a.shares_node(b);
+}
+
+bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
+  const SurfaceNode& node = faces_.surface_nodes[row];
+  const ContactFace& face = faces_.faces[index];
+  const std::uint32_t pair = rules_.find(node.surface, face.surface);
+  if (pair == PairRules::none) return false;
+  const SurfacePair& of = *rules_[pair].pair;
+  if (of.formulation != ConstraintFormulation::node_face) return false;
+  if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  return !has_element_of(node.node, face);
+}
+
+bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {
+  const auto nodes = mesh_.element_nodes(face.side.element());
+  return std::find(nodes.begin(), nodes.end(), NodeIndex{faces_.mesh_nodes[node]}) != nodes.end();
+}
+
+void ContactSearch::keep_first_partners(ContactCandidates candidates) {
+  const auto drop = [&](PairLists& lists, const PairLists& first, const auto& pair_of) {
+    std::size_t n = 0;
+    for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
+      const auto end = static_cast<std::uint32_t>(lists.begin[row + 1]);
+      for (std::uint32_t k = begin; k < end; ++k) {
+        const std::uint32_t partner = lists.partners[k];
+        const bool may_change =
+            rules_[pair_of(row, partner)].pair->behavior != InteractionBehavior::infinitesimal_sliding;
+        if (may_change || holds(first, row, partner)) lists.partners[n++] = partner;
+      }
+      begin = end;
+      lists.begin[row + 1] = n;
+    }
+    lists.partners.resize(n);
+  };
+  if (n_searches_ == 0) {
+    first_face_partners_ = candidates.face_partners;
+    first_node_faces_ = candidates.node_faces;
+    return;
+  }
+  drop(candidates.face_partners, first_face_partners_, [&](std::uint32_t a, std::uint32_t b) {
+    return rules_.find(faces_.faces[a].surface, faces_.faces[b].surface);
+  });
+  drop(candidates.node_faces, first_node_faces_, [&](std::uint32_t row, std::uint32_t face) {
+    return rules_.find(faces_.surface_nodes[row].surface, faces_.faces[face].surface);
+  });
+}
+
+}  // namespace contactsim

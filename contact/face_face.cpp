@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/face_face.hpp"
+
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+bool boxes_meet(const FaceCorners& first, const FaceCorners& second) {
+  for (int i = 0; i < 2; ++i) {
+    if (first.row(i).maxCoeff() <= second.row(i).minCoeff()) return false;
+    if (second.row(i).maxCoeff() <= first.row(i).minCoeff()) return false;
+  }
+  return true;
+}
+
+/// One component of a face's map at the points of a batch.
+Lanes evaluate(const std::array<double, 4>& c, const Lanes& xi, const Lanes& eta) {
+  return c[0] + c[1] * xi + (c[2] + c[3] * xi) * eta;
+}
+
+std::array<double, 4> component(const FaceMap& map, int i) {
+  return {map.c[0][i], map.c[1][i], map.c[2][i], map.c[3][i]};
+}
+
+/// The component of a face's velocity along the normal, as a function on the face.
+std::array<double, 4> normal_speed(const MovingFace& face, const Eigen::Vector3d& normal) {
+  const FaceMap map = make_face_map(face.v, face.is_triangle);
+  return {map.c[0].dot(normal), map.c[1].dot(normal), map.c[2].dot(normal), map.c[3].dot(normal)};
+}
+
+void add_moments(const Lanes& f, const Lanes& xi, const Lanes& eta, FaceMoments& moments) {
+  const Lanes f_xi = f * xi;
+  moments[0] += f.sum();
+  moments[1] += f_xi.sum();
+  moments[2] += (f * eta).sum();
+  moments[3] += (f_xi * eta).sum();
+}
+
+/// Two faces in the coordinates of their common plane.
+struct ProjectedPair {
+  CommonPlane plane;
+  FaceCorners first, second;
+  FaceMap map_1, map_2;
+};
+
+/// Sums over the points of an overlap.
+class PressureSums {
+ public:
+  PressureSums(const OverlapPoints& points, const ProjectedPair& pair, const PairPenalty& penalty)
+      : points_(points), penalty_(penalty) {
+    z1_ = component(pair.map_1, 2);
+    z2_ = component(pair.map_2, 2);
+  }
+
+  void set_damping(const MovingFace& first, const MovingFace& second, const Eigen::Vector3d& normal) {
+    speed_1_ = normal_speed(first, normal);
+    speed_2_ = normal_speed(second, normal);
+  }
+
+  void add(FaceFaceContact& contact) {
+    contact.gap = std::numeric_limits<double>::infinity();
+    for (int b = 0; b < points_.n_batches; ++b) add_batch(static_cast<std::size_t>(b), contact);
+    const double n = forces_1_[0];
+    if (n > 0.0) {
+      contact.force = n;
+      contact.gap = -work_ / n;
+    }
+  }
+
+  /// Corner shares of the force, of the area when there is none.
+  Eigen::Vector4d weights(bool is_first, bool is_triangle) const {
+    const FaceMoments& forces = is_first ? forces_1_ : forces_2_;
+    if (forces[0] > 0.0) return corner_shares(forces, is_triangle) / forces[0];
+    FaceMoments areas{};
+    for (int b = 0; b < points_.n_batches; ++b) {
+      const auto k = static_cast<std::size_t>(b);
+      add_moments(points_.weight[k], is_first ? points_.xi_1[k] : points_.xi_2[k],
+                  is_first ? points_.eta_1[k] : points_.eta_2[k], areas);
+    }
+    return corner_shares(areas, is_triangle) / areas[0];
+  }
+
+ private:
+  void add_batch(std::size_t k, FaceFaceContact& contact) {
+    const Lanes& w = points_.weight[k];
+    const Lanes gap =
+        evaluate(z1_, points_.xi_1[k], points_.eta_1[k]) - evaluate(z2_, points_.xi_2[k], points_.eta_2[k]);
+    contact.gap = std::min(contact.gap, (w > 0.0).select(gap, contact.gap).minCoeff());
+    const Lanes depth = (-gap).max(0.0);
+    const LaneMask touches = depth > 0.0 && depth <= penalty_.depth;
+    if (!touches.any()) return;
+    const Lanes area = touches.select(w, 0.0);
+    Lanes force = penalty_.stiffness * area * depth;
+    if (penalty_.damping > 0.0) force += add_damping(k, area, force, contact);
+    contact.area += area.sum();
+    work_ += (force * depth).sum();
+    add_moments(force, points_.xi_1[k], points_.eta_1[k], forces_1_);
+    add_moments(force, points_.xi_2[k], points_.eta_2[k], forces_2_);
+  }
+
+  /// Damping never pulls: what it takes from a separating point ends with the spring's force.
+  Lanes add_damping(std::size_t k, const Lanes& area, const Lanes& spring, FaceFaceContact& contact) const {
+    const Lanes speed = evaluate(speed_1_, points_.xi_1[k], points_.eta_1[k]) -
+                        evaluate(speed_2_, points_.xi_2[k], points_.eta_2[k]);
+    const Lanes damping = (-penalty_.damping * area * speed).max(-spring);
+    contact.damped_power -= (damping * speed).sum();
+    return damping;
+  }
+
+  const OverlapPoints& points_;
+  const PairPenalty& penalty_;
+  std::array<double, 4> z1_, z2_, speed_1_{}, speed_2_{};
+  FaceMoments forces_1_{}, forces_2_{};
+  double work_ = 0.0;
+};
+
+std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second) {
+  const auto plane = make_common_plane(first.x, first.normal, second.normal);
+  if (!plane) return std::nullopt;
+  ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), {}, {}};
+  return pair;
+}
+
+/// Whether some point of the first face may be nearer to the second than the reach, and none is too deep.
+bool is_near(const ProjectedPair& pair, double reach, double depth) {
+  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
+  return z1.minCoeff() - z2.maxCoeff() < reach && z2.minCoeff() - z1.maxCoeff() < depth &&
+         boxes_meet(pair.first, pair.second);
+}
+
+void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair& pair) {
+  pair.map_1 = make_face_map(pair.first, first.is_triangle);
+  pair.map_2 = make_face_map(pair.second, second.is_triangle);
+}
+
+}  // namespace
+
+FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
+                                       const PairPenalty& penalty, double reach) {
+  FaceFaceContact contact;
+  auto pair = project_pair(first, second);
+  if (!pair || !is_near(*pair, reach, penalty.depth)) return contact;
+  make_maps(first, second, *pair);
+  const OverlapPoints points = find_overlap(pair->first, pair->map_1, pair->second, pair->map_2);
+  if (!(points.area > 0.0)) return contact;
+  PressureSums sums(points, *pair, penalty);
+  if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
+  sums.add(contact);
+  contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
+  if (!contact.overlaps) return contact;
+  contact.stiffness = penalty.stiffness * points.area;
+  contact.normal = pair->plane.normal;
+  contact.weights_1 = sums.weights(true, first.is_triangle);
+  contact.weights_2 = sums.weights(false, second.is_triangle);
+  return contact;
+}
+
+std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second) {
+  auto pair = project_pair(first, second);
+  if (!pair || !boxes_meet(pair->first, pair->second)) return std::nullopt;
+  make_maps(first, second, *pair);
+  FaceFacePoints found{pair->plane, find_overlap(pair->first, pair->map_1, pair->second, pair->map_2), {}};
+  if (!(found.points.area > 0.0)) return std::nullopt;
+  const auto z1 = component(pair->map_1, 2), z2 = component(pair->map_2, 2);
+  for (int b = 0; b < found.points.n_batches; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    found.gap[k] = evaluate(z1, found.points.xi_1[k], found.points.eta_1[k]) -
+                   evaluate(z2, found.points.xi_2[k], found.points.eta_2[k]);
+  }
+  return found;
+}
+
+}  // namespace contactsim

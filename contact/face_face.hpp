@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/face_overlap.hpp"
+
+namespace contactsim {
+
+/// What a pair of faces, or a node and a face, resist with.
+struct PairPenalty {
+  double stiffness = 0.0;  ///< per area [force/length^3]
+  double damping = 0.0;    ///< per area, of closing speed [force time/length^3]
+  double depth = 0.0;      ///< what lies deeper is no contact but another wall [length]
+};
+
+/// A face as it moves.
+struct MovingFace {
+  FaceCorners x;           ///< [length]
+  FaceCorners v;           ///< [length/time]
+  Eigen::Vector3d normal;  ///< unit, out of the element [1]
+  bool is_triangle = false;
+};
+
+/// How two faces push each other.
+struct FaceFaceContact {
+  bool overlaps = false;   ///< seen along the normal, and near enough to touch within the reach
+  double force = 0.0;      ///< along the normal on the first face, against it on the second, >= 0 [force]
+  double area = 0.0;       ///< that touches [length^2]
+  double gap = 0.0;        ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
+  double stiffness = 0.0;  ///< of the penalty over the whole overlap [force/length]
+  double damped_power = 0.0;  ///< energy that damping takes per time [energy/time]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
+  /// Shares of the corners in the force, sum 1; in the overlap's area when there is no force [1].
+  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
+};
+
+/// Integrates the pressure stiffness * penetration over the overlap of two faces. Both faces get the same forces at
+/// the same points seen along the normal, so that neither net force nor moment appears, for faces of any shape.
+///   reach  gaps up to it count as near [length]
+/// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput. Methods Appl.
+/// Mech. Eng. 193 (2004) 601-629, over the clipped polygon.
+FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
+                                       const PairPenalty& penalty, double reach);
+
+/// The plane and the points of two faces as they are now, for ties.
+struct FaceFacePoints {
+  CommonPlane plane;
+  OverlapPoints points;
+  std::array<Lanes, OverlapPoints::max_batches> gap;  ///< along the normal [length]
+};
+
+/// Nothing when the faces do not look at each other or do not overlap.
+std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second);
+
+}  // namespace contactsim

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/face_face_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/friction.hpp"
+#include "contact/penalty.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small enough for
+/// the penalty of what it brings into touch.
+constexpr double steps_ahead = 2.0;
+
+/// Whether two faces may touch at all.
+bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
+  constexpr double most_aside = -0.3;  // see make_common_plane
+  if (a.normal.dot(b.normal) > most_aside) return false;
+  const double distance = a.radius + b.radius + reach;
+  return (a.centre - b.centre).squaredNorm() < distance * distance;
+}
+
+Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) { return face.v * weights; }
+
+}  // namespace
+
+void FaceFaceContacts::take_candidates() {
+  std::vector<std::uint8_t> touched(next_.partners.size(), 0);
+  std::vector<Eigen::Vector3d> elastic(has_friction_ ? next_.partners.size() : 0, Eigen::Vector3d::Zero());
+  const std::size_t n_rows = std::min(candidates_.n_rows(), next_.n_rows());
+  for (std::size_t row = 0; row < n_rows; ++row) {
+    std::size_t old = candidates_.begin[row];
+    const std::size_t old_end = candidates_.begin[row + 1];
+    for (std::size_t k = next_.begin[row]; k < next_.begin[row + 1]; ++k) {
+      while (old < old_end && candidates_.partners[old] < next_.partners[k]) ++old;
+      if (old == old_end || candidates_.partners[old] != next_.partners[k]) continue;
+      touched[k] = touched_[old];
+      if (has_friction_) elastic[k] = elastic_[old];
+    }
+  }
+  std::swap(candidates_, next_);
+  touched_ = std::move(touched);
+  elastic_ = std::move(elastic);
+}
+
+void FaceFaceContacts::begin_step() {
+  if (!has_friction_) return;
+  std::swap(means_, next_means_);
+  means_.resize(faces_.faces.size(), Eigen::Vector4d::Zero());
+  next_means_.assign(faces_.faces.size(), Eigen::Vector4d::Zero());
+}
+
+void FaceFaceContacts::add_to_means(const ContactRecord& record) {
+  if (!has_friction_) return;
+  Eigen::Vector4d share;
+  share << record.area * record.elastic, 0.0;
+  const Eigen::Vector4d area(0.0, 0.0, 0.0, record.area);
+  next_means_[record.first_place] += share + area;
+  next_means_[record.second_place] += area - share;
+}
+
+void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
+                            std::vector<ContactRecord>& records) {
+  for (std::size_t row = begin; row < end; ++row) {
+    const auto first = static_cast<std::uint32_t>(row);
+    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
+      const std::uint32_t second = candidates_.partners[k];
+      const std::uint32_t pair = scene.rules.find(faces_.faces[first].surface, faces_.faces[second].surface);
+      find_one(scene, {first, second, pair, k}, records);
+    }
+  }
+}
+
+void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& candidate,
+                                std::vector<ContactRecord>& records) {
+  const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
+  const double closed = std::max(0.0, (b.velocity - a.velocity).dot(b.normal)) * scene.dt;
+  const double reach = steps_ahead * closed;
+  const PairRule& rule = scene.rules[candidate.pair];
+  const bool did_touch = touched_[candidate.place] != 0;
+  if (!scene.is_frozen) touched_[candidate.place] = 0;
+  if (!may_touch(a, b, reach) || !rule.is_active) return;
+
+  const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
+  PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
+  // What came in by itself may be as deep as its speed brought it, and stays known a bit deeper than that.
+  penalty.depth = std::max((did_touch ? 1.5 : 1.0) * penalty.depth, 1.5 * closed);
+  const MovingFace moving_1 = scene.surface.face(candidate.first), moving_2 = scene.surface.face(candidate.second);
+  const FaceFaceContact contact = find_face_face_contact(moving_1, moving_2, penalty, reach);
+  if (!contact.overlaps) return;
+
+  ContactRecord& record = records.emplace_back();
+  record.pair = candidate.pair;
+  record.is_swapped = first.surface != rule.pair->first;
+  record.first_place = candidate.first;
+  record.second_place = candidate.second;
+  record.first = {first.corners, contact.weights_1};
+  record.second = {second.corners, contact.weights_2};
+  record.normal = contact.normal;
+  record.force = contact.force;
+  record.area = contact.area;
+  record.gap = contact.gap;
+  record.damped = contact.damped_power * scene.dt;
+  const double damping = rule.pair->damping_fraction;
+  record.stiffness = contact.stiffness * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+  if (!record.touches()) return;
+  if (!scene.is_frozen) touched_[candidate.place] = 1;
+  if (rule.friction > 0.0) {
+    record.slip = (velocity_at(moving_1, contact.weights_1) - velocity_at(moving_2, contact.weights_2)) * scene.dt;
+    if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
+    record.elastic = elastic_[candidate.place];
+    add_friction(penalty.stiffness * contact.area, rule.friction, scene.is_frozen, record);
+    elastic_[candidate.place] = record.elastic;
+  }
+}
+
+Eigen::Vector3d FaceFaceContacts::mean_slip(const Candidate& candidate) const {
+  const Eigen::Vector4d &first = means_[candidate.first], &second = means_[candidate.second];
+  if (first[3] > 0.0) return first.head<3>() / first[3];
+  if (second[3] > 0.0) return -second.head<3>() / second[3];
+  return Eigen::Vector3d::Zero();
+}
+
+}  // namespace contactsim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+
+namespace contactsim {
+
+/// Positions or velocities of a face's corners [3 x 4]; a triangle repeats its last.
+using FaceCorners = Eigen::Matrix<double, 3, 4>;
+
+/// Sums over points of a face of f, f xi, f eta and f xi eta: what the corners' shares of f depend on.
+using FaceMoments = std::array<double, 4>;
+
+/// A face as a function of two coordinates: x(xi, eta) = c0 + c1 xi + c2 eta + c3 xi eta. A quadrilateral is
+/// bilinear on -1 <= xi, eta <= 1, corners counted from (-1, -1) in the direction of xi first; a triangle is linear
+/// on 0 <= xi, eta and xi + eta <= 1, corners at (0, 0), (1, 0), (0, 1).
+struct FaceMap {
+  std::array<Eigen::Vector3d, 4> c;
+  bool is_triangle = false;
+
+  Eigen::Vector3d at(double xi, double eta) const { return c[0] + xi * c[1] + eta * c[2] + (xi * eta) * c[3]; }
+  /// At (0, 0) of a quadrilateral, at the centroid of a triangle.
+  Eigen::Vector3d centre() const { return is_triangle ? Eigen::Vector3d(c[0] + (c[1] + c[2]) / 3.0) : c[0]; }
+};
+
+/// The map that takes the values of the corners.
+inline FaceMap make_face_map(const FaceCorners& x, bool is_triangle) {
+  FaceMap map;
+  map.is_triangle = is_triangle;
+  if (is_triangle) {
+    map.c = {x.col(0), x.col(1) - x.col(0), x.col(2) - x.col(0), Eigen::Vector3d::Zero()};
+  } else {
+    const Eigen::Vector3d a = x.col(0) + x.col(2), b = x.col(1) + x.col(3);
+    const Eigen::Vector3d p = x.col(2) - x.col(0), q = x.col(1) - x.col(3);
+    map.c = {0.25 * (a + b), 0.25 * (p + q), 0.25 * (p - q), 0.25 * (a - b)};
+  }
+  return map;
+}
+
+/// The share of each corner: the sum of f times its shape function.
+inline Eigen::Vector4d corner_shares(const FaceMoments& m, bool is_triangle) {
+  if (is_triangle) return {m[0] - m[1] - m[2], m[1], m[2], 0.0};
+  return 0.25 * Eigen::Vector4d(m[0] - m[1] - m[2] + m[3], m[0] + m[1] - m[2] - m[3], m[0] + m[1] + m[2] + m[3],
+                                m[0] - m[1] + m[2] - m[3]);
+}
+
+/// The values of the shape functions at a point.
+inline Eigen::Vector4d corner_weights(double xi, double eta, bool is_triangle) {
+  return corner_shares({1.0, xi, eta, xi * eta}, is_triangle);
+}
+
+/// Area times unit normal of a face: half the cross product of the diagonals, projected area if it is warped.
+inline Eigen::Vector3d area_vector(const FaceCorners& x) {
+  return 0.5 * (x.col(2) - x.col(0)).cross(x.col(3) - x.col(1));
+}
+
+}  // namespace contactsim

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "contact/contact_faces.hpp"
+#include "contact/face_face.hpp"
+#include "core/elements/gather.hpp"
+#include "core/force_term.hpp"
+
+namespace contactsim {
+
+/// Where a face is, roughly: enough to see that most candidates do not touch.
+struct FaceBound {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();    ///< mean of the corners [length]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, out of the element [1]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< mean of the corners [length/time]
+  double radius = 0.0;                                 ///< of the ball around the centre [length]
+};
+
+/// The contact nodes and faces at one moment.
+class MovingSurface {
+ public:
+  /// The faces must outlive this.
+  explicit MovingSurface(const ContactFaces& faces) : faces_(faces) {}
+
+  /// Takes over a motion.
+  void update(const Motion& motion);
+
+  const ContactFaces& faces() const { return faces_; }
+  Eigen::Vector3d x(std::uint32_t node) const { return x_[node].head<3>(); }
+  Eigen::Vector3d v(std::uint32_t node) const { return v_[node].head<3>(); }
+  const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
+  MovingFace face(std::uint32_t face) const;
+
+ private:
+  const ContactFaces& faces_;
+  std::vector<NodeVector> x_, v_;  // [n_contact_nodes]
+  std::vector<FaceBound> bounds_;  // [n_faces]
+};
+
+}  // namespace contactsim

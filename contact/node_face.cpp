@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/node_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace contactsim {
+
+namespace {
+
+/// Tangents of a face at one of its points.
+struct Tangents {
+  Eigen::Vector3d xi, eta;
+};
+
+Tangents tangents_at(const FaceMap& map, double xi, double eta) {
+  return {map.c[1] + eta * map.c[3], map.c[2] + xi * map.c[3]};
+}
+
+/// The coordinates at which the vector to the point stands upright on the face.
+bool find_foot(const FaceMap& map, const Eigen::Vector3d& point, double& xi, double& eta) {
+  constexpr int max_iterations = 20;
+  constexpr double accuracy = 1e-14;  // of the coordinates, which are of order one
+  constexpr double far_away = 10.0;   // such points stand over other faces
+  for (int i = 0; i < max_iterations; ++i) {
+    const auto [a, b] = tangents_at(map, xi, eta);
+    const Eigen::Vector3d away = point - map.at(xi, eta);
+    const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b) - away.dot(map.c[3]);
+    const double ra = away.dot(a), rb = away.dot(b), det = aa * bb - ab * ab;
+    if (!(det > 0.0)) return false;
+    const double d_xi = (ra * bb - rb * ab) / det, d_eta = (rb * aa - ra * ab) / det;
+    xi += d_xi;
+    eta += d_eta;
+    if (!(std::abs(xi) < far_away && std::abs(eta) < far_away)) return false;
+    if (std::abs(d_xi) + std::abs(d_eta) < accuracy) return true;
+  }
+  return true;
+}
+
+/// Moves coordinates into the face; returns the edge that they were furthest beyond, -1 for none.
+int move_inside(bool is_triangle, double& xi, double& eta) {
+  const double x = xi, y = eta;
+  if (is_triangle) {
+    const std::array<double, 3> beyond{-y, x + y - 1.0, -x};
+    const auto most = std::max_element(beyond.begin(), beyond.end());
+    xi = std::max(xi, 0.0);
+    eta = std::max(eta, 0.0);
+    if (const double sum = xi + eta; sum > 1.0) {
+      // Along the normal of the third edge in these coordinates, then onto its ends.
+      xi = std::clamp(xi - 0.5 * (sum - 1.0), 0.0, 1.0);
+      eta = 1.0 - xi;
+    }
+    return *most > 0.0 ? static_cast<int>(most - beyond.begin()) : -1;
+  }
+  const std::array<double, 4> beyond{-1.0 - y, x - 1.0, y - 1.0, -1.0 - x};
+  const auto most = std::max_element(beyond.begin(), beyond.end());
+  xi = std::clamp(xi, -1.0, 1.0);
+  eta = std::clamp(eta, -1.0, 1.0);
+  return *most > 0.0 ? static_cast<int>(most - beyond.begin()) : -1;
+}
+
+}  // namespace
+
+std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point) {
+  const FaceMap map = make_face_map(x, is_triangle);
+  FacePoint found;
+  if (!find_foot(map, point, found.xi, found.eta)) return std::nullopt;
+  const Eigen::Vector3d foot = map.at(found.xi, found.eta);
+  found.edge = move_inside(is_triangle, found.xi, found.eta);
+  const auto [a, b] = tangents_at(map, found.xi, found.eta);
+  found.normal = a.cross(b).normalized();
+  const Eigen::Vector3d on_face = found.edge < 0 ? foot : map.at(found.xi, found.eta);
+  found.beyond = found.edge < 0 ? 0.0 : (foot - on_face).norm();
+  found.gap = (point - on_face).dot(found.normal);
+  return found;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/node_face_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/friction.hpp"
+#include "contact/node_face.hpp"
+#include "contact/penalty.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr double steps_ahead = 2.0;  // as for faces
+
+/// A node that touched in the last step may be this much deeper than one that did not.
+constexpr double known_depth = 1.5;
+
+/// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie over
+/// each other keep touching when they spread by different strains.
+constexpr double automatic_beyond = 0.02;
+
+/// Normals closer than this are of one surface that bends, not of the walls of a hollow.
+constexpr double same_wall = 0.7;
+
+bool has_corner(const ContactFace& face, std::uint32_t node) {
+  return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
+}
+
+}  // namespace
+
+/// A face that a node may touch.
+struct NodeFaceContacts::Hit {
+  std::uint32_t face = 0, pair = 0;
+  FacePoint point;
+  PairPenalty penalty;
+};
+
+/// The few faces that a node is near to. More than fit are left out, the ones found last.
+struct NodeFaceContacts::Hits {
+  static constexpr std::size_t most = 16;
+
+  std::array<Hit, most> hits;
+  std::size_t n = 0;
+
+  void add(const Hit& hit) {
+    if (n < most) hits[n++] = hit;
+  }
+  auto begin() { return hits.begin(); }
+  auto end() { return hits.begin() + static_cast<std::ptrdiff_t>(n); }
+};
+
+void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
+                            std::vector<ContactRecord>& records) {
+  for (std::size_t row = begin; row < end; ++row) find_one(scene, static_cast<std::uint32_t>(row), records);
+}
+
+void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row,
+                                std::vector<ContactRecord>& records) {
+  Memory& memory = memory_[row];
+  const auto candidates = candidates_.of(row);
+  if (candidates.empty() && memory.n_touches == 0) return;
+  Hits hits;
+  for (const std::uint32_t face : candidates) look_at(scene, row, face, hits);
+  choose(scene, memory, hits);
+  Memory next;
+  for (const Hit& hit : hits) {
+    ContactRecord record = make_record(scene, row, hit);
+    if (record.touches()) {
+      Touch& touch = next.touches[next.n_touches++];
+      touch.normal = record.normal;
+      if (const double friction = scene.rules[hit.pair].friction; friction > 0.0) {
+        for (std::size_t i = 0; i < memory.n_touches; ++i) {
+          if (memory.touches[i].normal.dot(record.normal) > same_wall) record.elastic = memory.touches[i].elastic;
+        }
+        add_friction(hit.penalty.stiffness * record.area, friction, scene.is_frozen, record);
+        touch.elastic = record.elastic;
+      }
+    }
+    records.push_back(record);
+  }
+  if (!scene.is_frozen) memory = next;
+}
+
+void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face_index,
+                               Hits& hits) const {
+  const SurfaceNode& node = faces_.surface_nodes[row];
+  const ContactFace& face = faces_.faces[face_index];
+  const FaceBound& bound = scene.surface.bound(face_index);
+  const Eigen::Vector3d x = scene.surface.x(node.node), away = x - bound.centre;
+  const double closed =
+      std::max(0.0, (bound.velocity - scene.surface.v(node.node)).dot(bound.normal)) * scene.dt;
+  const double reach = steps_ahead * closed, height = away.dot(bound.normal);
+  const double deepest = std::max(face.backing.thickness, 1.5 * closed), warp = 0.25 * bound.radius;
+  if (height > reach + warp || height < -deepest - warp) return;
+  const double side_squared = away.squaredNorm() - height * height, most = bound.radius + deepest;
+  if (side_squared > most * most || has_corner(face, node.node)) return;
+
+  Hit hit;
+  hit.face = face_index;
+  hit.pair = scene.rules.find(node.surface, face.surface);
+  const PairRule& rule = scene.rules[hit.pair];
+  if (!rule.is_active) return;
+  const MovingFace moving = scene.surface.face(face_index);
+  const auto point = project_onto_face(moving.x, moving.is_triangle, x);
+  if (!point) return;
+  hit.point = *point;
+  hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
+  const double factor = memory_[row].n_touches > 0 ? known_depth : 1.0;
+  hit.penalty.depth = std::max(factor * hit.penalty.depth, 1.5 * closed);
+  if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
+  if (stands_over(scene, face_index, hit)) hits.add(hit);
+}
+
+bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face_index, const Hit& hit) const {
+  if (hit.point.edge < 0) return true;
+  const ContactFace& face = faces_.faces[face_index];
+  const FaceBound& bound = scene.surface.bound(face_index);
+  const PairRule& rule = scene.rules[hit.pair];
+  double allowed = rule.pair->tangential_tolerance.value_or(automatic_beyond * bound.radius);
+  // Behind the edge of a hollow there is a wedge that no face stands over.
+  const std::size_t n = face.is_triangle() ? 3 : 4, k = static_cast<std::size_t>(hit.point.edge);
+  const std::uint32_t a = face.corners[k], b = face.corners[(k + 1) % n];
+  for (const std::uint32_t other : faces_.faces_of_node.of(a)) {
+    if (other == face_index || !has_corner(faces_.faces[other], b)) continue;
+    if ((scene.surface.bound(other).centre - bound.centre).dot(bound.normal) > 0.0)
+      allowed += std::max(0.0, -hit.point.gap);
+  }
+  return hit.point.beyond <= allowed;
+}
+
+void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, Hits& hits) const {
+  const auto went_in_here = [&](const Hit& hit) {
+    for (std::size_t i = 0; i < memory.n_touches; ++i) {
+      if (memory.touches[i].normal.dot(hit.point.normal) > 0.5) return true;
+    }
+    return false;
+  };
+  // Faces on the side of the last step first, then the nearest, then those over which the node stands.
+  std::stable_sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
+    const bool a_in = went_in_here(a), b_in = went_in_here(b);
+    if (a_in != b_in) return a_in;
+    const double da = std::abs(a.point.gap) + a.point.beyond, db = std::abs(b.point.gap) + b.point.beyond;
+    return da < db;
+  });
+  std::size_t n_chosen = 0;
+  for (std::size_t i = 0; i < hits.n && n_chosen < most_touched; ++i) {
+    const Hit& hit = hits.hits[i];
+    const auto is_other_wall = [&](const Hit& chosen) {
+      const FaceBound &wall = scene.surface.bound(chosen.face), &other = scene.surface.bound(hit.face);
+      const double cosine = chosen.point.normal.dot(hit.point.normal);
+      // Of a hollow: each wall stands in front of the other.
+      return cosine < same_wall && cosine > -same_wall && (other.centre - wall.centre).dot(wall.normal) > 0.0 &&
+             (wall.centre - other.centre).dot(other.normal) > 0.0;
+    };
+    if (std::all_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(n_chosen), is_other_wall))
+      hits.hits[n_chosen++] = hit;
+  }
+  hits.n = n_chosen;
+}
+
+ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const {
+  const SurfaceNode& node = faces_.surface_nodes[row];
+  const ContactFace& face = faces_.faces[hit.face];
+  const PairRule& rule = scene.rules[hit.pair];
+  ContactRecord record;
+  record.pair = hit.pair;
+  record.is_swapped = node.surface != rule.pair->first;
+  record.first_place = row;
+  record.second_place = hit.face;
+  record.first.nodes.fill(node.node);
+  record.first.weights = Eigen::Vector4d::UnitX();
+  record.second = {face.corners, corner_weights(hit.point.xi, hit.point.eta, face.is_triangle())};
+  record.normal = hit.point.normal;
+  record.gap = hit.point.gap;
+  // Pairs that go both ways meet everything twice.
+  const double area = (rule.pair->is_one_sided ? 1.0 : 0.5) * node.area;
+  const double damping = rule.pair->damping_fraction;
+  record.stiffness =
+      hit.penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+  if (record.gap >= 0.0) return record;
+  record.area = area;
+  const MovingFace moving = scene.surface.face(hit.face);
+  const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
+  const double spring = -hit.penalty.stiffness * area * record.gap, speed = relative.dot(record.normal);
+  const double damper = std::max(-hit.penalty.damping * area * speed, -spring);
+  record.force = spring + damper;
+  record.damped = -damper * speed * scene.dt;
+  record.slip = relative * scene.dt;
+  return record;
+}
+
+}  // namespace contactsim

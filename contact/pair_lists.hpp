@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace contactsim {
+
+/// Pairs row by row: those of row i are partners[begin[i]] to partners[begin[i + 1] - 1], ascending.
+struct PairLists {
+  std::vector<std::size_t> begin = {0};  ///< [n_rows + 1]
+  std::vector<std::uint32_t> partners;   ///< [n_pairs]
+
+  std::size_t n_rows() const { return begin.size() - 1; }
+  /// The partners of one row, ascending.
+  std::span<const std::uint32_t> of(std::size_t row) const {
+    return std::span(partners).subspan(begin[row], begin[row + 1] - begin[row]);
+  }
+};
+
+/// Two boxes that may meet.
+struct RowPartner {
+  std::uint32_t row, partner;
+};
+
+/// Pairs in the order in which one part of a search met them.
+struct FoundPairs {
+  std::vector<RowPartner> pairs;
+  std::uint64_t visits = 0;  ///< pairs of nodes looked at
+
+  /// Forgets the pairs and keeps their memory.
+  void clear() {
+    pairs.clear();
+    visits = 0;
+  }
+};
+
+/// Sorts what the parts of a search have found, each pair once, into lists; their order and that of the pairs
+/// does not matter. Runs on OpenMP's threads.
+///   n_rows  above every row
+///   lists   overwritten, its memory reused
+void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLists& lists);
+
+}  // namespace contactsim

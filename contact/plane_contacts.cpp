@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/plane_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/friction.hpp"
+#include "contact/penalty.hpp"
+
+namespace contactsim {
+
+PlaneContacts::PlaneContacts(const ContactFaces& faces, const ContactSurfaces& surfaces,
+                             std::span<const AnalyticPlane> planes, const PairRules& rules)
+    : faces_(faces) {
+  for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
+    const SurfacePair& pair = *rules[i].pair;
+    for (const auto& [with_plane, other] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
+      for (const std::uint32_t plane : surfaces.surfaces[with_plane].analytic_planes)
+        add_places(other, i, planes[plane]);
+      if (pair.first == pair.second) break;
+    }
+  }
+}
+
+void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, const AnalyticPlane& plane) {
+  for (std::uint32_t node = faces_.first_node[surface]; node < faces_.first_node[surface + 1]; ++node)
+    places_.push_back({node, pair, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
+}
+
+void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
+                         std::vector<ContactRecord>& records) {
+  constexpr double steps_ahead = 2.0;  // as for faces
+  for (std::size_t row = begin; row < end; ++row) {
+    Place& place = places_[row];
+    const PairRule& rule = scene.rules[place.pair];
+    const SurfaceNode& node = faces_.surface_nodes[place.node];
+    const double gap = (scene.surface.x(node.node) - place.origin).dot(place.normal);
+    const Eigen::Vector3d velocity = scene.surface.v(node.node);
+    const double speed = velocity.dot(place.normal);
+    if (!rule.is_active || gap > std::max(0.0, -steps_ahead * scene.dt * speed)) {
+      if (!scene.is_frozen) place.elastic.setZero();
+      continue;
+    }
+    const PairPenalty penalty = make_pair_penalty(node.backing, nullptr, *rule.pair);
+    const double damping = rule.pair->damping_fraction;
+    ContactRecord& record = records.emplace_back();
+    record.pair = place.pair;
+    record.is_swapped = node.surface != rule.pair->first;
+    record.first_place = place.node;
+    record.first.nodes.fill(node.node);
+    record.first.weights = Eigen::Vector4d::UnitX();
+    record.normal = place.normal;
+    record.gap = gap;
+    record.stiffness = penalty.stiffness * node.area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+    if (gap >= 0.0) continue;
+    record.area = node.area;
+    const double spring = -penalty.stiffness * node.area * gap;
+    const double damper = std::max(-penalty.damping * node.area * speed, -spring);
+    record.force = spring + damper;
+    record.damped = -damper * speed * scene.dt;
+    if (rule.friction > 0.0) {
+      record.slip = velocity * scene.dt;
+      record.elastic = place.elastic;
+      add_friction(penalty.stiffness * node.area, rule.friction, scene.is_frozen, record);
+      place.elastic = record.elastic;
+    }
+  }
+}
+
+}  // namespace contactsim

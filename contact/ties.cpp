@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/ties.hpp"
+
+#include <Eigen/LU>
+
+namespace contactsim {
+
+namespace {
+
+using Corners8 = Eigen::Matrix<double, 8, 1>;
+
+/// Axes that turn with a face: a diagonal, at right angles to it, the normal.
+Eigen::Matrix3d axes_of(const FaceCorners& x) {
+  Eigen::Matrix3d axes;
+  const Eigen::Vector3d normal = area_vector(x).normalized(), diagonal = x.col(2) - x.col(0);
+  axes.col(0) = (diagonal - normal.dot(diagonal) * normal).normalized();
+  axes.col(1) = normal.cross(axes.col(0));
+  axes.col(2) = normal;
+  return axes;
+}
+
+/// Adds a spring between a point of the first side and one of the second.
+///   weights  of the corners: those of the first side, minus those of the second
+///   offset   between the points, in axes of the second face [length]
+void add_spring(const Corners8& weights, double stiffness, const Eigen::Vector3d& offset, Tie& tie) {
+  tie.stiffness += stiffness * weights * weights.transpose();
+  tie.rest += stiffness * offset * weights.transpose();
+}
+
+Corners8 join(const Eigen::Vector4d& first, const Eigen::Vector4d& second) {
+  Corners8 weights;
+  weights << first, -second;
+  return weights;
+}
+
+/// The moment about the origin of forces at points.
+Eigen::Vector3d moment(const TieVectors& x, const TieVectors& forces) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 8; ++k) sum += x.col(k).cross(forces.col(k));
+  return sum;
+}
+
+/// Forces at the second side's corners that have a moment but no resultant, the smallest that do.
+Eigen::Matrix<double, 3, 4> couple(const Eigen::Matrix<double, 3, 4>& x, const Eigen::Vector3d& moment) {
+  const bool is_triangle = x.col(2) == x.col(3);
+  const int n = is_triangle ? 3 : 4;
+  const Eigen::Vector3d mean = x.leftCols(n).rowwise().mean();
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (int k = 0; k < n; ++k) {
+    const Eigen::Vector3d arm = x.col(k) - mean;
+    inertia += arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose();
+  }
+  const Eigen::Vector3d turn = inertia.inverse() * moment;
+  Eigen::Matrix<double, 3, 4> forces = Eigen::Matrix<double, 3, 4>::Zero();
+  for (int k = 0; k < n; ++k) forces.col(k) = turn.cross(x.col(k) - mean);
+  return forces;
+}
+
+}  // namespace
+
+bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance, Tie& tie) {
+  const auto found = find_face_face_points(first, second);
+  if (!found) return false;
+  const Eigen::Matrix3d axes = axes_of(second.x);
+  const Eigen::Vector3d along = axes.transpose() * found->plane.normal;
+  const OverlapPoints& points = found->points;
+  for (int b = 0; b < points.n_batches; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const double area = points.weight[k](lane), gap = found->gap[k](lane);
+      if (!(area > 0.0) || !(std::abs(gap) <= tolerance)) continue;
+      const Corners8 weights =
+          join(corner_weights(points.xi_1[k](lane), points.eta_1[k](lane), first.is_triangle),
+               corner_weights(points.xi_2[k](lane), points.eta_2[k](lane), second.is_triangle));
+      add_spring(weights, stiffness * area, gap * along, tie);
+      tie.area += area;
+    }
+  }
+  return tie.area > 0.0;
+}
+
+void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::Vector4d& weights, double stiffness,
+              Tie& tie) {
+  const Eigen::Vector3d offset = axes_of(face.x).transpose() * (node - face.x * weights);
+  add_spring(join(Eigen::Vector4d::UnitX(), weights), stiffness, offset, tie);
+}
+
+TieForces find_tie_forces(const Tie& tie, const TieVectors& x) {
+  const FaceCorners second = x.rightCols<4>();
+  const Eigen::Matrix3d axes = axes_of(second);
+  TieForces found;
+  const Eigen::Vector3d origin = x.col(0);  // large coordinates would cost digits
+  const TieVectors arms = x.colwise() - origin;
+  found.forces = axes * tie.rest - arms * tie.stiffness;
+  found.forces.rightCols<4>() -= couple(arms.rightCols<4>(), moment(arms, found.forces));
+  found.normal = axes.col(2);
+  return found;
+}
+
+}  // namespace contactsim

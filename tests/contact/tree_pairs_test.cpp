@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/tree_pairs.hpp"
+
+#include "contact/broad_phase.hpp"
+#include "support/catch.hpp"
+#include "support/moving_boxes.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+TEST_CASE("the work is cut into parts of about equal size for threads", "[contact][tree_pairs]") {
+  const BoxTree tree = make_box_tree(MovingBoxes(5000, 1).boxes());
+  const auto pairs = TreePairs<false>(tree, tree).cut();
+  const auto self_pairs = TreePairs<true>(tree, tree).cut();
+  CHECK(pairs.size() >= 256);
+  CHECK(self_pairs.size() >= 256);
+  CHECK(self_pairs.size() < 1024);
+  for (const NodePair pair : self_pairs) CHECK(tree.nodes[pair.row].n_boxes < 5000 / 4);
+}
+
+TEST_CASE("trees apart have no pairs and take no visits", "[contact][tree_pairs]") {
+  const BoxTree tree = make_box_tree(MovingBoxes(100, 1).boxes());
+  const BoxTree far = make_box_tree(std::vector<Box>(100, Box{{9, 9, 9}, {10, 10, 10}}));
+  std::vector<FoundPairs> parts;
+  find_tree_pairs<false>(
+      tree, far, [](std::uint32_t, std::uint32_t) { return true; }, parts);
+  CHECK(parts.empty());
+}
+
+TEST_CASE("a tree of one box meets itself in no pair", "[contact][tree_pairs]") {
+  const BoxTree tree = make_box_tree(MovingBoxes(1, 1).boxes());
+  std::vector<FoundPairs> parts;
+  find_tree_pairs<true>(
+      tree, tree, [](std::uint32_t, std::uint32_t) { return true; }, parts);
+  REQUIRE(parts.size() == 1);
+  CHECK(parts[0].pairs.empty());
+  find_tree_pairs<false>(
+      tree, tree, [](std::uint32_t, std::uint32_t) { return true; }, parts);
+  CHECK(parts[0].pairs.size() == 1);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "contact/box_tree.hpp"
+#include "contact/pair_lists.hpp"
+
+namespace contactsim::test {
+
+/// Boxes of quads and triangles of random size that fly about in a cube, on numbers that no float can hold.
+class MovingBoxes {
+ public:
+  /// The same seed gives the same boxes.
+  MovingBoxes(std::uint32_t n, std::uint32_t seed);
+
+  /// Moves every box by its own velocity; those that leave the cube come back in.
+  void step();
+  const std::vector<Box>& boxes() const { return boxes_; }
+
+ private:
+  std::vector<Box> boxes_;
+  std::vector<std::array<double, 3>> velocities_;
+};
+
+/// The overlapping pairs of all rows with all partners, one test each.
+PairLists sweep(const std::vector<Box>& rows, const std::vector<Box>& partners);
+
+/// The overlapping pairs among the boxes, each once, partners with the greater number.
+PairLists sweep(const std::vector<Box>& boxes);
+
+/// Pairs in any order as lists.
+PairLists in_rows(std::vector<RowPartner> pairs, std::size_t n_rows);
+
+}  // namespace contactsim::test
