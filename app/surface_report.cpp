@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "contact/friction_words.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -99,6 +101,29 @@ Json to_json(const ContactModel& model, const ContactSurface& surface, const Sur
   return json;
 }
 
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const ContactModel& model, const SurfacePair& pair) {
+  const bool is_face_face = pair.formulation == ConstraintFormulation::face_face;
+  const bool is_sliding = pair.behavior == InteractionBehavior::sliding;
+  return {{"first", model.surfaces.surfaces[pair.first].name},
+          {"second", model.surfaces.surfaces[pair.second].name},
+          {"interaction", pair.interaction},
+          {"line", pair.location.line},
+          {"law", describe_law(pair.law)},
+          {"formulation", is_face_face ? "face_face" : "node_face"},
+          {"one_sided", pair.is_one_sided},
+          {"behavior", is_sliding ? "sliding" : "infinitesimal_sliding"},
+          {"normal_tolerance", to_json(pair.normal_tolerance)},
+          {"tangential_tolerance", to_json(pair.tangential_tolerance)},
+          {"overlap_normal_tolerance", to_json(pair.overlap_normal_tolerance)},
+          {"overlap_tangential_tolerance", to_json(pair.overlap_tangential_tolerance)},
+          {"capture_tolerance", to_json(pair.capture_tolerance)},
+          {"penalty_scale", pair.penalty_scale},
+          {"penalty_stiffness", to_json(pair.penalty_stiffness)},
+          {"damping_fraction", pair.damping_fraction}};
+}
+
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -121,10 +146,11 @@ std::string format_surface_tables(const ContactModel& model, std::span<const Sur
 }
 
 std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
-  Json surfaces = Json::array(), warnings = Json::array();
+  Json surfaces = Json::array(), pairs = Json::array(), warnings = Json::array();
   for (std::size_t i = 0; i < summaries.size(); ++i) {
     surfaces.push_back(to_json(model, model.surfaces.surfaces[i], summaries[i]));
   }
+  for (const SurfacePair& pair : model.pairs) pairs.push_back(to_json(model, pair));
   for (const SurfaceWarning& warning : model.surfaces.warnings) {
     warnings.push_back({{"id", warning.id},
                         {"line", warning.location.line},
@@ -135,7 +161,8 @@ std::string format_surfaces_json(const ContactModel& model, std::span<const Surf
   const Json json{{"schema", "contactsim-surfaces/1"},
                   {"surfaces", std::move(surfaces)},
                   {"interior_faces_ignored", model.surfaces.interior_faces_ignored},
-                  {"warnings", std::move(warnings)}};
+                  {"warnings", std::move(warnings)},
+                  {"pairs", std::move(pairs)}};
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

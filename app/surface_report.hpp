@@ -14,7 +14,7 @@ namespace contactsim {
 /// diff.
 std::string format_surface_tables(const ContactModel& model, std::span<const SurfaceSummary> summaries);
 
-/// The same as JSON, schema contactsim-surfaces/1.
+/// The same and the pairs as JSON, schema contactsim-surfaces/1.
 std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries);
 
 /// One line per owned facet: surface,block,element,side,kind,area. Names that hold a comma, a quote or a line

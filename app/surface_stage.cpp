@@ -2,6 +2,7 @@
 #include "app/surface_stage.hpp"
 
 #include "app/exit_guard.hpp"
+#include "app/pair_report.hpp"
 #include "app/surface_report.hpp"
 #include "contact/contact_model.hpp"
 #include "contact/surface_drawing.hpp"
@@ -68,7 +69,7 @@ ExitCode resolve_surfaces(const Options& options, const SimulationDefinition& de
   if (warnings.has_errors()) throw DeckError(warnings);
   check_elements(mesh, blocks_in_contact(model, mesh), warnings);
   const auto summaries = summarize(model, mesh);
-  log.write(format_surface_tables(model, summaries));
+  log.write(format_surface_tables(model, summaries) + format_pairs(model, summaries, {}));
   add_surface_warnings(model.surfaces, warnings);
   return write_surface_files(options, model, summaries, mesh, log);
 }

@@ -161,6 +161,7 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
   }
   SurfacePair pair = common_pair(defaults_, contact_);
   pair.location = defaults.name.location;
+  pair.is_from_defaults = true;
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
     const Meeting meeting{std::min(a, b), std::max(a, b)};
     if (!can_meet(meeting)) return;

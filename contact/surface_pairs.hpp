@@ -21,6 +21,7 @@ struct SurfacePair {
   bool is_one_sided = false;  ///< NODE_FACE with sides, or one of the two cannot give the faces or the nodes
   std::string interaction;    ///< its name, "interaction 3" without one, "general contact", "self contact"
   DeckLocation location;      ///< of the interaction, or of the defaults
+  bool is_from_defaults = false;  ///< by general or self contact, no interaction names it
   FrictionLaw law;
   ConstraintFormulation formulation = ConstraintFormulation::face_face;  ///< face_face: both have faces
   InteractionBehavior behavior = InteractionBehavior::sliding;           ///< never no_interaction

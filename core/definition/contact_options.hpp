@@ -13,8 +13,7 @@ namespace contactsim {
 struct SearchOptions {
   enum class Tolerance : std::uint8_t { automatic, user_defined };
 
-  std::int64_t global_search_increment = 1;  ///< steps between two global searches, >= 1
-  bool global_search_once = false;           ///< at the start only
+  bool global_search_once = false;  ///< at the start only
   Tolerance tolerance = Tolerance::automatic;
   std::optional<double> normal_tolerance;      ///< reach off a face, >= 0 [length]
   std::optional<double> tangential_tolerance;  ///< reach beyond a face's edge, >= 0 [length]
@@ -25,15 +24,11 @@ struct SearchOptions {
 /// BEGIN DASH OPTIONS. Source: Sierra/SM 5.22, 8.9.
 struct DashOptions {
   double search_length_scaling = 0.15;  ///< search distance over face size, >= 0 [1]
-  double accuracy_level = 1.0;          ///< > 0 [1]
-  std::int64_t subdivision_level = 0;   ///< how often faces are halved before they are paired, >= 0
 };
 
 /// BEGIN ENFORCEMENT OPTIONS. Source: Sierra/SM 5.22, 8.2 and 8.9.
 struct EnforcementOptions {
-  std::int64_t momentum_balance_iterations = 5;            ///< >= 1
-  std::optional<std::int64_t> geometry_update_iterations;  ///< of the active set within a step, >= 1
-  double penalty_scale = 1.0;                              ///< of all pairs, times their own, > 0 [1]
+  double penalty_scale = 1.0;  ///< of all pairs, times their own, > 0 [1]
 };
 
 /// BEGIN SURFACE OPTIONS, older SHELL LOFTING: how lofted elements of some contact surfaces get their

@@ -485,18 +485,15 @@ begin sierra crash box
 
         search = dash
         begin search options tight
-          global search increment = 5
           search tolerance = user_defined
           normal tolerance = {3 * front_gauge}
           tangential tolerance = {3 * front_gauge}
         end search options tight
         begin dash options
           search length scaling = 0.15
-          accuracy level = 1.0
-          subdivision level = 0
         end dash options
         begin enforcement options
-          momentum balance iterations = 10
+          penalty scale = 1
         end enforcement options
         begin surface options walls
           surface = ring_1 ring_2 ring_3 ring_4 ring_5 ring_6 flanges

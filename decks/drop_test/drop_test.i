@@ -434,13 +434,11 @@ begin sierra flight recorder drop
 
         search = dash
         begin search options
-          global search increment = 10
           search tolerance = automatic
           face multiplier = 0.1
         end
         begin enforcement options
-          momentum balance iterations = 10
-          num geometry update iterations = 1
+          penalty scale = 1
         end
         begin surface options
           surface = sheets

@@ -11,8 +11,7 @@ const Table<SearchOptions>& search_options_table() {
   using S = SearchOptions;
   static const auto tolerance = choice_of<S::Tolerance>({"automatic", "user_defined"});
   static const Table<S> table({
-      row("global search increment", read::positive_integer, &S::global_search_increment,
-          "Steps [1] between two global searches"),
+      ignored<S>("global search increment", "= <integer>", "Global searches come when motion demands them"),
       row("global search once", read::on_off, &S::global_search_once, "Searches globally at the start only"),
       row("search tolerance", tolerance, &S::tolerance, "Whether the tolerances below are taken"),
       row("normal tolerance", read::non_negative, &S::normal_tolerance,
@@ -33,9 +32,8 @@ const Table<DashOptions>& dash_options_table() {
   static const Table<D> table({
       row("search length scaling", read::non_negative, &D::search_length_scaling,
           "Search distance as a multiple of the face's size [1]"),
-      row("accuracy level", read::positive, &D::accuracy_level, "Higher finds and enforces more exactly [1]"),
-      row("subdivision level", read::non_negative_integer, &D::subdivision_level,
-          "How often [1] faces are halved before they are paired"),
+      ignored<D>("accuracy level", "= <real>", "Gaps are found exactly"),
+      ignored<D>("subdivision level", "= <integer>", "Faces are paired whole"),
       ignored<D>("interaction definition scheme", "= {EXPLICIT|AUTOMATIC}",
                  "The deck's interactions are taken"),
   });
@@ -45,10 +43,9 @@ const Table<DashOptions>& dash_options_table() {
 const Table<EnforcementOptions>& enforcement_options_table() {
   using E = EnforcementOptions;
   static const Table<E> table({
-      row("momentum balance iterations", read::positive_integer, &E::momentum_balance_iterations,
-          "Passes [1] over all pairs within a step"),
-      row("num geometry update iterations", read::positive_integer, &E::geometry_update_iterations,
-          "Updates [1] of the set of touching pairs within a step"),
+      ignored<E>("momentum balance iterations", "= <integer>", "Penalty forces balance in one pass"),
+      ignored<E>("num geometry update iterations", "= <integer>",
+                 "The set of touching pairs is renewed in every step"),
       row("penalty scale", read::positive, &E::penalty_scale,
           "Multiplies the penalty stiffness of all pairs [1]; contactsim's own line"),
   });

@@ -17,6 +17,9 @@ struct WithMesh : ProgramDirectory {
   }
 };
 
+/// Without a pair of surfaces a deck is warned about.
+const std::string self_contact = "begin interaction defaults\nself contact = on\nend\n";
+
 /// A deck of one region for each of these lines of contact, in a procedure of its own.
 std::string deck_of_regions(const std::vector<std::string>& contacts) {
   std::string deck = "begin sierra\nbegin finite element model m\n  database name = two_blocks.g\nend\n";
@@ -96,8 +99,8 @@ TEST_CASE("wrong names of mesh parts end a run with code 2", "[app][simulation]"
 }
 
 TEST_CASE("a --lenient run passes over unknown commands with a warning", "[app][simulation]") {
-  const WithMesh directory(
-      "begin contact definition\n  frobnicate = 3\n  contact surface a contains left\nend\n");
+  const WithMesh directory("begin contact definition\n  frobnicate = 3\n  contact surface a contains left\n" +
+                           self_contact + "end\n");
   CHECK(directory.run({"a.i", "two_blocks.g", "--check"}).exit_code == 2);
   const auto [code, out, err] = directory.run({"a.i", "two_blocks.g", "--check", "--lenient"});
   CHECK(code == 0);
@@ -109,7 +112,7 @@ TEST_CASE("a --lenient run passes over unknown commands with a warning", "[app][
 
 TEST_CASE("a -D sets a number or a string for the deck", "[app][simulation]") {
   const WithMesh directory(
-      "{if(n == 2 && part == \"right\")}\ncontact surface s{n} contains {part}\n{endif}\n");
+      "{if(n == 2 && part == \"right\")}\ncontact surface s{n} contains {part}\n{endif}\n" + self_contact);
   const auto [code, out, err] =
       directory.run({"a.i", "two_blocks.g", "--check", "-D", "n=2", "-D", "part=right"});
   CHECK(code == 0);
@@ -177,13 +180,13 @@ TEST_CASE("a deck without contact writes empty tables", "[app][simulation]") {
 }
 
 TEST_CASE("of several regions with contact the first is resolved, and that is told", "[app][simulation]") {
-  const WithMesh directory(
-      deck_of_regions({"begin contact definition\ncontact surface one contains left\nend\n",
-                       "begin contact definition\ncontact surface two contains right\nend\n"}));
+  const WithMesh directory(deck_of_regions(
+      {"begin contact definition\ncontact surface one contains left\n" + self_contact + "end\n",
+       "begin contact definition\ncontact surface two contains right\nend\n"}));
   const auto [code, out, err] = directory.run({"a.i", "--check"});
   CHECK(code == 0);
   CHECK_THAT(out, Contains("   1  one ") && !Contains("   1  two "));
   CHECK(err ==
-        "a.i:26:21: warning: the contact of the region 'r2' is passed over; that of 'r1' is resolved "
+        "a.i:29:21: warning: the contact of the region 'r2' is passed over; that of 'r1' is resolved "
         "[deck-region]\n");
 }

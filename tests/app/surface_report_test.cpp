@@ -119,7 +119,9 @@ TEST_CASE("tables and files are the same bytes on every run and number of thread
 TEST_CASE("names with commas and quotes are quoted in the CSV", "[app][report]") {
   const ProgramDirectory directory;
   directory.copy_decks({"two_blocks.g"});
-  directory.write("a.i", "contact surface 'a,\"b' contains cladding\n");
+  directory.write("a.i",
+                  "contact surface 'a,\"b' contains cladding\n"
+                  "begin interaction defaults\nself contact = on\nend\n");
   const auto [code, out, err] = directory.run(
       {"a.i", "two_blocks.g", "--check", "--surfaces-csv", "s.csv", "--surfaces-json", "s.json"});
   CHECK(err == "");

@@ -232,6 +232,7 @@ TEST_CASE("settings come from the interaction, the defaults, the shared blocks, 
   CHECK(pair.penalty_stiffness == 7.0);
   CHECK(pair.damping_fraction == 0.2);
   CHECK(pair.behavior == InteractionBehavior::infinitesimal_sliding);
+  CHECK_FALSE(pair.is_from_defaults);
   REQUIRE(pair.periods.active.size() == 1);
   CHECK(pair.periods.active[0].text == "p1");
   CHECK_FALSE(paired.pairs[1].penalty_stiffness);

@@ -19,14 +19,9 @@ ContactDefinition contact_of(const std::string& lines) {
 
 TEST_CASE("an empty contact definition has the documented defaults", "[parser][contact]") {
   const ContactDefinition contact = contact_of("");
-  CHECK(contact.search.global_search_increment == 1);
   CHECK(contact.search.tolerance == SearchOptions::Tolerance::automatic);
   CHECK(contact.search.face_multiplier == 0.1);
   CHECK(contact.dash.search_length_scaling == 0.15);
-  CHECK(contact.dash.accuracy_level == 1.0);
-  CHECK(contact.dash.subdivision_level == 0);
-  CHECK(contact.enforcement.momentum_balance_iterations == 5);
-  CHECK_FALSE(contact.enforcement.geometry_update_iterations);
   CHECK(contact.enforcement.penalty_scale == 1.0);
   CHECK_FALSE(contact.overlap_removal.is_on());
   CHECK(contact.overlap_removal.iterations == 10);
@@ -39,12 +34,11 @@ TEST_CASE("an empty contact definition has the documented defaults", "[parser][c
 TEST_CASE("search options are bound", "[parser][contact]") {
   const SearchOptions search =
       contact_of(
-          "begin search options fine\nglobal search increment = 5\nglobal search once = on\n"
+          "begin search options fine\nglobal search once = on\n"
           "search tolerance = user_defined\nnormal tolerance = 1\ntangential tolerance = 2\ncapture "
           "tolerance = 3\n"
           "face multiplier = 0.2\nend\n")
           .search;
-  CHECK(search.global_search_increment == 5);
   CHECK(search.global_search_once);
   CHECK(search.tolerance == SearchOptions::Tolerance::user_defined);
   CHECK(search.normal_tolerance == 1.0);
@@ -55,15 +49,26 @@ TEST_CASE("search options are bound", "[parser][contact]") {
 
 TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {
   const ContactDefinition contact = contact_of(
-      "begin dash options\nsearch length scaling = 0.3\naccuracy level = 2\nsubdivision level = 1\nend\n"
-      "begin enforcement options e\nmomentum balance iterations = 25\nnum geometry update iterations = "
-      "2\npenalty scale = 0.5\nend\n");
+      "begin dash options\nsearch length scaling = 0.3\nend\n"
+      "begin enforcement options e\npenalty scale = 0.5\nend\n");
   CHECK(contact.dash.search_length_scaling == 0.3);
-  CHECK(contact.dash.accuracy_level == 2.0);
-  CHECK(contact.dash.subdivision_level == 1);
-  CHECK(contact.enforcement.momentum_balance_iterations == 25);
-  CHECK(contact.enforcement.geometry_update_iterations == 2);
   CHECK(contact.enforcement.penalty_scale == 0.5);
+}
+
+TEST_CASE("options of other algorithms are told to have no effect", "[parser][contact]") {
+  CHECK(bound_contact("begin search options\nglobal search increment = 5\nend\n"
+                      "begin dash options\naccuracy level = 2\nsubdivision level = 1\nend\n"
+                      "begin enforcement options\nmomentum balance iterations = 25\n"
+                      "num geometry update iterations = 2\nend\n")
+            .messages ==
+        "a.i:3:1: warning: 'global search increment' has no effect here; global searches come when motion "
+        "demands them [deck-ignored]\n"
+        "a.i:6:1: warning: 'accuracy level' has no effect here; gaps are found exactly [deck-ignored]\n"
+        "a.i:7:1: warning: 'subdivision level' has no effect here; faces are paired whole [deck-ignored]\n"
+        "a.i:10:1: warning: 'momentum balance iterations' has no effect here; penalty forces balance in one "
+        "pass [deck-ignored]\n"
+        "a.i:11:1: warning: 'num geometry update iterations' has no effect here; the set of touching pairs "
+        "is renewed in every step [deck-ignored]\n");
 }
 
 TEST_CASE("surface options may repeat", "[parser][contact]") {

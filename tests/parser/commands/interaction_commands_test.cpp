@@ -126,9 +126,9 @@ TEST_CASE("penalties must be positive and damping not negative", "[parser][inter
   CHECK(bound_contact("begin interaction\nsurfaces = a b\npenalty stiffness = 0\npenalty scale = -1\n"
                       "contact damping fraction = -0.1\nend\n")
             .messages ==
-        "a.i:4:21: error: expected a number > 0 for 'penalty stiffness', found '0'\n"
-        "a.i:5:17: error: expected a number > 0 for 'penalty scale', found '-1'\n"
-        "a.i:6:28: error: expected a number >= 0 for 'contact damping fraction', found '-0.1'\n");
+        "a.i:4:21: error: 'penalty stiffness' must be greater than 0, found '0'\n"
+        "a.i:5:17: error: 'penalty scale' must be greater than 0, found '-1'\n"
+        "a.i:6:28: error: 'contact damping fraction' must not be negative, found '-0.1'\n");
 }
 
 TEST_CASE("lines of other algorithms are ignored with a reason", "[parser][interaction]") {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "contact/contact_model.hpp"
+#include "contact/pair_history.hpp"
+#include "contact/surface_summary.hpp"
+
+/// What the log says of pairs of surfaces. Stable in order and width, without times of the clock, so that the
+/// tables of two runs can be compared with diff.
+namespace contactsim {
+
+/// The pair table before a run: surfaces, interaction, law, formulation, faces and nodes of both sides, how
+/// near they are; then the resolved settings of every interaction. Pairs of general or self contact without
+/// anything in reach are only counted, and so is what goes beyond a thousand rows. "" without pairs.
+///   summaries  [n_surfaces]
+///   starts     [n_pairs] of model.pairs, or empty when they are not known: "-" stands in their place
+std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
+                         std::span<const PairStart> starts);
+
+/// The pair table after a run, and the pairs that never touched. "" without pairs.
+///   histories  [n_pairs] of model.pairs
+std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories);
+
+}  // namespace contactsim
