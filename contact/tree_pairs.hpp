@@ -56,6 +56,7 @@ class TreePairs {
       NodePair *waiting = stack.room_for_children(), *end = last.data();
       for (std::size_t i = 0; i < n; ++i) step(bunch[i], waiting, end);
       stack.end_at(waiting);
+      found.overlaps += static_cast<std::uint64_t>(end - last.data());
       for (const NodePair* pair = last.data(); pair != end; ++pair) add(*pair, keep, found);
     }
   }
