@@ -10,7 +10,7 @@
 #include "support/moving_boxes.hpp"
 
 using namespace contactsim;
-using namespace contactsim::test;
+using test::MovingBoxes;
 
 namespace {
 

@@ -10,7 +10,10 @@
 #include "support/moving_boxes.hpp"
 
 using namespace contactsim;
-using namespace contactsim::test;
+using test::FclBoxes;
+using test::in_rows;
+using test::MovingBoxes;
+using test::sweep;
 
 namespace {
 
