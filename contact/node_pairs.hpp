@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/box_tree.hpp"
+
 namespace contactsim {
 
 /// A node of the tree of rows and one of the tree of partners, to be looked at together. In a tree that meets
@@ -13,6 +15,17 @@ namespace contactsim {
 struct NodePair {
   std::uint32_t row, partner;
 };
+
+/// What is looked at in place of a node: its two children, or itself alone.
+struct OpenedNode {
+  std::uint32_t first, has_second;
+};
+
+/// Opens a node unless it is a leaf or stays closed; without a branch.
+inline OpenedNode open_node(const BoxNode& node, std::uint32_t index, bool stays_closed) {
+  const std::uint32_t opens = !node.is_leaf() & !stays_closed, mask = 0u - opens;
+  return {(node.link & mask) | (index & ~mask), opens};
+}
 
 /// Pairs of nodes that wait to be looked at, the last ones first. They are taken in bunches: what comes of
 /// one pair does not depend on the others, so that the processor can work on several at a time.

@@ -67,24 +67,15 @@ class TreePairs {
   bool is_last(NodePair pair) const { return rows_[pair.row].is_leaf() && partners_[pair.partner].is_leaf(); }
   static bool is_twin(NodePair pair) { return is_self && pair.row == pair.partner; }
 
-  /// What is looked at in place of a node: its two children, or itself alone.
-  struct Opened {
-    std::uint32_t first, has_second;
-  };
-
-  static Opened open(const BoxNode& node, std::uint32_t index, bool stays_closed) {
-    const std::uint32_t opens = !node.is_leaf() & !stays_closed, mask = 0u - opens;
-    return {(node.link & mask) | (index & ~mask), opens};
-  }
-
   /// Sends a pair of leaves to `last`, and the overlapping pairs one step down from any other to `waiting`:
   /// below both nodes, or below the larger one when it is much larger. Without branches: which way they go is
   /// chance.
   void step(NodePair pair, NodePair*& waiting, NodePair*& last) const {
     constexpr std::uint32_t much = 8;
     const BoxNode &row = rows_[pair.row], &partner = partners_[pair.partner];
-    const auto [row_1, has_row_2] = open(row, pair.row, row.n_boxes < partner.n_boxes / much);
-    const auto [partner_1, has_partner_2] = open(partner, pair.partner, partner.n_boxes < row.n_boxes / much);
+    const auto [row_1, has_row_2] = open_node(row, pair.row, row.n_boxes < partner.n_boxes / much);
+    const auto [partner_1, has_partner_2] =
+        open_node(partner, pair.partner, partner.n_boxes < row.n_boxes / much);
     const std::uint32_t row_2 = row_1 + has_row_2, partner_2 = partner_1 + has_partner_2;
     const std::uint32_t opens = has_row_2 | has_partner_2;
     *last = pair;
