@@ -63,6 +63,7 @@ class ContactForce final : public ForceTerm {
  private:
   void begin(const Motion& motion);
   void find_candidates(const Motion& motion);
+  std::vector<std::uint32_t> faces_with_candidates() const;
   void glue(const ContactScene& scene, const ContactRecord& record);
   template <class Contacts, class Take>
   void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
