@@ -59,6 +59,8 @@ class ContactForce final : public ForceTerm {
   ///   motion  of that step
   void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
   std::span<const Tie> ties() const { return ties_; }
+  /// Where a contact node is, of the motion seen last [length].
+  Eigen::Vector3d position(std::uint32_t node) const { return surface_.x(node); }
 
  private:
   void begin(const Motion& motion);
