@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "contact/contact_output.hpp"
 #include "core/materials/hardening.hpp"
 #include "core/names.hpp"
 #include "core/output/output_table.hpp"
@@ -34,7 +35,13 @@ std::string explain_variables(std::span<const std::string> words) {
   Listing listing{fold(fmt::format("{}", fmt::join(words, "_"))), ""};
   if (listing.wanted == "output_variables") listing.wanted.clear();
   listing.add(global_output_rows());
+  for (const ContactTotalRow& row : contact_total_rows()) {
+    for (const char* of : {"_<surface>", "_<first>_<second>"})
+      listing.add("global", std::string(row.name) + of, component_count(row.shape), row.help);
+  }
   listing.add(nodal_output_rows());
+  for (const ContactNodeRow& row : contact_node_rows())
+    listing.add("nodal", row.name, component_count(row.shape), row.help);
   listing.add(element_output_rows());
   for (const StateVariable& variable : LinearHardening::variables)
     listing.add("element", variable.name, static_cast<int>(variable.n_components), variable.help);

@@ -15,6 +15,7 @@
 #include "app/run_report.hpp"
 #include "app/timed_force.hpp"
 #include "contact/contact_force.hpp"
+#include "contact/contact_output.hpp"
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
@@ -228,11 +229,24 @@ void check_paths(const RunInput& input, const Outputs& outputs) {
   }
 }
 
-OutputSettings output_settings(const RunInput& input, Log& log) {
+/// The faces that each contact surface owns, so that viewers can show them.
+std::vector<SideSet> contact_side_sets(const ContactModel& contact) {
+  std::vector<SideSet> sets;
+  for (const ContactSurface& surface : contact.surfaces.surfaces) {
+    if (!surface.faces.empty()) sets.push_back({0, "contact_" + surface.name, surface.faces, {}});
+  }
+  return sets;
+}
+
+OutputSettings output_settings(const RunInput& input, ContactOutput* contact, Log& log) {
   OutputSettings settings;
   settings.results_path = input.options.results;
   settings.command_line = input.options.command_line;
   settings.deck_lines = lines_of(input.definition.text);
+  if (contact != nullptr) {
+    settings.variables = contact->variables();
+    settings.side_sets = contact_side_sets(*input.contact);
+  }
   settings.log = [&log](std::string_view text) { log.write(text); };
   return settings;
 }
@@ -247,9 +261,12 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
                              warnings};
   std::optional<ContactForce> contact;
-  if (input.contact != nullptr)
+  std::optional<ContactOutput> contact_output;
+  if (input.contact != nullptr) {
     contact.emplace(ContactSetup{*input.region.contact, *input.contact, setup.model, scope.blocks});
-  Outputs outputs(scope, setup.model, output_settings(input, log));
+    contact_output.emplace(*contact, *input.contact, setup.model);
+  }
+  Outputs outputs(scope, setup.model, output_settings(input, contact_output ? &*contact_output : nullptr, log));
   stop_on_errors(warnings);
   check_paths(input, outputs);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));

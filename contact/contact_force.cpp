@@ -43,8 +43,36 @@ ContactForce::ContactForce(const ContactSetup& setup)
 }
 
 void ContactForce::find_candidates(const Motion& motion) {
+  surface_.bound_all();
   search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
   face_face_.take_candidates();
+  surface_.watch(faces_with_candidates());
+}
+
+/// Faces of which something has to be known until the next search. A node looks at its own faces, too.
+std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
+  std::vector<std::uint8_t> is_watched(faces_.faces.size(), 0);
+  const PairLists &of_faces = face_face_.candidates(), &of_nodes = node_face_.candidates();
+  for (std::size_t row = 0; row < of_faces.n_rows(); ++row) {
+    if (!of_faces.of(row).empty()) is_watched[row] = 1;
+    for (const std::uint32_t partner : of_faces.of(row)) is_watched[partner] = 1;
+  }
+  for (std::size_t row = 0; row < of_nodes.n_rows(); ++row) {
+    if (of_nodes.of(row).empty()) continue;
+    for (const std::uint32_t own : faces_.faces_of_node.of(faces_.surface_nodes[row].node))
+      is_watched[own] = 1;
+    for (const std::uint32_t face : of_nodes.of(row)) {
+      is_watched[face] = 1;
+      for (const std::uint32_t corner : faces_.faces[face].corners) {
+        for (const std::uint32_t neighbour : faces_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
+      }
+    }
+  }
+  std::vector<std::uint32_t> watched;
+  for (std::uint32_t face = 0; face < is_watched.size(); ++face) {
+    if (is_watched[face] != 0) watched.push_back(face);
+  }
+  return watched;
 }
 
 /// The first time that forces are asked for: only now the elements' stable step is known.
@@ -127,13 +155,15 @@ double ContactForce::largest_eigenvalue() {
 }
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
-  forces.setZero();
-  surface_.update(motion);
+  if (!has_begun_) forces.setZero();  // later on only contact nodes ever have another value
+  surface_.move_nodes(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (!has_begun_) {
     begin(motion);
   } else if (search_.is_due(surface_)) {
     find_candidates(motion);
+  } else {
+    surface_.bound_watched();
   }
   sums_.begin_step(motion.dt);
   add_places({surface_, rules_, glued_, motion.dt});
@@ -171,7 +201,8 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
                                std::vector<TieForces>& ties) {
   places.clear();
   ties.clear();
-  surface_.update(motion);
+  surface_.move_nodes(motion);
+  surface_.bound_watched();
   const ContactScene scene{surface_, rules_, glued_, motion.dt, true};
   const auto take = [&](const ContactRecord& record) { places.push_back(record); };
   visit_places(face_face_, scene, take);

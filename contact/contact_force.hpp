@@ -59,10 +59,13 @@ class ContactForce final : public ForceTerm {
   ///   motion  of that step
   void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
   std::span<const Tie> ties() const { return ties_; }
+  /// Where a contact node is, of the motion seen last [length].
+  Eigen::Vector3d position(std::uint32_t node) const { return surface_.x(node); }
 
  private:
   void begin(const Motion& motion);
   void find_candidates(const Motion& motion);
+  std::vector<std::uint32_t> faces_with_candidates() const;
   void glue(const ContactScene& scene, const ContactRecord& record);
   template <class Contacts, class Take>
   void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);

@@ -8,107 +8,109 @@ namespace contactsim {
 
 namespace {
 
-/// A convex polygon of the plane. Two quadrilaterals meet in eight corners at most.
+/// A convex polygon of the plane. Two quadrilaterals meet in eight corners at most. Left without values: most
+/// of it is never used, and filling it would take as long as the rest.
 struct Polygon {
   static constexpr int max_corners = 8;
 
-  std::array<double, max_corners + 2> u{}, v{};
-  int n = 0;
+  int n;
+  double u[max_corners + 2], v[max_corners + 2];  // room for what round-off may add
 
   void add(double pu, double pv) {
-    if (n >= max_corners) return;  // round-off alone makes more
-    u[static_cast<std::size_t>(n)] = pu;
-    v[static_cast<std::size_t>(n)] = pv;
+    u[n] = pu;
+    v[n] = pv;
     ++n;
   }
 };
 
 /// Corners of a face anticlockwise about the plane's normal.
-Polygon make_polygon(const FaceCorners& face, bool is_triangle, bool is_reversed) {
-  Polygon polygon;
+void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, Polygon& polygon) {
   const int n = is_triangle ? 3 : 4;
+  polygon.n = 0;
   for (int i = 0; i < n; ++i) {
     const int k = is_reversed ? n - 1 - i : i;
     polygon.add(face(0, k), face(1, k));
   }
-  return polygon;
 }
 
-/// Keeps what lies to the left of the line from a to b. Source: Sutherland and Hodgman, Commun. ACM 17
-/// (1974).
-void cut(Polygon& polygon, double au, double av, double bu, double bv) {
-  const double du = bu - au, dv = bv - av;
-  std::array<double, Polygon::max_corners + 2> side;
-  bool is_all_in = true;
+/// A line through a point; what lies to its left is kept.
+struct CutLine {
+  double u, v, du, dv;
+};
+
+/// Puts what is left of a polygon into `kept`; returns false, and leaves `kept` alone, when that is all of
+/// it. Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
+bool cut(const Polygon& polygon, const CutLine& line, Polygon& kept) {
+  double side[Polygon::max_corners + 2];
+  double least = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    side[k] = du * (polygon.v[k] - av) - dv * (polygon.u[k] - au);
-    is_all_in &= side[k] >= 0.0;
+    side[i] = line.du * (polygon.v[i] - line.v) - line.dv * (polygon.u[i] - line.u);
+    least = std::min(least, side[i]);
   }
-  if (is_all_in) return;
-  Polygon kept;
+  if (least >= 0.0) return false;
+  kept.n = 0;
   for (int i = 0; i < polygon.n; ++i) {
-    const auto k = static_cast<std::size_t>(i),
-               next = static_cast<std::size_t>(i + 1 < polygon.n ? i + 1 : 0);
-    if (side[k] >= 0.0) kept.add(polygon.u[k], polygon.v[k]);
-    if ((side[k] >= 0.0) == (side[next] >= 0.0)) continue;
-    const double t = side[k] / (side[k] - side[next]);
-    kept.add(polygon.u[k] + t * (polygon.u[next] - polygon.u[k]),
-             polygon.v[k] + t * (polygon.v[next] - polygon.v[k]));
+    const int next = i + 1 < polygon.n ? i + 1 : 0;
+    if (side[i] >= 0.0) kept.add(polygon.u[i], polygon.v[i]);
+    if ((side[i] >= 0.0) == (side[next] >= 0.0)) continue;
+    const double t = side[i] / (side[i] - side[next]);
+    kept.add(polygon.u[i] + t * (polygon.u[next] - polygon.u[i]),
+             polygon.v[i] + t * (polygon.v[next] - polygon.v[i]));
+    if (kept.n >= Polygon::max_corners) break;
   }
-  polygon = kept;
+  kept.n = std::min(kept.n, Polygon::max_corners);
+  return true;
 }
 
-Polygon intersect(Polygon polygon, const Polygon& window) {
-  for (int i = 0; i < window.n && polygon.n > 2; ++i) {
-    const auto k = static_cast<std::size_t>(i), next = static_cast<std::size_t>(i + 1 < window.n ? i + 1 : 0);
-    cut(polygon, window.u[k], window.v[k], window.u[next], window.v[next]);
+/// Cuts a polygon by all edges of another; the result is in one of two places.
+const Polygon& intersect(const Polygon& window, Polygon& polygon, Polygon& other) {
+  Polygon *now = &polygon, *next = &other;
+  for (int i = 0; i < window.n && now->n > 2; ++i) {
+    const int k = i + 1 < window.n ? i + 1 : 0;
+    const CutLine line{window.u[i], window.v[i], window.u[k] - window.u[i], window.v[k] - window.v[i]};
+    if (cut(*now, line, *next)) std::swap(now, next);
   }
-  return polygon;
+  return *now;
 }
 
-/// Points of the plane with weights.
+/// Points of the plane.
 struct PlanePoints {
   std::array<Lanes, OverlapPoints::max_batches> u, v;
 };
 
 /// Splits the polygon into triangles around its mean corner; each gives a third of its area to the middles of
-/// its edges, which is exact for quadratic polynomials.
-PlanePoints place_points(const Polygon& polygon, OverlapPoints& points) {
-  PlanePoints placed;
+/// its edges, which is exact for quadratic polynomials. Points stand corner by corner: on the spoke, on the
+/// rim.
+void place_points(const Polygon& polygon, PlanePoints& placed, OverlapPoints& points) {
   double mu = 0.0, mv = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
-    mu += polygon.u[static_cast<std::size_t>(i)];
-    mv += polygon.v[static_cast<std::size_t>(i)];
+    mu += polygon.u[i];
+    mv += polygon.v[i];
   }
   mu /= polygon.n;
   mv /= polygon.n;
   points.n_batches = (2 * polygon.n + n_lanes - 1) / n_lanes;
-  for (int b = 0; b < points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    placed.u[k].setConstant(mu);
-    placed.v[k].setConstant(mv);
-    points.weight[k].setZero();
-  }
-  const auto lane_of = [](int i) { return std::pair(static_cast<std::size_t>(i / n_lanes), i % n_lanes); };
+  double *u = placed.u[0].data(), *v = placed.v[0].data(), *weight = points.weight[0].data();
+  double last = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
-    const int j = i + 1 < polygon.n ? i + 1 : 0;
-    const auto k = static_cast<std::size_t>(i), next = static_cast<std::size_t>(j);
+    const int next = i + 1 < polygon.n ? i + 1 : 0;
     const double third =
-        ((polygon.u[k] - mu) * (polygon.v[next] - mv) - (polygon.v[k] - mv) * (polygon.u[next] - mu)) / 6.0;
-    const auto [spoke_batch, spoke] = lane_of(2 * i);
-    const auto [rim_batch, rim] = lane_of(2 * i + 1);
-    const auto [next_batch, next_spoke] = lane_of(2 * j);
-    placed.u[spoke_batch](spoke) = 0.5 * (mu + polygon.u[k]);
-    placed.v[spoke_batch](spoke) = 0.5 * (mv + polygon.v[k]);
-    placed.u[rim_batch](rim) = 0.5 * (polygon.u[k] + polygon.u[next]);
-    placed.v[rim_batch](rim) = 0.5 * (polygon.v[k] + polygon.v[next]);
-    points.weight[spoke_batch](spoke) += third;
-    points.weight[rim_batch](rim) += third;
-    points.weight[next_batch](next_spoke) += third;
+        ((polygon.u[i] - mu) * (polygon.v[next] - mv) - (polygon.v[i] - mv) * (polygon.u[next] - mu)) / 6.0;
+    u[2 * i] = 0.5 * (mu + polygon.u[i]);
+    v[2 * i] = 0.5 * (mv + polygon.v[i]);
+    u[2 * i + 1] = 0.5 * (polygon.u[i] + polygon.u[next]);
+    v[2 * i + 1] = 0.5 * (polygon.v[i] + polygon.v[next]);
+    weight[2 * i] = last + third;
+    weight[2 * i + 1] = third;
+    last = third;
     points.area += 3.0 * third;
   }
-  return placed;
+  weight[0] += last;
+  for (int i = 2 * polygon.n; i < points.n_batches * n_lanes; ++i) {
+    u[i] = mu;
+    v[i] = mv;
+    weight[i] = 0.0;
+  }
 }
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -157,10 +159,13 @@ FaceCorners project(const FaceCorners& face, const CommonPlane& plane) {
 OverlapPoints find_overlap(const FaceCorners& first, const FaceMap& map_1, const FaceCorners& second,
                            const FaceMap& map_2) {
   OverlapPoints points;
-  const Polygon polygon =
-      intersect(make_polygon(first, map_1.is_triangle, true), make_polygon(second, map_2.is_triangle, false));
-  if (polygon.n < 3) return points;
-  const PlanePoints placed = place_points(polygon, points);
+  Polygon window, polygon, other;
+  set_corners(second, map_2.is_triangle, false, window);
+  set_corners(first, map_1.is_triangle, true, polygon);
+  const Polygon& common = intersect(window, polygon, other);
+  if (common.n < 3) return points;
+  PlanePoints placed;
+  place_points(common, placed, points);
   for (int b = 0; b < points.n_batches; ++b) {
     const auto k = static_cast<std::size_t>(b);
     locate(map_1, placed.u[k], placed.v[k], points.xi_1[k], points.eta_1[k]);

@@ -25,30 +25,39 @@ Eigen::Vector3d mean(const FaceCorners& x, bool is_triangle) {
 
 }  // namespace
 
-void MovingSurface::update(const Motion& motion) {
+void MovingSurface::move_nodes(const Motion& motion) {
   const auto n_nodes = static_cast<std::int64_t>(faces_.n_nodes());
   x_.resize(faces_.n_nodes());
   v_.resize(faces_.n_nodes());
-  bounds_.resize(faces_.faces.size());
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_nodes()))
   for (std::int64_t i = 0; i < n_nodes; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    x_[k].head<3>() = motion.coordinates.col(faces_.mesh_nodes[k]);
-    v_[k].head<3>() = motion.velocity.col(faces_.mesh_nodes[k]);
-    x_[k][3] = v_[k][3] = 0.0;
+    x_[k] << motion.coordinates.col(faces_.mesh_nodes[k]), 0.0;
+    v_[k] << motion.velocity.col(faces_.mesh_nodes[k]), 0.0;
   }
-  const auto n_faces = static_cast<std::int64_t>(faces_.faces.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.faces.size()))
-  for (std::int64_t i = 0; i < n_faces; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const ContactFace& face = faces_.faces[k];
-    const FaceCorners x = gather_corners(face.corners, x_);
-    FaceBound& bound = bounds_[k];
-    bound.centre = mean(x, face.is_triangle());
-    bound.velocity = mean(gather_corners(face.corners, v_), face.is_triangle());
-    bound.normal = area_vector(x).normalized();
-    bound.radius = std::sqrt((x.colwise() - bound.centre).colwise().squaredNorm().maxCoeff());
-  }
+}
+
+void MovingSurface::bound_all() {
+  bounds_.resize(faces_.faces.size());
+  const auto n = static_cast<std::int64_t>(bounds_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(bounds_.size()))
+  for (std::int64_t i = 0; i < n; ++i) set_bound(static_cast<std::size_t>(i));
+}
+
+void MovingSurface::bound_watched() {
+  const auto n = static_cast<std::int64_t>(watched_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(watched_.size()))
+  for (std::int64_t i = 0; i < n; ++i) set_bound(watched_[static_cast<std::size_t>(i)]);
+}
+
+void MovingSurface::set_bound(std::size_t index) {
+  const ContactFace& face = faces_.faces[index];
+  const FaceCorners x = gather_corners(face.corners, x_);
+  FaceBound& bound = bounds_[index];
+  bound.centre = mean(x, face.is_triangle());
+  bound.velocity = mean(gather_corners(face.corners, v_), face.is_triangle());
+  bound.normal = area_vector(x).normalized();
+  bound.radius = std::sqrt((x.colwise() - bound.centre).colwise().squaredNorm().maxCoeff());
 }
 
 MovingFace MovingSurface::face(std::uint32_t index) const {

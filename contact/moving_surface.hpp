@@ -24,8 +24,13 @@ class MovingSurface {
   /// The faces must outlive this.
   explicit MovingSurface(const ContactFaces& faces) : faces_(faces) {}
 
-  /// Takes over a motion.
-  void update(const Motion& motion);
+  /// Takes over the motion of the nodes. Bounds of faces are those of earlier then.
+  void move_nodes(const Motion& motion);
+  /// Brings the bounds of all faces, or of the watched ones, to where their nodes are.
+  void bound_all();
+  void bound_watched();
+  /// The faces that may touch something for now.
+  void watch(std::vector<std::uint32_t> faces) { watched_ = std::move(faces); }
 
   const ContactFaces& faces() const { return faces_; }
   Eigen::Vector3d x(std::uint32_t node) const { return x_[node].head<3>(); }
@@ -34,7 +39,10 @@ class MovingSurface {
   MovingFace face(std::uint32_t face) const;
 
  private:
+  void set_bound(std::size_t face);
+
   const ContactFaces& faces_;
+  std::vector<std::uint32_t> watched_;
   std::vector<NodeVector> x_, v_;  // [n_contact_nodes]
   std::vector<FaceBound> bounds_;  // [n_faces]
 };

@@ -67,7 +67,8 @@ std::vector<PairStart> find_pair_starts(const ContactModel& model, const Mesh& m
   MovingSurface surface(faces);
   const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
   const Motion motion{0.0, 0.0, mesh.coordinates(), at_rest};
-  surface.update(motion);
+  surface.move_nodes(motion);
+  surface.bound_all();
   ContactSearch search(faces, mesh, rules, {}, dash);
   PairLists face_partners, node_faces;
   search.find(surface, motion, {face_partners, node_faces});

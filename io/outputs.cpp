@@ -64,7 +64,7 @@ void check_clashes(const std::vector<std::string>& paths, const DeckName& region
 
 Outputs::Outputs(const ConditionScope& scope, const Model& model, OutputSettings settings)
     : model_(model),
-      variables_(model),
+      variables_(model, std::move(settings.variables)),
       user_outputs_(scope, variables_),
       terminations_(scope.region.terminations, variables_, scope.diagnostics),
       settings_(std::move(settings)) {
@@ -168,12 +168,12 @@ ResultsText Outputs::make_text(const std::string& title) const {
 }
 
 void Outputs::open_files() {
-  const Mesh no_mesh;
+  const Mesh no_mesh, mesh = model_.mesh->with_side_sets(settings_.side_sets);
   const auto open = [&](ExodusJob& job) {
     std::error_code ignored;
     if (!job.overwrites && std::filesystem::exists(job.path, ignored))
       throw FileError(job.path, "exists, and the deck says OVERWRITE = OFF");
-    job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? *model_.mesh : no_mesh,
+    job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? mesh : no_mesh,
                                                  make_text(job.title), job.fields.fields());
   };
   for (ExodusJob& job : exodus_) open(job);

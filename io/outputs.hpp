@@ -24,6 +24,8 @@ struct OutputSettings {
   std::string command_line;
   std::vector<std::string> deck_lines;  ///< after Aprepro
   TextSink log;                         ///< for heartbeats to cout, cerr, log, ...
+  std::vector<RunVariable> variables;   ///< of contact, besides those of every run
+  std::vector<SideSet> side_sets;       ///< that results files hold besides those of the mesh
   std::function<std::time_t()> clock = [] { return std::time(nullptr); };
 };
 

@@ -56,6 +56,17 @@ Mesh::Mesh(MeshParts parts) : parts_(std::move(parts)) {
               make_lookup(EntityKind::assembly, parts_.assemblies)};
 }
 
+Mesh Mesh::with_side_sets(std::span<const SideSet> more) const {
+  MeshParts parts = parts_;
+  std::int64_t id = 0;
+  for (const SideSet& set : parts.side_sets) id = std::max(id, set.id);
+  for (const SideSet& set : more) {
+    parts.side_sets.push_back(set);
+    parts.side_sets.back().id = ++id;
+  }
+  return Mesh(std::move(parts));
+}
+
 std::int64_t Mesh::node_id(NodeIndex node) const {
   return parts_.node_ids.empty() ? std::int64_t{node.value} + 1 : parts_.node_ids[node.value];
 }

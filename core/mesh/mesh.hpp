@@ -90,6 +90,9 @@ class Mesh {
   /// and assemblies name nodes, elements and members that exist.
   explicit Mesh(MeshParts parts);
 
+  /// A copy with side sets besides its own; they get the ids that follow the largest.
+  Mesh with_side_sets(std::span<const SideSet> more) const;
+
   const std::string& path() const { return parts_.path; }
   const std::string& title() const { return parts_.title; }
   const Eigen::Matrix3Xd& coordinates() const { return parts_.coordinates; }

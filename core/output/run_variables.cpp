@@ -25,11 +25,12 @@ RunVariable::Fill fill_from_materials(std::vector<std::size_t> first_places, std
 
 }  // namespace
 
-RunVariables::RunVariables(const Model& model) : model_(model) {
+RunVariables::RunVariables(const Model& model, std::vector<RunVariable> more) : model_(model) {
   add_rows(global_output_rows());
   add_rows(nodal_output_rows());
   add_rows(element_output_rows());
   for (std::size_t block = 0; block < model.blocks.size(); ++block) add_material_variables(block);
+  for (RunVariable& variable : more) add(std::move(variable));
 }
 
 void RunVariables::add_rows(std::span<const OutputRow> rows) {

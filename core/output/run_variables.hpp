@@ -30,8 +30,8 @@ struct RunVariable {
 /// All variables of a run by location and name.
 class RunVariables {
  public:
-  /// Those of the tables and of the model's materials. The model must outlive them.
-  explicit RunVariables(const Model& model);
+  /// Those of the tables and of the model's materials, and more. The model must outlive them.
+  explicit RunVariables(const Model& model, std::vector<RunVariable> more = {});
 
   const Model& model() const { return model_; }
 

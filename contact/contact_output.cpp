@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr std::uint32_t no_contact = 0xffffffff;
+
+/// Nodes of blocks and surfaces that take part.
+std::vector<double> find_rest_status(const ContactModel& contact, const Mesh& mesh) {
+  std::vector<double> status(mesh.n_nodes(), 0.0);
+  std::vector<std::uint8_t> is_in(mesh.blocks().size(), 0);
+  for (const ContactSurface& surface : contact.surfaces.surfaces) {
+    for (const ElementSide face : surface.faces) is_in[mesh.block_of(face.element())] = 1;
+    for (const NodeIndex node : surface.nodes) status[node.value] = 0.5;
+  }
+  for (std::size_t b = 0; b < is_in.size(); ++b) {
+    if (is_in[b] == 0) continue;
+    for (const NodeIndex node : mesh.blocks()[b].nodes) status[node.value] = 0.5;
+  }
+  return status;
+}
+
+void add(const ContactTotal& part, ContactTotal& sum) {
+  sum.force += part.force;
+  sum.moment += part.moment;
+  sum.centre += part.centre;
+  sum.normal_sum += part.normal_sum;
+  sum.area += part.area;
+}
+
+/// The same on the other side.
+ContactTotal opposite(ContactTotal total) {
+  total.force = -total.force;
+  total.moment = -total.moment;
+  return total;
+}
+
+void set_total(const ContactTotalRow& row, const ContactTotal& total, std::span<double> values) {
+  const auto set = [&](const Eigen::Vector3d& vector) { Eigen::Map<Eigen::Vector3d>(values.data()) = vector; };
+  if (row.name == "contact_force") set(total.force);
+  if (row.name == "contact_moment") set(total.moment);
+  if (row.name == "contact_centre")
+    set(total.normal_sum > 0.0 ? Eigen::Vector3d(total.centre / total.normal_sum) : Eigen::Vector3d::Zero());
+  if (row.name == "contact_area") values[0] = total.area;
+}
+
+}  // namespace
+
+ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, const Model& model)
+    : force_(force),
+      contact_(contact),
+      model_(model),
+      rest_status_(find_rest_status(contact, *model.mesh)),
+      contact_node_(model.mesh->n_nodes(), no_contact),
+      nodes_(force.faces().n_nodes()),
+      surfaces_(contact.surfaces.surfaces.size()),
+      pairs_(contact.pairs.size()) {
+  const auto& mesh_nodes = force.faces().mesh_nodes;
+  for (std::uint32_t i = 0; i < mesh_nodes.size(); ++i) contact_node_[mesh_nodes[i]] = i;
+}
+
+std::vector<RunVariable> ContactOutput::variables() {
+  std::vector<RunVariable> made;
+  for (const ContactNodeRow& row : contact_node_rows()) {
+    const auto size = static_cast<std::size_t>(component_count(row.shape));
+    RunVariable variable{std::string(row.name), FieldLocation::node, row.shape, component_count(row.shape), false, {}, {}};
+    variable.fill = [this, &row, size](const OutputMoment& moment, const EntityRange& range,
+                                       std::span<double> values) {
+      look_at(moment.state);
+      for (std::size_t i = 0; i < range.count; ++i) {
+        const std::size_t node = range.first + i;
+        NodeContact at_rest;
+        at_rest.status = rest_status_[node];
+        const std::uint32_t own = contact_node_[node];
+        row.fill(own == no_contact ? at_rest : nodes_[own], values.data() + i * size);
+      }
+    };
+    made.push_back(std::move(variable));
+  }
+  for (const ContactTotalRow& row : contact_total_rows()) {
+    const auto& surfaces = contact_.surfaces.surfaces;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) made.push_back(make_total(row, surfaces[i].name, false, i));
+    for (std::size_t i = 0; i < contact_.pairs.size(); ++i) {
+      const SurfacePair& pair = contact_.pairs[i];
+      made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
+    }
+  }
+  return made;
+}
+
+RunVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
+                                      std::size_t index) {
+  RunVariable variable{fold(std::string(row.name) + "_" + name), FieldLocation::global, row.shape,
+                       component_count(row.shape), false, {}, {}};
+  variable.fill = [this, &row, is_pair, index](const OutputMoment& moment, const EntityRange&,
+                                               std::span<double> values) {
+    look_at(moment.state);
+    set_total(row, is_pair ? pairs_[index] : surfaces_[index], values);
+  };
+  return variable;
+}
+
+void ContactOutput::look_at(const State& state) {
+  const std::lock_guard guard(lock_);
+  if (state.step == step_) return;
+  step_ = state.step;
+  const Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+  force_.find_places(motion, places_, ties_);
+  const auto friction = force_.node_friction();
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    nodes_[i] = {};
+    nodes_[i].status = 0.5;
+    if (friction.empty()) continue;
+    nodes_[i].friction = friction[i];
+    nodes_[i].slip_rate = state.dt > 0.0 ? friction[i].last_slip.norm() / state.dt : 0.0;
+  }
+  for (const SurfaceNode& node : force_.faces().surface_nodes) nodes_[node.node].surface_area += node.area;
+  std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
+  std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
+  for (const ContactRecord& place : places_) add_place(place);
+  for (std::size_t i = 0; i < ties_.size(); ++i) add_tie(force_.ties()[i], ties_[i]);
+}
+
+void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {
+  const ContactTotal on_second = opposite(on_first);
+  const SurfacePair& of = contact_.pairs[pair];
+  add(is_swapped ? on_second : on_first, pairs_[pair]);
+  add(on_first, surfaces_[is_swapped ? of.second : of.first]);
+  add(on_second, surfaces_[is_swapped ? of.first : of.second]);
+}
+
+void ContactOutput::add_place(const ContactRecord& record) {
+  add_to_nodes(record, record.first, 1.0);
+  add_to_nodes(record, record.second, -1.0);
+  if (!record.touches()) return;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k)
+    place += record.first.weights[static_cast<Eigen::Index>(k)] * force_.position(record.first.nodes[k]);
+  ContactTotal total;
+  total.force = record.force_on_first();
+  total.moment = place.cross(total.force);
+  total.normal_sum = record.force;
+  total.centre = record.force * place;
+  total.area = record.area;
+  add_to_totals(record.pair, record.is_swapped, total);
+}
+
+void ContactOutput::add_to_nodes(const ContactRecord& record, const RecordSide& side, double sign) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    if (weight == 0.0) continue;
+    NodeContact& node = nodes_[side.nodes[k]];
+    const bool is_first_place = node.interaction == 0.0;
+    node.interaction = record.pair + 1.0;
+    if (is_first_place || record.gap < node.gap) {
+      node.gap = record.gap;
+      node.tangential_gap = record.elastic.norm();
+    }
+    if (!record.touches()) continue;
+    node.status = 1.0;
+    node.normal += sign * weight * record.force * record.normal;
+    node.tangential += sign * weight * record.tangential;
+    node.area += weight * record.area;
+  }
+}
+
+void ContactOutput::add_tie(const Tie& tie, const TieForces& forces) {
+  ContactTotal total;
+  total.area = tie.area;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Eigen::Vector3d force = forces.forces.col(static_cast<Eigen::Index>(k));
+    const bool is_first = k < 4;
+    const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4), tie.nodes.begin() + static_cast<int>(k),
+                                tie.nodes[k]);
+    NodeContact& node = nodes_[tie.nodes[k]];
+    const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
+    node.status = 1.0;
+    node.interaction = tie.pair + 1.0;
+    node.normal += normal;
+    node.tangential += force - normal;
+    const bool is_repeated = same != tie.nodes.begin() + static_cast<int>(k);
+    if (!is_repeated) node.area += tie.area * tie_share(tie, is_first);
+    if (!is_first) continue;
+    total.force += force;
+    total.moment += force_.position(tie.nodes[k]).cross(force);
+    total.normal_sum += std::abs(normal.norm());
+    total.centre += normal.norm() * force_.position(tie.nodes[k]);
+  }
+  add_to_totals(tie.pair, tie.is_swapped, total);
+}
+
+double ContactOutput::tie_share(const Tie& tie, bool is_first) {
+  std::array<std::uint32_t, 4> nodes;
+  std::copy_n(tie.nodes.begin() + (is_first ? 0 : 4), 4, nodes.begin());
+  std::sort(nodes.begin(), nodes.end());
+  return 1.0 / static_cast<double>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
+}
+
+}  // namespace contactsim
