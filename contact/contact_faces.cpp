@@ -110,8 +110,8 @@ std::vector<ElementSide> faces_at(std::span<const NodeIndex> nodes, const Mesh& 
   std::vector<ElementSide> inside, touching;
   for (const ElementSide side : skin.exterior) {
     const auto corners = mesh.side_nodes(side);
-    const auto n_in = std::count_if(corners.begin(), corners.end(),
-                                    [&](NodeIndex node) { return is_in[node.value] != 0; });
+    const auto n_in =
+        std::count_if(corners.begin(), corners.end(), [&](NodeIndex node) { return is_in[node.value] != 0; });
     if (n_in == 4) inside.push_back(side);
     if (n_in > 0) touching.push_back(side);
   }

@@ -12,7 +12,6 @@
 
 namespace contactsim {
 
-
 /// What stands behind a piece of a contact surface.
 struct Backing {
   double thickness = 0.0;      ///< of the element: its volume over the face's area [length]
@@ -22,7 +21,8 @@ struct Backing {
 
 /// One face of a contact surface.
 struct ContactFace {
-  std::array<std::uint32_t, 4> corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
+  std::array<std::uint32_t, 4>
+      corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
   std::uint32_t surface = 0;
   ElementSide side;
   Backing backing;
@@ -39,16 +39,16 @@ struct SurfaceNode {
   Backing backing;
 };
 
-/// The faces and nodes of all contact surfaces, with nodes numbered for contact alone, ascending as in the mesh.
-/// Const between deaths of elements.
+/// The faces and nodes of all contact surfaces, with nodes numbered for contact alone, ascending as in the
+/// mesh. Const between deaths of elements.
 struct ContactFaces {
-  std::vector<std::uint32_t> mesh_nodes;     ///< [n_contact_nodes] of the mesh
-  std::vector<ContactFace> faces;            ///< by surface, then as the surface has them
-  std::vector<SurfaceNode> surface_nodes;    ///< by surface, then by node
-  std::vector<std::uint32_t> first_face;     ///< [n_surfaces + 1] in faces
-  std::vector<std::uint32_t> first_node;     ///< [n_surfaces + 1] in surface_nodes
-  std::vector<double> mass;                  ///< [n_contact_nodes] [mass]
-  PairLists faces_of_node;                   ///< [n_contact_nodes] faces that have the node as a corner
+  std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh
+  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
+  std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
+  std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
+  std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
+  std::vector<double> mass;                ///< [n_contact_nodes] [mass]
+  PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
 };

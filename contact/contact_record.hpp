@@ -15,22 +15,23 @@ struct RecordSide {
 
 /// One place where two sides meet in a step: a pair of faces, a node and a face, a tied point.
 struct ContactRecord {
-  std::uint32_t pair = 0;    ///< position in the list of surface pairs
+  std::uint32_t pair = 0;          ///< position in the list of surface pairs
   std::uint32_t first_place = 0;   ///< face, or surface node
   std::uint32_t second_place = 0;  ///< face
-  bool is_swapped = false;   ///< the first side is of the pair's second surface
+  bool is_swapped = false;         ///< the first side is of the pair's second surface
   RecordSide first, second;
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, from the second side to the first [1]
-  double force = 0.0;                                  ///< along the normal on the first side; < 0 where a tie pulls [force]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
+  double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< on the first side [force]
-  Eigen::Vector3d couple = Eigen::Vector3d::Zero();  ///< turns the second side: couple x arm on each of its corners [force/length]
+  Eigen::Vector3d couple =
+      Eigen::Vector3d::Zero();  ///< turns the second side: couple x arm on each of its corners [force/length]
   Eigen::Vector3d elastic = Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds [length]
-  double stiffness = 0.0;   ///< for the stable step, damping included [force/length]
-  double area = 0.0;        ///< that touches [length^2]
-  double gap = 0.0;         ///< < 0 when they touch [length]
+  double stiffness = 0.0;                          ///< for the stable step, damping included [force/length]
+  double area = 0.0;                               ///< that touches [length^2]
+  double gap = 0.0;                                ///< < 0 when they touch [length]
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
-  double dissipated = 0.0;  ///< by friction in the step [energy]
-  double damped = 0.0;      ///< by contact damping in the step [energy]
+  double dissipated = 0.0;                         ///< by friction in the step [energy]
+  double damped = 0.0;                             ///< by contact damping in the step [energy]
 
   bool touches() const { return force != 0.0; }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }

@@ -5,14 +5,16 @@
 
 namespace contactsim {
 
-PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces)
+PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
+                     std::size_t n_surfaces)
     : table_(n_surfaces * n_surfaces, none), n_surfaces_(n_surfaces) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     PairRule rule;
     rule.pair = &pairs[i];
     if (std::holds_alternative<Tied>(pairs[i].law)) rule.law = ContactLaw::tied;
     if (std::holds_alternative<Glued>(pairs[i].law)) rule.law = ContactLaw::glued;
-    if (const auto* coulomb = std::get_if<ConstantFriction>(&pairs[i].law)) rule.friction = coulomb->coefficient;
+    if (const auto* coulomb = std::get_if<ConstantFriction>(&pairs[i].law))
+      rule.friction = coulomb->coefficient;
     rule.times = std::move(times[i]);
     rules_.push_back(std::move(rule));
     table_[pairs[i].first * n_surfaces + pairs[i].second] = i;

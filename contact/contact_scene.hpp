@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -38,7 +39,9 @@ class PairRules {
   std::span<const PairRule> rules() const { return rules_; }
   const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
   /// Position of the pair of two surfaces in either order; `none` if they do not meet.
-  std::uint32_t find(std::uint32_t surface, std::uint32_t other) const { return table_[surface * n_surfaces_ + other]; }
+  std::uint32_t find(std::uint32_t surface, std::uint32_t other) const {
+    return table_[surface * n_surfaces_ + other];
+  }
   bool has_friction() const;
 
  private:
@@ -47,10 +50,32 @@ class PairRules {
   std::size_t n_surfaces_ = 0;
 };
 
+/// Places that stick for good because they have touched under a GLUED MODEL.
+class GluedPlaces {
+ public:
+  bool holds_faces(std::uint32_t first, std::uint32_t second) const { return holds(faces_, first, second); }
+  bool holds_node(std::uint32_t row, std::uint32_t pair) const { return holds(nodes_, row, pair); }
+  /// Return whether the place is new.
+  bool add_faces(std::uint32_t first, std::uint32_t second) { return add(first, second, faces_); }
+  bool add_node(std::uint32_t row, std::uint32_t pair) { return add(row, pair, nodes_); }
+
+ private:
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }
+  static bool holds(const std::set<std::uint64_t>& places, std::uint32_t a, std::uint32_t b) {
+    return places.count(key(a, b)) > 0;
+  }
+  static bool add(std::uint32_t a, std::uint32_t b, std::set<std::uint64_t>& places) {
+    return places.insert(key(a, b)).second;
+  }
+
+  std::set<std::uint64_t> faces_, nodes_;
+};
+
 /// A step of contact: what the loops over places look at.
 struct ContactScene {
   const MovingSurface& surface;
   const PairRules& rules;
+  const GluedPlaces& glued;
   double dt = 0.0;         ///< of the step that ended, 0 at the start [time]
   bool is_frozen = false;  ///< nothing is remembered: the step has been taken, someone only looks
 };

@@ -64,7 +64,8 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
       node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
   }
   for (const SurfaceNode& node : faces.surface_nodes)
-    node_margin_[node.node] = std::min(node_margin_[node.node], dash.search_length_scaling * std::sqrt(node.area));
+    node_margin_[node.node] =
+        std::min(node_margin_[node.node], dash.search_length_scaling * std::sqrt(node.area));
 }
 
 bool ContactSearch::is_due(const MovingSurface& surface) const {
@@ -99,9 +100,9 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
   }
   if (has_node_pairs_) {
     if (const auto bad = nodes_phase_.update(node_boxes_)) stop_at(faces_.surface_nodes[*bad].node);
-    nodes_phase_.find_pairs(faces_phase_,
-                            [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
-                            candidates.node_faces);
+    nodes_phase_.find_pairs(
+        faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
+        candidates.node_faces);
   }
   if (has_small_sliding_) keep_first_partners(candidates);
   ++n_searches_;
@@ -148,6 +149,8 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   const std::uint32_t pair = rules_.find(a.surface, b.surface);
   if (pair == PairRules::none) return false;
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  if (rules_[pair].law == ContactLaw::tied && n_searches_ > 0)
+    return false;  // what was near at the start is tied
   return a.side.element() != b.side.element() && !a.shares_node(b);
 }
 
@@ -158,6 +161,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   if (pair == PairRules::none) return false;
   const SurfacePair& of = *rules_[pair].pair;
   if (of.formulation != ConstraintFormulation::node_face) return false;
+  if (rules_[pair].law == ContactLaw::tied && n_searches_ > 0) return false;
   if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   return !has_element_of(node.node, face);
 }

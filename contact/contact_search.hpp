@@ -17,20 +17,20 @@ struct ContactCandidates {
   PairLists& node_faces;     ///< [n_surface_nodes] faces
 };
 
-/// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new can
-/// touch until a node has moved as far as the margin of its smallest face. The boxes hold the last step's motion
-/// too, so that nothing gets past another between two searches.
+/// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new
+/// can touch until a node has moved as far as the margin of its smallest face. The boxes hold the last step's
+/// motion too, so that nothing gets past another between two searches.
 class ContactSearch {
  public:
   /// All must outlive this.
-  ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules, const SearchOptions& search,
-                const DashOptions& dash);
+  ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
+                const SearchOptions& search, const DashOptions& dash);
 
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const MovingSurface& surface) const;
 
-  /// Finds all candidates, sorted, the same for any number of threads. Throws SolveError naming a node that is
-  /// nowhere.
+  /// Finds all candidates, sorted, the same for any number of threads. Throws SolveError naming a node that
+  /// is nowhere.
   void find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates);
 
   std::uint64_t n_searches() const { return n_searches_; }
@@ -52,7 +52,7 @@ class ContactSearch {
   bool is_once_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   std::vector<double> face_margin_, node_margin_;  // [n_faces], [n_contact_nodes] [length]
-  std::vector<Eigen::Vector3d> searched_at_;       // [n_contact_nodes] coordinates of the last search [length]
+  std::vector<Eigen::Vector3d> searched_at_;  // [n_contact_nodes] coordinates of the last search [length]
   std::vector<Box> face_boxes_, node_boxes_;
   BroadPhase faces_phase_, nodes_phase_;
   PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners

@@ -22,22 +22,24 @@ struct MovingFace {
 
 /// How two faces push each other.
 struct FaceFaceContact {
-  bool overlaps = false;   ///< seen along the normal, and near enough to touch within the reach
-  double force = 0.0;      ///< along the normal on the first face, against it on the second, >= 0 [force]
-  double area = 0.0;       ///< that touches [length^2]
-  double gap = 0.0;        ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
-  double stiffness = 0.0;  ///< of the penalty over the whole overlap [force/length]
-  double damped_power = 0.0;  ///< energy that damping takes per time [energy/time]
+  bool overlaps = false;  ///< seen along the normal, and near enough to touch within the reach
+  double force = 0.0;     ///< along the normal on the first face, against it on the second, >= 0 [force]
+  double area = 0.0;      ///< that touches [length^2]
+  double gap =
+      0.0;  ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
+  double stiffness = 0.0;                            ///< of the penalty over the whole overlap [force/length]
+  double damped_power = 0.0;                         ///< energy that damping takes per time [energy/time]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
   /// Shares of the corners in the force, sum 1; in the overlap's area when there is no force [1].
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
 };
 
-/// Integrates the pressure stiffness * penetration over the overlap of two faces. Both faces get the same forces at
-/// the same points seen along the normal, so that neither net force nor moment appears, for faces of any shape.
+/// Integrates the pressure stiffness * penetration over the overlap of two faces. Both faces get the same
+/// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
+/// of any shape.
 ///   reach  gaps up to it count as near [length]
-/// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput. Methods Appl.
-/// Mech. Eng. 193 (2004) 601-629, over the clipped polygon.
+/// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput.
+/// Methods Appl. Mech. Eng. 193 (2004) 601-629, over the clipped polygon.
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
                                        const PairPenalty& penalty, double reach);
 

@@ -11,8 +11,8 @@ namespace contactsim {
 
 namespace {
 
-/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small enough for
-/// the penalty of what it brings into touch.
+/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small
+/// enough for the penalty of what it brings into touch.
 constexpr double steps_ahead = 2.0;
 
 /// Whether two faces may touch at all.
@@ -23,7 +23,9 @@ bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
   return (a.centre - b.centre).squaredNorm() < distance * distance;
 }
 
-Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) { return face.v * weights; }
+Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
+  return face.v * weights;
+}
 
 }  // namespace
 
@@ -82,13 +84,15 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const PairRule& rule = scene.rules[candidate.pair];
   const bool did_touch = touched_[candidate.place] != 0;
   if (!scene.is_frozen) touched_[candidate.place] = 0;
-  if (!may_touch(a, b, reach) || !rule.is_active) return;
+  if (!may_touch(a, b, reach) || !rule.is_active || rule.law == ContactLaw::tied) return;
+  if (rule.law == ContactLaw::glued && scene.glued.holds_faces(candidate.first, candidate.second)) return;
 
   const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
   PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
   // What came in by itself may be as deep as its speed brought it, and stays known a bit deeper than that.
   penalty.depth = std::max((did_touch ? 1.5 : 1.0) * penalty.depth, 1.5 * closed);
-  const MovingFace moving_1 = scene.surface.face(candidate.first), moving_2 = scene.surface.face(candidate.second);
+  const MovingFace moving_1 = scene.surface.face(candidate.first),
+                   moving_2 = scene.surface.face(candidate.second);
   const FaceFaceContact contact = find_face_face_contact(moving_1, moving_2, penalty, reach);
   if (!contact.overlaps) return;
 
@@ -109,7 +113,8 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   if (!record.touches()) return;
   if (!scene.is_frozen) touched_[candidate.place] = 1;
   if (rule.friction > 0.0) {
-    record.slip = (velocity_at(moving_1, contact.weights_1) - velocity_at(moving_2, contact.weights_2)) * scene.dt;
+    record.slip =
+        (velocity_at(moving_1, contact.weights_1) - velocity_at(moving_2, contact.weights_2)) * scene.dt;
     if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
     record.elastic = elastic_[candidate.place];
     add_friction(penalty.stiffness * contact.area, rule.friction, scene.is_frozen, record);

@@ -6,16 +6,17 @@
 
 namespace contactsim {
 
-/// The pairs of faces that may touch, and what contact remembers of each: whether it touched, and the slip that its
-/// tangential spring holds. A pair that starts to touch takes over the mean slip of its first face, else of its
-/// second, so that friction is not lost when a face slides from one partner to the next.
+/// The pairs of faces that may touch, and what contact remembers of each: whether it touched, and the slip
+/// that its tangential spring holds. A pair that starts to touch takes over the mean slip of its first face,
+/// else of its second, so that friction is not lost when a face slides from one partner to the next.
 class FaceFaceContacts {
  public:
   /// The faces must outlive this.
-  FaceFaceContacts(const ContactFaces& faces, bool has_friction) : faces_(faces), has_friction_(has_friction) {}
+  FaceFaceContacts(const ContactFaces& faces, bool has_friction)
+      : faces_(faces), has_friction_(has_friction) {}
 
-  /// Room for the next candidates: rows of first faces with their second ones, greater than the first. The lists
-  /// that it holds are given away for their memory; take_candidates() follows.
+  /// Room for the next candidates: rows of first faces with their second ones, greater than the first. The
+  /// lists that it holds are given away for their memory; take_candidates() follows.
   PairLists& next_candidates() { return next_; }
   /// Goes over to the next candidates, with what is remembered of pairs that are in both.
   void take_candidates();
@@ -24,7 +25,8 @@ class FaceFaceContacts {
   const PairLists& candidates() const { return candidates_; }
 
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
-  void find(const ContactScene& scene, std::size_t begin, std::size_t end, std::vector<ContactRecord>& records);
+  void find(const ContactScene& scene, std::size_t begin, std::size_t end,
+            std::vector<ContactRecord>& records);
 
   /// Begins a step: means of slip are gathered anew.
   void begin_step();
@@ -42,9 +44,10 @@ class FaceFaceContacts {
   const ContactFaces& faces_;
   bool has_friction_;
   PairLists candidates_, next_;
-  std::vector<std::uint8_t> touched_;      // [n_candidates] in the last step
-  std::vector<Eigen::Vector3d> elastic_;   // [n_candidates] [length]; empty without friction
-  /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty without friction.
+  std::vector<std::uint8_t> touched_;     // [n_candidates] in the last step
+  std::vector<Eigen::Vector3d> elastic_;  // [n_candidates] [length]; empty without friction
+  /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
+  /// without friction.
   std::vector<Eigen::Vector4d> means_, next_means_;
 };
 

@@ -15,13 +15,15 @@ using FaceCorners = Eigen::Matrix<double, 3, 4>;
 using FaceMoments = std::array<double, 4>;
 
 /// A face as a function of two coordinates: x(xi, eta) = c0 + c1 xi + c2 eta + c3 xi eta. A quadrilateral is
-/// bilinear on -1 <= xi, eta <= 1, corners counted from (-1, -1) in the direction of xi first; a triangle is linear
-/// on 0 <= xi, eta and xi + eta <= 1, corners at (0, 0), (1, 0), (0, 1).
+/// bilinear on -1 <= xi, eta <= 1, corners counted from (-1, -1) in the direction of xi first; a triangle is
+/// linear on 0 <= xi, eta and xi + eta <= 1, corners at (0, 0), (1, 0), (0, 1).
 struct FaceMap {
   std::array<Eigen::Vector3d, 4> c;
   bool is_triangle = false;
 
-  Eigen::Vector3d at(double xi, double eta) const { return c[0] + xi * c[1] + eta * c[2] + (xi * eta) * c[3]; }
+  Eigen::Vector3d at(double xi, double eta) const {
+    return c[0] + xi * c[1] + eta * c[2] + (xi * eta) * c[3];
+  }
   /// At (0, 0) of a quadrilateral, at the centroid of a triangle.
   Eigen::Vector3d centre() const { return is_triangle ? Eigen::Vector3d(c[0] + (c[1] + c[2]) / 3.0) : c[0]; }
 };
@@ -43,8 +45,8 @@ inline FaceMap make_face_map(const FaceCorners& x, bool is_triangle) {
 /// The share of each corner: the sum of f times its shape function.
 inline Eigen::Vector4d corner_shares(const FaceMoments& m, bool is_triangle) {
   if (is_triangle) return {m[0] - m[1] - m[2], m[1], m[2], 0.0};
-  return 0.25 * Eigen::Vector4d(m[0] - m[1] - m[2] + m[3], m[0] + m[1] - m[2] - m[3], m[0] + m[1] + m[2] + m[3],
-                                m[0] - m[1] + m[2] - m[3]);
+  return 0.25 * Eigen::Vector4d(m[0] - m[1] - m[2] + m[3], m[0] + m[1] - m[2] - m[3],
+                                m[0] + m[1] + m[2] + m[3], m[0] - m[1] + m[2] - m[3]);
 }
 
 /// The values of the shape functions at a point.

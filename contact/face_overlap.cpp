@@ -34,7 +34,8 @@ Polygon make_polygon(const FaceCorners& face, bool is_triangle, bool is_reversed
   return polygon;
 }
 
-/// Keeps what lies to the left of the line from a to b. Source: Sutherland and Hodgman, Commun. ACM 17 (1974).
+/// Keeps what lies to the left of the line from a to b. Source: Sutherland and Hodgman, Commun. ACM 17
+/// (1974).
 void cut(Polygon& polygon, double au, double av, double bu, double bv) {
   const double du = bu - au, dv = bv - av;
   std::array<double, Polygon::max_corners + 2> side;
@@ -47,11 +48,13 @@ void cut(Polygon& polygon, double au, double av, double bu, double bv) {
   if (is_all_in) return;
   Polygon kept;
   for (int i = 0; i < polygon.n; ++i) {
-    const auto k = static_cast<std::size_t>(i), next = static_cast<std::size_t>(i + 1 < polygon.n ? i + 1 : 0);
+    const auto k = static_cast<std::size_t>(i),
+               next = static_cast<std::size_t>(i + 1 < polygon.n ? i + 1 : 0);
     if (side[k] >= 0.0) kept.add(polygon.u[k], polygon.v[k]);
     if ((side[k] >= 0.0) == (side[next] >= 0.0)) continue;
     const double t = side[k] / (side[k] - side[next]);
-    kept.add(polygon.u[k] + t * (polygon.u[next] - polygon.u[k]), polygon.v[k] + t * (polygon.v[next] - polygon.v[k]));
+    kept.add(polygon.u[k] + t * (polygon.u[next] - polygon.u[k]),
+             polygon.v[k] + t * (polygon.v[next] - polygon.v[k]));
   }
   polygon = kept;
 }
@@ -69,8 +72,8 @@ struct PlanePoints {
   std::array<Lanes, OverlapPoints::max_batches> u, v;
 };
 
-/// Splits the polygon into triangles around its mean corner; each gives a third of its area to the middles of its
-/// edges, which is exact for quadratic polynomials.
+/// Splits the polygon into triangles around its mean corner; each gives a third of its area to the middles of
+/// its edges, which is exact for quadratic polynomials.
 PlanePoints place_points(const Polygon& polygon, OverlapPoints& points) {
   PlanePoints placed;
   double mu = 0.0, mv = 0.0;
@@ -108,8 +111,8 @@ PlanePoints place_points(const Polygon& polygon, OverlapPoints& points) {
   return placed;
 }
 
-/// Finds where points of the plane lie on a face, by Newton's method from the face's linear part. Exact at once
-/// for triangles and parallelograms.
+/// Finds where points of the plane lie on a face, by Newton's method from the face's linear part. Exact at
+/// once for triangles and parallelograms.
 void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes& eta) {
   constexpr int max_iterations = 8;
   constexpr double accuracy = 1e-13;  // of the face's size: a few roundings
@@ -158,8 +161,8 @@ FaceCorners project(const FaceCorners& face, const CommonPlane& plane) {
 OverlapPoints find_overlap(const FaceCorners& first, const FaceMap& map_1, const FaceCorners& second,
                            const FaceMap& map_2) {
   OverlapPoints points;
-  const Polygon polygon = intersect(make_polygon(first, map_1.is_triangle, true),
-                                    make_polygon(second, map_2.is_triangle, false));
+  const Polygon polygon =
+      intersect(make_polygon(first, map_1.is_triangle, true), make_polygon(second, map_2.is_triangle, false));
   if (polygon.n < 3) return points;
   const PlanePoints placed = place_points(polygon, points);
   for (int b = 0; b < points.n_batches; ++b) {

@@ -10,13 +10,13 @@ namespace contactsim {
 
 /// Two faces that look at each other, seen along the normal of a plane between them.
 struct CommonPlane {
-  Eigen::Vector3d normal;       ///< unit, from the second face towards the first [1]
+  Eigen::Vector3d normal;         ///< unit, from the second face towards the first [1]
   Eigen::Vector3d across, along;  ///< unit vectors of the plane; across x along = normal [1]
-  Eigen::Vector3d origin;       ///< [length]
+  Eigen::Vector3d origin;         ///< [length]
 };
 
-/// The plane between two faces: its normal is the mean of theirs, the second one's turned round, so that swapping
-/// the faces only turns it round as well. Nothing when the faces do not look at each other.
+/// The plane between two faces: its normal is the mean of theirs, the second one's turned round, so that
+/// swapping the faces only turns it round as well. Nothing when the faces do not look at each other.
 ///   normal_1, normal_2  unit, out of the elements [1]
 /// Source: Belytschko and Yeh, Comput. Methods Appl. Mech. Eng. 105 (1993); Tribol's common plane.
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& normal_1,
@@ -30,13 +30,13 @@ struct OverlapPoints {
   static constexpr int max_batches = 2;
 
   int n_batches = 0;
-  double area = 0.0;  ///< of the overlap, seen along the normal [length^2]
+  double area = 0.0;                      ///< of the overlap, seen along the normal [length^2]
   std::array<Lanes, max_batches> weight;  ///< area that each point stands for, 0 of lanes not used [length^2]
   std::array<Lanes, max_batches> xi_1, eta_1, xi_2, eta_2;  ///< [1]
 };
 
-/// Intersects two faces on their common plane and finds the points of a quadrature that is exact for quadratic
-/// polynomials. Nothing when they do not overlap.
+/// Intersects two faces on their common plane and finds the points of a quadrature that is exact for
+/// quadratic polynomials. Nothing when they do not overlap.
 ///   first, second  in the coordinates of the plane
 OverlapPoints find_overlap(const FaceCorners& first, const FaceMap& map_1, const FaceCorners& second,
                            const FaceMap& map_2);

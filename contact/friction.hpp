@@ -9,14 +9,15 @@ namespace contactsim {
 
 /// Friction of one place of contact in one step.
 struct FrictionStep {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< on the first side [force]
-  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds, after the step [length]
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();     ///< beyond the spring, in the step: lost for good [length]
-  double dissipated = 0.0;                            ///< in the step, >= 0 [energy]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the first side [force]
+  Eigen::Vector3d elastic =
+      Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds, after the step [length]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< beyond the spring, in the step: lost for good [length]
+  double dissipated = 0.0;                         ///< in the step, >= 0 [energy]
 };
 
-/// Coulomb friction by a tangential spring: the force follows the slip elastically up to coefficient * normal force
-/// and slides there. The slip of earlier steps is turned into the plane of now.
+/// Coulomb friction by a tangential spring: the force follows the slip elastically up to coefficient * normal
+/// force and slides there. The slip of earlier steps is turned into the plane of now.
 ///   normal   unit [1]
 ///   elastic  held after the last step [length]
 ///   slip     of the first side along the second in this step; its normal part is left out [length]
@@ -26,8 +27,8 @@ struct FrictionStep {
 FrictionStep step_friction(const Eigen::Vector3d& normal, const Eigen::Vector3d& elastic,
                            const Eigen::Vector3d& slip, double stiffness, double limit);
 
-/// Gives a record that touches its friction: takes the slip of the step and the elastic slip from it, and sets
-/// tangential force, both slips and what is lost.
+/// Gives a record that touches its friction: takes the slip of the step and the elastic slip from it, and
+/// sets tangential force, both slips and what is lost.
 ///   is_frozen  the step has been taken: the slip counts no more, only the force is asked for
 void add_friction(double stiffness, double coefficient, bool is_frozen, ContactRecord& record);
 

@@ -10,7 +10,8 @@ namespace contactsim {
 
 namespace {
 
-FaceCorners gather_corners(const std::array<std::uint32_t, 4>& corners, const std::vector<NodeVector>& values) {
+FaceCorners gather_corners(const std::array<std::uint32_t, 4>& corners,
+                           const std::vector<NodeVector>& values) {
   FaceCorners gathered;
   for (int k = 0; k < 4; ++k) gathered.col(k) = values[corners[static_cast<std::size_t>(k)]].head<3>();
   return gathered;

@@ -61,7 +61,8 @@ int move_inside(bool is_triangle, double& xi, double& eta) {
 
 }  // namespace
 
-std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point) {
+std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangle,
+                                           const Eigen::Vector3d& point) {
   const FaceMap map = make_face_map(x, is_triangle);
   FacePoint found;
   if (!find_foot(map, point, found.xi, found.eta)) return std::nullopt;

@@ -10,17 +10,19 @@ namespace contactsim {
 
 /// Where a point stands over a face.
 struct FacePoint {
-  double xi = 0.0, eta = 0.0;  ///< of the point of the face [1]
+  double xi = 0.0, eta = 0.0;                        ///< of the point of the face [1]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the face there: unit, out of the element [1]
-  double gap = 0.0;     ///< along the normal, < 0 behind the face [length]
-  double beyond = 0.0;  ///< distance by which the point lies beyond the face's edges; 0 over the face [length]
-  int edge = -1;        ///< the edge that it lies beyond, from corner `edge` to the next; -1 over the face
+  double gap = 0.0;                                  ///< along the normal, < 0 behind the face [length]
+  double beyond =
+      0.0;        ///< distance by which the point lies beyond the face's edges; 0 over the face [length]
+  int edge = -1;  ///< the edge that it lies beyond, from corner `edge` to the next; -1 over the face
 };
 
-/// Projects a point onto a face along the face's normal: Newton's method on the distance, the result moved into the
-/// face where it lies beyond an edge. Nothing when there is no projection.
+/// Projects a point onto a face along the face's normal: Newton's method on the distance, the result moved
+/// into the face where it lies beyond an edge. Nothing when there is no projection.
 ///   x  corners [length]
 /// Source: Hallquist, Goudreau and Benson, Comput. Methods Appl. Mech. Eng. 51 (1985) 107-137, eq. 12.
-std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point);
+std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangle,
+                                           const Eigen::Vector3d& point);
 
 }  // namespace contactsim

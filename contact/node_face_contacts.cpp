@@ -17,8 +17,8 @@ constexpr double steps_ahead = 2.0;  // as for faces
 /// A node that touched in the last step may be this much deeper than one that did not.
 constexpr double known_depth = 1.5;
 
-/// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie over
-/// each other keep touching when they spread by different strains.
+/// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie
+/// over each other keep touching when they spread by different strains.
 constexpr double automatic_beyond = 0.02;
 
 /// Normals closer than this are of one surface that bends, not of the walls of a hollow.
@@ -72,7 +72,8 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row,
       touch.normal = record.normal;
       if (const double friction = scene.rules[hit.pair].friction; friction > 0.0) {
         for (std::size_t i = 0; i < memory.n_touches; ++i) {
-          if (memory.touches[i].normal.dot(record.normal) > same_wall) record.elastic = memory.touches[i].elastic;
+          if (memory.touches[i].normal.dot(record.normal) > same_wall)
+            record.elastic = memory.touches[i].elastic;
         }
         add_friction(hit.penalty.stiffness * record.area, friction, scene.is_frozen, record);
         touch.elastic = record.elastic;
@@ -101,7 +102,8 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
   const PairRule& rule = scene.rules[hit.pair];
-  if (!rule.is_active) return;
+  if (!rule.is_active || rule.law == ContactLaw::tied) return;
+  if (rule.law == ContactLaw::glued && scene.glued.holds_node(row, hit.pair)) return;
   const MovingFace moving = scene.surface.face(face_index);
   const auto point = project_onto_face(moving.x, moving.is_triangle, x);
   if (!point) return;
@@ -113,7 +115,8 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (stands_over(scene, face_index, hit)) hits.add(hit);
 }
 
-bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face_index, const Hit& hit) const {
+bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face_index,
+                                   const Hit& hit) const {
   if (hit.point.edge < 0) return true;
   const ContactFace& face = faces_.faces[face_index];
   const FaceBound& bound = scene.surface.bound(face_index);
@@ -151,7 +154,8 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
       const FaceBound &wall = scene.surface.bound(chosen.face), &other = scene.surface.bound(hit.face);
       const double cosine = chosen.point.normal.dot(hit.point.normal);
       // Of a hollow: each wall stands in front of the other.
-      return cosine < same_wall && cosine > -same_wall && (other.centre - wall.centre).dot(wall.normal) > 0.0 &&
+      return cosine < same_wall && cosine > -same_wall &&
+             (other.centre - wall.centre).dot(wall.normal) > 0.0 &&
              (wall.centre - other.centre).dot(other.normal) > 0.0;
     };
     if (std::all_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(n_chosen), is_other_wall))
@@ -160,7 +164,8 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
   hits.n = n_chosen;
 }
 
-ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const {
+ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint32_t row,
+                                            const Hit& hit) const {
   const SurfaceNode& node = faces_.surface_nodes[row];
   const ContactFace& face = faces_.faces[hit.face];
   const PairRule& rule = scene.rules[hit.pair];
@@ -177,8 +182,7 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   // Pairs that go both ways meet everything twice.
   const double area = (rule.pair->is_one_sided ? 1.0 : 0.5) * node.area;
   const double damping = rule.pair->damping_fraction;
-  record.stiffness =
-      hit.penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+  record.stiffness = hit.penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
   if (record.gap >= 0.0) return record;
   record.area = area;
   const MovingFace moving = scene.surface.face(hit.face);

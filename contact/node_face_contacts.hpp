@@ -8,9 +8,9 @@
 
 namespace contactsim {
 
-/// The nodes that meet faces as nodes, and what contact remembers of each. A node touches one face, however many
-/// share the edge or the corner that it stands over; only where faces form a hollow does it touch more, three at
-/// most. It comes out on the side on which it went in.
+/// The nodes that meet faces as nodes, and what contact remembers of each. A node touches one face, however
+/// many share the edge or the corner that it stands over; only where faces form a hollow does it touch more,
+/// three at most. It comes out on the side on which it went in.
 class NodeFaceContacts {
  public:
   /// The faces must outlive this.
@@ -22,7 +22,8 @@ class NodeFaceContacts {
   std::size_t n_rows() const { return candidates_.n_rows(); }
 
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
-  void find(const ContactScene& scene, std::size_t begin, std::size_t end, std::vector<ContactRecord>& records);
+  void find(const ContactScene& scene, std::size_t begin, std::size_t end,
+            std::vector<ContactRecord>& records);
 
  private:
   static constexpr std::size_t most_touched = 3;

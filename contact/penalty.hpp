@@ -11,17 +11,18 @@ namespace contactsim {
 /// stiffness: the stable step shrinks by a tenth at most.
 inline constexpr double penalty_share = 0.25;
 
-/// Lowers the stiffness behind faces and nodes where nodes are too light for it: a node of mass m and contact area
-/// A gets no more than 4 share m / (A dt^2) per area, twice what it may have against a wall as soft as itself.
+/// Lowers the stiffness behind faces and nodes where nodes are too light for it: a node of mass m and contact
+/// area A gets no more than 4 share m / (A dt^2) per area, twice what it may have against a wall as soft as
+/// itself.
 ///   stable_step  that the elements allow at the start, dt [time]
-/// Source: bound on the frequency of a mass between springs; Belytschko and Neal, Int. J. Numer. Meth. Eng. 31
-/// (1991) 547-572, choose the penalty by masses and step likewise.
+/// Source: bound on the frequency of a mass between springs; Belytschko and Neal, Int. J. Numer. Meth. Eng.
+/// 31 (1991) 547-572, choose the penalty by masses and step likewise.
 void limit_stiffness(double stable_step, ContactFaces& faces);
 
-/// Stiffness and damping of two sides that meet: the springs of both sides in series, K/t of each the bulk modulus
-/// over the thickness of its element, times the pair's scale; or the pair's own stiffness. Damping is the pair's
-/// fraction of the critical one of the masses on both sides. Half the thinner element is deep enough to be another
-/// wall, if the pair does not say how deep contact reaches.
+/// Stiffness and damping of two sides that meet: the springs of both sides in series, K/t of each the bulk
+/// modulus over the thickness of its element, times the pair's scale; or the pair's own stiffness. Damping is
+/// the pair's fraction of the critical one of the masses on both sides. Half the thinner element is deep
+/// enough to be another wall, if the pair does not say how deep contact reaches.
 ///   second  absent: rigid
 /// Source: element penalty of LS-DYNA and Tribol, 1/(t1/K1 + t2/K2); Hallquist et al. (1985).
 PairPenalty make_pair_penalty(const Backing& first, const Backing* second, const SurfacePair& pair);

@@ -14,7 +14,8 @@ PlaneContacts::PlaneContacts(const ContactFaces& faces, const ContactSurfaces& s
     : faces_(faces) {
   for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
     const SurfacePair& pair = *rules[i].pair;
-    for (const auto& [with_plane, other] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
+    for (const auto& [with_plane, other] :
+         {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
       for (const std::uint32_t plane : surfaces.surfaces[with_plane].analytic_planes)
         add_places(other, i, planes[plane]);
       if (pair.first == pair.second) break;
@@ -51,7 +52,8 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.first.weights = Eigen::Vector4d::UnitX();
     record.normal = place.normal;
     record.gap = gap;
-    record.stiffness = penalty.stiffness * node.area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+    record.stiffness =
+        penalty.stiffness * node.area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
     if (gap >= 0.0) continue;
     record.area = node.area;
     const double spring = -penalty.stiffness * node.area * gap;

@@ -6,20 +6,21 @@
 
 namespace contactsim {
 
-/// The nodes that meet analytic planes. A plane is rigid, does not move and has no end: whatever is behind it is
-/// pushed out along its normal. Source: Sierra/SM 5.22, analytic objects.
+/// The nodes that meet analytic planes. A plane is rigid, does not move and has no end: whatever is behind it
+/// is pushed out along its normal. Source: Sierra/SM 5.22, analytic objects.
 class PlaneContacts {
  public:
   /// The faces must outlive this.
   ///   surfaces  those of the faces; their analytic_planes are positions in `planes`
   ///   planes    of the region
-  PlaneContacts(const ContactFaces& faces, const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
-                const PairRules& rules);
+  PlaneContacts(const ContactFaces& faces, const ContactSurfaces& surfaces,
+                std::span<const AnalyticPlane> planes, const PairRules& rules);
 
   std::size_t n_rows() const { return places_.size(); }
 
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
-  void find(const ContactScene& scene, std::size_t begin, std::size_t end, std::vector<ContactRecord>& records);
+  void find(const ContactScene& scene, std::size_t begin, std::size_t end,
+            std::vector<ContactRecord>& records);
 
  private:
   /// A node and a plane.

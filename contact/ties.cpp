@@ -58,7 +58,8 @@ Eigen::Matrix<double, 3, 4> couple(const Eigen::Matrix<double, 3, 4>& x, const E
 
 }  // namespace
 
-bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance, Tie& tie) {
+bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,
+               Tie& tie) {
   const auto found = find_face_face_points(first, second);
   if (!found) return false;
   const Eigen::Matrix3d axes = axes_of(second.x);
@@ -79,8 +80,8 @@ bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffne
   return tie.area > 0.0;
 }
 
-void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::Vector4d& weights, double stiffness,
-              Tie& tie) {
+void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::Vector4d& weights,
+              double stiffness, Tie& tie) {
   const Eigen::Vector3d offset = axes_of(face.x).transpose() * (node - face.x * weights);
   add_spring(join(Eigen::Vector4d::UnitX(), weights), stiffness, offset, tie);
 }

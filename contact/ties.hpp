@@ -13,17 +13,18 @@ namespace contactsim {
 /// Vectors of the corners of two sides [3 x 8]: those of the first, then those of the second.
 using TieVectors = Eigen::Matrix<double, 3, 8>;
 
-/// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between their
-/// corners, so that a tie of faces passes uniform stress and keeps what gap there was.
+/// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between
+/// their corners, so that a tie of faces passes uniform stress and keeps what gap there was.
 struct Tie {
   std::uint32_t pair = 0;
-  bool is_swapped = false;                      ///< the first side is of the pair's second surface
+  bool is_swapped = false;                          ///< the first side is of the pair's second surface
   std::uint32_t first_place = 0, second_place = 0;  ///< face or surface node; face
-  bool is_node = false;                         ///< the first side is a node
-  std::array<std::uint32_t, 8> nodes{};         ///< contact nodes of the corners
+  bool is_node = false;                             ///< the first side is a node
+  std::array<std::uint32_t, 8> nodes{};             ///< contact nodes of the corners
   Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();  ///< [force/length]
-  TieVectors rest = TieVectors::Zero();  ///< forces that hold the gaps open, in axes of the second face [force]
-  double area = 0.0;                     ///< [length^2]
+  TieVectors rest =
+      TieVectors::Zero();  ///< forces that hold the gaps open, in axes of the second face [force]
+  double area = 0.0;       ///< [length^2]
 };
 
 /// The forces of a tie on its corners.
@@ -34,16 +35,17 @@ struct TieForces {
 
 /// Ties all points of two faces whose gap is at most the tolerance either way. Returns whether there are any.
 ///   tie  nodes and places are set, the rest is filled in
-bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance, Tie& tie);
+bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,
+               Tie& tie);
 
 /// Ties a node to a point of a face.
 ///   weights    of the face's corners, sum 1 [1]
 ///   stiffness  [force/length]
-void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::Vector4d& weights, double stiffness,
-              Tie& tie);
+void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::Vector4d& weights,
+              double stiffness, Tie& tie);
 
-/// Forces of a tie. Gaps turn with the second face; its corners take the moment of forces across a gap, so that
-/// neither force nor moment is left over.
+/// Forces of a tie. Gaps turn with the second face; its corners take the moment of forces across a gap, so
+/// that neither force nor moment is left over.
 ///   x  of the corners [length]
 TieForces find_tie_forces(const Tie& tie, const TieVectors& x);
 

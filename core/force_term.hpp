@@ -15,6 +15,8 @@ struct Motion {
   double dt;    ///< its size; 0: no step yet, forces at the start are asked for [time]
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] at the end of the step [length]
   const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at its middle [length/time]
+  /// The largest step that the terms asked before allow; infinite for the first [time]
+  double stable_step = std::numeric_limits<double>::infinity();
 };
 
 /// What a force term says of a step besides its forces.
@@ -23,6 +25,8 @@ struct ForceReport {
   std::optional<ElementIndex> critical_element;                  ///< that sets it, if an element does
   double hourglass_work = 0.0;                                   ///< of the step [energy]
   double viscous_work = 0.0;                                     ///< of the step, on bulk viscosity [energy]
+  double friction_work = 0.0;                                    ///< of the step, lost to friction [energy]
+  double contact_damping_work = 0.0;  ///< of the step, lost to contact damping [energy]
 };
 
 /// Something that pushes the nodes: elements, loads, contact.

@@ -24,8 +24,12 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
   const ForceReport external = terms.external.set_forces(motion, state.forces.external);
   step.stable_step = std::min(step.stable_step, external.stable_step);
   if (terms.contact != nullptr) {
-    const ForceReport contact = terms.contact->set_forces(motion, state.forces.contact);
+    Motion known = motion;
+    known.stable_step = step.stable_step;
+    const ForceReport contact = terms.contact->set_forces(known, state.forces.contact);
     step.stable_step = std::min(step.stable_step, contact.stable_step);
+    energies.friction += contact.friction_work;
+    energies.contact_damping += contact.contact_damping_work;
   }
   return step;
 }

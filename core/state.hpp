@@ -19,12 +19,14 @@ struct NodalForces {
 
 /// Energies since the start.
 struct Energies {
-  double kinetic = 0.0;         ///< now [energy]
-  double internal = 0.0;        ///< work of all internal forces, the two below included [energy]
-  double hourglass = 0.0;       ///< part of internal [energy]
-  double bulk_viscosity = 0.0;  ///< part of internal [energy]
-  double external = 0.0;        ///< work of loads, gravity and prescribed motion [energy]
-  double contact = 0.0;         ///< taken up by contact forces [energy]
+  double kinetic = 0.0;          ///< now [energy]
+  double internal = 0.0;         ///< work of all internal forces, the two below included [energy]
+  double hourglass = 0.0;        ///< part of internal [energy]
+  double bulk_viscosity = 0.0;   ///< part of internal [energy]
+  double external = 0.0;         ///< work of loads, gravity and prescribed motion [energy]
+  double contact = 0.0;          ///< taken up by contact forces, the two below included [energy]
+  double friction = 0.0;         ///< part of contact, lost for good [energy]
+  double contact_damping = 0.0;  ///< part of contact, lost for good [energy]
   /// What appeared from nowhere: kinetic + internal + contact - external less its value at the start. The
   /// kinetic energy here is the product of the velocities half a step before and behind, for which central
   /// differences conserve the sum to round-off, so that only real errors show [energy].

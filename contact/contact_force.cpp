@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/make_ties.hpp"
+#include "contact/penalty.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Rows that are worked on as one piece, and pieces that are worked on before their places are added up: enough for
+/// the threads, and few enough to stay in the cache. Fixed, so that sums do not depend on the number of threads.
+constexpr std::size_t rows_per_chunk = 256, chunks_per_batch = 32;
+
+std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
+  std::vector<ActiveTimes> times;
+  for (const SurfacePair& pair : setup.contact.pairs) times.push_back(make_active_times(pair.periods, setup.blocks));
+  return times;
+}
+
+}  // namespace
+
+ContactForce::ContactForce(const ContactSetup& setup)
+    : setup_(setup),
+      faces_(make_contact_faces(setup.contact.surfaces, setup.model)),
+      rules_(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size()),
+      surface_(faces_),
+      search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
+      face_face_(faces_, rules_.has_friction()),
+      node_face_(faces_),
+      planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
+      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
+      chunks_(chunks_per_batch),
+      starts_(setup.contact.pairs.size()),
+      histories_(setup.contact.pairs.size()) {}
+
+void ContactForce::find_candidates(const Motion& motion) {
+  search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
+  face_face_.take_candidates();
+}
+
+/// The first time that forces are asked for: only now the elements' stable step is known.
+void ContactForce::begin(const Motion& motion) {
+  has_begun_ = true;
+  limit_stiffness(motion.stable_step, faces_);
+  find_candidates(motion);
+  const ContactScene scene{surface_, rules_, glued_, motion.dt};
+  ties_ = make_ties(scene, face_face_.candidates(), node_face_.candidates(),
+                    setup_.definition.dash.search_length_scaling);
+}
+
+/// Finds places chunk by chunk on all threads and takes them in order.
+template <class Contacts, class Take>
+void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, const Take& take) {
+  const std::size_t n_rows = contacts.n_rows();
+  constexpr std::size_t rows_per_batch = rows_per_chunk * chunks_per_batch;
+  for (std::size_t batch = 0; batch < n_rows; batch += rows_per_batch) {
+    const std::size_t n_chunks =
+        std::min(chunks_per_batch, (n_rows - batch + rows_per_chunk - 1) / rows_per_chunk);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_for(n_chunks * rows_per_chunk * 10))
+    for (std::size_t i = 0; i < n_chunks; ++i) {
+      const std::size_t begin = batch + i * rows_per_chunk;
+      chunks_[i].clear();
+      contacts.find(scene, begin, std::min(begin + rows_per_chunk, n_rows), chunks_[i]);
+    }
+    for (std::size_t i = 0; i < n_chunks; ++i) {
+      for (const ContactRecord& record : chunks_[i]) take(record);
+    }
+  }
+}
+
+TieForces ContactForce::forces_of(const Tie& tie) const {
+  TieVectors x;
+  for (std::size_t k = 0; k < 8; ++k) x.col(static_cast<Eigen::Index>(k)) = surface_.x(tie.nodes[k]);
+  return find_tie_forces(tie, x);
+}
+
+void ContactForce::add_places(const ContactScene& scene) {
+  std::vector<ContactRecord> to_glue;
+  const auto take = [&](const ContactRecord& record) {
+    sums_.add(record, surface_);
+    if (record.touches() && rules_[record.pair].law == ContactLaw::glued) to_glue.push_back(record);
+  };
+  face_face_.begin_step();
+  visit_places(face_face_, scene, [&](const ContactRecord& record) {
+    take(record);
+    face_face_.add_to_means(record);
+  });
+  visit_places(node_face_, scene, take);
+  visit_places(planes_, scene, take);
+  for (const Tie& tie : ties_) {
+    if (rules_[tie.pair].is_active) sums_.add(tie, forces_of(tie), surface_);
+  }
+  sums_.end_step();
+  for (const ContactRecord& record : to_glue) glue(scene, record);
+}
+
+/// What has touched is tied from the next step on, as deep as it is now.
+void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) {
+  constexpr double any_gap = std::numeric_limits<double>::infinity();
+  std::optional<Tie> tie;
+  const bool is_node = record.first.weights == Eigen::Vector4d::UnitX() &&
+                       record.first.nodes[0] == record.first.nodes[3];
+  if (is_node) {
+    if (glued_.add_node(record.first_place, record.pair))
+      tie = make_node_tie(scene, record.first_place, record.second_place, any_gap);
+  } else if (glued_.add_faces(record.first_place, record.second_place)) {
+    tie = make_face_tie(scene, record.first_place, record.second_place, any_gap);
+  }
+  if (tie) ties_.push_back(*tie);
+}
+
+double ContactForce::largest_eigenvalue() {
+  double largest = 0.0;
+  const auto nodes = sums_.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i) largest = std::max(largest, 2.0 * nodes[i][3] / faces_.mass[i]);
+  return largest;
+}
+
+ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
+  forces.setZero();
+  surface_.update(motion);
+  rules_.activate(motion.time);
+  if (!has_begun_) {
+    begin(motion);
+  } else if (search_.is_due(surface_)) {
+    find_candidates(motion);
+  }
+  sums_.begin_step(motion.dt);
+  add_places({surface_, rules_, glued_, motion.dt});
+  const auto nodes = sums_.nodes();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  note_histories(motion);
+  ForceReport report;
+  report.friction_work = sums_.dissipated();
+  report.contact_damping_work = sums_.damped();
+  // Eigenvalues of stiffness over mass add up at most: that of the elements, 4 / dt^2, and contact's.
+  const double eigenvalue = largest_eigenvalue();
+  if (eigenvalue > 0.0) {
+    const double of_elements = 4.0 / (motion.stable_step * motion.stable_step);
+    report.stable_step = 2.0 / std::sqrt(of_elements + eigenvalue);
+    step_share_.share = std::max(step_share_.share, 1.0 - report.stable_step / motion.stable_step);
+  }
+  return report;
+}
+
+void ContactForce::note_histories(const Motion& motion) {
+  const auto steps = sums_.pairs();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const PairStep& step = steps[i];
+    if (!step.touches) continue;
+    PairHistory& history = histories_[i];
+    history.contact_time += motion.dt;
+    history.peak_force = std::max(history.peak_force, step.force.norm());
+    history.impulse -= motion.dt * step.force;
+    history.work += step.work;
+    history.friction_work += step.dissipated;
+  }
+}
+
+void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>& places,
+                               std::vector<TieForces>& ties) {
+  places.clear();
+  ties.clear();
+  surface_.update(motion);
+  const ContactScene scene{surface_, rules_, glued_, motion.dt, true};
+  const auto take = [&](const ContactRecord& record) { places.push_back(record); };
+  visit_places(face_face_, scene, take);
+  visit_places(node_face_, scene, take);
+  visit_places(planes_, scene, take);
+  for (const Tie& tie : ties_) ties.push_back(forces_of(tie));
+}
+
+}  // namespace contactsim

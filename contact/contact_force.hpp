@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/contact_model.hpp"
+#include "contact/contact_search.hpp"
+#include "contact/contact_sums.hpp"
+#include "contact/face_face_contacts.hpp"
+#include "contact/node_face_contacts.hpp"
+#include "contact/pair_history.hpp"
+#include "contact/plane_contacts.hpp"
+#include "core/definition/contact.hpp"
+#include "core/force_term.hpp"
+#include "core/model.hpp"
+
+namespace contactsim {
+
+/// What contact is made of in a run.
+struct ContactSetup {
+  const ContactDefinition& definition;
+  const ContactModel& contact;                ///< its surfaces are of solids, of nodes and analytic
+  const Model& model;
+  std::span<const TimeSteppingBlock> blocks;  ///< the periods of the procedure
+};
+
+/// How much contact lowers the stable step.
+struct ContactStep {
+  double share = 0.0;  ///< of its stable step that the run loses, largest so far [1]
+  std::optional<NodeIndex> node;  ///< that is held most stiffly, at that time
+};
+
+/// The forces of contact: search when something has moved far enough, places of contact, penalties, friction and
+/// ties. Each place pushes both sides alike. The same bits for any number of threads.
+class ContactForce final : public ForceTerm {
+ public:
+  /// All that the setup refers to must outlive this.
+  explicit ContactForce(const ContactSetup& setup);
+  ContactForce(const ContactForce&) = delete;
+  ContactForce& operator=(const ContactForce&) = delete;
+
+  /// Throws SolveError when a node is nowhere.
+  ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+
+  const ContactFaces& faces() const { return faces_; }
+  const ContactSearch& search() const { return search_; }
+  std::span<const PairStart> starts() const { return starts_; }
+  std::span<const PairHistory> histories() const { return histories_; }
+  std::span<const PairStep> pair_steps() const { return sums_.pairs(); }
+  std::span<const NodeFriction> node_friction() const { return sums_.friction(); }
+  const ContactStep& step_share() const { return step_share_; }
+  std::size_t n_candidates() const {
+    return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() + planes_.n_rows();
+  }
+
+  /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
+  ///   motion  of that step
+  void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
+  std::span<const Tie> ties() const { return ties_; }
+
+ private:
+  void begin(const Motion& motion);
+  void find_candidates(const Motion& motion);
+  void glue(const ContactScene& scene, const ContactRecord& record);
+  template <class Contacts, class Take>
+  void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
+  TieForces forces_of(const Tie& tie) const;
+  void add_places(const ContactScene& scene);
+  double largest_eigenvalue();
+  void note_histories(const Motion& motion);
+  void note_starts(const ContactScene& scene);
+
+  ContactSetup setup_;
+  ContactFaces faces_;
+  PairRules rules_;
+  GluedPlaces glued_;
+  MovingSurface surface_;
+  ContactSearch search_;
+  FaceFaceContacts face_face_;
+  NodeFaceContacts node_face_;
+  PlaneContacts planes_;
+  std::vector<Tie> ties_;
+  ContactSums sums_;
+  std::vector<std::vector<ContactRecord>> chunks_;  // scratch
+  std::vector<PairStart> starts_;
+  std::vector<PairHistory> histories_;
+  ContactStep step_share_;
+  bool has_begun_ = false;
+};
+
+}  // namespace contactsim

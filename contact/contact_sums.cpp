@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_sums.hpp"
+
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+/// The velocity of a side where the force acts.
+Eigen::Vector3d velocity_of(const RecordSide& side, const MovingSurface& surface) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k)
+    mean += side.weights[static_cast<Eigen::Index>(k)] * surface.v(side.nodes[k]);
+  return mean;
+}
+
+}  // namespace
+
+ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction)
+    : nodes_(n_nodes, NodeVector::Zero()),
+      pairs_(n_pairs),
+      friction_(has_friction ? n_nodes : 0),
+      slips_(has_friction ? n_nodes : 0, NodeVector::Zero()) {}
+
+void ContactSums::begin_step(double dt) {
+  dt_ = dt;
+  dissipated_ = damped_ = 0.0;
+  std::fill(nodes_.begin(), nodes_.end(), NodeVector::Zero());
+  std::fill(slips_.begin(), slips_.end(), NodeVector::Zero());
+  std::fill(pairs_.begin(), pairs_.end(), PairStep{});
+}
+
+void ContactSums::add(const ContactRecord& record, const MovingSurface& surface) {
+  NodeVector on_first, on_second;
+  const Eigen::Vector3d force = record.force_on_first();
+  on_first << force, record.stiffness;
+  on_second << -force, record.stiffness;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    nodes_[record.first.nodes[k]] += record.first.weights[i] * on_first;
+    nodes_[record.second.nodes[k]] += record.second.weights[i] * on_second;
+  }
+  if (!record.touches()) return;
+  PairStep& pair = pairs_[record.pair];
+  const Eigen::Vector3d apart = velocity_of(record.first, surface) - velocity_of(record.second, surface);
+  pair.force += record.is_swapped ? Eigen::Vector3d(-force) : force;
+  pair.area += record.area;
+  pair.work -= dt_ * force.dot(apart);
+  pair.dissipated += record.dissipated;
+  pair.touches = true;
+  dissipated_ += record.dissipated;
+  damped_ += record.damped;
+  if (friction_.empty()) return;
+  add_slip(record.first, record.slip, record);
+  add_slip(record.second, -record.slip, record);
+}
+
+void ContactSums::add_slip(const RecordSide& side, const Eigen::Vector3d& slip, const ContactRecord& record) {
+  NodeVector share;
+  share << record.area * slip, record.area;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    slips_[side.nodes[k]] += weight * share;
+    friction_[side.nodes[k]].energy += 0.5 * weight * record.dissipated;
+  }
+}
+
+void ContactSums::add(const Tie& tie, const TieForces& forces, const MovingSurface& surface) {
+  PairStep& pair = pairs_[tie.pair];
+  for (std::size_t k = 0; k < 8; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    nodes_[tie.nodes[k]].head<3>() += forces.forces.col(i);
+    pair.work -= dt_ * forces.forces.col(i).dot(surface.v(tie.nodes[k]));
+    // The bound on the frequency takes twice this over the mass: the whole row of the stiffness.
+    nodes_[tie.nodes[k]][3] += 0.5 * tie.stiffness.col(i).cwiseAbs().sum();
+  }
+  const Eigen::Vector3d on_first = forces.forces.leftCols<4>().rowwise().sum();
+  pair.force += tie.is_swapped ? Eigen::Vector3d(-on_first) : on_first;
+  pair.area += tie.area;
+  pair.touches = true;
+}
+
+void ContactSums::end_step() {
+  for (std::size_t i = 0; i < friction_.size(); ++i) {
+    const double area = slips_[i][3];
+    friction_[i].last_slip = area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
+    friction_[i].slip += friction_[i].last_slip;
+    friction_[i].slip_length += friction_[i].last_slip.norm();
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/contact_faces.hpp"
+#include "contact/contact_record.hpp"
+#include "contact/ties.hpp"
+#include "core/elements/gather.hpp"
+
+namespace contactsim {
+
+/// What a pair of surfaces does in a step.
+struct PairStep {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the pair's first surface; of self contact on the first sides [force]
+  double area = 0.0;        ///< that touches [length^2]
+  double work = 0.0;        ///< taken up by contact in the step, friction and damping included [energy]
+  double dissipated = 0.0;  ///< by friction in the step [energy]
+  bool touches = false;
+};
+
+/// What friction has done at a contact node since the start.
+struct NodeFriction {
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< along the other side, added up as vectors [length]
+  double slip_length = 0.0;                        ///< the same added up by length [length]
+  double energy = 0.0;                             ///< the node's share of what was lost [energy]
+  Eigen::Vector3d last_slip = Eigen::Vector3d::Zero();  ///< of the last step [length]
+};
+
+/// Adds places of contact up at nodes and pairs. Records come in one order, whatever the number of threads, so that
+/// the sums have the same bits.
+class ContactSums {
+ public:
+  ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction);
+
+  void begin_step(double dt);
+  void add(const ContactRecord& record, const MovingSurface& surface);
+  void add(const Tie& tie, const TieForces& forces, const MovingSurface& surface);
+  /// Ends a step: slips of the nodes are added up.
+  void end_step();
+
+  /// [n_contact_nodes] x y z of the force [force], and the stiffness that moves with the node [force/length]
+  std::span<const NodeVector> nodes() const { return nodes_; }
+  std::span<const PairStep> pairs() const { return pairs_; }
+  /// [n_contact_nodes], empty without friction
+  std::span<const NodeFriction> friction() const { return friction_; }
+  double dissipated() const { return dissipated_; }
+  double damped() const { return damped_; }
+
+ private:
+  void add_slip(const RecordSide& side, const Eigen::Vector3d& slip, const ContactRecord& record);
+
+  std::vector<NodeVector> nodes_;
+  std::vector<PairStep> pairs_;
+  std::vector<NodeFriction> friction_;
+  std::vector<NodeVector> slips_;  // of the step, times area, and area
+  double dt_ = 0.0, dissipated_ = 0.0, damped_ = 0.0;
+};
+
+}  // namespace contactsim
