@@ -2,6 +2,7 @@
 #include "contact/overlap_removal.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
@@ -19,10 +20,14 @@ constexpr double smallest_share = 1e-9;
 /// depth.
 constexpr double beside_share = 0.25;
 
+/// A node's surface looks against a face when the cosine of their normals is less; the corner of a cube
+/// against a flat face has -0.58.
+constexpr double against_cosine = -0.25;
+
 /// A node behind something.
 struct Overlap {
   std::uint32_t node = 0;                            ///< position in OverlapParts::nodes
-  double depth = 0.0;                                ///< > 0 [length]
+  double depth = 0.0;                                ///< <= 0 is in front [length]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, the way out [1]
   bool can_share = false;                            ///< the other side can move too
 };
@@ -44,12 +49,12 @@ class OverlapRemover {
  private:
   /// The nodes of a pair in order, each as it stands when its turn comes.
   void for_each_overlap(std::uint32_t pair, const std::function<void(const Overlap&)>& act) const;
-  /// The way out of several faces is the shortest one.
+  /// The way out of several faces is the shortest one; in front of the nearest face a node is outside.
   std::optional<Overlap> find_behind_faces(const SurfacePair& pair,
                                            std::span<const OverlapCandidate> of_node) const;
-  std::optional<Overlap> find_behind_face(const SurfacePair& pair, const OverlapCandidate& candidate) const;
+  std::optional<Overlap> find_near_face(const SurfacePair& pair, const OverlapCandidate& candidate) const;
   std::optional<Overlap> find_behind_plane(const SurfacePair& pair, const OverlapCandidate& candidate) const;
-  bool looks_along(const OverlapNode& node, const Eigen::Vector3d& normal) const;
+  bool looks_against(const OverlapNode& node, const Eigen::Vector3d& normal) const;
   bool can_move(const SurfacePair& pair, const OverlapFace& face) const;
   bool is_held(std::uint32_t node) const { return !is_held_.empty() && is_held_[node] != 0; }
   bool move(std::uint32_t pair, const Overlap& overlap, double share);
@@ -62,9 +67,10 @@ class OverlapRemover {
   std::vector<std::map<std::uint32_t, Eigen::Vector3d>> moved_;  ///< [n_pairs] by mesh node [length]
 };
 
-/// Whether the surface of a node looks the same way, so that the node is not about to pass through.
-bool OverlapRemover::looks_along(const OverlapNode& node, const Eigen::Vector3d& normal) const {
-  return node.size > 0.0 && node.normal.dot(normal) >= 0.0;
+/// Whether the surface of a node looks back at a face, so that the node is about to pass through it.
+bool OverlapRemover::looks_against(const OverlapNode& node, const Eigen::Vector3d& normal) const {
+  const bool has_faces = node.size > 0.0;
+  return !has_faces || node.normal.dot(normal) < against_cosine * node.normal.norm();
 }
 
 bool OverlapRemover::can_move(const SurfacePair& pair, const OverlapFace& face) const {
@@ -73,19 +79,24 @@ bool OverlapRemover::can_move(const SurfacePair& pair, const OverlapFace& face) 
                                        [&](std::uint32_t node) { return is_held(node); });
 }
 
-std::optional<Overlap> OverlapRemover::find_behind_face(const SurfacePair& pair,
-                                                        const OverlapCandidate& candidate) const {
+std::optional<Overlap> OverlapRemover::find_near_face(const SurfacePair& pair,
+                                                      const OverlapCandidate& candidate) const {
   const OverlapNode& node = parts_.nodes[candidate.node];
   const OverlapFace& face = parts_.faces[candidate.partner];
   FaceCorners corners;
   for (int i = 0; i < 4; ++i) corners.col(i) = coordinates_.col(face.nodes[static_cast<std::size_t>(i)]);
   const auto point = project_onto_face(corners, face.is_triangle(), coordinates_.col(node.node));
   if (!point) return std::nullopt;
-  const double depth = -point->gap;
+  const double least = smallest_share * face.size;
+  const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;
   const double deepest = pair.overlap_normal_tolerance.value_or(face.reach);
-  const double beside = std::max(beside_share * depth, pair.overlap_tangential_tolerance.value_or(0.0));
-  const bool is_behind = depth > smallest_share * face.size && depth <= deepest && point->beyond <= beside;
-  if (!is_behind || looks_along(node, point->normal)) return std::nullopt;
+  const double beside =
+      std::max({beside_share * depth, least, pair.overlap_tangential_tolerance.value_or(0.0)});
+  const bool is_near = std::abs(depth) <= deepest && point->beyond <= beside;
+  if (!is_near || !looks_against(node, point->normal)) return std::nullopt;
+  // On a face a node is outside, but one without a surface of its own may lie in the face's rim and go in
+  // there.
+  if (depth == 0.0 && node.size == 0.0) return std::nullopt;
   return Overlap{candidate.node, depth, point->normal, can_move(pair, face)};
 }
 
@@ -93,10 +104,10 @@ std::optional<Overlap> OverlapRemover::find_behind_faces(const SurfacePair& pair
                                                          std::span<const OverlapCandidate> of_node) const {
   std::optional<Overlap> least;
   for (const OverlapCandidate& candidate : of_node) {
-    const auto found = find_behind_face(pair, candidate);
-    if (found && (!least || found->depth < least->depth)) least = found;
+    const auto found = find_near_face(pair, candidate);
+    if (found && (!least || std::abs(found->depth) < std::abs(least->depth))) least = found;
   }
-  return least;
+  return least && least->depth > 0.0 ? least : std::nullopt;
 }
 
 std::optional<Overlap> OverlapRemover::find_behind_plane(const SurfacePair& pair,
@@ -107,7 +118,7 @@ std::optional<Overlap> OverlapRemover::find_behind_plane(const SurfacePair& pair
   const double depth = (plane.origin - coordinates_.col(node.node)).dot(normal);
   const double deepest = pair.overlap_normal_tolerance.value_or(node.reach);
   const bool is_behind = depth > smallest_share * node.size && depth <= deepest;
-  if (!is_behind || looks_along(node, normal)) return std::nullopt;
+  if (!is_behind || !looks_against(node, normal)) return std::nullopt;
   return Overlap{candidate.node, depth, normal, false};
 }
 
