@@ -25,10 +25,6 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
     diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
                           "without one only --check can be run");
   }
-  if (region.contact) {
-    diagnostics.add_error(region.contact->name.location, "contact forces are not supported in a run yet",
-                          "--check resolves the surfaces");
-  }
   refuse(region.element_deaths, "element death", diagnostics);
   refuse(region.spot_welds, "a spot weld", diagnostics);
   refuse(region.mass_scalings, "mass scaling", diagnostics);

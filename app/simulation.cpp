@@ -114,11 +114,13 @@ ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
   check_mesh_is_kept(options, run_mesh_path(options, definition, region));
   const Mesh mesh = read_run_mesh(options, definition, region, warnings);
   log.write(fmt::format("Mesh {}\n{}", mesh.path(), describe(mesh)));
+  ResolvedContact contact;
   if (region.contact || options.stage == Stage::check) {
-    const ExitCode code = resolve_surfaces(options, definition, region, mesh, log, warnings);
-    if (options.stage == Stage::check || code != ExitCode::done) return code;
+    contact = resolve_contact(options, definition, region, mesh, log, warnings);
+    if (options.stage == Stage::check || contact.code != ExitCode::done) return contact.code;
   }
-  return run_transient({options, definition, chosen.procedure, region, mesh}, log, warnings);
+  const ContactModel* model = contact.model ? &*contact.model : nullptr;
+  return run_transient({options, definition, chosen.procedure, region, mesh, model}, log, warnings);
 }
 
 }  // namespace contactsim

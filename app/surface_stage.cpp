@@ -5,6 +5,7 @@
 #include "app/pair_report.hpp"
 #include "app/surface_report.hpp"
 #include "contact/contact_model.hpp"
+#include "contact/pair_starts.hpp"
 #include "contact/surface_drawing.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "io/exodus_reader.hpp"
@@ -59,19 +60,21 @@ void add_surface_warnings(const ContactSurfaces& surfaces, Diagnostics& warnings
 
 }  // namespace
 
-ExitCode resolve_surfaces(const Options& options, const SimulationDefinition& definition,
-                          const Region& region, const Mesh& mesh, Log& log, Diagnostics& warnings) {
+ResolvedContact resolve_contact(const Options& options, const SimulationDefinition& definition,
+                                const Region& region, const Mesh& mesh, Log& log, Diagnostics& warnings) {
   if (!region.contact) {
     log.write("\nThe deck has no contact definition.\n");
-    return write_surface_files(options, {}, {}, mesh, log);
+    return {std::nullopt, write_surface_files(options, {}, {}, mesh, log)};
   }
-  const ContactModel model = make_contact_model(definition, region, mesh, {}, warnings);
+  ContactModel model = make_contact_model(definition, region, mesh, {}, warnings);
   if (warnings.has_errors()) throw DeckError(warnings);
   check_elements(mesh, blocks_in_contact(model, mesh), warnings);
   const auto summaries = summarize(model, mesh);
-  log.write(format_surface_tables(model, summaries) + format_pairs(model, summaries, {}));
+  const auto starts = find_pair_starts(model, mesh, region.contact->dash);
+  log.write(format_surface_tables(model, summaries) + format_pairs(model, summaries, starts));
   add_surface_warnings(model.surfaces, warnings);
-  return write_surface_files(options, model, summaries, mesh, log);
+  const ExitCode code = write_surface_files(options, model, summaries, mesh, log);
+  return {std::move(model), code};
 }
 
 void add_surface_name_errors(const SimulationDefinition& definition, const Region& region,

@@ -7,11 +7,15 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/contact_report.hpp"
 #include "app/file_clashes.hpp"
+#include "app/pair_report.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_report.hpp"
 #include "app/timed_force.hpp"
+#include "contact/contact_force.hpp"
+#include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
@@ -41,21 +45,32 @@ struct Setup {
   TimeStepControl control;
 };
 
+/// What pushes the nodes besides the elements.
+struct RunForces {
+  ForceTerm& external;
+  ContactForce* contact;  ///< null without contact
+};
+
 /// A region on its way from start to end.
 class Run {
  public:
-  Run(const RunInput& input, const Setup& setup, Outputs& outputs, ForceTerm& external, Log& log,
+  Run(const RunInput& input, const Setup& setup, Outputs& outputs, RunForces forces, Log& log,
       Diagnostics& warnings)
       : model_(setup.model),
+        contact_model_(input.contact),
         control_(setup.control),
         state_(make_state(input.mesh.coordinates(), model_.blocks, control_.start_time())),
         outputs_(outputs),
         internal_(model_, state_),
         timed_internal_(internal_),
-        timed_external_(external),
+        timed_external_(forces.external),
+        contact_(forces.contact),
         log_(log),
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
+    if (contact_ == nullptr) return;
+    timed_contact_.emplace(*contact_);
+    state_.forces.contact = Eigen::Matrix3Xd::Zero(3, model_.mesh->n_nodes());
   }
 
   ExitCode go() {
@@ -75,12 +90,17 @@ class Run {
       tell(true);
       code = ExitCode::solve;
     }
-    write_wall_times(clock_seconds() - begun);
+    const double whole = clock_seconds() - begun;
+    if (contact_ != nullptr)
+      log_.write(format_pair_histories(*contact_model_, contact_->histories()) + format_contact(*contact_));
+    write_wall_times(whole);
     return code;
   }
 
  private:
-  ForceTerms terms() { return {timed_internal_, timed_external_}; }
+  ForceTerms terms() {
+    return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
+  }
   bool is_over() const { return end_ || control_.is_over(state_.time, state_.dt); }
 
   void step() {
@@ -128,22 +148,27 @@ class Run {
   }
 
   void write_wall_times(double whole) {
-    const double known = timed_internal_.seconds() + timed_external_.seconds() + output_seconds_;
-    const std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
-                                      {"loads", timed_external_.seconds()},
-                                      {"nodes", whole - known},
-                                      {"log and files", output_seconds_}};
+    const double contact = timed_contact_ ? timed_contact_->seconds() : 0.0;
+    const double known = timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_;
+    std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
+                                {"loads", timed_external_.seconds()},
+                                {"nodes", whole - known},
+                                {"log and files", output_seconds_}};
+    if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
     for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
     log_.write(format_wall_times(parts, whole, state_.step, n_elements));
   }
 
   const Model& model_;
+  const ContactModel* contact_model_;
   const TimeStepControl& control_;
   State state_;
   Outputs& outputs_;
   InternalForce internal_;
   TimedForce timed_internal_, timed_external_;
+  ContactForce* contact_;  // null without contact
+  std::optional<TimedForce> timed_contact_;
   Log& log_;
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
@@ -216,15 +241,19 @@ OutputSettings output_settings(const RunInput& input, Log& log) {
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
+  if (input.contact != nullptr) refuse_laws(input.contact->pairs, warnings);
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
                              warnings};
+  std::optional<ContactForce> contact;
+  if (input.contact != nullptr)
+    contact.emplace(ContactSetup{*input.region.contact, *input.contact, setup.model, scope.blocks});
   Outputs outputs(scope, setup.model, output_settings(input, log));
   stop_on_errors(warnings);
   check_paths(input, outputs);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
-  return Run(input, setup, outputs, setup.external, log, warnings).go();
+  return Run(input, setup, outputs, {setup.external, contact ? &*contact : nullptr}, log, warnings).go();
 }
 
 }  // namespace contactsim

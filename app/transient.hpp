@@ -3,6 +3,7 @@
 
 #include "app/log.hpp"
 #include "app/options.hpp"
+#include "contact/contact_model.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/errors.hpp"
@@ -17,6 +18,7 @@ struct RunInput {
   const Procedure& procedure;
   const Region& region;
   const Mesh& mesh;
+  const ContactModel* contact = nullptr;  ///< null without a contact definition
 };
 
 /// Moves a region from its start time to its termination time, with log and output files.

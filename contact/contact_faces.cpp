@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/sort_once.hpp"
+#include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"
 #include "core/skin.hpp"
 
@@ -33,33 +34,11 @@ std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const 
   return nodes;
 }
 
-/// Volumes and moduli of the elements behind faces.
-class Backings {
- public:
-  explicit Backings(const Model& model) : model_(model) {}
-
-  Backing of(ElementSide side) const {
-    const SolidBlock& block = block_of(side.element());
-    const std::size_t element = side.element().value - block.first_element.value;
-    const double volume = block.mass[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) /
-                          block.properties.density;
-    const double area = area_vector(*model_.mesh, side).norm();
-    Backing backing;
-    backing.thickness = volume / area;
-    backing.stiffness = moduli_of(block.properties.law).bulk / backing.thickness;
-    backing.mass_per_area = 0.5 * block.properties.density * backing.thickness;
-    return backing;
-  }
-
- private:
-  const SolidBlock& block_of(ElementIndex element) const {
-    const std::uint32_t mesh_block = model_.mesh->block_of(element);
-    const auto holds = [&](const SolidBlock& block) { return block.mesh_block == mesh_block; };
-    return *std::find_if(model_.blocks.begin(), model_.blocks.end(), holds);
-  }
-
-  const Model& model_;
-};
+double thickness_behind(const Mesh& mesh, ElementSide side) {
+  const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
+  const double volume = solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape);
+  return volume / area_vector(mesh, side).norm();
+}
 
 PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_nodes) {
   PairLists lists;
@@ -77,29 +56,21 @@ PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_
   return lists;
 }
 
-/// Gives every node of the faces its share of their areas and the mean of what stands behind them.
-void add_nodes_of_faces(std::span<const ElementSide> sides, const Backings& backings, const Mesh& mesh,
+/// Gives every node of the faces its share of their areas and the mean thickness behind them.
+void add_nodes_of_faces(std::span<const ElementSide> sides, const Mesh& mesh,
                         std::vector<SurfaceNode>& by_node) {
   for (const ElementSide side : sides) {
     const auto corners = mesh.side_nodes(side);
     const std::size_t n = corners[2] == corners[3] ? 3 : 4;
     const double share = area_vector(mesh, side).norm() / static_cast<double>(n);
-    const Backing backing = backings.of(side);
+    const double thickness = thickness_behind(mesh, side);
     for (std::size_t k = 0; k < n; ++k) {
       SurfaceNode& node = by_node[corners[k].value];
       node.area += share;
-      node.backing.thickness += share * backing.thickness;
-      node.backing.stiffness += share * backing.stiffness;
-      node.backing.mass_per_area += share * backing.mass_per_area;
+      node.backing.thickness += share * thickness;
+      node.side = side;
     }
   }
-}
-
-SurfaceNode mean_of(SurfaceNode sums) {
-  sums.backing.thickness /= sums.area;
-  sums.backing.stiffness /= sums.area;
-  sums.backing.mass_per_area /= sums.area;
-  return sums;
 }
 
 /// Faces of the mesh's outside whose corners are all in the set; when there are none, all that touch it.
@@ -127,6 +98,58 @@ std::vector<NodeIndex> corner_nodes(std::span<const ElementSide> sides, const Me
   return nodes;
 }
 
+void add_faces(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh, ContactFaces& made) {
+  for (const ElementSide side : surface.faces) {
+    ContactFace face;
+    const auto corners = mesh.side_nodes(side);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = position_of(made.mesh_nodes, corners[k]);
+    face.surface = position;
+    face.side = side;
+    face.backing.thickness = thickness_behind(mesh, side);
+    made.faces.push_back(face);
+  }
+}
+
+/// The nodes of a surface, those of its faces or its own.
+///   by_node  [n_nodes of the mesh] scratch
+void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh,
+               std::vector<SurfaceNode>& by_node, ContactFaces& made) {
+  const bool is_of_nodes = surface.kind == SurfaceKind::node;
+  const std::vector<ElementSide> sides = is_of_nodes ? faces_at(surface.nodes, mesh) : surface.faces;
+  const std::vector<NodeIndex> of_sides = corner_nodes(sides, mesh);
+  for (const NodeIndex node : of_sides) by_node[node.value] = {};
+  if (is_of_nodes) {
+    for (const NodeIndex node : surface.nodes) by_node[node.value] = {};
+  }
+  add_nodes_of_faces(sides, mesh, by_node);
+  for (const NodeIndex node : is_of_nodes ? surface.nodes : of_sides) {
+    SurfaceNode own = by_node[node.value];
+    if (!(own.area > 0.0)) continue;
+    own.node = position_of(made.mesh_nodes, node);
+    own.surface = position;
+    own.backing.thickness /= own.area;
+    made.surface_nodes.push_back(own);
+  }
+}
+
+/// What blocks are made of.
+class Materials {
+ public:
+  explicit Materials(const Model& model) : model_(model), of_block_(model.mesh->blocks().size(), nullptr) {
+    for (const SolidBlock& block : model.blocks) of_block_[block.mesh_block] = &block;
+  }
+
+  void add(ElementSide side, Backing& backing) const {
+    const SolidProperties& properties = of_block_[model_.mesh->block_of(side.element())]->properties;
+    backing.stiffness = moduli_of(properties.law).bulk / backing.thickness;
+    backing.mass_per_area = 0.5 * properties.density * backing.thickness;
+  }
+
+ private:
+  const Model& model_;
+  std::vector<const SolidBlock*> of_block_;
+};
+
 }  // namespace
 
 bool ContactFace::shares_node(const ContactFace& other) const {
@@ -138,45 +161,29 @@ bool ContactFace::shares_node(const ContactFace& other) const {
   return false;
 }
 
-ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Model& model) {
-  const Mesh& mesh = *model.mesh;
-  const Backings backings(model);
+ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh) {
   ContactFaces made;
   made.mesh_nodes = collect_nodes(surfaces, mesh);
   made.first_face.push_back(0);
   made.first_node.push_back(0);
   std::vector<SurfaceNode> by_node(mesh.n_nodes());
   for (std::uint32_t s = 0; s < surfaces.surfaces.size(); ++s) {
-    const ContactSurface& surface = surfaces.surfaces[s];
-    for (const ElementSide side : surface.faces) {
-      ContactFace face;
-      const auto corners = mesh.side_nodes(side);
-      for (std::size_t k = 0; k < 4; ++k) face.corners[k] = position_of(made.mesh_nodes, corners[k]);
-      face.surface = s;
-      face.side = side;
-      face.backing = backings.of(side);
-      made.faces.push_back(face);
-    }
-    const bool is_of_nodes = surface.kind == SurfaceKind::node;
-    const std::vector<ElementSide> sides = is_of_nodes ? faces_at(surface.nodes, mesh) : surface.faces;
-    const std::vector<NodeIndex> nodes = is_of_nodes ? surface.nodes : corner_nodes(sides, mesh);
-    for (const NodeIndex node : corner_nodes(sides, mesh)) by_node[node.value] = {};
-    add_nodes_of_faces(sides, backings, mesh, by_node);
-    for (const NodeIndex node : nodes) {
-      SurfaceNode& sums = by_node[node.value];
-      if (!(sums.area > 0.0)) continue;
-      SurfaceNode mean = mean_of(sums);
-      mean.node = position_of(made.mesh_nodes, node);
-      mean.surface = s;
-      made.surface_nodes.push_back(mean);
-    }
+    add_faces(surfaces.surfaces[s], s, mesh, made);
+    add_nodes(surfaces.surfaces[s], s, mesh, by_node, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }
-  for (const std::uint32_t node : made.mesh_nodes)
-    made.mass.push_back(model.mass(0, static_cast<Eigen::Index>(node)));
   made.faces_of_node = list_faces_of_nodes(made.faces, made.n_nodes());
   return made;
+}
+
+void add_backing(const Model& model, ContactFaces& faces) {
+  faces.mass.clear();
+  for (const std::uint32_t node : faces.mesh_nodes)
+    faces.mass.push_back(model.mass(0, static_cast<Eigen::Index>(node)));
+  const Materials materials(model);
+  for (ContactFace& face : faces.faces) materials.add(face.side, face.backing);
+  for (SurfaceNode& node : faces.surface_nodes) materials.add(node.side, node.backing);
 }
 
 }  // namespace contactsim

@@ -36,6 +36,7 @@ struct SurfaceNode {
   std::uint32_t node = 0;  ///< contact node
   std::uint32_t surface = 0;
   double area = 0.0;  ///< its share of the surface at the start [length^2]
+  ElementSide side;   ///< a face that has it
   Backing backing;
 };
 
@@ -53,8 +54,13 @@ struct ContactFaces {
   std::size_t n_nodes() const { return mesh_nodes.size(); }
 };
 
-/// Numbers the faces and nodes of the surfaces of solids. Lofted elements are left out.
+/// Numbers the faces and nodes of the surfaces of solids, with the thickness of the elements behind them.
+/// Lofted elements are left out, and so are nodes of node sets that no outside face of the mesh has: they lie
+/// behind it.
+ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh);
+
+/// Adds masses, and stiffness and mass per area behind faces and nodes.
 ///   model  its blocks hold every element with a contact face
-ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Model& model);
+void add_backing(const Model& model, ContactFaces& faces);
 
 }  // namespace contactsim

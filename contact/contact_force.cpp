@@ -12,13 +12,15 @@ namespace contactsim {
 
 namespace {
 
-/// Rows that are worked on as one piece, and pieces that are worked on before their places are added up: enough for
-/// the threads, and few enough to stay in the cache. Fixed, so that sums do not depend on the number of threads.
+/// Rows that are worked on as one piece, and pieces that are worked on before their places are added up:
+/// enough for the threads, and few enough to stay in the cache. Fixed, so that sums do not depend on the
+/// number of threads.
 constexpr std::size_t rows_per_chunk = 256, chunks_per_batch = 32;
 
 std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   std::vector<ActiveTimes> times;
-  for (const SurfacePair& pair : setup.contact.pairs) times.push_back(make_active_times(pair.periods, setup.blocks));
+  for (const SurfacePair& pair : setup.contact.pairs)
+    times.push_back(make_active_times(pair.periods, setup.blocks));
   return times;
 }
 
@@ -26,7 +28,8 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact.surfaces, setup.model)),
+      faces_(make_contact_faces(setup.contact.surfaces, *setup.model.mesh)),
+      times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size()),
       surface_(faces_),
       search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
@@ -35,8 +38,9 @@ ContactForce::ContactForce(const ContactSetup& setup)
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
       chunks_(chunks_per_batch),
-      starts_(setup.contact.pairs.size()),
-      histories_(setup.contact.pairs.size()) {}
+      histories_(setup.contact.pairs.size()) {
+  add_backing(setup.model, faces_);
+}
 
 void ContactForce::find_candidates(const Motion& motion) {
   search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
@@ -61,7 +65,7 @@ void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, c
   for (std::size_t batch = 0; batch < n_rows; batch += rows_per_batch) {
     const std::size_t n_chunks =
         std::min(chunks_per_batch, (n_rows - batch + rows_per_chunk - 1) / rows_per_chunk);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_for(n_chunks * rows_per_chunk * 10))
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_for(n_chunks* rows_per_chunk * 10))
     for (std::size_t i = 0; i < n_chunks; ++i) {
       const std::size_t begin = batch + i * rows_per_chunk;
       chunks_[i].clear();
@@ -103,8 +107,8 @@ void ContactForce::add_places(const ContactScene& scene) {
 void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) {
   constexpr double any_gap = std::numeric_limits<double>::infinity();
   std::optional<Tie> tie;
-  const bool is_node = record.first.weights == Eigen::Vector4d::UnitX() &&
-                       record.first.nodes[0] == record.first.nodes[3];
+  const bool is_node =
+      record.first.weights == Eigen::Vector4d::UnitX() && record.first.nodes[0] == record.first.nodes[3];
   if (is_node) {
     if (glued_.add_node(record.first_place, record.pair))
       tie = make_node_tie(scene, record.first_place, record.second_place, any_gap);
@@ -117,14 +121,15 @@ void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) 
 double ContactForce::largest_eigenvalue() {
   double largest = 0.0;
   const auto nodes = sums_.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i) largest = std::max(largest, 2.0 * nodes[i][3] / faces_.mass[i]);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    largest = std::max(largest, 2.0 * nodes[i][3] / faces_.mass[i]);
   return largest;
 }
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   forces.setZero();
   surface_.update(motion);
-  rules_.activate(motion.time);
+  rules_.activate(motion.time, times_.is_active(motion.time));
   if (!has_begun_) {
     begin(motion);
   } else if (search_.is_due(surface_)) {
@@ -133,8 +138,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   sums_.begin_step(motion.dt);
   add_places({surface_, rules_, glued_, motion.dt});
   const auto nodes = sums_.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
   note_histories(motion);
   ForceReport report;
   report.friction_work = sums_.dissipated();

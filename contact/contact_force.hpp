@@ -21,19 +21,19 @@ namespace contactsim {
 /// What contact is made of in a run.
 struct ContactSetup {
   const ContactDefinition& definition;
-  const ContactModel& contact;                ///< its surfaces are of solids, of nodes and analytic
+  const ContactModel& contact;  ///< its surfaces are of solids, of nodes and analytic
   const Model& model;
   std::span<const TimeSteppingBlock> blocks;  ///< the periods of the procedure
 };
 
 /// How much contact lowers the stable step.
 struct ContactStep {
-  double share = 0.0;  ///< of its stable step that the run loses, largest so far [1]
+  double share = 0.0;             ///< of its stable step that the run loses, largest so far [1]
   std::optional<NodeIndex> node;  ///< that is held most stiffly, at that time
 };
 
-/// The forces of contact: search when something has moved far enough, places of contact, penalties, friction and
-/// ties. Each place pushes both sides alike. The same bits for any number of threads.
+/// The forces of contact: search when something has moved far enough, places of contact, penalties, friction
+/// and ties. Each place pushes both sides alike. The same bits for any number of threads.
 class ContactForce final : public ForceTerm {
  public:
   /// All that the setup refers to must outlive this.
@@ -46,13 +46,13 @@ class ContactForce final : public ForceTerm {
 
   const ContactFaces& faces() const { return faces_; }
   const ContactSearch& search() const { return search_; }
-  std::span<const PairStart> starts() const { return starts_; }
   std::span<const PairHistory> histories() const { return histories_; }
   std::span<const PairStep> pair_steps() const { return sums_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return sums_.friction(); }
   const ContactStep& step_share() const { return step_share_; }
   std::size_t n_candidates() const {
-    return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() + planes_.n_rows();
+    return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() +
+           planes_.n_rows();
   }
 
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
@@ -70,10 +70,10 @@ class ContactForce final : public ForceTerm {
   void add_places(const ContactScene& scene);
   double largest_eigenvalue();
   void note_histories(const Motion& motion);
-  void note_starts(const ContactScene& scene);
 
   ContactSetup setup_;
   ContactFaces faces_;
+  ActiveTimes times_;  // of all contact
   PairRules rules_;
   GluedPlaces glued_;
   MovingSurface surface_;
@@ -84,7 +84,6 @@ class ContactForce final : public ForceTerm {
   std::vector<Tie> ties_;
   ContactSums sums_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch
-  std::vector<PairStart> starts_;
   std::vector<PairHistory> histories_;
   ContactStep step_share_;
   bool has_begun_ = false;

@@ -22,8 +22,8 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
   }
 }
 
-void PairRules::activate(double time) {
-  for (PairRule& rule : rules_) rule.is_active = rule.times.is_active(time);
+void PairRules::activate(double time, bool is_on) {
+  for (PairRule& rule : rules_) rule.is_active = is_on && rule.times.is_active(time);
 }
 
 bool PairRules::has_friction() const {

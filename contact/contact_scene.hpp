@@ -35,7 +35,9 @@ class PairRules {
   ///   times  [n_pairs] at which each is active
   PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces);
 
-  void activate(double time);
+  /// Says which pairs act now.
+  ///   is_on  whether any does
+  void activate(double time, bool is_on);
   std::span<const PairRule> rules() const { return rules_; }
   const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
   /// Position of the pair of two surfaces in either order; `none` if they do not meet.

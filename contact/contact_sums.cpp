@@ -84,7 +84,8 @@ void ContactSums::add(const Tie& tie, const TieForces& forces, const MovingSurfa
 void ContactSums::end_step() {
   for (std::size_t i = 0; i < friction_.size(); ++i) {
     const double area = slips_[i][3];
-    friction_[i].last_slip = area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
+    friction_[i].last_slip =
+        area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
     friction_[i].slip += friction_[i].last_slip;
     friction_[i].slip_length += friction_[i].last_slip.norm();
   }

@@ -13,10 +13,11 @@ namespace contactsim {
 
 /// What a pair of surfaces does in a step.
 struct PairStep {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the pair's first surface; of self contact on the first sides [force]
-  double area = 0.0;        ///< that touches [length^2]
-  double work = 0.0;        ///< taken up by contact in the step, friction and damping included [energy]
-  double dissipated = 0.0;  ///< by friction in the step [energy]
+  Eigen::Vector3d force =
+      Eigen::Vector3d::Zero();  ///< on the pair's first surface; of self contact on the first sides [force]
+  double area = 0.0;            ///< that touches [length^2]
+  double work = 0.0;            ///< taken up by contact in the step, friction and damping included [energy]
+  double dissipated = 0.0;      ///< by friction in the step [energy]
   bool touches = false;
 };
 
@@ -28,8 +29,8 @@ struct NodeFriction {
   Eigen::Vector3d last_slip = Eigen::Vector3d::Zero();  ///< of the last step [length]
 };
 
-/// Adds places of contact up at nodes and pairs. Records come in one order, whatever the number of threads, so that
-/// the sums have the same bits.
+/// Adds places of contact up at nodes and pairs. Records come in one order, whatever the number of threads,
+/// so that the sums have the same bits.
 class ContactSums {
  public:
   ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction);

@@ -27,7 +27,8 @@ bool is_tied(const ContactScene& scene, std::uint32_t surface, std::uint32_t oth
   return pair != PairRules::none && scene.rules[pair].law == ContactLaw::tied && scene.rules[pair].is_active;
 }
 
-void set_nodes(const std::array<std::uint32_t, 4>& first, const std::array<std::uint32_t, 4>& second, Tie& tie) {
+void set_nodes(const std::array<std::uint32_t, 4>& first, const std::array<std::uint32_t, 4>& second,
+               Tie& tie) {
   std::copy(first.begin(), first.end(), tie.nodes.begin());
   std::copy(second.begin(), second.end(), tie.nodes.begin() + 4);
 }
@@ -61,7 +62,8 @@ std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first,
   return tie;
 }
 
-std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, std::uint32_t face, double tolerance) {
+std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
+                                 double tolerance) {
   if (!distance_to(scene, row, face, tolerance)) return std::nullopt;
   const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
   const ContactFace& other = scene.surface.faces().faces[face];
@@ -82,8 +84,8 @@ std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, s
   return tie;
 }
 
-std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_partners, const PairLists& node_faces,
-                           double size_share) {
+std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_partners,
+                           const PairLists& node_faces, double size_share) {
   const ContactFaces& faces = scene.surface.faces();
   std::vector<Tie> ties;
   for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {

@@ -112,7 +112,19 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const double factor = memory_[row].n_touches > 0 ? known_depth : 1.0;
   hit.penalty.depth = std::max(factor * hit.penalty.depth, 1.5 * closed);
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
-  if (stands_over(scene, face_index, hit)) hits.add(hit);
+  if (looks_at(scene, node, hit.point.normal) && stands_over(scene, face_index, hit)) hits.add(hit);
+}
+
+bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
+                                const Eigen::Vector3d& normal) const {
+  constexpr double most_aside = -0.3;  // as of faces
+  bool has_faces = false;
+  for (const std::uint32_t own : faces_.faces_of_node.of(node.node)) {
+    if (faces_.faces[own].surface != node.surface) continue;
+    if (scene.surface.bound(own).normal.dot(normal) < most_aside) return true;
+    has_faces = true;
+  }
+  return !has_faces;
 }
 
 bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face_index,

@@ -42,6 +42,9 @@ class NodeFaceContacts {
 
   void find_one(const ContactScene& scene, std::uint32_t row, std::vector<ContactRecord>& records);
   void look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face, Hits& hits) const;
+  /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
+  /// always.
+  bool looks_at(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;
   ContactRecord make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;

@@ -12,9 +12,13 @@ class MeshMaker:
         self.nodes, self.given, self.points, self.place = {}, [], [], place
         self.blocks, self.side_sets, self.node_sets = [], [], []
 
+    def new_body(self):
+        """From here on nodes are no longer shared with what there is, so that bodies may touch."""
+        self.nodes = {}
+
     def node(self, x, y, z):
         point = self.place(x, y, z)
-        number = self.nodes.setdefault(tuple(round(c, 9) for c in point), len(self.nodes) + 1)
+        number = self.nodes.setdefault(tuple(round(c, 9) for c in point), len(self.points) + 1)
         if number > len(self.points):
             self.points.append(point)
             self.given.append((x, y, z))
@@ -64,7 +68,7 @@ class MeshMaker:
                         "floating_point_word_size": np.int32(8), "file_size": np.int32(1),
                         "title": "mesh of a contactsim deck"})
         for name, size in [("len_string", 33), ("len_name", 33), ("four", 4), ("num_dim", 3),
-                           ("num_nodes", len(self.nodes)), ("num_elem", sum(len(b[2]) for b in self.blocks)),
+                           ("num_nodes", len(self.points)), ("num_elem", sum(len(b[2]) for b in self.blocks)),
                            ("num_el_blk", len(self.blocks)), ("num_side_sets", len(self.side_sets)),
                            ("num_node_sets", len(self.node_sets))]:
             if size > 0:

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/pair_starts.hpp"
+
+#include <cmath>
+
+#include "contact/contact_search.hpp"
+#include "contact/node_face.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Counts a candidate, and its gap where it has one.
+void note(std::optional<double> gap, PairStart& start) {
+  ++start.n_in_reach;
+  if (gap && !(start.smallest_gap <= *gap)) start.smallest_gap = *gap;
+}
+
+std::optional<double> gap_of_faces(const MovingSurface& surface, std::uint32_t first, std::uint32_t second) {
+  const auto found = find_face_face_points(surface.face(first), surface.face(second));
+  if (!found) return std::nullopt;
+  double least = std::numeric_limits<double>::infinity();
+  for (int b = 0; b < found->points.n_batches; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    least = std::min(least, (found->points.weight[k] > 0.0).select(found->gap[k], least).minCoeff());
+  }
+  const double deepest = surface.faces().faces[first].backing.thickness;
+  return least > -deepest ? std::optional(least) : std::nullopt;
+}
+
+std::optional<double> gap_of_node(const MovingSurface& surface, std::uint32_t row, std::uint32_t face) {
+  const MovingFace moving = surface.face(face);
+  const Eigen::Vector3d x = surface.x(surface.faces().surface_nodes[row].node);
+  const auto point = project_onto_face(moving.x, moving.is_triangle, x);
+  const double deepest = surface.faces().faces[face].backing.thickness;
+  if (!point || point->edge >= 0 || point->gap < -deepest) return std::nullopt;
+  return point->gap;
+}
+
+/// Gaps to planes.
+void add_planes(const ContactModel& model, const MovingSurface& surface, std::vector<PairStart>& starts) {
+  const ContactFaces& faces = surface.faces();
+  for (std::size_t i = 0; i < model.pairs.size(); ++i) {
+    const SurfacePair& pair = model.pairs[i];
+    const auto add = [&](std::uint32_t with_plane, std::uint32_t other) {
+      for (const std::uint32_t plane : model.surfaces.surfaces[with_plane].analytic_planes) {
+        const AnalyticPlane& wall = model.planes[plane];
+        for (std::uint32_t n = faces.first_node[other]; n < faces.first_node[other + 1]; ++n) {
+          const Eigen::Vector3d away = surface.x(faces.surface_nodes[n].node) - wall.origin;
+          note(away.dot(wall.normal.normalized()), starts[i]);
+        }
+      }
+    };
+    add(pair.first, pair.second);
+    if (pair.first != pair.second) add(pair.second, pair.first);
+  }
+}
+
+}  // namespace
+
+std::vector<PairStart> find_pair_starts(const ContactModel& model, const Mesh& mesh, const DashOptions& dash) {
+  std::vector<PairStart> starts(model.pairs.size());
+  const ContactFaces faces = make_contact_faces(model.surfaces, mesh);
+  const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size());
+  MovingSurface surface(faces);
+  const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  const Motion motion{0.0, 0.0, mesh.coordinates(), at_rest};
+  surface.update(motion);
+  ContactSearch search(faces, mesh, rules, {}, dash);
+  PairLists face_partners, node_faces;
+  search.find(surface, motion, {face_partners, node_faces});
+  for (std::uint32_t a = 0; a < face_partners.n_rows(); ++a) {
+    for (const std::uint32_t b : face_partners.of(a))
+      note(gap_of_faces(surface, a, b), starts[rules.find(faces.faces[a].surface, faces.faces[b].surface)]);
+  }
+  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
+    for (const std::uint32_t face : node_faces.of(row))
+      note(gap_of_node(surface, row, face),
+           starts[rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface)]);
+  }
+  add_planes(model, surface, starts);
+  return starts;
+}
+
+}  // namespace contactsim
