@@ -69,6 +69,7 @@ class Run {
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
     if (contact_ == nullptr) return;
+    is_for_overlap_only_ = input.region.contact->overlap_removal.is_all_there_is;
     timed_contact_.emplace(*contact_);
     state_.forces.contact = Eigen::Matrix3Xd::Zero(3, model_.mesh->n_nodes());
   }
@@ -114,6 +115,7 @@ class Run {
   void look_for_end() {
     const double begun = clock_seconds();
     end_ = outputs_.find_end(state_);
+    if (is_for_overlap_only_) end_ = "OVERLAP REMOVAL ONLY";
     output_seconds_ += clock_seconds() - begun;
   }
 
@@ -173,6 +175,7 @@ class Run {
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
   double output_seconds_ = 0.0;
+  bool is_for_overlap_only_ = false;  // the deck wants no steps
   bool has_warned_ = false;
   std::optional<std::string> end_;  // why the run ends before its termination time
 };
