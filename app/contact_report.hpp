@@ -7,8 +7,8 @@
 
 namespace contactsim {
 
-/// What the search of a run did, what is tied, and how much contact lowered the stable step. Without times of the
-/// clock.
+/// What the search of a run did, what is tied, and how much contact lowered the stable step. Without times of
+/// the clock.
 std::string format_contact(const ContactForce& contact);
 
 }  // namespace contactsim

@@ -74,13 +74,6 @@ void divide(BoxTree& tree) {
   constexpr std::uint32_t n_parts = 64;
   tree.branches.clear();
   tree.crown.clear();
-  tree.depth = 0;
-  std::vector<std::uint32_t> level(tree.nodes.size());
-  for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
-    tree.depth = std::max(tree.depth, ++level[i]);
-    const BoxNode& node = tree.nodes[i];
-    if (!node.is_leaf()) level[node.link] = level[node.link + 1] = level[i];
-  }
   const std::uint32_t branch_size = tree.n_boxes() / n_parts + 1;
   std::vector<std::uint32_t> open(tree.nodes.empty() ? 0 : 1, 0u);
   while (!open.empty()) {

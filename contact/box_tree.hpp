@@ -2,7 +2,11 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -33,27 +37,53 @@ struct BoxNode {
 };
 static_assert(sizeof(BoxNode) == 32);
 
+/// One side of a node, lo or hi, and in the fourth lane what is no coordinate.
+using NodeSide [[gnu::vector_size(16)]] = float;
+
 /// Whether the boxes of two nodes share a point. Never false when boxes below them do.
 inline bool do_overlap(const BoxNode& a, const BoxNode& b) {
-  const bool x = (a.lo[0] <= b.hi[0]) & (b.lo[0] <= a.hi[0]);
-  const bool y = (a.lo[1] <= b.hi[1]) & (b.lo[1] <= a.hi[1]);
-  const bool z = (a.lo[2] <= b.hi[2]) & (b.lo[2] <= a.hi[2]);
-  return x & y & z;
+  const auto side = [](const BoxNode& node, std::size_t first_byte) {
+    NodeSide lanes;
+    std::memcpy(&lanes, reinterpret_cast<const std::byte*>(&node) + first_byte, sizeof lanes);
+    return lanes;
+  };
+  constexpr std::size_t lo = offsetof(BoxNode, lo), hi = offsetof(BoxNode, hi);
+  const auto lanes = (side(a, lo) <= side(b, hi)) & (side(b, lo) <= side(a, hi));
+  const auto halves = std::bit_cast<std::array<std::uint64_t, 2>>(lanes);
+  constexpr std::uint64_t all = ~std::uint64_t{0}, fourth_lane = all << 32;
+  return (halves[0] & (halves[1] | fourth_lane)) == all;
 }
+
+/// Memory whose second node begins a cache line, so that the two children of a node share one.
+template <class Node>
+struct SiblingAllocator {
+  using value_type = Node;
+  static constexpr std::align_val_t line{64};
+  static_assert(2 * sizeof(Node) == 64);
+
+  SiblingAllocator() = default;
+  template <class Other>
+  SiblingAllocator(const SiblingAllocator<Other>&) {}
+
+  Node* allocate(std::size_t n) {
+    return static_cast<Node*>(::operator new((n + 1) * sizeof(Node), line)) + 1;
+  }
+  void deallocate(Node* first, std::size_t) { ::operator delete(first - 1, line); }
+  bool operator==(const SiblingAllocator&) const { return true; }
+};
 
 /// A binary tree over n boxes, flat in memory. Children stand after their parents, and all that is below a
 /// node stands together, from its first child on: 2 * n_boxes - 2 nodes.
 struct BoxTree {
-  std::vector<BoxNode> nodes;           ///< [2 n - 1], the root first; empty without boxes
+  std::vector<BoxNode, SiblingAllocator<BoxNode>> nodes;  ///< [2 n - 1], the root first; empty without boxes
   std::vector<std::uint32_t> branches;  ///< nodes whose subtrees are disjoint and hold all boxes
   std::vector<std::uint32_t> crown;     ///< the nodes above the branches, parents first
-  std::uint32_t depth = 0;              ///< nodes on the longest way down
 
   /// How many boxes it is over.
   std::uint32_t n_boxes() const { return nodes.empty() ? 0 : nodes.front().n_boxes; }
 };
 
-/// Fills in branches, crown and depth of a tree whose nodes are linked.
+/// Fills in branches and crown of a tree whose nodes are linked.
 void divide(BoxTree& tree);
 
 /// Fits the nodes to boxes that have moved; who is whose child stays. Runs on OpenMP's threads.

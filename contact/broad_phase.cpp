@@ -55,28 +55,39 @@ BoxTree make_box_tree(std::span<const Box> boxes) {
 std::optional<std::uint32_t> BroadPhase::update(std::span<const Box> boxes) {
   const auto unsound = std::find_if_not(boxes.begin(), boxes.end(), is_sound);
   if (unsound != boxes.end()) return static_cast<std::uint32_t>(unsound - boxes.begin());
-  constexpr double worth_a_build = 1.2;
-  const bool is_stale = fresh_effort_ > 0.0 && effort_ > worth_a_build * fresh_effort_;
-  if (counts_.builds == 0 || boxes.size() != tree_.n_boxes() || is_stale) {
+  if (counts_.builds == 0 || boxes.size() != tree_.n_boxes() || is_slow()) {
     tree_ = make_box_tree(boxes);
     ++counts_.builds;
-    fresh_effort_ = 0.0;
+    fresh_effort_.reset();
   } else {
     refit(tree_, boxes);
     ++counts_.refits;
-    if (fresh_effort_ == 0.0) fresh_effort_ = effort_;
+    if (!fresh_effort_ && effort_ > 0.0) fresh_effort_ = effort_;
   }
   effort_ = 0.0;
   return std::nullopt;
 }
 
-void BroadPhase::note_search(std::size_t n_pairs, std::uint32_t n_partners) {
-  std::uint64_t visits = 0;
-  for (const FoundPairs& part : parts_) visits += part.visits;
+bool BroadPhase::is_slow() const {
+  // A build takes as long as some forty visits to every box; searches that look at fewer pairs than there are
+  // boxes, as between bodies apart, are never worth one.
+  constexpr double growth = 1.2, least_effort = 1.0;
+  return fresh_effort_ && effort_ > growth * std::max(*fresh_effort_, least_effort);
+}
+
+double BroadPhase::count_search(std::size_t n_kept, std::uint32_t n_partners) {
+  std::uint64_t visits = 0, overlaps = 0;
+  for (const FoundPairs& part : parts_) {
+    visits += part.visits;
+    overlaps += part.overlaps;
+  }
   counts_.visits += visits;
-  counts_.candidates += n_pairs;
-  const double n_asked = 1.0 * tree_.n_boxes() + n_partners + static_cast<double>(n_pairs);
-  if (n_asked > 0.0) effort_ = std::max(effort_, static_cast<double>(visits) / n_asked);
+  counts_.overlaps += overlaps;
+  counts_.candidates += n_kept;
+  const std::uint64_t n_asked = tree_.n_boxes() + n_partners + overlaps;
+  const double effort = n_asked > 0 ? static_cast<double>(visits) / static_cast<double>(n_asked) : 0.0;
+  note_effort(effort);
+  return effort;
 }
 
 }  // namespace contactsim

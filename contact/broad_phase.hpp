@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,7 +24,8 @@ struct BroadPhaseCounts {
   std::uint64_t builds = 0;      ///< trees built, the first one included
   std::uint64_t refits = 0;      ///< trees fitted to moved boxes
   std::uint64_t visits = 0;      ///< pairs of tree nodes looked at
-  std::uint64_t candidates = 0;  ///< pairs of boxes handed out
+  std::uint64_t overlaps = 0;    ///< pairs of boxes that overlapped
+  std::uint64_t candidates = 0;  ///< those of them that were kept
 };
 
 /// Finds which boxes of a moving set meet which of its own or of another set.
@@ -37,15 +40,16 @@ class BroadPhase {
 
   /// Lists the partners of each of these boxes among the others: all that overlap and for which
   /// keep(row, partner) holds. Boxes closer than one part in 10^7 of their coordinates may count as
-  /// overlapping. The result is the same for any number of threads; keep is called from several at once.
+  /// overlapping unless keep looks. The result is the same for any number of threads; keep is called from
+  /// several at once.
   ///   partners  another broad phase, not this one
   ///   lists     overwritten, its memory reused; a row for each of these boxes
   template <class Keep>
   void find_pairs(BroadPhase& partners, const Keep& keep, PairLists& lists) {
+    assert(&partners != this);
     find_tree_pairs<false>(tree_, partners.tree_, keep, parts_);
     list_pairs(parts_, tree_.n_boxes(), lists);
-    note_search(lists.partners.size(), partners.tree_.n_boxes());
-    partners.effort_ = std::max(partners.effort_, effort_);
+    partners.note_effort(count_search(lists.partners.size(), partners.tree_.n_boxes()));
   }
 
   /// The same among these boxes, each pair once: partners have greater numbers than their row.
@@ -53,21 +57,22 @@ class BroadPhase {
   void find_pairs(const Keep& keep, PairLists& lists) {
     find_tree_pairs<true>(tree_, tree_, keep, parts_);
     list_pairs(parts_, tree_.n_boxes(), lists);
-    note_search(lists.partners.size(), 0);
+    count_search(lists.partners.size(), 0);
   }
 
   const BroadPhaseCounts& counts() const { return counts_; }
 
  private:
-  void build(std::span<const Box> boxes);
-  /// Counts what the last search took.
-  void note_search(std::size_t n_pairs, std::uint32_t n_partners);
+  /// Counts what the last search took, and returns its visits per box and overlap [1].
+  double count_search(std::size_t n_kept, std::uint32_t n_partners);
+  void note_effort(double effort) { effort_ = std::max(effort_, effort); }
+  bool is_slow() const;
 
   BoxTree tree_;
   std::vector<FoundPairs> parts_;  ///< of the last search
   BroadPhaseCounts counts_;
-  double effort_ = 0.0;        ///< visits per box and pair since the last update, the greatest [1]
-  double fresh_effort_ = 0.0;  ///< the same right after the last build, 0 if not known yet [1]
+  double effort_ = 0.0;  ///< visits per box and overlap since the last update, the greatest [1]
+  std::optional<double> fresh_effort_;  ///< the same of the first searches after the last build [1]
 };
 
 }  // namespace contactsim

@@ -141,7 +141,7 @@ class Materials {
 
   void add(ElementSide side, Backing& backing) const {
     const SolidProperties& properties = of_block_[model_.mesh->block_of(side.element())]->properties;
-    backing.stiffness = moduli_of(properties.law).bulk / backing.thickness;
+    backing.stiffness = penalty_over_element * moduli_of(properties.law).bulk / backing.thickness;
     backing.mass_per_area = 0.5 * properties.density * backing.thickness;
   }
 

@@ -19,6 +19,10 @@ struct Backing {
   double mass_per_area = 0.0;  ///< that moves with the face [mass/length^2]
 };
 
+/// How much stiffer than the element behind it a penalty is. Nodes of elements that set the step cannot bear
+/// it and get less (limit_stiffness); where others do, contact is nearly rigid.
+inline constexpr double penalty_over_element = 10.0;
+
 /// One face of a contact surface.
 struct ContactFace {
   std::array<std::uint32_t, 4>

@@ -111,25 +111,21 @@ PlanePoints place_points(const Polygon& polygon, OverlapPoints& points) {
   return placed;
 }
 
-/// Finds where points of the plane lie on a face, by Newton's method from the face's linear part. Exact at
-/// once for triangles and parallelograms.
+double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Finds where points of the plane lie on a face. With d the way from c0 to the point, d - c2 eta is parallel
+/// to c1 + c3 eta: a quadratic equation for eta, of which the root is taken that stays when the face is
+/// straightened.
 void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes& eta) {
-  constexpr int max_iterations = 8;
-  constexpr double accuracy = 1e-13;  // of the face's size: a few roundings
   const auto& c = map.c;
-  const double size = std::abs(c[1][0]) + std::abs(c[1][1]) + std::abs(c[2][0]) + std::abs(c[2][1]);
-  xi.setZero();
-  eta.setZero();
-  for (int i = 0; i < max_iterations; ++i) {
-    const Lanes ru = u - (c[0][0] + c[1][0] * xi + (c[2][0] + c[3][0] * xi) * eta);
-    const Lanes rv = v - (c[0][1] + c[1][1] * xi + (c[2][1] + c[3][1] * xi) * eta);
-    if (i > 0 && ru.abs().max(rv.abs()).maxCoeff() <= accuracy * size) return;
-    const Lanes a = c[1][0] + c[3][0] * eta, b = c[2][0] + c[3][0] * xi;
-    const Lanes d = c[1][1] + c[3][1] * eta, e = c[2][1] + c[3][1] * xi;
-    const Lanes det = a * e - b * d;
-    xi += (ru * e - rv * b) / det;
-    eta += (rv * a - ru * d) / det;
-  }
+  const Lanes du = u - c[0][0], dv = v - c[0][1];
+  const double area = cross(c[1], c[2]), a = -cross(c[2], c[3]);
+  const Lanes b = area + du * c[3][1] - dv * c[3][0];
+  const Lanes e = du * c[1][1] - dv * c[1][0];
+  const Lanes root = (b * b - (4.0 * a) * e).max(0.0).sqrt();
+  eta = -2.0 * e / (b + (area < 0.0 ? Lanes(-root) : root));
+  const Lanes pu = c[1][0] + c[3][0] * eta, pv = c[1][1] + c[3][1] * eta;
+  xi = ((du - c[2][0] * eta) * pu + (dv - c[2][1] * eta) * pv) / (pu * pu + pv * pv);
 }
 
 }  // namespace

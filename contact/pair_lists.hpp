@@ -27,12 +27,13 @@ struct RowPartner {
 /// Pairs in the order in which one part of a search met them.
 struct FoundPairs {
   std::vector<RowPartner> pairs;
-  std::uint64_t visits = 0;  ///< pairs of nodes looked at
+  std::uint64_t visits = 0;    ///< pairs of nodes looked at
+  std::uint64_t overlaps = 0;  ///< pairs of boxes that overlapped, kept or not
 
   /// Forgets the pairs and keeps their memory.
   void clear() {
     pairs.clear();
-    visits = 0;
+    visits = overlaps = 0;
   }
 };
 

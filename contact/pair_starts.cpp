@@ -58,10 +58,12 @@ void add_planes(const ContactModel& model, const MovingSurface& surface, std::ve
 
 }  // namespace
 
-std::vector<PairStart> find_pair_starts(const ContactModel& model, const Mesh& mesh, const DashOptions& dash) {
+std::vector<PairStart> find_pair_starts(const ContactModel& model, const Mesh& mesh,
+                                        const DashOptions& dash) {
   std::vector<PairStart> starts(model.pairs.size());
   const ContactFaces faces = make_contact_faces(model.surfaces, mesh);
-  const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size());
+  const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()),
+                        model.surfaces.surfaces.size());
   MovingSurface surface(faces);
   const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
   const Motion motion{0.0, 0.0, mesh.coordinates(), at_rest};

@@ -2,30 +2,24 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "contact/box_tree.hpp"
+#include "contact/node_pairs.hpp"
 #include "contact/pair_lists.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
 
-/// A node of the tree of rows and one of the tree of partners, to be looked at together. In a tree that meets
-/// itself a node with itself stands for all pairs below it.
-struct NodePair {
-  std::uint32_t row, partner;
-};
-
-/// The descent of two trees together; `is_self` when both are the same one, whose pairs then come once each,
-/// the box of the smaller number first.
+/// The descent of two trees together, both sides at a time; `is_self` when both are the same one, whose pairs
+/// then come once each, the box of the smaller number first.
 template <bool is_self>
 class TreePairs {
  public:
   TreePairs(const BoxTree& rows, const BoxTree& partners)
-      : rows_(rows.nodes.data()),
-        partners_(partners.nodes.data()),
-        n_open_(2 * (rows.depth + partners.depth)) {}
+      : rows_(rows.nodes.data()), partners_(partners.nodes.data()) {}
 
   /// Some 256 pairs of nodes, below which lie all pairs of boxes that overlap, for threads to share out.
   /// Precondition: neither tree is empty.
@@ -38,12 +32,8 @@ class TreePairs {
       can_open = false;
       next.clear();
       for (const NodePair pair : pairs) {
-        if (is_last(pair)) {
-          next.push_back(pair);
-        } else {
-          can_open = true;
-          open(pair, [&](NodePair below) { next.push_back(below); });
-        }
+        can_open |= !is_last(pair);
+        open_to(pair, next);
       }
       pairs.swap(next);
     }
@@ -53,45 +43,84 @@ class TreePairs {
   /// Adds the pairs of boxes below a pair of nodes for which keep(row, partner) holds.
   template <class Keep>
   void find_below(NodePair top, const Keep& keep, FoundPairs& found) const {
-    std::vector<NodePair> stack(n_open_ + 1);
-    NodePair* open_pairs = stack.data();
-    std::uint64_t visits = 0;
-    *open_pairs++ = top;
-    while (open_pairs != stack.data()) {
-      const NodePair pair = *--open_pairs;
-      ++visits;
-      if (is_last(pair)) {
-        add(pair, keep, found);
-      } else {
-        open(pair, [&](NodePair below) { *open_pairs++ = below; });
-      }
+    NodePairStack stack;
+    Bunch bunch, last;
+    if (is_twin(top)) {
+      push_siblings(top.row, stack);
+    } else {
+      stack.push(top);
     }
-    found.visits += visits;
+    while (!stack.empty()) {
+      const std::size_t n = stack.pop(bunch);
+      found.visits += n;
+      NodePair *waiting = stack.room_for_children(), *end = last.data();
+      for (std::size_t i = 0; i < n; ++i) step(bunch[i], waiting, end);
+      stack.end_at(waiting);
+      found.overlaps += static_cast<std::uint64_t>(end - last.data());
+      for (const NodePair* pair = last.data(); pair != end; ++pair) add(*pair, keep, found);
+    }
   }
 
  private:
-  bool is_last(NodePair pair) const { return rows_[pair.row].is_leaf() && partners_[pair.partner].is_leaf(); }
+  using Bunch = NodePairStack::Bunch;
 
-  /// Calls push for the overlapping pairs one step down from a pair that is not the last.
-  template <class Push>
-  void open(NodePair pair, const Push& push) const {
+  bool is_last(NodePair pair) const { return rows_[pair.row].is_leaf() && partners_[pair.partner].is_leaf(); }
+  static bool is_twin(NodePair pair) { return is_self && pair.row == pair.partner; }
+
+  /// Sends a pair of leaves to `last`, and the overlapping pairs one step down from any other to `waiting`:
+  /// below both nodes, or below the larger one when it is much larger. Without branches: which way they go is
+  /// chance.
+  void step(NodePair pair, NodePair*& waiting, NodePair*& last) const {
+    constexpr std::uint32_t much = 8;
     const BoxNode &row = rows_[pair.row], &partner = partners_[pair.partner];
-    if (is_self && pair.row == pair.partner) {
-      push({row.link, row.link});
-      push({row.link + 1, row.link + 1});
-      if (do_overlap(rows_[row.link], rows_[row.link + 1])) push({row.link, row.link + 1});
-    } else if (row.n_boxes >= partner.n_boxes) {
-      if (do_overlap(rows_[row.link], partner)) push({row.link, pair.partner});
-      if (do_overlap(rows_[row.link + 1], partner)) push({row.link + 1, pair.partner});
+    const auto [row_1, has_row_2] = open_node(row, pair.row, row.n_boxes < partner.n_boxes / much);
+    const auto [partner_1, has_partner_2] =
+        open_node(partner, pair.partner, partner.n_boxes < row.n_boxes / much);
+    const std::uint32_t row_2 = row_1 + has_row_2, partner_2 = partner_1 + has_partner_2;
+    const std::uint32_t opens = has_row_2 | has_partner_2;
+    *last = pair;
+    last += 1 - opens;
+    put_if(opens, {row_1, partner_1}, waiting);
+    put_if(has_partner_2, {row_1, partner_2}, waiting);
+    put_if(has_row_2, {row_2, partner_1}, waiting);
+    put_if(has_row_2 & has_partner_2, {row_2, partner_2}, waiting);
+  }
+
+  /// Writes a pair at `to`, to stay there if `is_one` is 1 and its nodes overlap.
+  void put_if(std::uint32_t is_one, NodePair pair, NodePair*& to) const {
+    *to = pair;
+    to += is_one & static_cast<std::uint32_t>(do_overlap(rows_[pair.row], partners_[pair.partner]));
+  }
+
+  /// Adds to a list what is one step down from a pair, or a last pair itself.
+  void open_to(NodePair pair, std::vector<NodePair>& list) const {
+    if (is_last(pair)) {
+      list.push_back(pair);
+    } else if (is_twin(pair)) {
+      const std::uint32_t child = rows_[pair.row].link;
+      list.insert(list.end(), {{child, child}, {child + 1, child + 1}});
+      if (do_overlap(rows_[child], rows_[child + 1])) list.push_back({child, child + 1});
     } else {
-      if (do_overlap(row, partners_[partner.link])) push({pair.row, partner.link});
-      if (do_overlap(row, partners_[partner.link + 1])) push({pair.row, partner.link + 1});
+      std::array<NodePair, 5> below, last;
+      NodePair *end_below = below.data(), *end_last = last.data();
+      step(pair, end_below, end_last);
+      list.insert(list.end(), below.data(), end_below);
     }
+  }
+
+  /// Pushes the overlapping pairs of children of a node and of all nodes below it.
+  void push_siblings(std::uint32_t top, NodePairStack& stack) const {
+    const std::uint32_t first = rows_[top].link, n_below = 2 * rows_[top].n_boxes - 2;
+    const auto push = [&](const BoxNode& parent) {
+      if (!parent.is_leaf() && do_overlap(rows_[parent.link], rows_[parent.link + 1]))
+        stack.push({parent.link, parent.link + 1});
+    };
+    push(rows_[top]);
+    for (std::uint32_t i = 0; i < n_below; ++i) push(rows_[first + i]);
   }
 
   template <class Keep>
   void add(NodePair pair, const Keep& keep, FoundPairs& found) const {
-    if (is_self && pair.row == pair.partner) return;
     std::uint32_t row = rows_[pair.row].link, partner = partners_[pair.partner].link;
     if (is_self && row > partner) std::swap(row, partner);
     if (keep(row, partner)) found.pairs.push_back({row, partner});
@@ -99,7 +128,6 @@ class TreePairs {
 
   const BoxNode* rows_;
   const BoxNode* partners_;
-  std::size_t n_open_;  ///< at most that many pairs of nodes wait at a time
 };
 
 /// All pairs of boxes of two trees that overlap and that keep(row, partner) holds for, in parts whose number

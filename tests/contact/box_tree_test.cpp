@@ -10,16 +10,9 @@
 #include "support/moving_boxes.hpp"
 
 using namespace contactsim;
-using namespace contactsim::test;
+using test::MovingBoxes;
 
 namespace {
-
-/// Boxes in a row along x, of one unit each, corners shared.
-std::vector<Box> row_of_boxes(std::uint32_t n) {
-  std::vector<Box> boxes;
-  for (std::uint32_t i = 0; i < n; ++i) boxes.push_back({{1.0 * i, 0.0, 0.0}, {1.0 * i + 1.0, 1.0, 1.0}});
-  return boxes;
-}
 
 bool holds(const BoxNode& node, const Box& box) {
   bool inside = true;
@@ -88,10 +81,10 @@ TEST_CASE("branches are disjoint, hold all boxes and lie below the crown", "[con
   CHECK(tree.branches.size() >= 64);
 }
 
-TEST_CASE("the depth is the number of nodes on the longest way down", "[contact][box_tree]") {
-  CHECK(make_box_tree(row_of_boxes(1)).depth == 1);
-  CHECK(make_box_tree(row_of_boxes(2)).depth == 2);
-  CHECK(make_box_tree(row_of_boxes(8)).depth == 4);
+TEST_CASE("the two children of a node share a cache line", "[contact][box_tree]") {
+  const BoxTree tree = make_box_tree(MovingBoxes(10, 1).boxes());
+  for (std::size_t i = 1; i < tree.nodes.size(); i += 2)
+    CHECK(reinterpret_cast<std::uintptr_t>(&tree.nodes[i]) % 64 == 0);
 }
 
 TEST_CASE("leaves are rounded outward, by one float at most", "[contact][box_tree]") {

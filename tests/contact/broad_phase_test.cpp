@@ -10,7 +10,10 @@
 #include "support/moving_boxes.hpp"
 
 using namespace contactsim;
-using namespace contactsim::test;
+using test::FclBoxes;
+using test::in_rows;
+using test::MovingBoxes;
+using test::sweep;
 
 namespace {
 
@@ -93,6 +96,8 @@ TEST_CASE("what keep turns down is left out", "[contact][broad_phase]") {
   }
   CHECK(n_even > 0);
   CHECK(some.partners.size() == n_even);
+  CHECK(phase.counts().candidates == n_even);
+  CHECK(phase.counts().overlaps == all.partners.size());
 }
 
 TEST_CASE("lists are the same for one and two threads", "[contact][broad_phase][threads]") {
@@ -176,4 +181,20 @@ TEST_CASE("a tree is built once, refitted while it serves, and built anew when i
   CHECK(phase.counts().builds > 2);
   CHECK(phase.counts().builds + phase.counts().refits == 45);
   CHECK(phase.counts().visits / 45 > visits_in_place);
+}
+
+TEST_CASE("bodies that come together from afar cost no more than a few builds", "[contact][broad_phase]") {
+  const std::vector<Box> here = MovingBoxes(1000, 7).boxes();
+  BroadPhase still, moving;
+  PairLists lists;
+  for (int step = 0; step <= 40; ++step) {
+    std::vector<Box> there = MovingBoxes(1000, 8).boxes();
+    for (Box& box : there) box.lo[0] += 2.0 - 0.05 * step, box.hi[0] += 2.0 - 0.05 * step;
+    REQUIRE_FALSE(still.update(here));
+    REQUIRE_FALSE(moving.update(there));
+    still.find_pairs(moving, any, lists);
+  }
+  CHECK(lists.partners.size() > 100);
+  CHECK(still.counts().builds <= 5);
+  CHECK(moving.counts().builds <= 5);
 }

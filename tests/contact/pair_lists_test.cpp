@@ -10,7 +10,8 @@ using namespace contactsim;
 
 TEST_CASE("pairs are listed by row, partners ascending, rows without partners empty",
           "[contact][pair_lists]") {
-  const std::vector<FoundPairs> parts = {{{{3, 1}, {0, 7}}, 0}, {{}, 0}, {{{3, 0}, {0, 2}, {3, 5}}, 0}};
+  const std::vector<FoundPairs> parts = {
+      {{{3, 1}, {0, 7}}, 0, 0}, {{}, 0, 0}, {{{3, 0}, {0, 2}, {3, 5}}, 0, 0}};
   PairLists lists;
   list_pairs(parts, 5, lists);
   CHECK(lists.begin == std::vector<std::size_t>{0, 2, 2, 2, 5, 5});
@@ -23,7 +24,7 @@ TEST_CASE("pairs are listed by row, partners ascending, rows without partners em
 
 TEST_CASE("lists forget what they held", "[contact][pair_lists]") {
   PairLists lists;
-  list_pairs(std::vector<FoundPairs>{{{{0, 1}, {1, 2}}, 0}}, 2, lists);
+  list_pairs(std::vector<FoundPairs>{{{{0, 1}, {1, 2}}, 0, 0}}, 2, lists);
   list_pairs({}, 1, lists);
   CHECK(lists.begin == std::vector<std::size_t>{0, 0});
   CHECK(lists.partners.empty());

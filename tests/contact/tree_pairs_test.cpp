@@ -6,7 +6,7 @@
 #include "support/moving_boxes.hpp"
 
 using namespace contactsim;
-using namespace contactsim::test;
+using test::MovingBoxes;
 
 TEST_CASE("the work is cut into parts of about equal size for threads", "[contact][tree_pairs]") {
   const BoxTree tree = make_box_tree(MovingBoxes(5000, 1).boxes());

@@ -14,9 +14,9 @@ using Object = fcl::CollisionObject<double>;
 /// A shape of which FCL knows nothing but its box.
 class AnyShape final : public fcl::CollisionGeometry<double> {
  public:
-  explicit AnyShape(const Box& box) { set(box); }
+  explicit AnyShape(const contactsim::Box& box) { set(box); }
   void computeLocalAABB() override {}
-  void set(const Box& box) {
+  void set(const contactsim::Box& box) {
     aabb_local = fcl::AABB<double>(fcl::Vector3d(box.lo[0], box.lo[1], box.lo[2]),
                                    fcl::Vector3d(box.hi[0], box.hi[1], box.hi[2]));
   }
@@ -54,7 +54,7 @@ struct FclBoxes::Objects {
   fcl::DynamicAABBTreeCollisionManager<double> tree;
 };
 
-FclBoxes::FclBoxes(std::span<const Box> boxes) : objects_(std::make_unique<Objects>()) {
+FclBoxes::FclBoxes(std::span<const contactsim::Box> boxes) : objects_(std::make_unique<Objects>()) {
   std::vector<Object*> all;
   for (std::uintptr_t i = 0; i < boxes.size(); ++i) {
     objects_->shapes.push_back(std::make_shared<AnyShape>(boxes[i]));
@@ -68,14 +68,14 @@ FclBoxes::FclBoxes(std::span<const Box> boxes) : objects_(std::make_unique<Objec
 
 FclBoxes::~FclBoxes() = default;
 
-void FclBoxes::move(std::span<const Box> boxes) {
+void FclBoxes::move(std::span<const contactsim::Box> boxes) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     objects_->shapes[i]->set(boxes[i]);
     objects_->objects[i]->computeAABB();
   }
 }
 
-void FclBoxes::update(std::span<const Box> boxes) {
+void FclBoxes::update(std::span<const contactsim::Box> boxes) {
   move(boxes);
   objects_->tree.update();
 }

@@ -15,15 +15,15 @@ namespace contactsim::test {
 /// what it is timed against.
 class [[gnu::visibility("default")]] FclBoxes {
  public:
-  explicit FclBoxes(std::span<const Box> boxes);
+  explicit FclBoxes(std::span<const contactsim::Box> boxes);
   ~FclBoxes();
   FclBoxes(const FclBoxes&) = delete;
   FclBoxes& operator=(const FclBoxes&) = delete;
 
   /// Puts the same boxes at new places, for queries one by one.
-  void move(std::span<const Box> boxes);
+  void move(std::span<const contactsim::Box> boxes);
   /// The same, and fits the tree to them.
-  void update(std::span<const Box> boxes);
+  void update(std::span<const contactsim::Box> boxes);
 
   /// Adds the overlapping pairs of two sets, both trees descended together; in any order.
   void collide(const FclBoxes& partners, std::vector<RowPartner>& pairs) const;

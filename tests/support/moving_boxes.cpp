@@ -31,9 +31,9 @@ void MovingBoxes::step() {
   }
 }
 
-PairLists sweep(const std::vector<Box>& rows, const std::vector<Box>& partners) {
+PairLists sweep(const std::vector<contactsim::Box>& rows, const std::vector<contactsim::Box>& partners) {
   PairLists lists;
-  for (const Box& row : rows) {
+  for (const contactsim::Box& row : rows) {
     for (std::uint32_t j = 0; j < partners.size(); ++j) {
       if (do_overlap(row, partners[j])) lists.partners.push_back(j);
     }
@@ -42,7 +42,7 @@ PairLists sweep(const std::vector<Box>& rows, const std::vector<Box>& partners) 
   return lists;
 }
 
-PairLists sweep(const std::vector<Box>& boxes) {
+PairLists sweep(const std::vector<contactsim::Box>& boxes) {
   PairLists lists;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {

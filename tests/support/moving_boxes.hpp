@@ -18,18 +18,18 @@ class MovingBoxes {
 
   /// Moves every box by its own velocity; those that leave the cube come back in.
   void step();
-  const std::vector<Box>& boxes() const { return boxes_; }
+  const std::vector<contactsim::Box>& boxes() const { return boxes_; }
 
  private:
-  std::vector<Box> boxes_;
+  std::vector<contactsim::Box> boxes_;
   std::vector<std::array<double, 3>> velocities_;
 };
 
 /// The overlapping pairs of all rows with all partners, one test each.
-PairLists sweep(const std::vector<Box>& rows, const std::vector<Box>& partners);
+PairLists sweep(const std::vector<contactsim::Box>& rows, const std::vector<contactsim::Box>& partners);
 
 /// The overlapping pairs among the boxes, each once, partners with the greater number.
-PairLists sweep(const std::vector<Box>& boxes);
+PairLists sweep(const std::vector<contactsim::Box>& boxes);
 
 /// Pairs in any order as lists.
 PairLists in_rows(std::vector<RowPartner> pairs, std::size_t n_rows);
