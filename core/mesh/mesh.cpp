@@ -65,120 +65,122 @@ Mesh Mesh::with_side_sets(std::span<const SideSet> more) const {
     parts.side_sets.back().id = ++id;
   }
   return Mesh(std::move(parts));
-  Mesh Mesh::with_coordinates(Eigen::Matrix3Xd coordinates) const {
-    assert(coordinates.cols() == parts_.coordinates.cols());
-    Mesh copy = *this;
-    copy.parts_.coordinates = std::move(coordinates);
-    return copy;
-  }
+}
 
-  std::int64_t Mesh::node_id(NodeIndex node) const {
-    return parts_.node_ids.empty() ? std::int64_t{node.value} + 1 : parts_.node_ids[node.value];
-  }
+Mesh Mesh::with_coordinates(Eigen::Matrix3Xd coordinates) const {
+  assert(coordinates.cols() == parts_.coordinates.cols());
+  Mesh copy = *this;
+  copy.parts_.coordinates = std::move(coordinates);
+  return copy;
+}
 
-  std::int64_t Mesh::element_id(ElementIndex element) const {
-    return parts_.element_ids.empty() ? std::int64_t{element.value} + 1 : parts_.element_ids[element.value];
-  }
+std::int64_t Mesh::node_id(NodeIndex node) const {
+  return parts_.node_ids.empty() ? std::int64_t{node.value} + 1 : parts_.node_ids[node.value];
+}
 
-  std::optional<ElementIndex> Mesh::find_element(std::int64_t id) const {
-    const auto position = find_position(element_by_id_, parts_.element_ids, id, n_elements_);
-    return position ? std::optional(ElementIndex{*position}) : std::nullopt;
-  }
+std::int64_t Mesh::element_id(ElementIndex element) const {
+  return parts_.element_ids.empty() ? std::int64_t{element.value} + 1 : parts_.element_ids[element.value];
+}
 
-  std::optional<NodeIndex> Mesh::find_node(std::int64_t id) const {
-    const auto position = find_position(node_by_id_, parts_.node_ids, id, n_nodes());
-    return position ? std::optional(NodeIndex{*position}) : std::nullopt;
-  }
+std::optional<ElementIndex> Mesh::find_element(std::int64_t id) const {
+  const auto position = find_position(element_by_id_, parts_.element_ids, id, n_elements_);
+  return position ? std::optional(ElementIndex{*position}) : std::nullopt;
+}
 
-  std::uint32_t Mesh::block_of(ElementIndex element) const {
-    assert(element.value < n_elements_);
-    // Empty blocks share their first element with the block after them; the last of the equals is the holder.
-    const auto after =
-        std::upper_bound(parts_.blocks.begin(), parts_.blocks.end(), element,
-                         [](ElementIndex e, const ElementBlock& block) { return e < block.first_element; });
-    return static_cast<std::uint32_t>(after - parts_.blocks.begin()) - 1;
-  }
+std::optional<NodeIndex> Mesh::find_node(std::int64_t id) const {
+  const auto position = find_position(node_by_id_, parts_.node_ids, id, n_nodes());
+  return position ? std::optional(NodeIndex{*position}) : std::nullopt;
+}
 
-  std::span<const NodeIndex> Mesh::element_nodes(ElementIndex element) const {
-    const ElementBlock& block = parts_.blocks[block_of(element)];
-    assert(block.shape != Shape::unknown);
-    return block.element_nodes(element.value - block.first_element.value);
-  }
+std::uint32_t Mesh::block_of(ElementIndex element) const {
+  assert(element.value < n_elements_);
+  // Empty blocks share their first element with the block after them; the last of the equals is the holder.
+  const auto after =
+      std::upper_bound(parts_.blocks.begin(), parts_.blocks.end(), element,
+                       [](ElementIndex e, const ElementBlock& block) { return e < block.first_element; });
+  return static_cast<std::uint32_t>(after - parts_.blocks.begin()) - 1;
+}
 
-  std::array<NodeIndex, 4> Mesh::side_nodes(ElementSide side) const {
-    const ElementBlock& block = parts_.blocks[block_of(side.element())];
-    const auto nodes = block.element_nodes(side.element().value - block.first_element.value);
-    const std::span<const Side> sides = topology(block.shape).sides;
-    assert(static_cast<std::size_t>(side.side()) <= sides.size());
-    const auto& corners = sides[static_cast<std::size_t>(side.side()) - 1].corners;
-    return {nodes[corners[0]], nodes[corners[1]], nodes[corners[2]], nodes[corners[3]]};
-  }
+std::span<const NodeIndex> Mesh::element_nodes(ElementIndex element) const {
+  const ElementBlock& block = parts_.blocks[block_of(element)];
+  assert(block.shape != Shape::unknown);
+  return block.element_nodes(element.value - block.first_element.value);
+}
 
-  std::string Mesh::name(Entity entity) const {
-    const auto name_in = [&](const auto& items) {
-      return effective_name(entity.kind, items[entity.index].name, items[entity.index].id);
-    };
-    switch (entity.kind) {
-      case EntityKind::block:
-        return name_in(parts_.blocks);
-      case EntityKind::side_set:
-        return name_in(parts_.side_sets);
-      case EntityKind::node_set:
-        return name_in(parts_.node_sets);
-      case EntityKind::assembly:
-        break;
+std::array<NodeIndex, 4> Mesh::side_nodes(ElementSide side) const {
+  const ElementBlock& block = parts_.blocks[block_of(side.element())];
+  const auto nodes = block.element_nodes(side.element().value - block.first_element.value);
+  const std::span<const Side> sides = topology(block.shape).sides;
+  assert(static_cast<std::size_t>(side.side()) <= sides.size());
+  const auto& corners = sides[static_cast<std::size_t>(side.side()) - 1].corners;
+  return {nodes[corners[0]], nodes[corners[1]], nodes[corners[2]], nodes[corners[3]]};
+}
+
+std::string Mesh::name(Entity entity) const {
+  const auto name_in = [&](const auto& items) {
+    return effective_name(entity.kind, items[entity.index].name, items[entity.index].id);
+  };
+  switch (entity.kind) {
+    case EntityKind::block:
+      return name_in(parts_.blocks);
+    case EntityKind::side_set:
+      return name_in(parts_.side_sets);
+    case EntityKind::node_set:
+      return name_in(parts_.node_sets);
+    case EntityKind::assembly:
+      break;
+  }
+  return name_in(parts_.assemblies);
+}
+
+std::uint32_t Mesh::count(EntityKind kind) const {
+  const std::array counts{parts_.blocks.size(), parts_.side_sets.size(), parts_.node_sets.size(),
+                          parts_.assemblies.size()};
+  return static_cast<std::uint32_t>(counts[static_cast<std::size_t>(kind)]);
+}
+
+std::vector<Entity> Mesh::find(std::string_view name) const {
+  std::vector<Entity> found;
+  for (std::size_t k = 0; k < n_entity_kinds; ++k) {
+    const auto kind = static_cast<EntityKind>(k);
+    if (const auto index = find(kind, name)) found.push_back({kind, *index});
+  }
+  return found;
+}
+
+std::optional<std::uint32_t> Mesh::find(EntityKind kind, std::string_view name) const {
+  return by_name_[static_cast<std::size_t>(kind)].find(name);
+}
+
+std::vector<std::string> Mesh::names(EntityKind kind) const {
+  std::vector<std::string> names;
+  for (std::uint32_t i = 0; i < count(kind); ++i) names.push_back(name({kind, i}));
+  return names;
+}
+
+std::vector<Entity> Mesh::members(std::uint32_t assembly) const {
+  std::array<std::vector<bool>, n_entity_kinds> is_seen;
+  for (std::size_t k = 0; k < n_entity_kinds; ++k) is_seen[k].resize(count(static_cast<EntityKind>(k)));
+
+  // A stack of our own: files may nest deeper than the call stack.
+  std::vector<Entity> found, waiting{{EntityKind::assembly, assembly}};
+  while (!waiting.empty()) {
+    const Entity entity = waiting.back();
+    waiting.pop_back();
+    auto seen = is_seen[static_cast<std::size_t>(entity.kind)][entity.index];
+    if (seen) continue;
+    seen = true;
+    if (entity.kind != EntityKind::assembly) {
+      found.push_back(entity);
+      continue;
     }
-    return name_in(parts_.assemblies);
-  }
-
-  std::uint32_t Mesh::count(EntityKind kind) const {
-    const std::array counts{parts_.blocks.size(), parts_.side_sets.size(), parts_.node_sets.size(),
-                            parts_.assemblies.size()};
-    return static_cast<std::uint32_t>(counts[static_cast<std::size_t>(kind)]);
-  }
-
-  std::vector<Entity> Mesh::find(std::string_view name) const {
-    std::vector<Entity> found;
-    for (std::size_t k = 0; k < n_entity_kinds; ++k) {
-      const auto kind = static_cast<EntityKind>(k);
-      if (const auto index = find(kind, name)) found.push_back({kind, *index});
+    const Assembly& opened = parts_.assemblies[entity.index];
+    if (!opened.member_kind) continue;
+    for (auto member = opened.members.rbegin(); member != opened.members.rend(); ++member) {
+      waiting.push_back({*opened.member_kind, *member});
     }
-    return found;
   }
-
-  std::optional<std::uint32_t> Mesh::find(EntityKind kind, std::string_view name) const {
-    return by_name_[static_cast<std::size_t>(kind)].find(name);
-  }
-
-  std::vector<std::string> Mesh::names(EntityKind kind) const {
-    std::vector<std::string> names;
-    for (std::uint32_t i = 0; i < count(kind); ++i) names.push_back(name({kind, i}));
-    return names;
-  }
-
-  std::vector<Entity> Mesh::members(std::uint32_t assembly) const {
-    std::array<std::vector<bool>, n_entity_kinds> is_seen;
-    for (std::size_t k = 0; k < n_entity_kinds; ++k) is_seen[k].resize(count(static_cast<EntityKind>(k)));
-
-    // A stack of our own: files may nest deeper than the call stack.
-    std::vector<Entity> found, waiting{{EntityKind::assembly, assembly}};
-    while (!waiting.empty()) {
-      const Entity entity = waiting.back();
-      waiting.pop_back();
-      auto seen = is_seen[static_cast<std::size_t>(entity.kind)][entity.index];
-      if (seen) continue;
-      seen = true;
-      if (entity.kind != EntityKind::assembly) {
-        found.push_back(entity);
-        continue;
-      }
-      const Assembly& opened = parts_.assemblies[entity.index];
-      if (!opened.member_kind) continue;
-      for (auto member = opened.members.rbegin(); member != opened.members.rend(); ++member) {
-        waiting.push_back({*opened.member_kind, *member});
-      }
-    }
-    return found;
-  }
+  return found;
+}
 
 }  // namespace contactsim
