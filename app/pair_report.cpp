@@ -136,10 +136,13 @@ std::string format_pair_histories(const ContactModel& model, std::span<const Pai
                            model.surfaces.surfaces[pair.first].name,
                            model.surfaces.surfaces[pair.second].name, pair.interaction, pair.location.line);
       });
-  std::string text = "\nContact of pairs in the run\n" +
-                     fmt::format(history_format, "no", "first", "second", "contact time", "peak force",
-                                 "impulse x", "impulse y", "impulse z", "work", "friction work") +
-                     rows;
+  std::string text;
+  if (!rows.empty()) {
+    text = "\nContact of pairs in the run\n" +
+           fmt::format(history_format, "no", "first", "second", "contact time", "peak force", "impulse x",
+                       "impulse y", "impulse z", "work", "friction work") +
+           rows;
+  }
   if (!idle.empty()) text += "\nPairs that never touched\n" + idle;
   return text;
 }

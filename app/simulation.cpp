@@ -5,6 +5,7 @@
 
 #include "app/counted.hpp"
 #include "app/file_clashes.hpp"
+#include "app/overlap_stage.hpp"
 #include "app/run_mesh.hpp"
 #include "app/surface_stage.hpp"
 #include "app/transient.hpp"
@@ -120,7 +121,10 @@ ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
     if (options.stage == Stage::check || contact.code != ExitCode::done) return contact.code;
   }
   const ContactModel* model = contact.model ? &*contact.model : nullptr;
-  return run_transient({options, definition, chosen.procedure, region, mesh, model}, log, warnings);
+  const std::optional<Mesh> moved =
+      remove_initial_overlap({options, definition, chosen.procedure, region, mesh, model}, log, warnings);
+  const Mesh& start = moved ? *moved : mesh;
+  return run_transient({options, definition, chosen.procedure, region, start, model}, log, warnings);
 }
 
 }  // namespace contactsim

@@ -70,6 +70,7 @@ class Run {
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
     if (contact_ == nullptr) return;
+    is_for_overlap_only_ = input.region.contact->overlap_removal.is_all_there_is;
     timed_contact_.emplace(*contact_);
     state_.forces.contact = Eigen::Matrix3Xd::Zero(3, model_.mesh->n_nodes());
   }
@@ -115,6 +116,7 @@ class Run {
   void look_for_end() {
     const double begun = clock_seconds();
     end_ = outputs_.find_end(state_);
+    if (is_for_overlap_only_) end_ = "OVERLAP REMOVAL ONLY";
     output_seconds_ += clock_seconds() - begun;
   }
 
@@ -174,6 +176,7 @@ class Run {
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
   double output_seconds_ = 0.0;
+  bool is_for_overlap_only_ = false;  // the deck wants no steps
   bool has_warned_ = false;
   std::optional<std::string> end_;  // why the run ends before its termination time
 };
@@ -266,7 +269,8 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
     contact.emplace(ContactSetup{*input.region.contact, *input.contact, setup.model, scope.blocks});
     contact_output.emplace(*contact, *input.contact, setup.model);
   }
-  Outputs outputs(scope, setup.model, output_settings(input, contact_output ? &*contact_output : nullptr, log));
+  Outputs outputs(scope, setup.model,
+                  output_settings(input, contact_output ? &*contact_output : nullptr, log));
   stop_on_errors(warnings);
   check_paths(input, outputs);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));

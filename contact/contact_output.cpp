@@ -43,7 +43,9 @@ ContactTotal opposite(ContactTotal total) {
 }
 
 void set_total(const ContactTotalRow& row, const ContactTotal& total, std::span<double> values) {
-  const auto set = [&](const Eigen::Vector3d& vector) { Eigen::Map<Eigen::Vector3d>(values.data()) = vector; };
+  const auto set = [&](const Eigen::Vector3d& vector) {
+    Eigen::Map<Eigen::Vector3d>(values.data()) = vector;
+  };
   if (row.name == "contact_force") set(total.force);
   if (row.name == "contact_moment") set(total.moment);
   if (row.name == "contact_centre")
@@ -70,7 +72,8 @@ std::vector<RunVariable> ContactOutput::variables() {
   std::vector<RunVariable> made;
   for (const ContactNodeRow& row : contact_node_rows()) {
     const auto size = static_cast<std::size_t>(component_count(row.shape));
-    RunVariable variable{std::string(row.name), FieldLocation::node, row.shape, component_count(row.shape), false, {}, {}};
+    RunVariable variable{
+        std::string(row.name), FieldLocation::node, row.shape, component_count(row.shape), false, {}, {}};
     variable.fill = [this, &row, size](const OutputMoment& moment, const EntityRange& range,
                                        std::span<double> values) {
       look_at(moment.state);
@@ -86,7 +89,8 @@ std::vector<RunVariable> ContactOutput::variables() {
   }
   for (const ContactTotalRow& row : contact_total_rows()) {
     const auto& surfaces = contact_.surfaces.surfaces;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) made.push_back(make_total(row, surfaces[i].name, false, i));
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+      made.push_back(make_total(row, surfaces[i].name, false, i));
     for (std::size_t i = 0; i < contact_.pairs.size(); ++i) {
       const SurfacePair& pair = contact_.pairs[i];
       made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
@@ -97,8 +101,13 @@ std::vector<RunVariable> ContactOutput::variables() {
 
 RunVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
                                       std::size_t index) {
-  RunVariable variable{fold(std::string(row.name) + "_" + name), FieldLocation::global, row.shape,
-                       component_count(row.shape), false, {}, {}};
+  RunVariable variable{fold(std::string(row.name) + "_" + name),
+                       FieldLocation::global,
+                       row.shape,
+                       component_count(row.shape),
+                       false,
+                       {},
+                       {}};
   variable.fill = [this, &row, is_pair, index](const OutputMoment& moment, const EntityRange&,
                                                std::span<double> values) {
     look_at(moment.state);
@@ -177,8 +186,8 @@ void ContactOutput::add_tie(const Tie& tie, const TieForces& forces) {
   for (std::size_t k = 0; k < 8; ++k) {
     const Eigen::Vector3d force = forces.forces.col(static_cast<Eigen::Index>(k));
     const bool is_first = k < 4;
-    const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4), tie.nodes.begin() + static_cast<int>(k),
-                                tie.nodes[k]);
+    const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4),
+                                tie.nodes.begin() + static_cast<int>(k), tie.nodes[k]);
     NodeContact& node = nodes_[tie.nodes[k]];
     const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
     node.status = 1.0;

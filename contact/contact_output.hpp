@@ -17,13 +17,13 @@ struct NodeContact {
   double status = 0.0;  ///< 1 touches, 0.5 of a block or surface in contact, 0 of none [1]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< normal force [force]
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< friction [force]
-  double area = 0.0;           ///< that touches [length^2]
-  double gap = 0.0;            ///< of its nearest place, < 0 where it touches; 0 with nothing near [length]
+  double area = 0.0;                                     ///< that touches [length^2]
+  double gap = 0.0;             ///< of its nearest place, < 0 where it touches; 0 with nothing near [length]
   double tangential_gap = 0.0;  ///< slip held by the tangential spring there [length]
-  double interaction = 0.0;    ///< number of its last pair in the log's table, 0 of none [1]
-  double surface_area = 0.0;   ///< its share of its surface at the start [length^2]
-  double slip_rate = 0.0;      ///< of the last step [length/time]
-  NodeFriction friction;       ///< since the start
+  double interaction = 0.0;     ///< number of its last pair in the log's table, 0 of none [1]
+  double surface_area = 0.0;    ///< its share of its surface at the start [length^2]
+  double slip_rate = 0.0;       ///< of the last step [length/time]
+  NodeFriction friction;        ///< since the start
 };
 
 /// Row of the table of nodal contact variables.
@@ -73,7 +73,8 @@ class ContactOutput {
   void add_to_nodes(const ContactRecord& record, const RecordSide& side, double sign);
   /// The share of each corner of a tie's side in its area.
   static double tie_share(const Tie& tie, bool is_first);
-  RunVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair, std::size_t index);
+  RunVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
+                         std::size_t index);
 
   ContactForce& force_;
   const ContactModel& contact_;

@@ -67,6 +67,13 @@ Mesh Mesh::with_side_sets(std::span<const SideSet> more) const {
   return Mesh(std::move(parts));
 }
 
+Mesh Mesh::with_coordinates(Eigen::Matrix3Xd coordinates) const {
+  assert(coordinates.cols() == parts_.coordinates.cols());
+  Mesh copy = *this;
+  copy.parts_.coordinates = std::move(coordinates);
+  return copy;
+}
+
 std::int64_t Mesh::node_id(NodeIndex node) const {
   return parts_.node_ids.empty() ? std::int64_t{node.value} + 1 : parts_.node_ids[node.value];
 }

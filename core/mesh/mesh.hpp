@@ -89,6 +89,9 @@ class Mesh {
   /// Sets first_element of every block, and drops id maps that are 1..n. Preconditions: connectivity, sets
   /// and assemblies name nodes, elements and members that exist.
   explicit Mesh(MeshParts parts);
+  /// A copy whose nodes stand elsewhere.
+  ///   coordinates  [3 x n_nodes] [length]
+  Mesh with_coordinates(Eigen::Matrix3Xd coordinates) const;
 
   /// A copy with side sets besides its own; they get the ids that follow the largest.
   Mesh with_side_sets(std::span<const SideSet> more) const;

@@ -107,6 +107,11 @@ TEST_CASE("after a run the table tells what pairs did, and which never touched",
         "3 box dust tie 12\n");
 }
 
+TEST_CASE("a run in which nothing touched lists no contact", "[app][pairs]") {
+  CHECK(format_pair_histories(three_pairs(), std::vector<PairHistory>(3))
+            .starts_with("\nPairs that never touched\n"));
+}
+
 TEST_CASE("without pairs there are no pair tables", "[app][pairs]") {
   CHECK(format_pairs({}, {}, {}).empty());
   CHECK(format_pair_histories({}, {}).empty());

@@ -99,9 +99,11 @@ TEST_CASE("what a run does not act on yet is refused at its line", "[app][transi
   const auto [code, out, err] = death.run({"a.i"});
   CHECK(code == 2);
   CHECK_THAT(err, Contains("a.i:") && Contains("element death is not supported in a run yet"));
-  const PulledBar contact("begin contact definition\nskin all blocks = on\nend\n");
+  const PulledBar contact(
+      "begin contact definition\nskin all blocks = on\nbegin hybrid model h\nend\n"
+      "begin interaction defaults\nself contact = on\nfriction model = h\nend\nend\n");
   const auto touched = contact.run({"a.i"});
   CHECK(touched.exit_code == 2);
-  CHECK_THAT(touched.err, Contains("contact forces are not supported in a run yet; --check resolves"));
+  CHECK_THAT(touched.err, Contains("the friction model 'hybrid' is not supported in a run yet"));
   CHECK_THAT(touched.out, Contains("\nContact surfaces\n"));
 }

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/contact_model.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// What overlap removal did to a pair of surfaces.
+struct OverlapMoves {
+  std::uint32_t pair = 0;     ///< position in ContactModel::pairs
+  std::uint32_t n_nodes = 0;  ///< that were moved
+  double deepest = 0.0;       ///< overlap that was found [length]
+  double largest = 0.0;       ///< move of a node [length]
+  NodeIndex largest_node;     ///< the first of those that moved so far
+  double left = 0.0;          ///< deepest overlap that is still there, as nodes are held [length]
+  bool operator==(const OverlapMoves&) const = default;
+};
+
+/// Coordinates without overlap, and how they came about.
+struct OverlapRemoved {
+  Eigen::Matrix3Xd coordinates;     ///< 3 x n_nodes [length]
+  std::vector<OverlapMoves> moves;  ///< of the pairs that overlapped, in order
+  std::int64_t n_passes = 0;        ///< that moved nodes
+};
+
+/// Moves nodes of contact faces out of the faces of paired surfaces that they lie behind, along the face's
+/// normal: half the way in each pass where the nodes of the face may move too, all of it out of planes and of
+/// faces that are held, and one by one in the last pass. A pass takes the pairs in order. A node lies behind
+/// a face when it is over it, no deeper than the pair's overlap normal tolerance (automatic: half the
+/// thickness of the element behind the face; behind a plane, of the node's own elements), and its own surface
+/// looks against the face. Beside a face counts as over it up to a quarter of the depth, or the pair's
+/// overlap tangential tolerance.
+///   iterations  passes at most, >= 1
+///   is_held     [n_nodes] 0 or 1: 1 stays where it is; or empty
+/// Source: Sierra/SM 5.22, 8.9.4.
+OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh, std::int64_t iterations,
+                              std::span<const std::uint8_t> is_held);
+
+}  // namespace contactsim
