@@ -16,7 +16,10 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # decks/ may be read-only
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
+import cases_friction  # noqa: E402, F401
 import cases_rods  # noqa: E402, F401
+import cases_static  # noqa: E402, F401
+import cases_unit  # noqa: E402, F401
 import cases_solids  # noqa: E402, F401
 from cases import CASES  # noqa: E402
 from runs import Bench  # noqa: E402
