@@ -147,11 +147,24 @@ void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) 
   if (tie) ties_.push_back(*tie);
 }
 
+/// Bounds the eigenvalues of contact's stiffness over mass. Each place is a spring of stiffness k with the
+/// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
+/// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
+/// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
 double ContactForce::largest_eigenvalue() {
-  double largest = 0.0;
   const auto nodes = sums_.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    largest = std::max(largest, 2.0 * nodes[i][3] / faces_.mass[i]);
+  std::vector<double>& of_surface = surface_rates_;
+  of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
+  for (const SurfaceNode& node : faces_.surface_nodes) {
+    double& rate = of_surface[node.surface];
+    rate = std::max(rate, nodes[node.node][3] / faces_.mass[node.node]);
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
+    const SurfacePair& pair = setup_.contact.pairs[i];
+    if (sums_.pairs()[i].is_near)
+      largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);
+  }
   return largest;
 }
 
