@@ -79,7 +79,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
 /// The first time that forces are asked for: only now the elements' stable step is known.
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
-  limit_stiffness(motion.stable_step, faces_);
+  limit_stiffness(surface_, motion.stable_step, faces_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
   ties_ = make_ties(scene, face_face_.candidates(), node_face_.candidates(),

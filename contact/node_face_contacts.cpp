@@ -192,7 +192,8 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   record.normal = hit.point.normal;
   record.gap = hit.point.gap;
   // Pairs that go both ways meet everything twice.
-  const double area = (rule.pair->is_one_sided ? 1.0 : 0.5) * node.area;
+  const double area =
+      (rule.pair->is_one_sided ? 1.0 : 0.5) * scene.surface.area_against(node, hit.point.normal);
   const double damping = rule.pair->damping_fraction;
   record.stiffness = hit.penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
   if (record.gap >= 0.0) return record;

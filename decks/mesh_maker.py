@@ -79,6 +79,17 @@ class MeshMaker:
         """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds."""
         self.node_sets.append((name, [n for n, given in enumerate(self.given, 1) if is_in(*given)]))
 
+    def transform(self, matrix):
+        """Maps all coordinates linearly; a mirrored mesh gets its hexes turned, so that volumes stay positive."""
+        self.points = [tuple(p) for p in np.array(self.points) @ np.array(matrix).T]
+        if np.linalg.det(matrix) < 0:
+            self.blocks = [(n, k, [r[4:] + r[:4] for r in rows], a) for n, k, rows, a in self.blocks]
+            self.side_sets = [(n, [(e, {5: 6, 6: 5}.get(s, s)) for e, s in sides]) for n, sides in self.side_sets]
+
+    def reverse_elements(self):
+        """Turns round the order of the elements within each block; for meshes without side sets."""
+        self.blocks = [(n, k, rows[::-1], a) for n, k, rows, a in self.blocks]
+
     def write(self, path):
         with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as file:
             self._write_head(file)
