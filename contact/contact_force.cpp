@@ -191,7 +191,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   const double eigenvalue = largest_eigenvalue();
   if (eigenvalue > 0.0) {
     const double of_elements = 4.0 / (motion.stable_step * motion.stable_step);
-    report.stable_step = 2.0 / std::sqrt(of_elements + eigenvalue);
+    // A bounce off a penalty must last three steps at least, or it gains energy by where its first step
+    // falls.
+    report.stable_step = std::min(2.0 / std::sqrt(of_elements + eigenvalue), 1.0 / std::sqrt(eigenvalue));
     step_share_.share = std::max(step_share_.share, 1.0 - report.stable_step / motion.stable_step);
   }
   return report;
