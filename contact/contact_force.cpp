@@ -38,7 +38,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
       chunks_(chunks_per_batch),
-      histories_(setup.contact.pairs.size()) {
+      histories_(setup.contact.pairs.size()),
+      stored_(setup.contact.pairs.size(), 0.0) {
   add_backing(setup.model, faces_);
 }
 
@@ -114,7 +115,7 @@ TieForces ContactForce::forces_of(const Tie& tie) const {
 void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   const auto take = [&](const ContactRecord& record) {
-    sums_.add(record, surface_);
+    sums_.add(record);
     if (record.touches() && rules_[record.pair].law == ContactLaw::glued) to_glue.push_back(record);
   };
   face_face_.begin_step();
@@ -125,7 +126,7 @@ void ContactForce::add_places(const ContactScene& scene) {
   visit_places(node_face_, scene, take);
   visit_places(planes_, scene, take);
   for (const Tie& tie : ties_) {
-    if (rules_[tie.pair].is_active) sums_.add(tie, forces_of(tie), surface_);
+    if (rules_[tie.pair].is_active) sums_.add(tie, forces_of(tie));
   }
   sums_.end_step();
   for (const ContactRecord& record : to_glue) glue(scene, record);
@@ -165,7 +166,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   } else {
     surface_.bound_watched();
   }
-  sums_.begin_step(motion.dt);
+  sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
   const auto nodes = sums_.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
@@ -187,12 +188,13 @@ void ContactForce::note_histories(const Motion& motion) {
   const auto steps = sums_.pairs();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const PairStep& step = steps[i];
-    if (!step.touches) continue;
     PairHistory& history = histories_[i];
+    history.work += step.stored - stored_[i] + step.dissipated + step.damped;
+    stored_[i] = step.stored;
+    if (!step.touches) continue;
     history.contact_time += motion.dt;
     history.peak_force = std::max(history.peak_force, step.force.norm());
     history.impulse -= motion.dt * step.force;
-    history.work += step.work;
     history.friction_work += step.dissipated;
   }
 }

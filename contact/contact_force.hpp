@@ -88,6 +88,7 @@ class ContactForce final : public ForceTerm {
   ContactSums sums_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch
   std::vector<PairHistory> histories_;
+  std::vector<double> stored_;  // [n_pairs] of the last step [energy]
   ContactStep step_share_;
   bool has_begun_ = false;
 };
