@@ -79,7 +79,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
 /// The first time that forces are asked for: only now the elements' stable step is known.
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
-  limit_stiffness(motion.stable_step, faces_);
+  limit_stiffness(surface_, motion.stable_step, faces_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
   ties_ = make_ties(scene, face_face_.candidates(), node_face_.candidates(),
@@ -147,11 +147,24 @@ void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) 
   if (tie) ties_.push_back(*tie);
 }
 
+/// Bounds the eigenvalues of contact's stiffness over mass. Each place is a spring of stiffness k with the
+/// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
+/// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
+/// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
 double ContactForce::largest_eigenvalue() {
-  double largest = 0.0;
   const auto nodes = sums_.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    largest = std::max(largest, 2.0 * nodes[i][3] / faces_.mass[i]);
+  std::vector<double>& of_surface = surface_rates_;
+  of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
+  for (const SurfaceNode& node : faces_.surface_nodes) {
+    double& rate = of_surface[node.surface];
+    rate = std::max(rate, nodes[node.node][3] / faces_.mass[node.node]);
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
+    const SurfacePair& pair = setup_.contact.pairs[i];
+    if (sums_.pairs()[i].is_near)
+      largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);
+  }
   return largest;
 }
 
@@ -178,7 +191,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   const double eigenvalue = largest_eigenvalue();
   if (eigenvalue > 0.0) {
     const double of_elements = 4.0 / (motion.stable_step * motion.stable_step);
-    report.stable_step = 2.0 / std::sqrt(of_elements + eigenvalue);
+    // A bounce off a penalty must last three steps at least, or it gains energy by where its first step
+    // falls.
+    report.stable_step = std::min(2.0 / std::sqrt(of_elements + eigenvalue), 1.0 / std::sqrt(eigenvalue));
     step_share_.share = std::max(step_share_.share, 1.0 - report.stable_step / motion.stable_step);
   }
   return report;

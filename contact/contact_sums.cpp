@@ -28,8 +28,9 @@ void ContactSums::add(const ContactRecord& record) {
     nodes_[record.first.nodes[k]] += record.first.weights[i] * on_first;
     nodes_[record.second.nodes[k]] += record.second.weights[i] * on_second;
   }
-  if (!record.touches()) return;
   PairStep& pair = pairs_[record.pair];
+  pair.is_near = true;
+  if (!record.touches()) return;
   pair.force += record.is_swapped ? Eigen::Vector3d(-force) : force;
   pair.area += record.area;
   pair.stored += 0.5 * (record.tangential.norm() * record.elastic.norm() - record.force * record.gap);
@@ -58,14 +59,13 @@ void ContactSums::add(const Tie& tie, const TieForces& forces) {
   for (std::size_t k = 0; k < 8; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     nodes_[tie.nodes[k]].head<3>() += forces.forces.col(i);
-    // The bound on the frequency takes twice this over the mass: the whole row of the stiffness.
-    nodes_[tie.nodes[k]][3] += 0.5 * tie.stiffness.col(i).cwiseAbs().sum();
+    nodes_[tie.nodes[k]][3] += tie.springs[i];
   }
   const Eigen::Vector3d on_first = forces.forces.leftCols<4>().rowwise().sum();
   pair.force += tie.is_swapped ? Eigen::Vector3d(-on_first) : on_first;
   pair.area += tie.area;
   pair.stored += forces.stored;
-  pair.touches = true;
+  pair.touches = pair.is_near = true;
 }
 
 void ContactSums::end_step() {

@@ -20,6 +20,7 @@ struct PairStep {
   double dissipated = 0.0;      ///< by friction in the step [energy]
   double damped = 0.0;          ///< by contact damping in the step [energy]
   bool touches = false;
+  bool is_near = false;  ///< some place touches or is about to
 };
 
 /// What friction has done at a contact node since the start.

@@ -66,4 +66,21 @@ MovingFace MovingSurface::face(std::uint32_t index) const {
           face.is_triangle()};
 }
 
+Eigen::Vector3d MovingSurface::corner_area(std::uint32_t index) const {
+  const ContactFace& face = faces_.faces[index];
+  return area_vector(gather_corners(face.corners, x_)) / (face.is_triangle() ? 3.0 : 4.0);
+}
+
+double MovingSurface::area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const {
+  constexpr double least_share = 0.01;
+  double area = 0.0;
+  bool has_faces = false;
+  for (const std::uint32_t face : faces_.faces_of_node.of(node.node)) {
+    if (faces_.faces[face].surface != node.surface) continue;
+    area += std::max(0.0, -corner_area(face).dot(normal));
+    has_faces = true;
+  }
+  return has_faces ? std::max(area, least_share * node.area) : node.area;
+}
+
 }  // namespace contactsim

@@ -37,6 +37,13 @@ class MovingSurface {
   Eigen::Vector3d v(std::uint32_t node) const { return v_[node].head<3>(); }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
   MovingFace face(std::uint32_t face) const;
+  /// Share of a face's area vector that each of its corners has [length^2].
+  Eigen::Vector3d corner_area(std::uint32_t face) const;
+  /// How much of its surface a node has as seen against a normal: the sides of an edge do not count for what
+  /// its top touches. At least a hundredth of its share of the area at the start, which is that of nodes
+  /// without faces.
+  ///   normal  unit, towards the node [1]
+  double area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const;
 
  private:
   void set_bound(std::size_t face);

@@ -13,16 +13,28 @@ double in_series(double a, const double* b) { return b != nullptr ? a * *b / (a 
 
 }  // namespace
 
-void limit_stiffness(double stable_step, ContactFaces& faces) {
-  std::vector<double> area(faces.n_nodes(), 0.0), most(faces.n_nodes());
-  for (const SurfaceNode& node : faces.surface_nodes) area[node.node] += node.area;
-  for (std::size_t i = 0; i < most.size(); ++i)
-    most[i] = 4.0 * penalty_share * faces.mass[i] / (area[i] * stable_step * stable_step);
-  for (SurfaceNode& node : faces.surface_nodes)
-    node.backing.stiffness = std::min(node.backing.stiffness, most[node.node]);
-  for (ContactFace& face : faces.faces) {
+void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFaces& faces) {
+  std::vector<Eigen::Matrix3d> areas(faces.n_nodes(), Eigen::Matrix3d::Zero());  // of normal x normal
+  std::vector<Eigen::Vector3d> normals;
+  for (std::uint32_t i = 0; i < faces.faces.size(); ++i) {
+    const Eigen::Vector3d share = surface.corner_area(i);
+    normals.push_back(share.normalized());
+    const auto& corners = faces.faces[i].corners;
+    const std::size_t n = faces.faces[i].is_triangle() ? 3 : 4;
+    for (std::size_t k = 0; k < n; ++k) areas[corners[k]] += share * normals[i].transpose();
+  }
+  const auto most = [&](std::uint32_t node, const Eigen::Vector3d& normal) {
+    const double area = normal.dot(areas[node] * normal);
+    return 4.0 * penalty_share * faces.mass[node] / (area * stable_step * stable_step);
+  };
+  for (std::uint32_t i = 0; i < faces.faces.size(); ++i) {
+    ContactFace& face = faces.faces[i];
     for (const std::uint32_t corner : face.corners)
-      face.backing.stiffness = std::min(face.backing.stiffness, most[corner]);
+      face.backing.stiffness = std::min(face.backing.stiffness, most(corner, normals[i]));
+  }
+  for (SurfaceNode& node : faces.surface_nodes) {
+    for (const std::uint32_t face : faces.faces_of_node.of(node.node))
+      node.backing.stiffness = std::min(node.backing.stiffness, most(node.node, normals[face]));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "contact/contact_faces.hpp"
 #include "contact/face_face.hpp"
+#include "contact/moving_surface.hpp"
 #include "contact/surface_pairs.hpp"
 
 namespace contactsim {
@@ -12,12 +13,14 @@ namespace contactsim {
 inline constexpr double penalty_share = 0.25;
 
 /// Lowers the stiffness behind faces and nodes where nodes are too light for it: a node of mass m and contact
-/// area A gets no more than 4 share m / (A dt^2) per area, twice what it may have against a wall as soft as
-/// itself.
+/// area A, as seen along the face's normal, gets no more than 4 share m / (A dt^2) per area, twice what it
+/// may have against a wall as soft as itself. The sides of a block do not lower the limit of its top, which
+/// would be softer at its edges then and fail the patch test.
+///   surface  the faces at the start
 ///   stable_step  that the elements allow at the start, dt [time]
 /// Source: bound on the frequency of a mass between springs; Belytschko and Neal, Int. J. Numer. Meth. Eng.
 /// 31 (1991) 547-572, choose the penalty by masses and step likewise.
-void limit_stiffness(double stable_step, ContactFaces& faces);
+void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFaces& faces);
 
 /// Stiffness and damping of two sides that meet: the springs of both sides in series, K/t of each the bulk
 /// modulus over the thickness of its element, times the pair's scale; or the pair's own stiffness. Damping is

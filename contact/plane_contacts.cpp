@@ -44,6 +44,7 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     }
     const PairPenalty penalty = make_pair_penalty(node.backing, nullptr, *rule.pair);
     const double damping = rule.pair->damping_fraction;
+    const double area = scene.surface.area_against(node, place.normal);
     ContactRecord& record = records.emplace_back();
     record.pair = place.pair;
     record.is_swapped = node.surface != rule.pair->first;
@@ -52,18 +53,17 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.first.weights = Eigen::Vector4d::UnitX();
     record.normal = place.normal;
     record.gap = gap;
-    record.stiffness =
-        penalty.stiffness * node.area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+    record.stiffness = penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
     if (gap >= 0.0) continue;
-    record.area = node.area;
-    const double spring = -penalty.stiffness * node.area * gap;
-    const double damper = std::max(-penalty.damping * node.area * speed, -spring);
+    record.area = area;
+    const double spring = -penalty.stiffness * area * gap;
+    const double damper = std::max(-penalty.damping * area * speed, -spring);
     record.force = spring + damper;
     record.damped = -damper * speed * scene.dt;
     if (rule.friction > 0.0) {
       record.slip = velocity * scene.dt;
       record.elastic = place.elastic;
-      add_friction(penalty.stiffness * node.area, rule.friction, scene.is_frozen, record);
+      add_friction(penalty.stiffness * area, rule.friction, scene.is_frozen, record);
       place.elastic = record.elastic;
     }
   }

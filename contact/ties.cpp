@@ -24,6 +24,7 @@ Eigen::Matrix3d axes_of(const FaceCorners& x) {
 ///   offset   between the points, in axes of the second face [length]
 void add_spring(const Corners8& weights, double stiffness, const Eigen::Vector3d& offset, Tie& tie) {
   tie.stiffness += stiffness * weights * weights.transpose();
+  tie.springs += stiffness * weights.cwiseAbs();
   tie.rest += stiffness * offset * weights.transpose();
   tie.rest_energy += 0.5 * stiffness * offset.squaredNorm();
 }

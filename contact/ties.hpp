@@ -22,6 +22,8 @@ struct Tie {
   bool is_node = false;                             ///< the first side is a node
   std::array<std::uint32_t, 8> nodes{};             ///< contact nodes of the corners
   Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();  ///< [force/length]
+  Eigen::Matrix<double, 8, 1> springs =
+      Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of them [force/length]
   TieVectors rest =
       TieVectors::Zero();    ///< forces that hold the gaps open, in axes of the second face [force]
   double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed [energy]

@@ -43,9 +43,32 @@ class MeshMaker:
                 for j in range(cells[1]) for i in range(cells[0])]
         return self._add(name, "SHELL4", rows, thickness)
 
+    def shell_of_cube(self, name, across, layers):
+        """HEX8 cells between the surface of the cube |x|, |y|, |z| <= 1 and that of twice its size."""
+        grid = np.linspace(-1, 1, across + 1)
+        depth = np.linspace(1, 2, layers + 1)
+        rows = []
+        for axis in range(3):
+            for sign in (-1, 1):
+                def point(u, v, t):
+                    spot = np.zeros(3)
+                    spot[axis], spot[(axis + 1) % 3], spot[(axis + 2) % 3] = sign, *((u, v) if sign > 0 else (v, u))
+                    return self.node(*(t * spot))
+
+                for k in range(layers):
+                    for j in range(across):
+                        for i in range(across):
+                            ring = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                            rows.append([point(grid[a], grid[b], depth[k + c]) for c in (0, 1) for a, b in ring])
+        return self._add(name, "HEX8", rows)
+
     def _add(self, name, kind, rows, attribute=None):
+        """Cells of the last block's name and kind join it."""
         first = sum(len(rows) for _, _, rows, _ in self.blocks) + 1
-        self.blocks.append((name, kind, rows, attribute))
+        if self.blocks and self.blocks[-1][:2] == (name, kind):
+            self.blocks[-1][2].extend(rows)
+        else:
+            self.blocks.append((name, kind, rows, attribute))
         return first
 
     def side_set(self, name, sides):
@@ -55,6 +78,17 @@ class MeshMaker:
     def node_set(self, name, is_in):
         """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds."""
         self.node_sets.append((name, [n for n, given in enumerate(self.given, 1) if is_in(*given)]))
+
+    def transform(self, matrix):
+        """Maps all coordinates linearly; a mirrored mesh gets its hexes turned, so that volumes stay positive."""
+        self.points = [tuple(p) for p in np.array(self.points) @ np.array(matrix).T]
+        if np.linalg.det(matrix) < 0:
+            self.blocks = [(n, k, [r[4:] + r[:4] for r in rows], a) for n, k, rows, a in self.blocks]
+            self.side_sets = [(n, [(e, {5: 6, 6: 5}.get(s, s)) for e, s in sides]) for n, sides in self.side_sets]
+
+    def reverse_elements(self):
+        """Turns round the order of the elements within each block; for meshes without side sets."""
+        self.blocks = [(n, k, rows[::-1], a) for n, k, rows, a in self.blocks]
 
     def write(self, path):
         with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as file:
