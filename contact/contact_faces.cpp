@@ -56,15 +56,17 @@ PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_
   return lists;
 }
 
-/// Gives every node of the faces its share of their areas and the mean thickness behind them.
-void add_nodes_of_faces(std::span<const ElementSide> sides, const Mesh& mesh,
-                        std::vector<SurfaceNode>& by_node) {
+/// Adds to the nodes of faces that are wanted their shares of area and of thickness times area behind it.
+template <class IsWanted>
+void add_shares(std::span<const ElementSide> sides, const Mesh& mesh, const IsWanted& is_wanted,
+                std::vector<SurfaceNode>& by_node) {
   for (const ElementSide side : sides) {
     const auto corners = mesh.side_nodes(side);
     const std::size_t n = corners[2] == corners[3] ? 3 : 4;
     const double share = area_vector(mesh, side).norm() / static_cast<double>(n);
     const double thickness = thickness_behind(mesh, side);
     for (std::size_t k = 0; k < n; ++k) {
+      if (!is_wanted(corners[k])) continue;
       SurfaceNode& node = by_node[corners[k].value];
       node.area += share;
       node.backing.thickness += share * thickness;
@@ -73,20 +75,24 @@ void add_nodes_of_faces(std::span<const ElementSide> sides, const Mesh& mesh,
   }
 }
 
-/// Faces of the mesh's outside whose corners are all in the set; when there are none, all that touch it.
-std::vector<ElementSide> faces_at(std::span<const NodeIndex> nodes, const Mesh& mesh) {
+/// The same of the nodes of a set: by the faces of the mesh's outside whose corners are all in the set; a
+/// node that has no such face by all outside faces that it has.
+void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh,
+                       std::vector<SurfaceNode>& by_node) {
   const Skin skin = make_skin(mesh, std::vector<std::uint8_t>(mesh.n_elements(), 1));
   std::vector<std::uint8_t> is_in(mesh.n_nodes(), 0);
   for (const NodeIndex node : nodes) is_in[node.value] = 1;
-  std::vector<ElementSide> inside, touching;
+  std::vector<ElementSide> inside;
   for (const ElementSide side : skin.exterior) {
     const auto corners = mesh.side_nodes(side);
-    const auto n_in =
-        std::count_if(corners.begin(), corners.end(), [&](NodeIndex node) { return is_in[node.value] != 0; });
-    if (n_in == 4) inside.push_back(side);
-    if (n_in > 0) touching.push_back(side);
+    if (std::all_of(corners.begin(), corners.end(), [&](NodeIndex node) { return is_in[node.value] != 0; }))
+      inside.push_back(side);
   }
-  return inside.empty() ? touching : inside;
+  add_shares(
+      inside, mesh, [](NodeIndex) { return true; }, by_node);
+  for (const NodeIndex node : nodes) is_in[node.value] = by_node[node.value].area > 0.0 ? 0 : 1;
+  add_shares(
+      skin.exterior, mesh, [&](NodeIndex node) { return is_in[node.value] != 0; }, by_node);
 }
 
 std::vector<NodeIndex> corner_nodes(std::span<const ElementSide> sides, const Mesh& mesh) {
@@ -115,14 +121,15 @@ void add_faces(const ContactSurface& surface, std::uint32_t position, const Mesh
 void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh,
                std::vector<SurfaceNode>& by_node, ContactFaces& made) {
   const bool is_of_nodes = surface.kind == SurfaceKind::node;
-  const std::vector<ElementSide> sides = is_of_nodes ? faces_at(surface.nodes, mesh) : surface.faces;
-  const std::vector<NodeIndex> of_sides = corner_nodes(sides, mesh);
-  for (const NodeIndex node : of_sides) by_node[node.value] = {};
+  const std::vector<NodeIndex> nodes = is_of_nodes ? surface.nodes : corner_nodes(surface.faces, mesh);
+  for (const NodeIndex node : nodes) by_node[node.value] = {};
   if (is_of_nodes) {
-    for (const NodeIndex node : surface.nodes) by_node[node.value] = {};
+    add_shares_of_set(nodes, mesh, by_node);
+  } else {
+    add_shares(
+        surface.faces, mesh, [](NodeIndex) { return true; }, by_node);
   }
-  add_nodes_of_faces(sides, mesh, by_node);
-  for (const NodeIndex node : is_of_nodes ? surface.nodes : of_sides) {
+  for (const NodeIndex node : nodes) {
     SurfaceNode own = by_node[node.value];
     if (!(own.area > 0.0)) continue;
     own.node = position_of(made.mesh_nodes, node);

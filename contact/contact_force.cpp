@@ -38,7 +38,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
       chunks_(chunks_per_batch),
-      histories_(setup.contact.pairs.size()) {
+      histories_(setup.contact.pairs.size()),
+      stored_(setup.contact.pairs.size(), 0.0) {
   add_backing(setup.model, faces_);
 }
 
@@ -114,7 +115,7 @@ TieForces ContactForce::forces_of(const Tie& tie) const {
 void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   const auto take = [&](const ContactRecord& record) {
-    sums_.add(record, surface_);
+    sums_.add(record);
     if (record.touches() && rules_[record.pair].law == ContactLaw::glued) to_glue.push_back(record);
   };
   face_face_.begin_step();
@@ -125,7 +126,7 @@ void ContactForce::add_places(const ContactScene& scene) {
   visit_places(node_face_, scene, take);
   visit_places(planes_, scene, take);
   for (const Tie& tie : ties_) {
-    if (rules_[tie.pair].is_active) sums_.add(tie, forces_of(tie), surface_);
+    if (rules_[tie.pair].is_active) sums_.add(tie, forces_of(tie));
   }
   sums_.end_step();
   for (const ContactRecord& record : to_glue) glue(scene, record);
@@ -146,11 +147,24 @@ void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) 
   if (tie) ties_.push_back(*tie);
 }
 
+/// Bounds the eigenvalues of contact's stiffness over mass. Each place is a spring of stiffness k with the
+/// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
+/// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
+/// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
 double ContactForce::largest_eigenvalue() {
-  double largest = 0.0;
   const auto nodes = sums_.nodes();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    largest = std::max(largest, 2.0 * nodes[i][3] / faces_.mass[i]);
+  std::vector<double>& of_surface = surface_rates_;
+  of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
+  for (const SurfaceNode& node : faces_.surface_nodes) {
+    double& rate = of_surface[node.surface];
+    rate = std::max(rate, nodes[node.node][3] / faces_.mass[node.node]);
+  }
+  double largest = 0.0;
+  for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
+    const SurfacePair& pair = setup_.contact.pairs[i];
+    if (sums_.pairs()[i].is_near)
+      largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);
+  }
   return largest;
 }
 
@@ -165,7 +179,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   } else {
     surface_.bound_watched();
   }
-  sums_.begin_step(motion.dt);
+  sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
   const auto nodes = sums_.nodes();
   for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
@@ -177,7 +191,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   const double eigenvalue = largest_eigenvalue();
   if (eigenvalue > 0.0) {
     const double of_elements = 4.0 / (motion.stable_step * motion.stable_step);
-    report.stable_step = 2.0 / std::sqrt(of_elements + eigenvalue);
+    // A bounce off a penalty must last three steps at least, or it gains energy by where its first step
+    // falls.
+    report.stable_step = std::min(2.0 / std::sqrt(of_elements + eigenvalue), 1.0 / std::sqrt(eigenvalue));
     step_share_.share = std::max(step_share_.share, 1.0 - report.stable_step / motion.stable_step);
   }
   return report;
@@ -187,12 +203,13 @@ void ContactForce::note_histories(const Motion& motion) {
   const auto steps = sums_.pairs();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const PairStep& step = steps[i];
-    if (!step.touches) continue;
     PairHistory& history = histories_[i];
+    history.work += step.stored - stored_[i] + step.dissipated + step.damped;
+    stored_[i] = step.stored;
+    if (!step.touches) continue;
     history.contact_time += motion.dt;
     history.peak_force = std::max(history.peak_force, step.force.norm());
     history.impulse -= motion.dt * step.force;
-    history.work += step.work;
     history.friction_work += step.dissipated;
   }
 }

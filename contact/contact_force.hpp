@@ -88,6 +88,8 @@ class ContactForce final : public ForceTerm {
   ContactSums sums_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch
   std::vector<PairHistory> histories_;
+  std::vector<double> stored_;         // [n_pairs] of the last step [energy]
+  std::vector<double> surface_rates_;  // scratch, [n_surfaces]
   ContactStep step_share_;
   bool has_begun_ = false;
 };

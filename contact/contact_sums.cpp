@@ -5,33 +5,20 @@
 
 namespace contactsim {
 
-namespace {
-
-/// The velocity of a side where the force acts.
-Eigen::Vector3d velocity_of(const RecordSide& side, const MovingSurface& surface) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k)
-    mean += side.weights[static_cast<Eigen::Index>(k)] * surface.v(side.nodes[k]);
-  return mean;
-}
-
-}  // namespace
-
 ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction)
     : nodes_(n_nodes, NodeVector::Zero()),
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
       slips_(has_friction ? n_nodes : 0, NodeVector::Zero()) {}
 
-void ContactSums::begin_step(double dt) {
-  dt_ = dt;
+void ContactSums::begin_step() {
   dissipated_ = damped_ = 0.0;
   std::fill(nodes_.begin(), nodes_.end(), NodeVector::Zero());
   std::fill(slips_.begin(), slips_.end(), NodeVector::Zero());
   std::fill(pairs_.begin(), pairs_.end(), PairStep{});
 }
 
-void ContactSums::add(const ContactRecord& record, const MovingSurface& surface) {
+void ContactSums::add(const ContactRecord& record) {
   NodeVector on_first, on_second;
   const Eigen::Vector3d force = record.force_on_first();
   on_first << force, record.stiffness;
@@ -41,13 +28,14 @@ void ContactSums::add(const ContactRecord& record, const MovingSurface& surface)
     nodes_[record.first.nodes[k]] += record.first.weights[i] * on_first;
     nodes_[record.second.nodes[k]] += record.second.weights[i] * on_second;
   }
-  if (!record.touches()) return;
   PairStep& pair = pairs_[record.pair];
-  const Eigen::Vector3d apart = velocity_of(record.first, surface) - velocity_of(record.second, surface);
+  pair.is_near = true;
+  if (!record.touches()) return;
   pair.force += record.is_swapped ? Eigen::Vector3d(-force) : force;
   pair.area += record.area;
-  pair.work -= dt_ * force.dot(apart);
+  pair.stored += 0.5 * (record.tangential.norm() * record.elastic.norm() - record.force * record.gap);
   pair.dissipated += record.dissipated;
+  pair.damped += record.damped;
   pair.touches = true;
   dissipated_ += record.dissipated;
   damped_ += record.damped;
@@ -66,19 +54,18 @@ void ContactSums::add_slip(const RecordSide& side, const Eigen::Vector3d& slip, 
   }
 }
 
-void ContactSums::add(const Tie& tie, const TieForces& forces, const MovingSurface& surface) {
+void ContactSums::add(const Tie& tie, const TieForces& forces) {
   PairStep& pair = pairs_[tie.pair];
   for (std::size_t k = 0; k < 8; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     nodes_[tie.nodes[k]].head<3>() += forces.forces.col(i);
-    pair.work -= dt_ * forces.forces.col(i).dot(surface.v(tie.nodes[k]));
-    // The bound on the frequency takes twice this over the mass: the whole row of the stiffness.
-    nodes_[tie.nodes[k]][3] += 0.5 * tie.stiffness.col(i).cwiseAbs().sum();
+    nodes_[tie.nodes[k]][3] += tie.springs[i];
   }
   const Eigen::Vector3d on_first = forces.forces.leftCols<4>().rowwise().sum();
   pair.force += tie.is_swapped ? Eigen::Vector3d(-on_first) : on_first;
   pair.area += tie.area;
-  pair.touches = true;
+  pair.stored += forces.stored;
+  pair.touches = pair.is_near = true;
 }
 
 void ContactSums::end_step() {

@@ -16,9 +16,11 @@ struct PairStep {
   Eigen::Vector3d force =
       Eigen::Vector3d::Zero();  ///< on the pair's first surface; of self contact on the first sides [force]
   double area = 0.0;            ///< that touches [length^2]
-  double work = 0.0;            ///< taken up by contact in the step, friction and damping included [energy]
+  double stored = 0.0;          ///< in the springs of the penalty and of friction now [energy]
   double dissipated = 0.0;      ///< by friction in the step [energy]
+  double damped = 0.0;          ///< by contact damping in the step [energy]
   bool touches = false;
+  bool is_near = false;  ///< some place touches or is about to
 };
 
 /// What friction has done at a contact node since the start.
@@ -35,9 +37,9 @@ class ContactSums {
  public:
   ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction);
 
-  void begin_step(double dt);
-  void add(const ContactRecord& record, const MovingSurface& surface);
-  void add(const Tie& tie, const TieForces& forces, const MovingSurface& surface);
+  void begin_step();
+  void add(const ContactRecord& record);
+  void add(const Tie& tie, const TieForces& forces);
   /// Ends a step: slips of the nodes are added up.
   void end_step();
 
@@ -56,7 +58,7 @@ class ContactSums {
   std::vector<PairStep> pairs_;
   std::vector<NodeFriction> friction_;
   std::vector<NodeVector> slips_;  // of the step, times area, and area
-  double dt_ = 0.0, dissipated_ = 0.0, damped_ = 0.0;
+  double dissipated_ = 0.0, damped_ = 0.0;
 };
 
 }  // namespace contactsim

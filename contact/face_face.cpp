@@ -48,8 +48,9 @@ struct ProjectedPair {
 /// Sums over the points of an overlap.
 class PressureSums {
  public:
-  PressureSums(const OverlapPoints& points, const ProjectedPair& pair, const PairPenalty& penalty)
-      : points_(points), penalty_(penalty) {
+  PressureSums(const OverlapPoints& points, const ProjectedPair& pair, const PairPenalty& penalty,
+               double reach)
+      : points_(points), penalty_(penalty), reach_(reach) {
     z1_ = component(pair.map_1, 2);
     z2_ = component(pair.map_2, 2);
   }
@@ -88,6 +89,7 @@ class PressureSums {
     const Lanes gap =
         evaluate(z1_, points_.xi_1[k], points_.eta_1[k]) - evaluate(z2_, points_.xi_2[k], points_.eta_2[k]);
     contact.gap = std::min(contact.gap, (w > 0.0).select(gap, contact.gap).minCoeff());
+    contact.stiffness += penalty_.stiffness * (gap < reach_).select(w, 0.0).sum();
     const Lanes depth = (-gap).max(0.0);
     const LaneMask touches = depth > 0.0 && depth <= penalty_.depth;
     if (!touches.any()) return;
@@ -111,6 +113,7 @@ class PressureSums {
 
   const OverlapPoints& points_;
   const PairPenalty& penalty_;
+  double reach_;
   std::array<double, 4> z1_, z2_, speed_1_{}, speed_2_{};
   FaceMoments forces_1_{}, forces_2_{};
   double work_ = 0.0;
@@ -145,12 +148,11 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   make_maps(first, second, *pair);
   const OverlapPoints points = find_overlap(pair->first, pair->map_1, pair->second, pair->map_2);
   if (!(points.area > 0.0)) return contact;
-  PressureSums sums(points, *pair, penalty);
+  PressureSums sums(points, *pair, penalty, reach);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
   if (!contact.overlaps) return contact;
-  contact.stiffness = penalty.stiffness * points.area;
   contact.normal = pair->plane.normal;
   contact.weights_1 = sums.weights(true, first.is_triangle);
   contact.weights_2 = sums.weights(false, second.is_triangle);

@@ -27,8 +27,8 @@ struct FaceFaceContact {
   double area = 0.0;      ///< that touches [length^2]
   double gap =
       0.0;  ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
-  double stiffness = 0.0;                            ///< of the penalty over the whole overlap [force/length]
-  double damped_power = 0.0;                         ///< energy that damping takes per time [energy/time]
+  double stiffness = 0.0;     ///< of the penalty over what is nearer than the reach [force/length]
+  double damped_power = 0.0;  ///< energy that damping takes per time [energy/time]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
   /// Shares of the corners in the force, sum 1; in the overlap's area when there is no force [1].
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();

@@ -109,10 +109,21 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (!point) return;
   hit.point = *point;
   hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
-  const double factor = memory_[row].n_touches > 0 ? known_depth : 1.0;
-  hit.penalty.depth = std::max(factor * hit.penalty.depth, 1.5 * closed);
+  const bool is_known = memory_[row].knows(hit.point.normal);
+  hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
+  if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
   if (looks_at(scene, node, hit.point.normal) && stands_over(scene, face_index, hit)) hits.add(hit);
+}
+
+bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const SurfaceNode& node,
+                                          const MovingFace& face, const Hit& hit) const {
+  // Before the first step nobody knows; what overlaps then is pushed out.
+  if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
+  constexpr double shallow = 0.02;  // of the element's thickness: facets of a round surface change that much
+  const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
+  const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
+  return hit.point.gap + approach > -shallow * node.backing.thickness;
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
@@ -146,12 +157,7 @@ bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face
 }
 
 void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, Hits& hits) const {
-  const auto went_in_here = [&](const Hit& hit) {
-    for (std::size_t i = 0; i < memory.n_touches; ++i) {
-      if (memory.touches[i].normal.dot(hit.point.normal) > 0.5) return true;
-    }
-    return false;
-  };
+  const auto went_in_here = [&](const Hit& hit) { return memory.knows(hit.point.normal); };
   // Faces on the side of the last step first, then the nearest, then those over which the node stands.
   std::stable_sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
     const bool a_in = went_in_here(a), b_in = went_in_here(b);

@@ -36,6 +36,14 @@ class NodeFaceContacts {
   struct Memory {
     std::array<Touch, most_touched> touches;
     std::uint8_t n_touches = 0;
+
+    /// Whether the node touched a face in the last step that looks the same way.
+    bool knows(const Eigen::Vector3d& normal) const {
+      for (std::size_t i = 0; i < n_touches; ++i) {
+        if (touches[i].normal.dot(normal) > 0.5) return true;
+      }
+      return false;
+    }
   };
   struct Hit;
   struct Hits;
@@ -45,6 +53,10 @@ class NodeFaceContacts {
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool looks_at(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
+  /// Whether the node was in front of the face, or hardly behind it, one step ago. A node that turns up deep
+  /// inside went in elsewhere; pushing it out here would make energy from nothing.
+  bool comes_from_outside(const ContactScene& scene, const SurfaceNode& node, const MovingFace& face,
+                          const Hit& hit) const;
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;
   ContactRecord make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;

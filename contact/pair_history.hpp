@@ -18,7 +18,7 @@ struct PairHistory {
   double contact_time = 0.0;                          ///< time with at least one touching place [time]
   double peak_force = 0.0;                            ///< largest norm of the net force [force]
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< of the net force on `second` [force time]
-  double work = 0.0;                                  ///< of normal forces on both sides [energy]
+  double work = 0.0;                                  ///< stored in its springs and lost [energy]
   double friction_work = 0.0;                         ///< lost to friction, >= 0 [energy]
 
   bool has_touched() const { return contact_time > 0.0 || peak_force > 0.0; }

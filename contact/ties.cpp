@@ -24,7 +24,9 @@ Eigen::Matrix3d axes_of(const FaceCorners& x) {
 ///   offset   between the points, in axes of the second face [length]
 void add_spring(const Corners8& weights, double stiffness, const Eigen::Vector3d& offset, Tie& tie) {
   tie.stiffness += stiffness * weights * weights.transpose();
+  tie.springs += stiffness * weights.cwiseAbs();
   tie.rest += stiffness * offset * weights.transpose();
+  tie.rest_energy += 0.5 * stiffness * offset.squaredNorm();
 }
 
 Corners8 join(const Eigen::Vector4d& first, const Eigen::Vector4d& second) {
@@ -92,7 +94,9 @@ TieForces find_tie_forces(const Tie& tie, const TieVectors& x) {
   TieForces found;
   const Eigen::Vector3d origin = x.col(0);  // large coordinates would cost digits
   const TieVectors arms = x.colwise() - origin;
-  found.forces = axes * tie.rest - arms * tie.stiffness;
+  const TieVectors rest = axes * tie.rest, pull = arms * tie.stiffness;
+  found.forces = rest - pull;
+  found.stored = (0.5 * pull - rest).cwiseProduct(arms).sum() + tie.rest_energy;
   found.forces.rightCols<4>() -= couple(arms.rightCols<4>(), moment(arms, found.forces));
   found.normal = axes.col(2);
   return found;

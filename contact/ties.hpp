@@ -22,15 +22,19 @@ struct Tie {
   bool is_node = false;                             ///< the first side is a node
   std::array<std::uint32_t, 8> nodes{};             ///< contact nodes of the corners
   Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();  ///< [force/length]
+  Eigen::Matrix<double, 8, 1> springs =
+      Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of them [force/length]
   TieVectors rest =
-      TieVectors::Zero();  ///< forces that hold the gaps open, in axes of the second face [force]
-  double area = 0.0;       ///< [length^2]
+      TieVectors::Zero();    ///< forces that hold the gaps open, in axes of the second face [force]
+  double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed [energy]
+  double area = 0.0;         ///< [length^2]
 };
 
 /// The forces of a tie on its corners.
 struct TieForces {
   TieVectors forces;       ///< [force]
   Eigen::Vector3d normal;  ///< of the second side, unit [1]
+  double stored = 0.0;     ///< in the springs [energy]
 };
 
 /// Ties all points of two faces whose gap is at most the tolerance either way. Returns whether there are any.

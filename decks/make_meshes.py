@@ -8,6 +8,8 @@ import math
 import sys
 from pathlib import Path
 
+import numpy as np
+
 from mesh_maker import MeshMaker
 
 
@@ -50,7 +52,39 @@ def taylor_bar(across=4):
     return mesh
 
 
+def ball_on_plate(across=6):
+    """A ball of 10 mm radius, 0.1 mm above the corner of a plate of 60 x 40 x 4 mm."""
+    radius, core, height = 10e-3, 0.45, 10.1e-3
+
+    def place(x, y, z):
+        """From the cube |x|, |y|, |z| <= 2, whose middle |x|, |y|, |z| <= 1 becomes the core."""
+        most = max(abs(x), abs(y), abs(z))
+        inner = np.array([x, y, z]) / max(most, 1)
+        bulge = 1 - 0.12 * (np.dot(inner, inner) - inner * inner)  # sides of the core bend outwards
+        inner_place = core * radius * inner * bulge
+        if most <= 1:
+            point = inner_place
+        else:
+            # On the sphere, angles are shared out evenly.
+            direction = np.tan(math.pi / 4 * inner)
+            outer = radius * direction / np.linalg.norm(direction)
+            point = inner_place + (most - 1) * (outer - inner_place)
+        return point[0], point[1], point[2] + height
+
+    mesh = MeshMaker()
+    mesh.hexes("plate", (-15e-3, -20e-3, -4e-3), (60e-3, 40e-3, 4e-3), (30, 20, 4))
+    mesh.node_set("rim", lambda x, y, z: max(abs(x - 15e-3) - 30e-3, abs(y) - 20e-3) > -1e-9)
+    patch = [(30 * 20 * 3 + 30 * j + i + 1, 6) for j in range(6, 14) for i in range(4, 16)]
+    mesh.side_set("target", patch)
+    mesh.new_body()
+    mesh.place = place
+    mesh.hexes("ball", (-1, -1, -1), (2, 2, 2), (across, across, across))
+    mesh.shell_of_cube("ball", across, across // 2)
+    return mesh
+
+
 if __name__ == "__main__":
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent)
     two_blocks().write(folder / "two_blocks.g")
     taylor_bar().write(folder / "taylor_bar.g")
+    ball_on_plate().write(folder / "impact.g")

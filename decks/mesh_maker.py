@@ -43,9 +43,32 @@ class MeshMaker:
                 for j in range(cells[1]) for i in range(cells[0])]
         return self._add(name, "SHELL4", rows, thickness)
 
+    def shell_of_cube(self, name, across, layers):
+        """HEX8 cells between the surface of the cube |x|, |y|, |z| <= 1 and that of twice its size."""
+        grid = np.linspace(-1, 1, across + 1)
+        depth = np.linspace(1, 2, layers + 1)
+        rows = []
+        for axis in range(3):
+            for sign in (-1, 1):
+                def point(u, v, t):
+                    spot = np.zeros(3)
+                    spot[axis], spot[(axis + 1) % 3], spot[(axis + 2) % 3] = sign, *((u, v) if sign > 0 else (v, u))
+                    return self.node(*(t * spot))
+
+                for k in range(layers):
+                    for j in range(across):
+                        for i in range(across):
+                            ring = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                            rows.append([point(grid[a], grid[b], depth[k + c]) for c in (0, 1) for a, b in ring])
+        return self._add(name, "HEX8", rows)
+
     def _add(self, name, kind, rows, attribute=None):
+        """Cells of the last block's name and kind join it."""
         first = sum(len(rows) for _, _, rows, _ in self.blocks) + 1
-        self.blocks.append((name, kind, rows, attribute))
+        if self.blocks and self.blocks[-1][:2] == (name, kind):
+            self.blocks[-1][2].extend(rows)
+        else:
+            self.blocks.append((name, kind, rows, attribute))
         return first
 
     def side_set(self, name, sides):

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/face_overlap.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/catch.hpp"
+#include "support/random_faces.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+/// Two faces on their common plane with what they have in common.
+struct Overlap {
+  CommonPlane plane;
+  FaceCorners first, second;
+  FaceMap map_1, map_2;
+  OverlapPoints points;
+
+  Overlap(const MovingFace& a, const MovingFace& b)
+      : plane(make_common_plane(a.x, a.normal, b.normal).value()),
+        first(project(a.x, plane)),
+        second(project(b.x, plane)),
+        map_1(make_face_map(first, a.is_triangle)),
+        map_2(make_face_map(second, b.is_triangle)),
+        points(find_overlap(first, map_1, second, map_2)) {}
+
+  /// The sum of a function of the place on the first face over the points.
+  template <class F>
+  double sum(const F& f) const {
+    double total = 0.0;
+    for (int b = 0; b < points.n_batches; ++b) {
+      const auto k = static_cast<std::size_t>(b);
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        total += points.weight[k](lane) * f(map_1.at(points.xi_1[k](lane), points.eta_1[k](lane)),
+                                            map_2.at(points.xi_2[k](lane), points.eta_2[k](lane)));
+      }
+    }
+    return total;
+  }
+};
+
+/// Where a line of constant v meets a convex face: its ends in u, the first above the second if it does not.
+std::array<double, 2> chord(const FaceCorners& face, double v) {
+  double low = 1e300, high = -1e300;
+  for (int k = 0; k < 4; ++k) {
+    const Eigen::Vector3d a = face.col(k), b = face.col((k + 1) % 4);
+    if ((a.y() <= v) == (b.y() <= v)) continue;
+    const double u = a.x() + (v - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    low = std::min(low, u);
+    high = std::max(high, u);
+  }
+  return {low, high};
+}
+
+/// The overlap's area, strip by strip.
+double area_in_strips(const FaceCorners& first, const FaceCorners& second) {
+  constexpr int n = 4000;
+  const double low = first.row(1).minCoeff(), height = (first.row(1).maxCoeff() - low) / n;
+  double area = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const auto a = chord(first, low + (i + 0.5) * height), b = chord(second, low + (i + 0.5) * height);
+    area += height * std::max(0.0, std::min(a[1], b[1]) - std::max(a[0], b[0]));
+  }
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("the common plane lies between two faces that look at each other", "[contact][face_overlap]") {
+  Random random(1);
+  for (int i = 0; i < 20; ++i) {
+    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
+                     b = random_face(random, i % 3 == 0, false, 0.1);
+    const auto plane = make_common_plane(a.x, a.normal, b.normal),
+               swapped = make_common_plane(b.x, b.normal, a.normal);
+    REQUIRE((plane && swapped));
+    CHECK((plane->normal + swapped->normal).norm() < 1e-15);
+    CHECK(plane->normal.dot(b.normal) == Approx(-plane->normal.dot(a.normal)));
+    CHECK(plane->normal.dot(b.normal) > 0.9);
+    CHECK((plane->across.cross(plane->along) - plane->normal).norm() < 1e-14);
+    CHECK(plane->across.norm() == Approx(1.0));
+  }
+}
+
+TEST_CASE("faces that stand at an angle have no common plane", "[contact][face_overlap]") {
+  const MovingFace floor = make_square(0.0, 0.0, true);
+  const auto has_plane = [&](double cosine) {
+    const Eigen::Vector3d normal(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
+    return make_common_plane(floor.x, floor.normal, normal).has_value();
+  };
+  CHECK(has_plane(-1.0));
+  CHECK(has_plane(-0.31));
+  CHECK(!has_plane(-0.29));
+  CHECK(!has_plane(0.0));
+  CHECK(!has_plane(1.0));
+  CHECK(!has_plane(std::nan("")));
+}
+
+TEST_CASE("the overlap of two squares is a rectangle", "[contact][face_overlap]") {
+  const Overlap found(make_square(0.0, 0.0, true), make_square(0.25, 0.1, false));
+  CHECK(found.points.area == Approx(0.75).epsilon(1e-14));
+  // Quadratic polynomials are integrated exactly over a 0.75 x 1 rectangle, seen from its middle.
+  const Eigen::Vector3d middle(0.625, 0.5, 0.0);
+  const Eigen::Vector3d m = project(middle.replicate<1, 4>(), found.plane).col(0);
+  const auto of = [&](const auto& f) {
+    return found.sum([&](const Eigen::Vector3d& x, const Eigen::Vector3d&) { return f(x - m); });
+  };
+  CHECK(of([](const Eigen::Vector3d&) { return 1.0; }) == Approx(0.75).epsilon(1e-14));
+  CHECK(of([](const Eigen::Vector3d& x) { return x.x(); }) == Approx(0.0).margin(1e-15));
+  CHECK(of([](const Eigen::Vector3d& x) { return x.y(); }) == Approx(0.0).margin(1e-15));
+  const double polar = 0.75 * (0.75 * 0.75 + 1.0) / 12.0;
+  CHECK(of([](const Eigen::Vector3d& x) { return x.head<2>().squaredNorm(); }) == Approx(polar));
+}
+
+TEST_CASE("overlaps of random faces have the area of a sweep in strips", "[contact][face_overlap]") {
+  Random random(3);
+  double total = 0.0;
+  for (int i = 0; i < 60; ++i) {
+    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
+                     b = random_face(random, i % 3 == 0, false, 0.0);
+    const Overlap found(a, b);
+    const double slow = area_in_strips(found.first, found.second);
+    total += slow;
+    CHECK(found.points.area ==
+          Approx(slow).margin(2e-5));  // strips of 1/4000, an end of which may be all edge
+    CHECK(found.sum([](const auto&, const auto&) { return 1.0; }) == Approx(found.points.area));
+    CHECK(Overlap(b, a).points.area == Approx(found.points.area).epsilon(1e-12));
+    CHECK(Overlap(renumbered(a), b).points.area == Approx(found.points.area).epsilon(1e-12));
+    CHECK(Overlap(a, renumbered(b)).points.area == Approx(found.points.area).epsilon(1e-12));
+  }
+  CHECK(total > 15.0);
+}
+
+TEST_CASE("points of an overlap lie above each other on both faces, and on both", "[contact][face_overlap]") {
+  Random random(4);
+  for (int i = 0; i < 40; ++i) {
+    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
+                     b = random_face(random, i % 3 == 0, false, 0.1);
+    const Overlap found(a, b);
+    CHECK(found.sum([](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
+      return (x - y).head<2>().norm();
+    }) < 1e-12);
+    for (int batch = 0; batch < found.points.n_batches; ++batch) {
+      const auto k = static_cast<std::size_t>(batch);
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        if (found.points.weight[k](lane) == 0.0) continue;
+        const double xi = found.points.xi_1[k](lane), eta = found.points.eta_1[k](lane);
+        CHECK(corner_weights(xi, eta, a.is_triangle).minCoeff() > -1e-10);
+      }
+    }
+  }
+}
+
+TEST_CASE("a face inside another one overlaps wholly, faces side by side do not", "[contact][face_overlap]") {
+  const MovingFace floor = make_square(0.0, 0.0, true);
+  MovingFace small = make_square(0.25, 0.0, false, 0.5);
+  small.x.row(1).array() += 0.25;
+  CHECK(Overlap(floor, small).points.area == Approx(0.25));
+  CHECK(Overlap(small, floor).points.area == Approx(0.25));
+  CHECK(Overlap(floor, make_square(0.0, 0.0, false)).points.area == Approx(1.0));
+  CHECK(Overlap(floor, make_square(1.0, 0.0, false)).points.area == Approx(0.0).margin(1e-15));
+  CHECK(Overlap(floor, make_square(1.5, 0.0, false)).points.area == 0.0);
+}

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "support/contact_bodies.hpp"
+
+#include <stdexcept>
+
+#include "contact/contact_search.hpp"
+#include "core/elements/element_table.hpp"
+
+namespace contactsim::test {
+
+namespace {
+
+const Modelled& checked(const Modelled& made) {
+  if (!made.messages.empty()) throw std::logic_error(made.messages);
+  return made;
+}
+
+}  // namespace
+
+std::string general_contact(const std::string& more, const std::string& surfaces) {
+  return surfaces + "begin interaction defaults\ngeneral contact = on\n" + more + "end\n";
+}
+
+ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given)
+    : mesh(builder.build()),
+      region(given),
+      definition(checked(test::make_model(mesh, region))),
+      model(make_model_of(mesh)),
+      x(mesh.coordinates()),
+      v(Eigen::Matrix3Xd::Zero(3, x.cols())),
+      forces(Eigen::Matrix3Xd::Zero(3, x.cols())),
+      contact({*region.contact, definition, model, {}}) {}
+
+Region ContactBodies::with_contact(const std::string& lines) {
+  Region region;
+  region.contact = parse_contact(lines);
+  return region;
+}
+
+Model ContactBodies::make_model_of(const Mesh& mesh) {
+  Model model;
+  model.mesh = &mesh;
+  SolidProperties properties;
+  properties.law = ElasticLaw{{1.0, 0.5}};
+  properties.density = 1.0;
+  for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) {
+    const SolidElement* element = find_solid_element(mesh.blocks()[b].shape, "mean_quadrature");
+    model.blocks.push_back(make_solid_block(mesh, b, *element, properties));
+  }
+  model.mass = lumped_mass(mesh, model.blocks);
+  return model;
+}
+
+ForceReport ContactBodies::step(double size) {
+  dt = size;
+  time += size;
+  x += size * v;
+  return ask();
+}
+
+void ContactBodies::shift(std::size_t block, const Eigen::Vector3d& way) {
+  std::vector<std::uint8_t> is_moved(mesh.n_nodes(), 0);
+  for (const NodeIndex node : mesh.blocks()[block].nodes) is_moved[node.value] = 1;
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    if (is_moved[static_cast<std::size_t>(i)] != 0) x.col(i) += way;
+  }
+}
+
+void ContactBodies::set_velocity(std::size_t block, const Eigen::Vector3d& velocity) {
+  for (const NodeIndex node : mesh.blocks()[block].nodes) v.col(node.value) = velocity;
+}
+
+Eigen::Vector3d ContactBodies::force_on(std::size_t block) const {
+  std::vector<std::uint8_t> is_in(mesh.n_nodes(), 0);
+  for (const NodeIndex node : mesh.blocks()[block].nodes) is_in[node.value] = 1;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < x.cols(); ++i) {
+    if (is_in[static_cast<std::size_t>(i)] != 0) sum += forces.col(i);
+  }
+  return sum;
+}
+
+Eigen::Vector3d ContactBodies::net_moment() const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Eigen::Index i = 0; i < x.cols(); ++i) sum += x.col(i).cross(forces.col(i));
+  return sum;
+}
+
+ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contact_lines)
+    : mesh(builder.build()),
+      definition(parse_contact(contact_lines)),
+      model(checked(test::make_model(mesh, contact_lines))),
+      faces(make_contact_faces(model.surfaces, mesh)),
+      rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
+      surface(faces),
+      x(mesh.coordinates()),
+      v(Eigen::Matrix3Xd::Zero(3, x.cols())) {
+  move();
+}
+
+void ContactParts::search() {
+  move();
+  ContactSearch(faces, mesh, rules, definition.search, definition.dash)
+      .find(surface, motion(), {face_partners, node_faces});
+}
+
+}  // namespace contactsim::test

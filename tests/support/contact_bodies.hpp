@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "contact/contact_force.hpp"
+#include "core/model.hpp"
+#include "support/contact_deck.hpp"
+
+namespace contactsim::test {
+
+/// General contact as the defaults of interactions, with more lines in them, under the lines of surfaces.
+std::string general_contact(const std::string& more = "",
+                            const std::string& surfaces = "skin all blocks = on\n");
+
+/// Bodies of a mesh with a contact definition, moved by a test. Their material has bulk modulus 1, shear
+/// modulus 0.5 and density 1; contact is told that the elements' stable step is 1.
+class ContactBodies {
+ public:
+  /// Throws std::logic_error when the deck has errors.
+  ContactBodies(const MeshBuilder& builder, const std::string& contact_lines)
+      : ContactBodies(builder, with_contact(contact_lines)) {}
+  ContactBodies(const MeshBuilder& builder, const Region& region);
+  ContactBodies(const ContactBodies&) = delete;
+  ContactBodies& operator=(const ContactBodies&) = delete;
+
+  Mesh mesh;
+  Region region;
+  Modelled definition;
+  Model model;
+  Eigen::Matrix3Xd x, v, forces;  ///< forces: those asked for last
+  double time = 0.0, dt = 0.0;
+  ContactForce contact;
+
+  Motion motion() const { return {time, dt, x, v, 1.0}; }
+  /// Asks for the forces where the nodes are.
+  ForceReport ask() { return contact.set_forces(motion(), forces); }
+  /// Moves the nodes by their velocities, then asks.
+  ForceReport step(double size);
+
+  /// Shifts the nodes of a block, or sets their velocity; by the block's position in the mesh.
+  void shift(std::size_t block, const Eigen::Vector3d& way);
+  void set_velocity(std::size_t block, const Eigen::Vector3d& velocity);
+  /// The sum of the forces on a block's nodes.
+  Eigen::Vector3d force_on(std::size_t block) const;
+  /// The sums over all nodes of the forces asked for last, of their moments about the origin, of their sizes.
+  Eigen::Vector3d net_force() const { return forces.rowwise().sum(); }
+  Eigen::Vector3d net_moment() const;
+  double force_size() const { return forces.colwise().norm().sum(); }
+
+ private:
+  static Region with_contact(const std::string& lines);
+  static Model make_model_of(const Mesh& mesh);
+};
+
+/// What contact's own parts are tested with, without forces.
+struct ContactParts {
+  ContactParts(const MeshBuilder& builder, const std::string& contact_lines);
+  ContactParts(const ContactParts&) = delete;
+  ContactParts& operator=(const ContactParts&) = delete;
+
+  Mesh mesh;
+  ContactDefinition definition;
+  Modelled model;
+  ContactFaces faces;
+  PairRules rules;
+  MovingSurface surface;
+  Eigen::Matrix3Xd x, v;
+  GluedPlaces glued;
+
+  Motion motion(double dt = 0.0) const { return {0.0, dt, x, v, 1.0}; }
+  /// Takes the motion over, bounds of faces too.
+  void move() {
+    surface.move_nodes(motion());
+    surface.bound_all();
+  }
+  ContactScene scene(double dt = 0.0, bool is_frozen = false) const {
+    return {surface, rules, glued, dt, is_frozen};
+  }
+  /// The candidates of a search now.
+  PairLists face_partners, node_faces;
+  void search();
+};
+
+}  // namespace contactsim::test
