@@ -7,15 +7,12 @@
 #include <cmath>
 #include <sstream>
 
-#include "app/contact_report.hpp"
 #include "app/file_clashes.hpp"
-#include "app/pair_report.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
+#include "app/run_contact.hpp"
 #include "app/run_report.hpp"
 #include "app/timed_force.hpp"
-#include "contact/contact_force.hpp"
-#include "contact/contact_output.hpp"
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
@@ -49,7 +46,7 @@ struct Setup {
 /// What pushes the nodes besides the elements.
 struct RunForces {
   ForceTerm& external;
-  ContactForce* contact;  ///< null without contact
+  RunContact* contact;  ///< null without contact
 };
 
 /// A region on its way from start to end.
@@ -58,7 +55,6 @@ class Run {
   Run(const RunInput& input, const Setup& setup, Outputs& outputs, RunForces forces, Log& log,
       Diagnostics& warnings)
       : model_(setup.model),
-        contact_model_(input.contact),
         control_(setup.control),
         state_(make_state(input.mesh.coordinates(), model_.blocks, control_.start_time())),
         outputs_(outputs),
@@ -71,7 +67,7 @@ class Run {
     set_initial_state(setup.initial, model_.blocks, state_);
     if (contact_ == nullptr) return;
     is_for_overlap_only_ = input.region.contact->overlap_removal.is_all_there_is;
-    timed_contact_.emplace(*contact_);
+    timed_contact_.emplace(contact_->force());
     state_.forces.contact = Eigen::Matrix3Xd::Zero(3, model_.mesh->n_nodes());
   }
 
@@ -93,8 +89,10 @@ class Run {
       code = ExitCode::solve;
     }
     const double whole = clock_seconds() - begun;
-    if (contact_ != nullptr)
-      log_.write(format_pair_histories(*contact_model_, contact_->histories()) + format_contact(*contact_));
+    if (contact_ != nullptr) {
+      log_.write(contact_->report());
+      contact_->write_debug_files(state_);
+    }
     write_wall_times(whole);
     return code;
   }
@@ -164,13 +162,12 @@ class Run {
   }
 
   const Model& model_;
-  const ContactModel* contact_model_;
   const TimeStepControl& control_;
   State state_;
   Outputs& outputs_;
   InternalForce internal_;
   TimedForce timed_internal_, timed_external_;
-  ContactForce* contact_;  // null without contact
+  RunContact* contact_;  // null without contact
   std::optional<TimedForce> timed_contact_;
   Log& log_;
   Diagnostics& warnings_;
@@ -221,35 +218,23 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
 }
 
 /// No output may overwrite what the run reads, or the log.
-void check_paths(const RunInput& input, const Outputs& outputs) {
+void check_paths(const RunInput& input, const std::vector<std::string>& paths) {
   std::vector<RunFile> kept = files_read(input.options);
   kept.push_back({input.mesh.path(), "the mesh"});
   kept.push_back({log_path(input.options), "the log"});
-  for (const std::string& path : outputs.paths()) {
+  for (const std::string& path : paths) {
     const RunFile file{path, "the output file " + path};
     const std::string clash = find_file_clash(kept, {&file, 1});
     if (!clash.empty()) throw FileError(path, clash);
   }
 }
 
-/// The faces that each contact surface owns, so that viewers can show them.
-std::vector<SideSet> contact_side_sets(const ContactModel& contact) {
-  std::vector<SideSet> sets;
-  for (const ContactSurface& surface : contact.surfaces.surfaces) {
-    if (!surface.faces.empty()) sets.push_back({0, "contact_" + surface.name, surface.faces, {}});
-  }
-  return sets;
-}
-
-OutputSettings output_settings(const RunInput& input, ContactOutput* contact, Log& log) {
+OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& log) {
   OutputSettings settings;
   settings.results_path = input.options.results;
   settings.command_line = input.options.command_line;
   settings.deck_lines = lines_of(input.definition.text);
-  if (contact != nullptr) {
-    settings.variables = contact->variables();
-    settings.side_sets = contact_side_sets(*input.contact);
-  }
+  if (contact != nullptr) contact->add_to(settings);
   settings.log = [&log](std::string_view text) { log.write(text); };
   return settings;
 }
@@ -263,18 +248,16 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   Setup setup = set_up(input, warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
                              warnings};
-  std::optional<ContactForce> contact;
-  std::optional<ContactOutput> contact_output;
-  if (input.contact != nullptr) {
-    contact.emplace(ContactSetup{*input.region.contact, *input.contact, setup.model, scope.blocks});
-    contact_output.emplace(*contact, *input.contact, setup.model);
-  }
-  Outputs outputs(scope, setup.model,
-                  output_settings(input, contact_output ? &*contact_output : nullptr, log));
+  std::optional<RunContact> contact;
+  if (input.contact != nullptr) contact.emplace(input, setup.model);
+  RunContact* const of_run = contact ? &*contact : nullptr;
+  Outputs outputs(scope, setup.model, output_settings(input, of_run, log));
   stop_on_errors(warnings);
-  check_paths(input, outputs);
+  std::vector<std::string> paths = outputs.paths();
+  if (of_run != nullptr) std::ranges::copy(of_run->paths(), std::back_inserter(paths));
+  check_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
-  return Run(input, setup, outputs, {setup.external, contact ? &*contact : nullptr}, log, warnings).go();
+  return Run(input, setup, outputs, {setup.external, of_run}, log, warnings).go();
 }
 
 }  // namespace contactsim

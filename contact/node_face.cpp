@@ -20,8 +20,9 @@ Tangents tangents_at(const FaceMap& map, double xi, double eta) {
 /// The coordinates at which the vector to the point stands upright on the face.
 bool find_foot(const FaceMap& map, const Eigen::Vector3d& point, double& xi, double& eta) {
   constexpr int max_iterations = 20;
-  constexpr double accuracy = 1e-14;  // of the coordinates, which are of order one
-  constexpr double far_away = 10.0;   // such points stand over other faces
+  constexpr double accuracy =
+      1e-8;  // of the coordinates, which are of order one: the next step would be its square
+  constexpr double far_away = 10.0;  // such points stand over other faces
   for (int i = 0; i < max_iterations; ++i) {
     const auto [a, b] = tangents_at(map, xi, eta);
     const Eigen::Vector3d away = point - map.at(xi, eta);

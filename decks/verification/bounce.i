@@ -71,12 +71,12 @@ begin sierra bounce
       begin user output
         block = cube
         compute global force as sum of nodal force_contact(z)
-        compute global depth as min of nodal displacement(z)
+        compute global level as average of nodal displacement(z)
         compute global v as average of nodal velocity(z)
       end
       begin heartbeat output
         stream name = %B.csv
-        global force depth v
+        global force level v
         {include("energies.inc")}
       end
       {include("results.inc")}

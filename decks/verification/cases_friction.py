@@ -99,3 +99,27 @@ def stick_limit(bench):
     slope_of, start = np.polyfit(times[slips], np.sqrt(np.maximum(speed[slips], 0)), 1)
     return [Check("pull over weight at slip", 0.5, -start / slope_of / 4e-3 * 0.75, 0.01),
             *balances([run], has_friction=True)]
+
+
+def block_and_spring():
+    mesh = MeshMaker()
+    mesh.hexes("slider", (0, 0, 0), (0.1, 0.1, 0.1), (2, 2, 2))
+    mesh.hexes("spring", (-0.1, 0, 0), (0.1, 0.1, 0.1), (2, 2, 2))
+    mesh.node_set("wall", lambda x, y, z: x < -0.099)
+    return mesh
+
+
+@case()
+def spring_and_friction(bench):
+    run = bench.run("spring_and_friction", block_and_spring())
+    times, place = run["Time"], 0.85e-3 + run["x"]
+    checks = []
+    for i, expected in enumerate((-0.65e-3, 0.45e-3, -0.25e-3, 0.05e-3)):
+        due = 0.01 + (i + 1) * math.pi * 1e-2
+        near = np.abs(times - due) < 0.008
+        turn = np.argmin(place[near]) if expected < 0 else np.argmax(place[near])
+        checks.append(Check(f"turn {i + 1} at [m]", expected, place[near][turn], 5e-6, 1.0))
+        if i < 3:
+            checks.append(Check(f"turn {i + 1}, time [s]", due - 0.01, times[near][turn] - 0.01, 0.005))
+    checks.append(Check("stays at [m]", 0.05e-3, np.mean(place[times > 0.15]), 5e-6, 1.0))
+    return checks + balances([run], has_plane=True)

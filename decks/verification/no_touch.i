@@ -25,7 +25,8 @@ begin sierra nothing touches
 
   begin finite element model bodies
     database name = no_touch.g
-    begin parameters for block include all blocks
+    begin parameters for block
+      include all blocks
       material = steel
       model = elastic
     end

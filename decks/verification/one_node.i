@@ -14,8 +14,8 @@ begin sierra one node
   begin definition for function down
     type = piecewise linear
     begin values
-      0 0.01
-      1 -0.03
+      0 0
+      1 -0.04
     end
   end
 
