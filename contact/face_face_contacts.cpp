@@ -15,14 +15,6 @@ namespace {
 /// enough for the penalty of what it brings into touch.
 constexpr double steps_ahead = 2.0;
 
-/// Whether two faces may touch at all.
-bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
-  constexpr double most_aside = -0.3;  // see make_common_plane
-  if (a.normal.dot(b.normal) > most_aside) return false;
-  const double distance = a.radius + b.radius + reach;
-  return (a.centre - b.centre).squaredNorm() < distance * distance;
-}
-
 Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
   return face.v * weights;
 }

@@ -89,19 +89,19 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const SurfaceNode& node = faces_.surface_nodes[row];
   const ContactFace& face = faces_.faces[face_index];
   const FaceBound& bound = scene.surface.bound(face_index);
-  const Eigen::Vector3d x = scene.surface.x(node.node), away = x - bound.centre;
+  const Eigen::Vector3d x = scene.surface.x(node.node);
   const double closed =
       std::max(0.0, (bound.velocity - scene.surface.v(node.node)).dot(bound.normal)) * scene.dt;
-  const double reach = steps_ahead * closed, height = away.dot(bound.normal);
-  const double deepest = std::max(face.backing.thickness, 1.5 * closed), warp = 0.25 * bound.radius;
-  if (height > reach + warp || height < -deepest - warp) return;
-  const double side_squared = away.squaredNorm() - height * height, most = bound.radius + deepest;
-  if (side_squared > most * most || has_corner(face, node.node)) return;
-
+  const double reach = steps_ahead * closed;
   Hit hit;
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
   const PairRule& rule = scene.rules[hit.pair];
+  const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
+  const double beyond = rule.pair->tangential_tolerance.value_or(automatic_beyond * bound.radius);
+  // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
+  const double behind = std::max(0.0, (bound.centre - x).dot(bound.normal) + bound.twist);
+  if (!may_stand_over(x, bound, reach, deepest, beyond + behind) || has_corner(face, node.node)) return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law == ContactLaw::glued && scene.glued.holds_node(row, hit.pair)) return;
   const MovingFace moving = scene.surface.face(face_index);
