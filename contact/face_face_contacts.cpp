@@ -110,7 +110,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
     if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
     record.elastic = elastic_[candidate.place];
     add_friction(penalty.stiffness * contact.area, rule.friction, scene.is_frozen, record);
-    elastic_[candidate.place] = record.elastic;
+    if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
   }
 }
 

@@ -64,7 +64,7 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
       record.slip = velocity * scene.dt;
       record.elastic = place.elastic;
       add_friction(penalty.stiffness * area, rule.friction, scene.is_frozen, record);
-      place.elastic = record.elastic;
+      if (!scene.is_frozen) place.elastic = record.elastic;
     }
   }
 }
