@@ -76,7 +76,9 @@ class Run {
     ExitCode code = ExitCode::done;
     try {
       const StepReport at_start = start(model_, terms(), control_, state_);
-      log_.write(format_model(model_, at_start) + format_paths(outputs_.paths()) + step_heading());
+      const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
+      log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) +
+                 step_heading());
       warn_of_user_step(at_start);
       look_for_end();
       tell(is_over());

@@ -53,15 +53,17 @@ struct NodeFaceContacts::Hits {
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
-  for (std::size_t row = begin; row < end; ++row) find_one(scene, static_cast<std::uint32_t>(row), records);
+  Hits hits;
+  for (std::size_t row = begin; row < end; ++row)
+    find_one(scene, static_cast<std::uint32_t>(row), hits, records);
 }
 
-void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row,
+void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Hits& hits,
                                 std::vector<ContactRecord>& records) {
   Memory& memory = memory_[row];
   const auto candidates = candidates_.of(row);
   if (candidates.empty() && memory.n_touches == 0) return;
-  Hits hits;
+  hits.n = 0;
   for (const std::uint32_t face : candidates) look_at(scene, row, face, hits);
   choose(scene, memory, hits);
   Memory next;

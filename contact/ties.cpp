@@ -97,6 +97,8 @@ TieForces find_tie_forces(const Tie& tie, const TieVectors& x) {
   const TieVectors rest = axes * tie.rest, pull = arms * tie.stiffness;
   found.forces = rest - pull;
   found.stored = (0.5 * pull - rest).cwiseProduct(arms).sum() + tie.rest_energy;
+  // Products of a large stiffness cancel to small forces with an error, which must not push the whole.
+  found.forces.col(7) -= found.forces.rowwise().sum();
   found.forces.rightCols<4>() -= couple(arms.rightCols<4>(), moment(arms, found.forces));
   found.normal = axes.col(2);
   return found;

@@ -28,7 +28,7 @@ def stop_checks(label, run, distance, time, energy, drift):
     times, way = run["Time"], run["x"]
     steady = (times > 0.2 * time) & (times < 0.8 * time)
     slope_of, start = np.polyfit(times[steady], run["v"][steady], 1)
-    stopped = way[times > 1.5 * time]
+    stopped = way[times > time + 0.4 * (times[-1] - time)]
     return [Check(f"{label}: distance [m]", distance, way[-1], 0.01),
             Check(f"{label}: time [s]", time, -start / slope_of, 0.01),
             Check(f"{label}: energy lost to friction [J]", energy, run["friction_energy"][-1], 0.01),
@@ -64,7 +64,7 @@ def sliding_ways(bench):
         way = vx * run["x"][-1] + vy * run["y"][-1]
         if not checks:
             first = way
-        missed = 0.02 if vx == root else None
+        missed = 1e-5 if vx == root else None
         checks.append(Check(f"thrown along ({vx:.3g}, {vy:.3g}): distance [m]", first, way, 1e-6, known_miss=missed))
     return checks[1:]
 
@@ -76,14 +76,13 @@ def slope(bench):
     checks, runs = [], []
     for scale in (1.0, 0.1, 10.0):
         for mu in (0.3, 0.577, 0.6):
-            mesh = slider(scale, way=0.02 if mu == 0.3 else 0)
-            runs.append(bench.run("sliding_block", mesh, mu=mu, vx=0, vy=0, gx=gx, gz=gz, youngs=1e7, end_time=0.12, rise=rise))
+            mesh = slider(scale, way=15 * rise ** 2 if mu == 0.3 else 0)
+            runs.append(bench.run("sliding_block", mesh, mu=mu, vx=0, vy=0, gx=gx, gz=gz, youngs=1e8 * scale, end_time=3 * rise, rise=rise))
             run = runs[-1]
             label, late = f"size x {scale:g}, mu = {mu}", run["Time"] > rise
             if mu < math.tan(math.pi / 6):
                 reached = np.polyfit(run["Time"][late], run["v"][late], 1)[0]
-                missed = None if mu < 0.5 else 2.5
-                checks.append(Check(f"{label}: acceleration", gx - mu * gz, reached, 0.005, known_miss=missed))
+                checks.append(Check(f"{label}: acceleration", gx - mu * gz, reached, 0.005))
             else:
                 reached = np.polyfit(run["Time"][late], run["x"][late], 1)[0] / (0.02 * scale)
                 checks.append(at_most(f"{label}: creep over the size [1/s]", abs(reached), 1e-6))

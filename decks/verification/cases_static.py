@@ -57,7 +57,7 @@ def tied_patch_test(bench):
         bar = 0.001 if form == "face_face" else 0.69
         checks += [at_most(f"{form}: error of stress", stress_error(runs[-1], 100), bar),
                    Check(f"{form}: stretch", 1e-4, stretch, 0.001 if form == "face_face" else 0.02)]
-    return checks + balances(runs, force=1e-8)
+    return checks + balances(runs)
 
 
 @case()

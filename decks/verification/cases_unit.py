@@ -86,3 +86,51 @@ def no_touch(bench):
             run = bench.run("no_touch", mesh, form=form, spin=spin)
             checks.append(at_most(f"{label}, {form}: largest force", np.max(np.abs(run.nodal("force_contact"))), 0.0))
     return checks
+
+
+def half_bars():
+    mesh = MeshMaker()
+    mesh.hexes("half_1", (0, 0, 0), (0.1, 0.04, 0.04), (5, 2, 2))
+    mesh.new_body()
+    mesh.hexes("half_2", (0.1, 0, 0), (0.1, 0.04, 0.04), (7, 3, 3))
+    return mesh
+
+
+@case()
+def tied_bar(bench):
+    checks, runs = [], []
+    for form in ("face_face", "node_face"):
+        runs.append(bench.run("tied_bar", half_bars(), form=form))
+        run = runs[-1]
+        stress = max(np.max(np.abs(run.element(f"stress_{c}", b))) for b in (1, 2) for c in ("xx", "yy", "zz", "xy", "yz", "zx"))
+        at = run.start
+        corners = [[n for n in run.nodes_of(b) if at[n, 0] == 0.1 and {at[n, 1], at[n, 2]} <= {0, 0.04}] for b in (1, 2)]
+        place = run.nodal("coordinates")[-1]
+        apart = max(min(np.linalg.norm(place[n] - place[m]) for m in corners[1]) for n in corners[0])
+        momentum = np.sum(run.nodal("mass")[..., None] * np.cross(run.nodal("coordinates"), run.nodal("velocity")), axis=1)
+        change = np.linalg.norm(momentum[-1] - momentum[0]) / np.linalg.norm(momentum[0])
+        checks += [at_most(f"{form}: largest stress over E", stress / 200e9, 1e-6),
+                   at_most(f"{form}: halves apart, over the width", apart / 0.04, 1e-6),
+                   at_most(f"{form}: change of angular momentum", change, 1e-9)]
+    return checks + balances(runs, is_free=True)
+
+
+def overlapping_cubes():
+    mesh = MeshMaker()
+    mesh.hexes("lower", (0, 0, 0), (1, 1, 1), (2, 2, 2))
+    mesh.new_body()
+    mesh.hexes("upper", (0, 0, 0.98), (1, 1, 1), (2, 2, 2))
+    return mesh
+
+
+@case()
+def overlap(bench):
+    run = bench.run("overlap", overlapping_cubes())
+    place, at = run.nodal("coordinates"), run.start
+    top = np.max(place[0, run.nodes_of(1), 2])
+    moved = place[0] - at
+    return [at_most("gap after removal below -1e-6 h", max(0.0, top - np.min(place[0, run.nodes_of(2), 2])), 0.5e-6),
+            at_most("gap after removal above 0", max(0.0, np.min(place[0, run.nodes_of(2), 2]) - top), 1e-12),
+            at_most("nodes moved aside", np.max(np.abs(moved[:, :2])), 1e-12),
+            at_most("largest stress afterwards over E", np.max(np.abs(run.element("stress_zz", 1))) / 1e6, 1e-6),
+            at_most("largest force", np.max(np.abs(run.nodal("force_contact"))), 1e-6)]

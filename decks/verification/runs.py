@@ -124,7 +124,7 @@ class Bench:
     def __init__(self, program, folder):
         self.program, self.folder, self.n_runs = program, Path(folder), 0
 
-    def run(self, deck, mesh, **variables):
+    def run(self, deck, mesh, /, **variables):
         """Runs <deck>.i on a mesh, with Aprepro variables; a run that fails ends everything."""
         self.n_runs += 1
         folder = self.folder / str(self.n_runs)

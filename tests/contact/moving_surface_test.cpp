@@ -92,3 +92,39 @@ TEST_CASE("a face is handed out with its corners as they move", "[contact][movin
     CHECK(face.normal == parts.surface.bound(f).normal);
   }
 }
+
+TEST_CASE("the sides of an edge do not count for what its top touches", "[contact][moving_surface]") {
+  // A corner of a cube of edge 2 has a quarter of three faces, 1 each.
+  ContactParts parts(cube_and_tet(), general_contact());
+  const SurfaceNode& corner = parts.faces.surface_nodes[0];
+  REQUIRE(parts.x.col(0) == Vector3d::Zero());
+  REQUIRE(corner.area == Approx(3.0));
+  CHECK(parts.surface.area_against(corner, Vector3d::UnitZ()) == Approx(1.0));
+  CHECK(parts.surface.area_against(corner, Vector3d(0, 0.6, 0.8)) == Approx(1.4));
+  CHECK(parts.surface.area_against(corner, -Vector3d::UnitZ()) == Approx(0.03));
+  parts.x *= 2.0;
+  parts.move();
+  CHECK(parts.surface.area_against(corner, Vector3d::UnitZ()) == Approx(4.0));
+}
+
+TEST_CASE("corners of quadrilaterals share their area by four, of triangles by three",
+          "[contact][moving_surface]") {
+  const ContactParts parts(cube_and_tet(), general_contact());
+  for (std::uint32_t f = 0; f < 10; ++f) {
+    const FaceBound& bound = parts.surface.bound(f);
+    const double area = f < 6 ? 4.0 : bound.normal.minCoeff() < -0.9 ? 4.5 : 4.5 * std::sqrt(3.0);
+    CHECK((parts.surface.corner_area(f) - area / (f < 6 ? 4.0 : 3.0) * bound.normal).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("nodes of a set without faces of their own have their area at the start all round",
+          "[contact][moving_surface]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .size = {2, 2, 2}});
+  b.add_node_set(5, "tip", [](const Vector3d& x) { return x.norm() < 0.1; });
+  const ContactParts parts(b, "contact node set tip_nodes contains tip\n");
+  REQUIRE(parts.faces.surface_nodes.size() == 1);
+  const SurfaceNode& tip = parts.faces.surface_nodes[0];
+  CHECK(tip.area > 0.0);
+  CHECK(parts.surface.area_against(tip, Vector3d::UnitX()) == tip.area);
+}

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
 
 using namespace contactsim;
 
@@ -49,4 +50,31 @@ TEST_CASE("contact reaches half the thinner element deep, or as deep as the pair
   CHECK(make_pair_penalty(soft, nullptr, pair).depth == Approx(0.1));
   pair.normal_tolerance = 0.07;
   CHECK(make_pair_penalty(soft, &hard, pair).depth == 0.07);
+}
+
+TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges of a face",
+          "[contact][penalty]") {
+  // 2 x 2 x 1 elements of density 1, 1 x 1 x 3: behind the top 1.5 of mass per area, behind the sides 0.5.
+  test::MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 3}});
+  test::ContactParts parts(b, test::general_contact());
+  for (const std::uint32_t node : parts.faces.mesh_nodes) {
+    const Eigen::Vector3d x = parts.x.col(node);
+    parts.faces.mass.push_back(0.375 * (x[0] == 1.0 ? 2.0 : 1.0) * (x[1] == 1.0 ? 2.0 : 1.0));
+  }
+  for (ContactFace& face : parts.faces.faces) face.backing.stiffness = 1e9;
+  for (SurfaceNode& node : parts.faces.surface_nodes) node.backing.stiffness = 1e9;
+  parts.faces.faces[0].backing.stiffness = 1e-3;
+  limit_stiffness(parts.surface, 0.1, parts.faces);
+  CHECK(parts.faces.faces[0].backing.stiffness == 1e-3);
+  for (std::uint32_t f = 1; f < parts.faces.faces.size(); ++f) {
+    const bool is_side = std::abs(parts.surface.bound(f).normal[2]) < 0.5;
+    CHECK(parts.faces.faces[f].backing.stiffness ==
+          Approx(4.0 * penalty_share * (is_side ? 0.5 : 1.5) * 100.0));
+  }
+  for (const SurfaceNode& node : parts.faces.surface_nodes) {
+    const Eigen::Vector3d x = parts.x.col(parts.faces.mesh_nodes[node.node]);
+    const bool is_inner = x[0] == 1.0 && x[1] == 1.0;
+    CHECK(node.backing.stiffness == Approx(4.0 * penalty_share * (is_inner ? 1.5 : 0.5) * 100.0));
+  }
 }

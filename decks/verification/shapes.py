@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Meshes of balls and rings."""
+import math
+
+import numpy as np
+
+from mesh_maker import MeshMaker
+
+
+def on_ball(centre, radius):
+    """Maps a cube [-1, 1]^3 to a core and six caps, from 1 to 2 beyond its faces, to the rest of a ball."""
+    def place(*point):
+        p = np.array(point, dtype=float)
+        inner = np.clip(p, -1, 1)
+        core = 0.5 * radius * inner * (1 - 0.1 * (inner @ inner - inner * inner))
+        share = np.max(np.abs(p)) - 1
+        if share <= 1e-12:
+            return tuple(centre + core)
+        out = np.where(np.abs(p) > 1 + 1e-12, np.sign(p), np.tan(math.pi / 4 * p))
+        return tuple(centre + core + share * (radius * out / np.linalg.norm(out) - core))
+    return place
+
+
+def add_ball(mesh, centre, radius, n):
+    """A core of n x n x n elements under six caps of n layers."""
+    mesh.new_body()
+    mesh.place = on_ball(np.array(centre), radius)
+    mesh.hexes("core", (-1, -1, -1), (2, 2, 2), (n, n, n))
+    for name, axis, side in (("east", 0, 1), ("west", 0, -2), ("north", 1, 1), ("south", 1, -2), ("top", 2, 1), ("bottom", 2, -2)):
+        origin, size = [-1, -1, -1], [2, 2, 2]
+        origin[axis], size[axis] = side, 1
+        cells = [n, n, n]
+        cells[axis] = max(2, n // 2)
+        mesh.hexes(name, tuple(origin), tuple(size), tuple(cells))
+
+
+def add_ring(mesh, name, centre, inner, outer, width, cells):
+    """Cells along the radius, around, and along the width."""
+    def place(r, angle, z):
+        return centre[0] + r * math.cos(angle), centre[1] + r * math.sin(angle), z
+
+    mesh.new_body()
+    mesh.place = place
+    mesh.hexes(name, (inner, 0, 0), (outer - inner, 2 * math.pi, width), cells)
+
+
+def hairpin(n_leg, n_bend, thickness):
+    """Two legs of length 4, one apart from the other by 2, and the half ring that joins them."""
+    def place(s, t, z):
+        r = 1 + thickness - t
+        if s < 4:
+            return s, -r, z
+        if s > 4 + math.pi:
+            return 8 + math.pi - s, r, z
+        angle = s - 4 - math.pi / 2
+        return 4 + r * math.cos(angle), r * math.sin(angle), z
+
+    mesh = MeshMaker(place)
+    mesh.hexes("strip", (0, 0, 0), (4, thickness, 1), (n_leg, 2, 2))
+    mesh.hexes("strip", (4, 0, 0), (math.pi, thickness, 1), (n_bend, 2, 2))
+    mesh.hexes("strip", (4 + math.pi, 0, 0), (4, thickness, 1), (n_leg, 2, 2))
+    rows = [row for _, _, rows, _ in mesh.blocks for row in rows]
+    mesh.blocks = [("strip", "HEX8", rows, None)]
+    mesh.node_set("lower", lambda s, t, z: s < 4)
+    mesh.node_set("upper", lambda s, t, z: s > 4 + math.pi)
+    return mesh
