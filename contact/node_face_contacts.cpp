@@ -67,6 +67,7 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Hi
   choose(scene, memory, hits);
   Memory next;
   for (const Hit& hit : hits) {
+    if (scene.dt == 0.0 && hit.point.gap > 0.0) continue;
     ContactRecord record = make_record(scene, row, hit);
     if (record.touches()) {
       Touch& touch = next.touches[next.n_touches++];

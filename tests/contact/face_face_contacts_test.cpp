@@ -37,10 +37,12 @@ struct CubeOnPlate : ContactParts {
 
   FaceFaceContacts contacts;
   std::uint32_t cube;  ///< its block
+  double size = 0.0;   ///< of the last step
 
   /// Moves the cube in a step of size 1, or puts it there without a velocity.
   void move_cube(const Vector3d& way, bool in_a_step = true) {
     v.setZero();
+    size = in_a_step ? 1.0 : 0.0;
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
       const auto& nodes = mesh.blocks()[cube].nodes;
       if (std::count(nodes.begin(), nodes.end(), NodeIndex{static_cast<std::uint32_t>(i)}) == 0) continue;
@@ -57,9 +59,9 @@ struct CubeOnPlate : ContactParts {
   std::vector<ContactRecord> find(bool is_frozen = false) {
     std::vector<ContactRecord> records;
     if (!is_frozen) contacts.begin_step();
-    contacts.find(scene(1.0, is_frozen), 0, contacts.n_rows(), records);
+    contacts.find(scene(size, is_frozen), 0, contacts.n_rows(), records);
     if (!is_frozen) {
-      for (const ContactRecord& record : records) contacts.add_to_means(record);
+      for (const ContactRecord& record : records) contacts.note(record);
     }
     return records;
   }
