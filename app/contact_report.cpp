@@ -3,9 +3,64 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/counted.hpp"
 
 namespace contactsim {
+
+namespace {
+
+/// Ties of a pair of surfaces.
+struct TiedArea {
+  std::size_t n_ties = 0;
+  double area = 0.0;
+};
+
+std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact) {
+  std::vector<TiedArea> areas(contact.pairs.size());
+  for (const Tie& tie : force.ties()) {
+    ++areas[tie.pair].n_ties;
+    areas[tie.pair].area += tie.area;
+  }
+  return areas;
+}
+
+std::string names_of(const SurfacePair& pair, const ContactModel& contact) {
+  const auto& surfaces = contact.surfaces.surfaces;
+  return fmt::format("{} to {}", surfaces[pair.first].name, surfaces[pair.second].name);
+}
+
+}  // namespace
+
+std::string format_contact_start(const ContactForce& force, const ContactModel& contact) {
+  std::string text;
+  const auto areas = tied_areas(force, contact);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    if (!std::holds_alternative<Tied>(contact.pairs[i].law)) continue;
+    text += fmt::format("  tied: {}, {} over an area of {:.6g}\n", names_of(contact.pairs[i], contact),
+                        counted(areas[i].n_ties, "tie"), areas[i].area);
+  }
+  const auto& faces = force.faces().faces;
+  if (faces.empty()) return text;
+  const auto by_stiffness = [](const ContactFace& a, const ContactFace& b) {
+    return a.backing.stiffness < b.backing.stiffness;
+  };
+  const auto [least, most] = std::minmax_element(faces.begin(), faces.end(), by_stiffness);
+  return text + fmt::format("  automatic penalty behind the faces from {:.6g} to {:.6g} force/length^3\n",
+                            least->backing.stiffness, most->backing.stiffness);
+}
+
+void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
+  const auto areas = tied_areas(force, contact);
+  for (std::size_t i = 0; i < areas.size(); ++i) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (!std::holds_alternative<Tied>(pair.law) || areas[i].n_ties > 0) continue;
+    warnings.add_warning("tie-empty", pair.location,
+                         fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
+                         "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
+  }
+}
 
 std::string format_contact(const ContactForce& contact) {
   const ContactSearch& search = contact.search();

@@ -4,8 +4,16 @@
 #include <string>
 
 #include "contact/contact_force.hpp"
+#include "core/diagnostics.hpp"
 
 namespace contactsim {
+
+/// What contact starts with: ties of each tied pair and their area, stiffness of the penalty behind the
+/// faces. "" when there is nothing to say.
+std::string format_contact_start(const ContactForce& force, const ContactModel& contact);
+
+/// Warns of tied pairs that tie nothing.
+void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
 
 /// What the search of a run did, what is tied, and how much contact lowered the stable step. Without times of
 /// the clock.

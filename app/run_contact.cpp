@@ -30,6 +30,11 @@ void RunContact::write_debug_files(const State& state) {
   if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_, state));
 }
 
+std::string RunContact::start_report(Diagnostics& warnings) const {
+  warn_of_empty_ties(force_, contact_, warnings);
+  return format_contact_start(force_, contact_);
+}
+
 std::string RunContact::report() const {
   return format_pair_histories(contact_, force_.histories()) + format_contact(force_);
 }

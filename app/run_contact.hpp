@@ -26,6 +26,8 @@ class RunContact {
   std::vector<std::string> paths() const { return debug_.paths(); }
   void write_debug_files(const State& state);
 
+  /// What the log says once the first forces are known. Ties that tie nothing are a warning.
+  std::string start_report(Diagnostics& warnings) const;
   /// What the pairs did and the search took, for the log.
   std::string report() const;
 

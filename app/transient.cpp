@@ -76,7 +76,9 @@ class Run {
     ExitCode code = ExitCode::done;
     try {
       const StepReport at_start = start(model_, terms(), control_, state_);
-      log_.write(format_model(model_, at_start) + format_paths(outputs_.paths()) + step_heading());
+      const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
+      log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) +
+                 step_heading());
       warn_of_user_step(at_start);
       look_for_end();
       tell(is_over());
@@ -243,7 +245,10 @@ OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& 
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
-  if (input.contact != nullptr) refuse_laws(input.contact->pairs, warnings);
+  if (input.contact != nullptr) {
+    refuse_laws(input.contact->pairs, warnings);
+    refuse_tied_planes(input.contact->pairs, input.contact->surfaces, warnings);
+  }
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,

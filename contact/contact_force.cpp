@@ -121,7 +121,7 @@ void ContactForce::add_places(const ContactScene& scene) {
   face_face_.begin_step();
   visit_places(face_face_, scene, [&](const ContactRecord& record) {
     take(record);
-    face_face_.add_to_means(record);
+    face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
   visit_places(planes_, scene, take);

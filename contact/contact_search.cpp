@@ -71,15 +71,29 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
 bool ContactSearch::is_due(const MovingSurface& surface) const {
   if (n_searches_ == 0) return true;
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
-  const auto n = static_cast<std::int64_t>(faces_.n_nodes());
-  int n_moved = 0;
-#pragma omp parallel for schedule(static) reduction(+ : n_moved) num_threads(threads_for(faces_.n_nodes()))
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double moved_squared = (surface.x(static_cast<std::uint32_t>(i)) - searched_at_[k]).squaredNorm();
-    n_moved += moved_squared <= node_margin_[k] * node_margin_[k] ? 0 : 1;
+  // Two sides share their margins: one may use up what the other, at rest, does not need.
+  const std::vector<double> used = used_margins(surface);
+  return std::ranges::any_of(rules_.rules(), [&](const PairRule& rule) {
+    return !(used[rule.pair->first] + used[rule.pair->second] <= 2.0);
+  });
+}
+
+std::vector<double> ContactSearch::used_margins(const MovingSurface& surface) const {
+  const auto n_surfaces = static_cast<std::int64_t>(faces_.first_node.size()) - 1;
+  std::vector<double> used(static_cast<std::size_t>(n_surfaces), 0.0);
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(faces_.n_nodes()))
+  for (std::int64_t i = 0; i < n_surfaces; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    double most = 0.0;
+    for (std::uint32_t n = faces_.first_node[s]; n < faces_.first_node[s + 1]; ++n) {
+      const std::uint32_t node = faces_.surface_nodes[n].node;
+      const double moved = (surface.x(node) - searched_at_[node]).squaredNorm();
+      const double share = moved / (node_margin_[node] * node_margin_[node]);
+      most = share <= most ? most : share;  // what is not a number stays
+    }
+    used[s] = std::sqrt(most);
   }
-  return n_moved > 0;
+  return used;
 }
 
 void ContactSearch::find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates) {

@@ -18,8 +18,8 @@ struct ContactCandidates {
 };
 
 /// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new
-/// can touch until a node has moved as far as the margin of its smallest face. The boxes hold the last step's
-/// motion too, so that nothing gets past another between two searches.
+/// can touch until two sides together have moved as far as the margins of their smallest faces. The boxes
+/// hold the last step's motion too, so that nothing gets past another between two searches.
 class ContactSearch {
  public:
   /// All must outlive this.
@@ -38,6 +38,8 @@ class ContactSearch {
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
 
  private:
+  /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
+  std::vector<double> used_margins(const MovingSurface& surface) const;
   void set_boxes(const MovingSurface& surface, double dt);
   Box face_box(const MovingSurface& surface, std::uint32_t face, double dt) const;
   Box node_box(const MovingSurface& surface, std::uint32_t row, double dt) const;

@@ -4,24 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/penalty.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small
-/// enough for the penalty of what it brings into touch.
-constexpr double steps_ahead = 2.0;
-
-/// Whether two faces may touch at all.
-bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
-  constexpr double most_aside = -0.3;  // see make_common_plane
-  if (a.normal.dot(b.normal) > most_aside) return false;
-  const double distance = a.radius + b.radius + reach;
-  return (a.centre - b.centre).squaredNorm() < distance * distance;
-}
 
 Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
   return face.v * weights;
@@ -49,13 +38,19 @@ void FaceFaceContacts::take_candidates() {
 }
 
 void FaceFaceContacts::begin_step() {
+  std::swap(pushed_, next_pushed_);
+  pushed_.resize(faces_.faces.size(), Eigen::Vector3d::Zero());
+  next_pushed_.assign(faces_.faces.size(), Eigen::Vector3d::Zero());
   if (!has_friction_) return;
   std::swap(means_, next_means_);
   means_.resize(faces_.faces.size(), Eigen::Vector4d::Zero());
   next_means_.assign(faces_.faces.size(), Eigen::Vector4d::Zero());
 }
 
-void FaceFaceContacts::add_to_means(const ContactRecord& record) {
+void FaceFaceContacts::note(const ContactRecord& record) {
+  if (!record.touches()) return;
+  next_pushed_[record.first_place] = record.normal;
+  next_pushed_[record.second_place] = -record.normal;
   if (!has_friction_) return;
   Eigen::Vector4d share;
   share << record.area * record.elastic, 0.0;
@@ -95,6 +90,11 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
                    moving_2 = scene.surface.face(candidate.second);
   const FaceFaceContact contact = find_face_face_contact(moving_1, moving_2, penalty, reach);
   if (!contact.overlaps) return;
+  const Eigen::Vector3d apart =
+      velocity_at(moving_1, contact.weights_1) - velocity_at(moving_2, contact.weights_2);
+  if (contact.force > 0.0 && !did_touch &&
+      !met_in_front(scene, candidate, contact, -apart.dot(contact.normal) * scene.dt))
+    return;
 
   ContactRecord& record = records.emplace_back();
   record.pair = candidate.pair;
@@ -108,18 +108,29 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   record.area = contact.area;
   record.gap = contact.gap;
   record.damped = contact.damped_power * scene.dt;
-  const double damping = rule.pair->damping_fraction;
-  record.stiffness = contact.stiffness * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+  record.stiffness = damped_stiffness(contact.stiffness, rule.pair->damping_fraction);
   if (!record.touches()) return;
   if (!scene.is_frozen) touched_[candidate.place] = 1;
   if (rule.friction > 0.0) {
-    record.slip =
-        (velocity_at(moving_1, contact.weights_1) - velocity_at(moving_2, contact.weights_2)) * scene.dt;
+    record.slip = apart * scene.dt;
     if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
     record.elastic = elastic_[candidate.place];
     add_friction(penalty.stiffness * contact.area, rule.friction, scene.is_frozen, record);
-    elastic_[candidate.place] = record.elastic;
+    if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
   }
+}
+
+bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& candidate,
+                                    const FaceFaceContact& contact, double closed) const {
+  // Before the first step nobody knows: what is wider than deep is pushed out.
+  if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
+  constexpr double shallow = 0.02;  // of the element's thickness, as of nodes
+  constexpr double same_way = 0.5;
+  const double thickness = std::min(faces_.faces[candidate.first].backing.thickness,
+                                    faces_.faces[candidate.second].backing.thickness);
+  return contact.gap + closed > -shallow * thickness ||
+         pushed_[candidate.first].dot(contact.normal) > same_way ||
+         pushed_[candidate.second].dot(contact.normal) < -same_way;
 }
 
 Eigen::Vector3d FaceFaceContacts::mean_slip(const Candidate& candidate) const {

@@ -28,10 +28,10 @@ class FaceFaceContacts {
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
 
-  /// Begins a step: means of slip are gathered anew.
+  /// Begins a step: what is known of faces is gathered anew.
   void begin_step();
-  /// Adds a record's slip to the means of its faces. Records come in order.
-  void add_to_means(const ContactRecord& record);
+  /// Adds a record to what is known of its faces. Records come in order.
+  void note(const ContactRecord& record);
 
  private:
   struct Candidate {
@@ -40,6 +40,12 @@ class FaceFaceContacts {
   };
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
   Eigen::Vector3d mean_slip(const Candidate& candidate) const;
+  /// Whether faces that overlap got there through their fronts: they were in front of each other, or hardly
+  /// behind, one step ago, or one of them has touched something on that side. The sides of two bodies that
+  /// lie on each other at an edge overlap too, by a sliver that is far deeper than wide, and do not touch.
+  ///   closed  by which the gap has shrunk in the step [length]
+  bool met_in_front(const ContactScene& scene, const Candidate& candidate, const FaceFaceContact& contact,
+                    double closed) const;
 
   const ContactFaces& faces_;
   bool has_friction_;
@@ -49,6 +55,8 @@ class FaceFaceContacts {
   /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
   /// without friction.
   std::vector<Eigen::Vector4d> means_, next_means_;
+  /// [n_faces] of the last step and of this one: the direction in which the face was pushed, 0 for none [1].
+  std::vector<Eigen::Vector3d> pushed_, next_pushed_;
 };
 
 }  // namespace contactsim

@@ -25,6 +25,33 @@ Eigen::Vector3d mean(const FaceCorners& x, bool is_triangle) {
 
 }  // namespace
 
+bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
+  if (a.normal.dot(b.normal) > most_aside) return false;
+  const Eigen::Vector3d apart = a.centre - b.centre, tilt = a.normal + b.normal;
+  const double height = apart.dot(b.normal);
+  if (height > reach + a.extent(b.normal) + b.twist) return false;
+  // Seen along the common normal instead of the second face's, places move by this much.
+  const double slack = tilt.norm() * (std::abs(height) + 0.25 * (a.radius + b.radius));
+  for (const Eigen::Vector3d& direction : {b.half_1, b.half_2, a.half_1, a.half_2}) {
+    const double room = a.extent(direction) + b.extent(direction) + slack * direction.norm();
+    if (std::abs(apart.dot(direction)) > room) return false;
+  }
+  return true;
+}
+
+bool may_stand_over(const Eigen::Vector3d& point, const FaceBound& face, double reach, double depth,
+                    double beyond) {
+  const Eigen::Vector3d away = point - face.centre;
+  const double height = away.dot(face.normal);
+  if (height > reach + face.twist || height < -depth - face.twist) return false;
+  // The foot of a point off a warped face lies aside by as much as its normal turns.
+  const double turned = face.twist / face.radius, slack = beyond + 2.0 * turned * std::abs(height);
+  for (const Eigen::Vector3d& direction : {face.half_1, face.half_2}) {
+    if (std::abs(away.dot(direction)) > face.extent(direction) + slack * direction.norm()) return false;
+  }
+  return true;
+}
+
 void MovingSurface::move_nodes(const Motion& motion) {
   const auto n_nodes = static_cast<std::int64_t>(faces_.n_nodes());
   x_.resize(faces_.n_nodes());
@@ -58,6 +85,12 @@ void MovingSurface::set_bound(std::size_t index) {
   bound.velocity = mean(gather_corners(face.corners, v_), face.is_triangle());
   bound.normal = area_vector(x).normalized();
   bound.radius = std::sqrt((x.colwise() - bound.centre).colwise().squaredNorm().maxCoeff());
+  const FaceMap map = make_face_map(x, face.is_triangle());
+  const double half = face.is_triangle() ? 0.5 : 1.0;
+  bound.half_1 = half * map.c[1];
+  bound.half_2 = half * map.c[2];
+  // The parallelogram of a triangle has its middle elsewhere.
+  bound.twist = face.is_triangle() ? (map.c[1] + map.c[2]).norm() / 6.0 : map.c[3].norm();
 }
 
 MovingFace MovingSurface::face(std::uint32_t index) const {

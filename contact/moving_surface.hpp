@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "contact/contact_faces.hpp"
@@ -16,7 +17,26 @@ struct FaceBound {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, out of the element [1]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< mean of the corners [length/time]
   double radius = 0.0;                                 ///< of the ball around the centre [length]
+  /// The face lies within `twist` of the parallelogram centre +- half_1 +- half_2 [length].
+  Eigen::Vector3d half_1 = Eigen::Vector3d::Zero(), half_2 = Eigen::Vector3d::Zero();
+  double twist = 0.0;
+
+  /// How far the face reaches from its centre along a direction, times the direction's length.
+  double extent(const Eigen::Vector3d& direction) const {
+    return std::abs(half_1.dot(direction)) + std::abs(half_2.dot(direction)) + twist * direction.norm();
+  }
 };
+
+/// Whether two faces may touch: they look at each other, are not farther apart along the normal than the
+/// reach, and no direction along one of their edges parts them. Says yes rather too often.
+///   reach  gaps up to it count [length]
+bool may_touch(const FaceBound& a, const FaceBound& b, double reach);
+
+/// Whether a point may stand over a face: within its edges or a bit beyond, from `depth` behind it to `reach`
+/// before it. Says yes rather too often.
+///   beyond  how far beyond the edges counts [length]
+bool may_stand_over(const Eigen::Vector3d& point, const FaceBound& face, double reach, double depth,
+                    double beyond);
 
 /// The contact nodes and faces at one moment.
 class MovingSurface {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
@@ -11,8 +12,6 @@
 namespace contactsim {
 
 namespace {
-
-constexpr double steps_ahead = 2.0;  // as for faces
 
 /// A node that touched in the last step may be this much deeper than one that did not.
 constexpr double known_depth = 1.5;
@@ -53,19 +52,22 @@ struct NodeFaceContacts::Hits {
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
-  for (std::size_t row = begin; row < end; ++row) find_one(scene, static_cast<std::uint32_t>(row), records);
+  Hits hits;
+  for (std::size_t row = begin; row < end; ++row)
+    find_one(scene, static_cast<std::uint32_t>(row), hits, records);
 }
 
-void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row,
+void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Hits& hits,
                                 std::vector<ContactRecord>& records) {
   Memory& memory = memory_[row];
   const auto candidates = candidates_.of(row);
   if (candidates.empty() && memory.n_touches == 0) return;
-  Hits hits;
+  hits.n = 0;
   for (const std::uint32_t face : candidates) look_at(scene, row, face, hits);
   choose(scene, memory, hits);
   Memory next;
   for (const Hit& hit : hits) {
+    if (scene.dt == 0.0 && hit.point.gap > 0.0) continue;
     ContactRecord record = make_record(scene, row, hit);
     if (record.touches()) {
       Touch& touch = next.touches[next.n_touches++];
@@ -89,19 +91,19 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const SurfaceNode& node = faces_.surface_nodes[row];
   const ContactFace& face = faces_.faces[face_index];
   const FaceBound& bound = scene.surface.bound(face_index);
-  const Eigen::Vector3d x = scene.surface.x(node.node), away = x - bound.centre;
+  const Eigen::Vector3d x = scene.surface.x(node.node);
   const double closed =
       std::max(0.0, (bound.velocity - scene.surface.v(node.node)).dot(bound.normal)) * scene.dt;
-  const double reach = steps_ahead * closed, height = away.dot(bound.normal);
-  const double deepest = std::max(face.backing.thickness, 1.5 * closed), warp = 0.25 * bound.radius;
-  if (height > reach + warp || height < -deepest - warp) return;
-  const double side_squared = away.squaredNorm() - height * height, most = bound.radius + deepest;
-  if (side_squared > most * most || has_corner(face, node.node)) return;
-
+  const double reach = steps_ahead * closed;
   Hit hit;
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
   const PairRule& rule = scene.rules[hit.pair];
+  const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
+  const double beyond = rule.pair->tangential_tolerance.value_or(automatic_beyond * bound.radius);
+  // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
+  const double behind = std::max(0.0, (bound.centre - x).dot(bound.normal) + bound.twist);
+  if (!may_stand_over(x, bound, reach, deepest, beyond + behind) || has_corner(face, node.node)) return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law == ContactLaw::glued && scene.glued.holds_node(row, hit.pair)) return;
   const MovingFace moving = scene.surface.face(face_index);
@@ -128,7 +130,6 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
                                 const Eigen::Vector3d& normal) const {
-  constexpr double most_aside = -0.3;  // as of faces
   bool has_faces = false;
   for (const std::uint32_t own : faces_.faces_of_node.of(node.node)) {
     if (faces_.faces[own].surface != node.surface) continue;
@@ -200,17 +201,9 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   // Pairs that go both ways meet everything twice.
   const double area =
       (rule.pair->is_one_sided ? 1.0 : 0.5) * scene.surface.area_against(node, hit.point.normal);
-  const double damping = rule.pair->damping_fraction;
-  record.stiffness = hit.penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
-  if (record.gap >= 0.0) return record;
-  record.area = area;
   const MovingFace moving = scene.surface.face(hit.face);
   const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
-  const double spring = -hit.penalty.stiffness * area * record.gap, speed = relative.dot(record.normal);
-  const double damper = std::max(-hit.penalty.damping * area * speed, -spring);
-  record.force = spring + damper;
-  record.damped = -damper * speed * scene.dt;
-  record.slip = relative * scene.dt;
+  push_node({hit.penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);
   return record;
 }
 

@@ -48,7 +48,9 @@ class NodeFaceContacts {
   struct Hit;
   struct Hits;
 
-  void find_one(const ContactScene& scene, std::uint32_t row, std::vector<ContactRecord>& records);
+  /// hits  scratch
+  void find_one(const ContactScene& scene, std::uint32_t row, Hits& hits,
+                std::vector<ContactRecord>& records);
   void look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face, Hits& hits) const;
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.

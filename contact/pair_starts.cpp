@@ -5,6 +5,7 @@
 
 #include "contact/contact_search.hpp"
 #include "contact/node_face.hpp"
+#include "contact/penalty.hpp"
 
 namespace contactsim {
 
@@ -16,7 +17,10 @@ void note(std::optional<double> gap, PairStart& start) {
   if (gap && !(start.smallest_gap <= *gap)) start.smallest_gap = *gap;
 }
 
-std::optional<double> gap_of_faces(const MovingSurface& surface, std::uint32_t first, std::uint32_t second) {
+/// The least gap between two faces; nothing when contact would not take them: too deep, or deeper than wide
+/// as the sides of two bodies that overlap at an edge.
+std::optional<double> gap_of_faces(const MovingSurface& surface, const SurfacePair& pair, std::uint32_t first,
+                                   std::uint32_t second) {
   const auto found = find_face_face_points(surface.face(first), surface.face(second));
   if (!found) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
@@ -24,17 +28,38 @@ std::optional<double> gap_of_faces(const MovingSurface& surface, std::uint32_t f
     const auto k = static_cast<std::size_t>(b);
     least = std::min(least, (found->points.weight[k] > 0.0).select(found->gap[k], least).minCoeff());
   }
-  const double deepest = surface.faces().faces[first].backing.thickness;
-  return least > -deepest ? std::optional(least) : std::nullopt;
+  const ContactFaces& faces = surface.faces();
+  const double depth =
+      make_pair_penalty(faces.faces[first].backing, &faces.faces[second].backing, pair).depth;
+  const bool is_contact = -least <= depth && -least <= std::sqrt(found->points.area);
+  return is_contact ? std::optional(least) : std::nullopt;
 }
 
-std::optional<double> gap_of_node(const MovingSurface& surface, std::uint32_t row, std::uint32_t face) {
+std::optional<double> gap_of_node(const MovingSurface& surface, const SurfacePair& pair, std::uint32_t row,
+                                  std::uint32_t face) {
   const MovingFace moving = surface.face(face);
-  const Eigen::Vector3d x = surface.x(surface.faces().surface_nodes[row].node);
-  const auto point = project_onto_face(moving.x, moving.is_triangle, x);
-  const double deepest = surface.faces().faces[face].backing.thickness;
-  if (!point || point->edge >= 0 || point->gap < -deepest) return std::nullopt;
+  const SurfaceNode& node = surface.faces().surface_nodes[row];
+  const auto point = project_onto_face(moving.x, moving.is_triangle, surface.x(node.node));
+  const double depth = make_pair_penalty(node.backing, &surface.faces().faces[face].backing, pair).depth;
+  if (!point || point->edge >= 0 || -point->gap > depth) return std::nullopt;
   return point->gap;
+}
+
+/// The gap of a node is that to the nearest face.
+void add_node(const MovingSurface& surface, const PairRules& rules, const PairLists& node_faces,
+              std::uint32_t row, std::vector<PairStart>& starts) {
+  const ContactFaces& faces = surface.faces();
+  std::optional<double> nearest;
+  std::uint32_t of = PairRules::none;
+  for (const std::uint32_t face : node_faces.of(row)) {
+    const std::uint32_t pair = rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface);
+    note(std::nullopt, starts[pair]);
+    const auto gap = gap_of_node(surface, *rules[pair].pair, row, face);
+    if (!gap || (nearest && std::abs(*gap) >= std::abs(*nearest))) continue;
+    nearest = gap;
+    of = pair;
+  }
+  if (nearest && !(starts[of].smallest_gap <= *nearest)) starts[of].smallest_gap = *nearest;
 }
 
 /// Gaps to planes.
@@ -73,14 +98,13 @@ std::vector<PairStart> find_pair_starts(const ContactModel& model, const Mesh& m
   PairLists face_partners, node_faces;
   search.find(surface, motion, {face_partners, node_faces});
   for (std::uint32_t a = 0; a < face_partners.n_rows(); ++a) {
-    for (const std::uint32_t b : face_partners.of(a))
-      note(gap_of_faces(surface, a, b), starts[rules.find(faces.faces[a].surface, faces.faces[b].surface)]);
+    for (const std::uint32_t b : face_partners.of(a)) {
+      const std::uint32_t pair = rules.find(faces.faces[a].surface, faces.faces[b].surface);
+      note(gap_of_faces(surface, *rules[pair].pair, a, b), starts[pair]);
+    }
   }
-  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    for (const std::uint32_t face : node_faces.of(row))
-      note(gap_of_node(surface, row, face),
-           starts[rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface)]);
-  }
+  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row)
+    add_node(surface, rules, node_faces, row, starts);
   add_planes(model, surface, starts);
   return starts;
 }

@@ -18,7 +18,6 @@ struct SearchOptions {
   std::optional<double> normal_tolerance;      ///< reach off a face, >= 0 [length]
   std::optional<double> tangential_tolerance;  ///< reach beyond a face's edge, >= 0 [length]
   std::optional<double> capture_tolerance;     ///< gap that is closed at the start, >= 0 [length]
-  double face_multiplier = 0.1;                ///< automatic tolerance over face size, >= 0 [1]
 };
 
 /// BEGIN DASH OPTIONS. Source: Sierra/SM 5.22, 8.9.

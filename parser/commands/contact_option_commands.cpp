@@ -20,8 +20,7 @@ const Table<SearchOptions>& search_options_table() {
           "Reach of the search beyond a face's edge [length]", "automatic"),
       row("capture tolerance", read::non_negative, &S::capture_tolerance,
           "Gap that is closed at the start [length]", "0"),
-      row("face multiplier", read::non_negative, &S::face_multiplier,
-          "Automatic tolerance as a multiple of the face's size [1]"),
+      ignored<S>("face multiplier", "= <real>", "SEARCH LENGTH SCALING of DASH OPTIONS scales the search"),
       ignored<S>("secondary decomposition", "= {ON|OFF}", "Of parallel runs only"),
   });
   return table;

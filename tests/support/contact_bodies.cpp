@@ -95,6 +95,8 @@ ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contac
       surface(faces),
       x(mesh.coordinates()),
       v(Eigen::Matrix3Xd::Zero(3, x.cols())) {
+  for (ContactFace& face : faces.faces) face.backing.mass_per_area = 4.0;
+  for (SurfaceNode& node : faces.surface_nodes) node.backing.mass_per_area = 4.0;
   move();
 }
 

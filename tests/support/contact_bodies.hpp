@@ -54,7 +54,7 @@ class ContactBodies {
   static Model make_model_of(const Mesh& mesh);
 };
 
-/// What contact's own parts are tested with, without forces.
+/// What contact's own parts are tested with, without elements: the mass behind a unit of area is 4.
 struct ContactParts {
   ContactParts(const MeshBuilder& builder, const std::string& contact_lines);
   ContactParts(const ContactParts&) = delete;

@@ -20,7 +20,6 @@ ContactDefinition contact_of(const std::string& lines) {
 TEST_CASE("an empty contact definition has the documented defaults", "[parser][contact]") {
   const ContactDefinition contact = contact_of("");
   CHECK(contact.search.tolerance == SearchOptions::Tolerance::automatic);
-  CHECK(contact.search.face_multiplier == 0.1);
   CHECK(contact.dash.search_length_scaling == 0.15);
   CHECK(contact.enforcement.penalty_scale == 1.0);
   CHECK_FALSE(contact.overlap_removal.is_on());
@@ -44,7 +43,6 @@ TEST_CASE("search options are bound", "[parser][contact]") {
   CHECK(search.normal_tolerance == 1.0);
   CHECK(search.tangential_tolerance == 2.0);
   CHECK(search.capture_tolerance == 3.0);
-  CHECK(search.face_multiplier == 0.2);
 }
 
 TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/face_face_contacts.hpp"
+
+#include <algorithm>
+
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double stiffness = 1000.0;
+
+/// A plate of 3 x 3 unit cells and a cube on it that stands over the first cells in x, numbered in either
+/// order.
+struct CubeOnPlate : ContactParts {
+  explicit CubeOnPlate(const std::string& lines = "", bool cube_first = false)
+      : ContactParts(make(cube_first), general_contact("penalty stiffness = 1000\n" + lines)),
+        contacts(faces, rules.has_friction()),
+        cube(cube_first ? 0 : 1) {
+    search();
+    contacts.next_candidates() = face_partners;
+    contacts.take_candidates();
+  }
+  static MeshBuilder make(bool cube_first) {
+    const test::Box plate{.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}, .share_nodes = false},
+        small{.id = 2, .origin = {0.2, 1.1, 1.0}, .size = {0.5, 0.5, 1.0}, .share_nodes = false};
+    MeshBuilder b;
+    if (cube_first) b.add_hexes(small);
+    b.add_hexes(plate);
+    if (!cube_first) b.add_hexes(small);
+    return b;
+  }
+
+  FaceFaceContacts contacts;
+  std::uint32_t cube;  ///< its block
+  double size = 0.0;   ///< of the last step
+
+  /// Moves the cube in a step of size 1, or puts it there without a velocity.
+  void move_cube(const Vector3d& way, bool in_a_step = true) {
+    v.setZero();
+    size = in_a_step ? 1.0 : 0.0;
+    for (Eigen::Index i = 0; i < x.cols(); ++i) {
+      const auto& nodes = mesh.blocks()[cube].nodes;
+      if (std::count(nodes.begin(), nodes.end(), NodeIndex{static_cast<std::uint32_t>(i)}) == 0) continue;
+      x.col(i) += way;
+      if (in_a_step) v.col(i) = way;
+    }
+    move();
+  }
+  void renew_candidates() {
+    search();
+    contacts.next_candidates() = face_partners;
+    contacts.take_candidates();
+  }
+  std::vector<ContactRecord> find(bool is_frozen = false) {
+    std::vector<ContactRecord> records;
+    if (!is_frozen) contacts.begin_step();
+    contacts.find(scene(size, is_frozen), 0, contacts.n_rows(), records);
+    if (!is_frozen) {
+      for (const ContactRecord& record : records) contacts.note(record);
+    }
+    return records;
+  }
+  /// The sum of the forces on the cube.
+  Vector3d force_on_cube(const std::vector<ContactRecord>& records) const {
+    Vector3d sum = Vector3d::Zero();
+    for (const ContactRecord& record : records)
+      sum += (faces.faces[record.first_place].surface == cube ? 1.0 : -1.0) * record.force_on_first();
+    return sum;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a cube in a plate is pushed out by stiffness, area and depth", "[contact][face_face_contacts]") {
+  const bool cube_first = GENERATE(false, true);
+  CubeOnPlate parts("", cube_first);
+  parts.move_cube({0, 0, -0.01}, false);
+  const auto records = parts.find();
+  CHECK((parts.force_on_cube(records) - Vector3d(0, 0, 2.5)).norm() < 1e-12);
+  REQUIRE(records.size() == 1);
+  CHECK(records[0].area == Approx(0.25));
+  CHECK(records[0].gap == Approx(-0.01));
+  CHECK(records[0].stiffness == Approx(250.0));
+  CHECK(records[0].first_place < records[0].second_place);
+  CHECK(records[0].first.weights.sum() == Approx(1.0));
+  CHECK(records[0].is_swapped == false);
+  parts.move_cube({0.55, 0, 0}, false);  // over two cells
+  parts.renew_candidates();
+  CHECK(parts.find().size() == 2);
+  CHECK((parts.force_on_cube(parts.find()) - Vector3d(0, 0, 2.5)).norm() < 1e-12);
+}
+
+TEST_CASE("contact reaches half an element deep, and deeper where it knows the faces",
+          "[contact][face_face_contacts]") {
+  CubeOnPlate jumped;
+  jumped.move_cube({0, 0, -0.55}, false);
+  CHECK(jumped.find().empty());
+  CubeOnPlate pushed;
+  pushed.move_cube({0, 0, -0.3}, false);
+  CHECK(!pushed.find().empty());
+  pushed.move_cube({0, 0, -0.25}, false);
+  CHECK(!pushed.find().empty());
+  pushed.move_cube({0, 0, -0.25}, false);
+  CHECK(pushed.find().empty());
+  CubeOnPlate fast;  // what a step has brought in is in touch
+  fast.move_cube({0, 0, -0.7});
+  CHECK(!fast.find().empty());
+}
+
+TEST_CASE("faces that will touch soon are told of without a force", "[contact][face_face_contacts]") {
+  CubeOnPlate parts;
+  parts.move_cube({0, 0, 0.029}, false);
+  CHECK(parts.find().empty());
+  parts.move_cube({0, 0, -0.01});
+  REQUIRE(parts.find().size() == 1);  // two steps of 0.01 away
+  CHECK(!parts.find()[0].touches());
+  CHECK(parts.find()[0].stiffness == Approx(250.0));
+  parts.move_cube({0, 0, 0.001});
+  CHECK(parts.find().empty());
+}
+
+TEST_CASE("friction goes on when a face slides from one partner to the next",
+          "[contact][face_face_contacts]") {
+  const bool cube_first = GENERATE(false, true);
+  CubeOnPlate parts(
+      "friction model = rough\nend\nbegin constant friction model rough\nfriction coefficient = 50\n",
+      cube_first);
+  parts.move_cube({0, 0, -0.1}, false);
+  CHECK(parts.find().size() == 1);
+  double slipped = 0.0;
+  for (int step = 0; step < 100; ++step) {
+    parts.move_cube({0.01, 0, 0});
+    if (step % 10 == 0) parts.renew_candidates();
+    const auto records = parts.find();
+    slipped += 0.01;
+    const Vector3d force = parts.force_on_cube(records);
+    CHECK(force.z() == Approx(25.0));
+    CHECK(force.x() == Approx(-stiffness * 0.25 * slipped));  // it sticks all the way, over two edges
+    CHECK(std::abs(force.y()) < 1e-9);
+  }
+}
+
+TEST_CASE("friction slides at its limit and tells what it takes", "[contact][face_face_contacts]") {
+  CubeOnPlate parts(
+      "friction model = rough\nend\nbegin constant friction model rough\nfriction coefficient = 0.5\n");
+  parts.move_cube({0, 0, -0.1}, false);
+  parts.find();
+  for (int step = 0; step < 10; ++step) {
+    parts.move_cube({0.02, 0.0, 0});
+    const auto records = parts.find();
+    double lost = 0.0;
+    for (const ContactRecord& record : records) lost += record.dissipated;
+    const Vector3d force = parts.force_on_cube(records);
+    CHECK(force.x() == Approx(-std::min(12.5, stiffness * 0.25 * 0.02 * (step + 1))));
+    CHECK(lost == Approx(step < 2 ? 0.0 : step == 2 ? 12.5 * 0.01 : 12.5 * 0.02).margin(1e-12));
+  }
+}
+
+TEST_CASE("pairs that leave the candidates are forgotten", "[contact][face_face_contacts]") {
+  CubeOnPlate parts;
+  parts.move_cube({0, 0, -0.4}, false);
+  CHECK(!parts.find().empty());
+  parts.move_cube({0, 0, -0.2}, false);
+  parts.renew_candidates();
+  CHECK(!parts.find().empty());
+  parts.contacts.next_candidates() = PairLists{};
+  parts.contacts.take_candidates();
+  CHECK(parts.find().empty());
+  parts.renew_candidates();
+  CHECK(parts.find().empty());  // as deep as before, but not known any more
+}
+
+TEST_CASE("looking at a step that has been taken changes nothing", "[contact][face_face_contacts]") {
+  const std::string lines =
+      "contact damping fraction = 0.2\nfriction model = rough\nend\n"
+      "begin constant friction model rough\nfriction coefficient = 0.5\n";
+  CubeOnPlate quiet(lines), watched(lines);
+  for (CubeOnPlate* parts : {&quiet, &watched}) {
+    parts->move_cube({0, 0, -0.05}, false);
+    parts->find();
+  }
+  for (int step = 0; step < 8; ++step) {
+    const Vector3d way(0.01, 0.005 * step, step % 2 == 0 ? -0.01 : 0.012);
+    quiet.move_cube(way);
+    watched.move_cube(way);
+    const auto one = quiet.find(), other = watched.find();
+    REQUIRE(one.size() == other.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      CHECK(one[i].force_on_first() == other[i].force_on_first());
+      CHECK(one[i].dissipated == other[i].dissipated);
+    }
+    // Output sees other velocities: those at the end of the step.
+    watched.v *= 0.5;
+    watched.move();
+    CHECK(watched.find(true).size() == other.size());
+  }
+}
+
+TEST_CASE("pairs that are tied, or not active, do not touch", "[contact][face_face_contacts]") {
+  CubeOnPlate tied("friction model = tied\n");
+  tied.move_cube({0, 0, -0.01}, false);
+  CHECK(tied.find().empty());
+  CubeOnPlate parts;
+  parts.move_cube({0, 0, -0.01}, false);
+  parts.rules.activate(0.0, false);
+  CHECK(parts.find().empty());
+  parts.rules.activate(0.0, true);
+  CHECK(!parts.find().empty());
+}

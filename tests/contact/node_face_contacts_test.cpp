@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/node_face_contacts.hpp"
+
+#include <cmath>
+
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double stiffness = 1000.0;
+/// The tip's third of the three faces around it: each is half the product of (1, 0, 1) and its neighbour.
+const double tip_area = std::sqrt(3.75) / 2.0;
+
+/// A floor of 2 x 2 unit cells, perhaps with a wall at x = 2, and a tetrahedron that stands on its tip.
+struct TipOnFloor : ContactParts {
+  explicit TipOnFloor(const std::string& lines = "", bool with_wall = false)
+      : ContactParts(make(with_wall), general_contact("penalty stiffness = 1000\n" + lines,
+                                                      "contact surface floor contains block_1\n"
+                                                      "contact node set tip contains tip\n")),
+        contacts(faces) {}
+  static MeshBuilder make(bool with_wall) {
+    MeshBuilder b;
+    b.add_hexes({.id = 3, .origin = {50, 0, 0}});
+    const double h = std::sqrt(3.0) / 2.0;
+    const std::uint32_t first = b.add_node({0, 0, 0}).value;
+    b.add_node({1, 0, 1});
+    b.add_node({-0.5, h, 1});
+    b.add_node({-0.5, -h, 1});
+    b.add_block(2, "", Shape::tet4, {first, first + 1, first + 2, first + 3});
+    b.add_node_set(1, "tip", std::vector<std::uint32_t>{first});
+    std::vector<std::uint32_t> nodes;
+    const auto add_cell = [&](int i, int j, int k) {
+      for (const auto& [a, c, d] :
+           {std::array{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}})
+        nodes.push_back(static_cast<std::uint32_t>(((k + d) * 3 + j + c) * 4 + i + a) + first + 4);
+    };
+    for (int k = 0; k < 3; ++k) {
+      for (int j = 0; j < 3; ++j) {
+        for (int i = 0; i < 4; ++i) b.add_node({double(i), double(j), k - 1.0});
+      }
+    }
+    for (int j = 0; j < 2; ++j) {
+      add_cell(0, j, 0);
+      add_cell(1, j, 0);
+      if (with_wall) add_cell(2, j, 0);
+      if (with_wall) add_cell(2, j, 1);
+    }
+    b.add_block(1, "", Shape::hex8, nodes);
+    return b;
+  }
+
+  NodeFaceContacts contacts;
+
+  /// Puts the tip somewhere, in a step of size 1 or without a velocity, and finds what it touches.
+  std::vector<ContactRecord> put(const Vector3d& place, bool in_a_step = false, bool is_frozen = false) {
+    const Vector3d way = place - x.col(8);
+    v.setZero();
+    for (Eigen::Index i = 8; i < 12; ++i) {
+      x.col(i) += way;
+      if (in_a_step) v.col(i) = way;
+    }
+    search();
+    contacts.candidates() = node_faces;
+    return look(in_a_step ? 1.0 : 0.0, is_frozen);
+  }
+  std::vector<ContactRecord> look(double dt, bool is_frozen = false) {
+    std::vector<ContactRecord> records;
+    contacts.find(scene(dt, is_frozen), 0, contacts.n_rows(), records);
+    return records;
+  }
+};
+
+const std::string rough =
+    "friction model = rough\nend\nbegin constant friction model rough\nfriction coefficient = 50\n";
+
+}  // namespace
+
+TEST_CASE("a node gets one force over a face, an edge and a corner, always the same",
+          "[contact][node_face_contacts]") {
+  for (const Vector3d& place : {Vector3d(0.6, 0.7, 0), Vector3d(1.0, 0.7, 0), Vector3d(0.6, 1.0, 0),
+                                Vector3d(1.0, 1.0, 0), Vector3d(1.0 + 1e-12, 1.0 - 1e-12, 0)}) {
+    TipOnFloor parts;
+    const auto records = parts.put(place - Vector3d(0, 0, 0.01));
+    REQUIRE(records.size() == 1);
+    CHECK(records[0].force == Approx(stiffness * tip_area * 0.01).epsilon(1e-12));
+    CHECK((records[0].normal - Vector3d::UnitZ()).norm() < 1e-12);
+    CHECK(records[0].gap == Approx(-0.01));
+    CHECK(records[0].first.nodes[0] == records[0].first.nodes[3]);
+    // The face's share stands under the node.
+    Vector3d under = Vector3d::Zero();
+    for (std::size_t k = 0; k < 4; ++k)
+      under += records[0].second.weights[static_cast<int>(k)] * parts.surface.x(records[0].second.nodes[k]);
+    CHECK((under - place).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("a node apart from a face gets no force, nor one beyond its edge",
+          "[contact][node_face_contacts]") {
+  TipOnFloor parts;
+  CHECK(parts.put({0.6, 0.7, 1e-9}).empty());
+  CHECK(parts.put({-0.1, 0.7, -0.01}).empty());
+  CHECK(parts.put({2.1, 2.1, -0.01}).empty());
+  CHECK(parts.put({0.6, 0.7, -0.01}).size() == 1);
+  TipOnFloor tolerant("tangential tolerance = 0.2\n");
+  CHECK(tolerant.put({-0.1, 0.7, -0.01}).size() == 1);
+}
+
+TEST_CASE("a node that comes near is told of before it touches", "[contact][node_face_contacts]") {
+  TipOnFloor parts;
+  parts.put({0.6, 0.7, 0.03});
+  const auto records = parts.put({0.6, 0.7, 0.015}, true);
+  REQUIRE(records.size() == 1);
+  CHECK(!records[0].touches());
+  CHECK(records[0].stiffness == Approx(stiffness * tip_area));
+  CHECK(parts.put({0.6, 0.7, 0.016}, true).empty());
+}
+
+TEST_CASE("a node comes out where it went in", "[contact][node_face_contacts]") {
+  TipOnFloor parts;
+  parts.put({1.9, 0.7, 0.02});
+  // It ends up nearer to the side at x = 2 than to the top.
+  for (int step = 0; step < 10; ++step) {
+    const auto records = parts.put({1.9, 0.7, -0.02 * step}, true);
+    if (step == 0) continue;
+    REQUIRE(records.size() == 1);
+    CHECK((records[0].normal - Vector3d::UnitZ()).norm() < 1e-12);
+    CHECK(records[0].gap == Approx(-0.02 * step));
+  }
+}
+
+TEST_CASE("a node that turns up deep inside did not go in there", "[contact][node_face_contacts]") {
+  TipOnFloor parts;
+  // The tetrahedron is the thinner of both: thrice its volume over its area, 0.447.
+  CHECK(parts.put({0.6, 0.7, -0.23}).empty());
+  CHECK(parts.put({0.6, 0.7, -0.22}).size() == 1);  // at the start it is pushed out
+  CHECK(parts.look(1.0).size() == 1);
+  TipOnFloor later;
+  later.put({0.6, 0.7, 0.5});
+  later.search();
+  later.x.middleCols<4>(8).row(2).array() -= 0.7;
+  later.search();
+  later.contacts.candidates() = later.node_faces;
+  CHECK(later.look(1.0).empty());
+}
+
+TEST_CASE("in a hollow a node touches both walls", "[contact][node_face_contacts]") {
+  TipOnFloor parts("", true);
+  const auto records = parts.put({2.02, 0.7, -0.01});
+  REQUIRE(records.size() == 2);
+  double along_x = 0.0, along_z = 0.0;
+  for (const ContactRecord& record : records) {
+    along_x += record.force * record.normal.x();
+    along_z += record.force * record.normal.z();
+  }
+  CHECK(along_z == Approx(stiffness * tip_area * 0.01));
+  CHECK(along_x < -1.0);
+}
+
+TEST_CASE("friction of a node goes on over the edges of faces", "[contact][node_face_contacts]") {
+  TipOnFloor parts(rough);
+  parts.put({0.9, 0.7, -0.1});
+  for (int step = 1; step <= 20; ++step) {
+    const auto records = parts.put({0.9 + 0.01 * step, 0.7, -0.1}, true);
+    REQUIRE(records.size() == 1);
+    CHECK(records[0].tangential.x() == Approx(-stiffness * tip_area * 0.01 * step));
+    CHECK(records[0].elastic.x() == Approx(0.01 * step));
+  }
+  parts.put({1.1, 0.7, 0.1}, true);
+  REQUIRE(parts.put({1.1, 0.7, -0.1}, true).size() == 1);
+  CHECK(parts.look(0.0)[0].tangential.norm() < 1e-9);  // it let go
+}
+
+TEST_CASE("looking at a node's step changes nothing", "[contact][node_face_contacts]") {
+  TipOnFloor quiet(rough +
+                   "end\nbegin interaction\nsurfaces = floor tip\nfriction coefficient = 0.3\n"
+                   "penalty stiffness = 1000\ncontact damping fraction = 0.1\n");
+  TipOnFloor watched(rough +
+                     "end\nbegin interaction\nsurfaces = floor tip\nfriction coefficient = 0.3\n"
+                     "penalty stiffness = 1000\ncontact damping fraction = 0.1\n");
+  for (TipOnFloor* parts : {&quiet, &watched}) {
+    parts->put({0.9, 0.7, -0.05});
+  }
+  for (int step = 1; step <= 12; ++step) {
+    const Vector3d place(0.9 + 0.02 * step, 0.7, -0.05 - 0.01 * (step % 3));
+    const auto one = quiet.put(place, true), other = watched.put(place, true);
+    REQUIRE(one.size() == 1);
+    REQUIRE(other.size() == 1);
+    CHECK(one[0].force_on_first() == other[0].force_on_first());
+    CHECK(one[0].tangential.norm() > 0.0);
+    watched.v *= 0.5;
+    watched.move();
+    CHECK(watched.look(1.0, true).size() == 1);
+  }
+}
+
+TEST_CASE("damping of a node pushes when it goes in and never pulls", "[contact][node_face_contacts]") {
+  TipOnFloor parts("contact damping fraction = 0.1\n");
+  const double damping = 0.2 * std::sqrt(stiffness * 2.0);
+  parts.put({0.6, 0.7, 0.01});
+  const auto in = parts.put({0.6, 0.7, -0.01}, true);
+  REQUIRE(in.size() == 1);
+  CHECK(in[0].force == Approx(tip_area * (10.0 + damping * 0.02)));
+  CHECK(in[0].damped == Approx(tip_area * damping * 0.02 * 0.02));
+  parts.v *= -1000.0;
+  parts.move();
+  CHECK(parts.look(1.0)[0].force == 0.0);
+}
