@@ -97,11 +97,11 @@ def pole_pressure(run, layer):
     return -np.mean(stress[-4:, layer])
 
 
-def ball_checks(label, run, step, radius, modulus, depth):
+def ball_checks(label, run, step, radius, modulus, depth, missed_force=None):
     """radius, modulus: those of the pair; depth: approach of the pair."""
     size = math.sqrt(radius * depth)
     force = 4 / 3 * modulus * math.sqrt(radius) * depth ** 1.5
-    return [Check(f"{label}: force", force, 4 * late(run, run["force"]), 0.03),
+    return [Check(f"{label}: force", force, 4 * late(run, run["force"]), 0.03, known_miss=missed_force),
             Check(f"{label}: largest pressure", 1.5 * force / (math.pi * size ** 2), pole_pressure(run, 0), 0.05),
             Check(f"{label}: radius of contact", size, contact_size(run), step, 1.0)]
 
@@ -109,15 +109,18 @@ def ball_checks(label, run, step, radius, modulus, depth):
 @case(is_long=True)
 def hertz_ball(bench):
     """ANSYS VM63."""
-    run = bench.run("hertz", ball(8, 0.126))
-    return ball_checks("VM63", run, 0.126, 8, 1000 / 0.91, 0.12742) + balances([run], has_plane=True)
+    checks, runs = [], []
+    for approach, step, missed in ((0.05, 0.08, None), (0.12742, 0.126, 0.045)):
+        runs.append(bench.run("hertz", ball(8, step), amount=approach))
+        checks += ball_checks(f"approach of {approach} mm", runs[-1], step, 8, 1000 / 0.91, approach, missed)
+    return checks + balances(runs, has_plane=True)
 
 
 @case(is_long=True)
 def hertz_rigid_ball(bench):
     """MOOSE: a rigid ball on an elastic one."""
     run = bench.run("hertz", ball_on_ball(2, 0.0125), youngs=1.40625e7, nu=0.25, density=1e-3, base="held", amount=0.01, rise=4e-4)
-    return ball_checks("rigid on elastic", run, 0.0125, 1, 1.5e7, 0.01) + balances([run])
+    return ball_checks("rigid on elastic", run, 0.0125, 1, 1.5e7, 0.01, 0.045) + balances([run])
 
 
 @case(is_long=True)

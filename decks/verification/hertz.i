@@ -6,7 +6,10 @@
 # Units: mm, N, MPa, t, s.
 # The bodies are blocks with round ends, wide enough for what is far from the pole not to matter; elements at the pole are
 # a/8 long. The penalty is 10 times the automatic one, so that its own give counts for about 1 % of the approach, and contact
-# is damped. Expected: F within 3 %, p0 within 5 %, a within an element.
+# is damped. Expected: F within 3 %, p0 within 5 %, a within an element. That F misses by 3.9 % at a/R = 0.13 (VM63) and by
+# 3.2 % for a rigid ball at a/R = 0.05 is mostly the theory's share, whose bodies are half-spaces: it falls with a/R.
+# Hourglass resistance is lowered: its default asks for smaller steps than the program takes in the flat, slanting elements
+# far from the pole.
 #
 # {ifndef(youngs)}
 # {youngs = 1000} {nu = 0.3} {density = 1e-9}
@@ -56,11 +59,13 @@ begin sierra hertz
     begin parameters for block ball
       material = of_ball
       model = elastic
+      hourglass stiffness = 0.005
     end
 {if(base != "plane")}
     begin parameters for block base
       material = of_base
       model = elastic
+      hourglass stiffness = 0.005
     end
 {endif}
   end
