@@ -77,7 +77,8 @@ def slope(bench):
     for scale in (1.0, 0.1, 10.0):
         for mu in (0.3, 0.577, 0.6):
             mesh = slider(scale, way=15 * rise ** 2 if mu == 0.3 else 0)
-            runs.append(bench.run("sliding_block", mesh, mu=mu, vx=0, vy=0, gx=gx, gz=gz, youngs=1e8 * scale, end_time=3 * rise, rise=rise))
+            runs.append(bench.run("sliding_block", mesh, mu=mu, vx=0, vy=0, gx=gx, gz=gz, youngs=1e8 * scale,
+                                  end_time=3 * rise, rise=rise))
             run = runs[-1]
             label, late = f"size x {scale:g}, mu = {mu}", run["Time"] > rise
             if mu < math.tan(math.pi / 6):

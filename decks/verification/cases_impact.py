@@ -75,6 +75,10 @@ def sphere_and_plate(bench):
             checks += [Check(f"{form}: mean displacement of the {name} [m]", expected, mean[0], 0.1),
                        at_most(f"{form}: the same aside", max(abs(mean[1]), abs(mean[2])) / expected, 1e-6,
                                known_miss=0.01 if form == "node_face" else None)]
+    bench.threads = 2
+    again = bench.run("sphere_and_plate", ball_before_plate())
+    change = np.max(np.abs(again.nodal("displacement") - runs[0].nodal("displacement")))
+    checks.append(at_most("change with two threads in place of one", change, 0.0))
     return checks + balances(runs, is_free=True, moment=1e-4)
 
 

@@ -22,8 +22,10 @@ def bounce(bench):
     run = bench.run("bounce", cube_on_base(0.1))
     times, force = run["Time"], run["force"]
     on = times[force > 0]
-    return [Check("time in contact [s]", math.pi * 1e-4, on[-1] - on[0], 0.01), Check("largest force [N]", 1e4, np.max(force), 0.01),
-            Check("largest depth [m]", 1e-4, -np.min(run["level"]), 0.01), Check("velocity after [m/s]", 1.0, run["v"][-1], 0.01),
+    return [Check("time in contact [s]", math.pi * 1e-4, on[-1] - on[0], 0.01),
+            Check("largest force [N]", 1e4, np.max(force), 0.01),
+            Check("largest depth [m]", 1e-4, -np.min(run["level"]), 0.01),
+            Check("velocity after [m/s]", 1.0, run["v"][-1], 0.01),
             *balances([run])]
 
 

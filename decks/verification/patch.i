@@ -7,7 +7,8 @@
 # Nodes that hang over an edge by the strain's difference leave a moment of 1e-6 there, in place of 1e-9.
 # With -D load=depth the top is lowered instead: against a penalty k per area two cubes of edge 1 and nu = 0 resist by
 # depth / (1/E + 1/E + 1/k); code_aster SSNP121 has two of them lowered by 0.1, where strain is logarithmic here.
-# Contact is damped, for stiff penalties chatter. The load rises over 30 periods of the lowest mode; values are means over what comes after.
+# Contact is damped, for stiff penalties chatter. The load rises over 30 periods of the lowest mode; values are means over
+# what comes after.
 #
 # {ifndef(form)}
 # {form = "face_face"}

@@ -52,8 +52,8 @@ def run_and_keep(folder, program, names):
 
 
 def write_table(program):
-    lines = ["# Verification", "", "What the decks of `decks/verification` should reach and do. Errors are relative. What misses its",
-             "tolerance is marked; the head of the deck says why. Made by `decks/verification/verify.py PROGRAM --table`.", "",
+    lines = ["# Verification", "", "What the decks of `decks/verification` should reach and do. Errors are relative. What",
+             "misses its tolerance is marked; the head of the deck says why. Made by `decks/verification/verify.py PROGRAM --table`.", "",
              "| case | quantity | expected | reached | error | tolerance |", "| --- | --- | --- | --- | --- | --- |"]
     for name in CASES:
         lines += [f"| {name} | {check.row()} |" for check in run_case(program, name)]
