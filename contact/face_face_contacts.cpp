@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/penalty.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small
-/// enough for the penalty of what it brings into touch.
-constexpr double steps_ahead = 2.0;
 
 Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
   return face.v * weights;
@@ -111,8 +108,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   record.area = contact.area;
   record.gap = contact.gap;
   record.damped = contact.damped_power * scene.dt;
-  const double damping = rule.pair->damping_fraction;
-  record.stiffness = contact.stiffness * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
+  record.stiffness = damped_stiffness(contact.stiffness, rule.pair->damping_fraction);
   if (!record.touches()) return;
   if (!scene.is_frozen) touched_[candidate.place] = 1;
   if (rule.friction > 0.0) {

@@ -134,8 +134,6 @@ void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes
 
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& normal_1,
                                              const Eigen::Vector3d& normal_2) {
-  // Faces round a convex corner of 110 degrees or less stand beside each other, not opposite.
-  constexpr double most_aside = -0.3;
   if (!(normal_1.dot(normal_2) < most_aside)) return std::nullopt;
   CommonPlane plane;
   plane.normal = (normal_2 - normal_1).normalized();

@@ -8,6 +8,10 @@
 
 namespace contactsim {
 
+/// Faces whose normals have a greater cosine than this stand beside each other, such as those round a convex
+/// corner, and not opposite.
+inline constexpr double most_aside = -0.3;
+
 /// Two faces that look at each other, seen along the normal of a plane between them.
 struct CommonPlane {
   Eigen::Vector3d normal;         ///< unit, from the second face towards the first [1]

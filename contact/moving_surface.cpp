@@ -26,7 +26,6 @@ Eigen::Vector3d mean(const FaceCorners& x, bool is_triangle) {
 }  // namespace
 
 bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
-  constexpr double most_aside = -0.3;  // see make_common_plane
   if (a.normal.dot(b.normal) > most_aside) return false;
   const Eigen::Vector3d apart = a.centre - b.centre, tilt = a.normal + b.normal;
   const double height = apart.dot(b.normal);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
@@ -11,8 +12,6 @@
 namespace contactsim {
 
 namespace {
-
-constexpr double steps_ahead = 2.0;  // as for faces
 
 /// A node that touched in the last step may be this much deeper than one that did not.
 constexpr double known_depth = 1.5;
@@ -132,7 +131,6 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
                                 const Eigen::Vector3d& normal) const {
-  constexpr double most_aside = -0.3;  // as of faces
   bool has_faces = false;
   for (const std::uint32_t own : faces_.faces_of_node.of(node.node)) {
     if (faces_.faces[own].surface != node.surface) continue;
@@ -204,17 +202,9 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   // Pairs that go both ways meet everything twice.
   const double area =
       (rule.pair->is_one_sided ? 1.0 : 0.5) * scene.surface.area_against(node, hit.point.normal);
-  const double damping = rule.pair->damping_fraction;
-  record.stiffness = hit.penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
-  if (record.gap >= 0.0) return record;
-  record.area = area;
   const MovingFace moving = scene.surface.face(hit.face);
   const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
-  const double spring = -hit.penalty.stiffness * area * record.gap, speed = relative.dot(record.normal);
-  const double damper = std::max(-hit.penalty.damping * area * speed, -spring);
-  record.force = spring + damper;
-  record.damped = -damper * speed * scene.dt;
-  record.slip = relative * scene.dt;
+  push_node({hit.penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);
   return record;
 }
 

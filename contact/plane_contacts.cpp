@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/plane_contacts.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
 
+#include <algorithm>
+
+#include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/penalty.hpp"
 
@@ -30,7 +32,6 @@ void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, const 
 
 void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                          std::vector<ContactRecord>& records) {
-  constexpr double steps_ahead = 2.0;  // as for faces
   for (std::size_t row = begin; row < end; ++row) {
     Place& place = places_[row];
     const PairRule& rule = scene.rules[place.pair];
@@ -43,8 +44,6 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
       continue;
     }
     const PairPenalty penalty = make_pair_penalty(node.backing, nullptr, *rule.pair);
-    const double damping = rule.pair->damping_fraction;
-    const double area = scene.surface.area_against(node, place.normal);
     ContactRecord& record = records.emplace_back();
     record.pair = place.pair;
     record.is_swapped = node.surface != rule.pair->first;
@@ -53,19 +52,25 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.first.weights = Eigen::Vector4d::UnitX();
     record.normal = place.normal;
     record.gap = gap;
-    record.stiffness = penalty.stiffness * area * std::pow(damping + std::sqrt(1.0 + damping * damping), 2);
-    if (gap >= 0.0) continue;
-    record.area = area;
-    const double spring = -penalty.stiffness * area * gap;
-    const double damper = std::max(-penalty.damping * area * speed, -spring);
-    record.force = spring + damper;
-    record.damped = -damper * speed * scene.dt;
-    if (rule.friction > 0.0) {
-      record.slip = velocity * scene.dt;
-      record.elastic = place.elastic;
-      add_friction(penalty.stiffness * area, rule.friction, scene.is_frozen, record);
-      if (!scene.is_frozen) place.elastic = record.elastic;
-    }
+    const double area = scene.surface.area_against(node, place.normal);
+    push_node({penalty, rule.pair->damping_fraction, area, velocity, scene.dt}, record);
+    if (!record.touches() || rule.friction == 0.0) continue;
+    record.elastic = place.elastic;
+    add_friction(penalty.stiffness * area, rule.friction, scene.is_frozen, record);
+    if (!scene.is_frozen) place.elastic = record.elastic;
+  }
+}
+
+void refuse_tied_planes(std::span<const SurfacePair> pairs, const ContactSurfaces& surfaces,
+                        Diagnostics& diagnostics) {
+  for (const SurfacePair& pair : pairs) {
+    const bool ties = std::holds_alternative<Tied>(pair.law) || std::holds_alternative<Glued>(pair.law);
+    const ContactSurface &first = surfaces.surfaces[pair.first], &second = surfaces.surfaces[pair.second];
+    if (!ties || (first.analytic_planes.empty() && second.analytic_planes.empty())) continue;
+    diagnostics.add_error(
+        pair.location,
+        fmt::format("{} and {}: nothing can be tied to an analytic plane", first.name, second.name),
+        "a FIXED DISPLACEMENT holds the nodes");
   }
 }
 

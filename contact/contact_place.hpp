@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/contact_record.hpp"
+#include "contact/face_face.hpp"
+
+/// What all kinds of places of contact share.
+namespace contactsim {
+
+/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small
+/// enough for the penalty of what it brings into touch.
+inline constexpr double steps_ahead = 2.0;
+
+/// The stiffness that a damped spring counts as for the stable step.
+///   fraction  of critical damping [1]
+/// Source: Belytschko, Liu, Moran & Elkhodary, Nonlinear Finite Elements (2014), eq. 6.2.20.
+double damped_stiffness(double stiffness, double fraction);
+
+/// A node before something that pushes it.
+struct NodePush {
+  PairPenalty penalty;
+  double damping_fraction = 0.0;  ///< of critical damping [1]
+  double area = 0.0;              ///< of the node against the normal [length^2]
+  Eigen::Vector3d velocity;       ///< of the node relative to the other side [length/time]
+  double dt = 0.0;                ///< [time]
+};
+
+/// Fills in stiffness, and where the node is behind the other side area, force, damping and slip. Damping
+/// never pulls: what it takes from a separating node ends with the spring's force.
+///   record  has its normal and gap
+void push_node(const NodePush& push, ContactRecord& record);
+
+}  // namespace contactsim
