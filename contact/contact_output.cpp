@@ -59,13 +59,16 @@ ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, c
     : force_(force),
       contact_(contact),
       model_(model),
-      rest_status_(find_rest_status(contact, *model.mesh)),
-      contact_node_(model.mesh->n_nodes(), no_contact),
-      nodes_(force.faces().n_nodes()),
       surfaces_(contact.surfaces.surfaces.size()),
-      pairs_(contact.pairs.size()) {
-  const auto& mesh_nodes = force.faces().mesh_nodes;
+      pairs_(contact.pairs.size()) {}
+
+/// Most runs never ask, and the arrays are large.
+void ContactOutput::begin() {
+  rest_status_ = find_rest_status(contact_, *model_.mesh);
+  contact_node_.assign(model_.mesh->n_nodes(), no_contact);
+  const auto& mesh_nodes = force_.faces().mesh_nodes;
   for (std::uint32_t i = 0; i < mesh_nodes.size(); ++i) contact_node_[mesh_nodes[i]] = i;
+  nodes_.resize(mesh_nodes.size());
 }
 
 std::vector<RunVariable> ContactOutput::variables() {
@@ -119,6 +122,7 @@ RunVariable ContactOutput::make_total(const ContactTotalRow& row, const std::str
 void ContactOutput::look_at(const State& state) {
   const std::lock_guard guard(lock_);
   if (state.step == step_) return;
+  if (step_ < 0) begin();
   step_ = state.step;
   const Motion motion{state.time, state.dt, state.coordinates, state.velocity};
   force_.find_places(motion, places_, ties_);

@@ -65,6 +65,7 @@ class ContactOutput {
   std::vector<RunVariable> variables();
 
  private:
+  void begin();
   /// Brings everything to the state. Whoever asks first does the work.
   void look_at(const State& state);
   void add_place(const ContactRecord& record);

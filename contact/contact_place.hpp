@@ -7,8 +7,8 @@
 /// What all kinds of places of contact share.
 namespace contactsim {
 
-/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small enough for
-/// the penalty of what it brings into touch.
+/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small
+/// enough for the penalty of what it brings into touch.
 inline constexpr double steps_ahead = 2.0;
 
 /// The stiffness that a damped spring counts as for the stable step.
@@ -25,8 +25,8 @@ struct NodePush {
   double dt = 0.0;                ///< [time]
 };
 
-/// Fills in stiffness, and where the node is behind the other side area, force, damping and slip. Damping never pulls:
-/// what it takes from a separating node ends with the spring's force.
+/// Fills in stiffness, and where the node is behind the other side area, force, damping and slip. Damping
+/// never pulls: what it takes from a separating node ends with the spring's force.
 ///   record  has its normal and gap
 void push_node(const NodePush& push, ContactRecord& record);
 

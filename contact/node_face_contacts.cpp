@@ -94,7 +94,8 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const Eigen::Vector3d x = scene.surface.x(node.node);
   const double closed =
       std::max(0.0, (bound.velocity - scene.surface.v(node.node)).dot(bound.normal)) * scene.dt;
-  const double reach = steps_ahead * closed;
+  // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
+  const double reach = scene.dt > 0.0 ? steps_ahead * closed : bound.radius;
   Hit hit;
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);

@@ -42,12 +42,14 @@ TEST_CASE("contact adds no net force and no net moment to bodies with warped fac
           "[contact][contact_force]") {
   const std::string formulation = GENERATE(std::string(), node_face + "tangential tolerance = 0\n");
   const int tets = GENERATE(0, 5);
+  // A node behind the edge of a hollow is pushed from beside it: depth times distance, of few nodes.
+  const double moment_share = formulation.empty() ? 1e-11 : 1e-4;
   ContactBodies bodies(two_plates(4, 0.75, tets), general_contact(stiff + formulation));
   disturb(bodies, 0.05, 0.1);
   bodies.ask();
   CHECK(bodies.force_size() > 100.0);
   CHECK(bodies.net_force().norm() < 1e-13 * bodies.force_size());
-  CHECK(bodies.net_moment().norm() < 1e-9 * bodies.force_size());
+  CHECK(bodies.net_moment().norm() < moment_share * bodies.force_size());
   CHECK((bodies.force_on(0) + bodies.force_on(1)).norm() < 1e-13 * bodies.force_size());
   CHECK(bodies.force_on(1).z() > 0.5 * bodies.force_size() / 2.0);
   CHECK((bodies.contact.pair_steps()[0].force - bodies.force_on(0)).norm() < 1e-10);
