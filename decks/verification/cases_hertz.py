@@ -129,8 +129,8 @@ def hertz_two_balls(bench):
     """code_aster SSNV104."""
     checks, runs = [], []
     for approach, step in ((0.1, 0.2), (4.0, 1.25)):
-        runs.append(bench.run("hertz", ball_on_ball(50, step), youngs=20e3, nu=0.3, density=2e-9, base="body",
-                              amount=approach, rise=4e-4))
+        runs.append(bench.run("hertz", ball_on_ball(50, step, 16, 12), youngs=20e3, nu=0.3, density=2e-9, base="body",
+                              amount=approach, rise=3e-4))
         checks += ball_checks(f"approach of {approach} mm", runs[-1], step, 25, 10e3 / 0.91, approach)
     return checks + balances(runs)
 
