@@ -45,7 +45,7 @@ class Run:
 
     def __init__(self, folder, deck, log):
         self.folder, self.deck, self.log = folder, deck, log
-        self._columns, self._nodal, self.last = None, {}, None
+        self._columns, self._nodal = None, {}
 
     @property
     def columns(self):
