@@ -121,17 +121,17 @@ def hertz_rigid_ball(bench):
     """MOOSE: a rigid ball on an elastic one."""
     run = bench.run("hertz", ball_on_ball(2, 0.0125), youngs=1.40625e7, nu=0.25, density=1e-3, base="held",
                     amount=0.01, rise=4e-4)
-    return ball_checks("rigid on elastic", run, 0.0125, 1, 1.5e7, 0.01, 0.045) + balances([run])
+    return ball_checks("rigid on elastic", run, 0.0125, 1, 1.5e7, 0.01) + balances([run])
 
 
 @case(is_long=True)
 def hertz_two_balls(bench):
     """code_aster SSNV104."""
     checks, runs = [], []
-    for approach, step in ((0.1, 0.2), (4.0, 1.25)):
+    for approach, step, missed in ((0.1, 0.2, None), (4.0, 1.25, 0.08)):
         runs.append(bench.run("hertz", ball_on_ball(50, step, 16, 12), youngs=20e3, nu=0.3, density=2e-9, base="body",
                               amount=approach, rise=3e-4))
-        checks += ball_checks(f"approach of {approach} mm", runs[-1], step, 25, 10e3 / 0.91, approach)
+        checks += ball_checks(f"approach of {approach} mm", runs[-1], step, 25, 10e3 / 0.91, approach, missed)
     return checks + balances(runs)
 
 
