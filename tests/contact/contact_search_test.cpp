@@ -234,10 +234,11 @@ TEST_CASE("a search is due when a node has moved by the margin of its smallest f
   CHECK(search.is_due(parts.surface));
   search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
   CHECK(!search.is_due(parts.surface));
-  parts.x(0, 3) += 0.129;  // below 0.15 times the root of the corner's area, 3/4
+  // The margin of a corner is 0.15 times the root of its area, 3/4; the body at rest leaves all of its own.
+  parts.x(0, 3) += 0.24;
   parts.move();
   CHECK(!search.is_due(parts.surface));
-  parts.x(0, 3) += 0.002;
+  parts.x(0, 3) += 0.03;
   parts.move();
   CHECK(search.is_due(parts.surface));
   SearchOptions once;
@@ -247,6 +248,19 @@ TEST_CASE("a search is due when a node has moved by the margin of its smallest f
   parts.x(0, 3) += 10.0;
   parts.move();
   CHECK(!lazy.is_due(parts.surface));
+}
+
+TEST_CASE("large faces may not use up the margins of small ones", "[contact][contact_search]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1});
+  b.add_hexes({.id = 2, .cells = {10, 10, 10}, .origin = {0, 0, 5}});
+  ContactParts parts(b, general_contact());
+  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
+  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+  // 0.13 of their own and 0.013 of the others.
+  parts.x(0, 3) += 0.15;
+  parts.move();
+  CHECK(search.is_due(parts.surface));
 }
 
 TEST_CASE("a search finds the same with one thread and with two", "[contact][contact_search]") {
