@@ -25,7 +25,7 @@ class MeshMaker:
         return number
 
     def hexes(self, name, origin, size, cells):
-        """A brick of HEX8 cells; returns its first element (from 1)."""
+        """A brick of HEX8 cells, added to the last block if that has the name; returns its first element (from 1)."""
         grid = [np.linspace(o, o + s, n + 1) for o, s, n in zip(origin, size, cells)]
         rows = []
         for k in range(cells[2]):

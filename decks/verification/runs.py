@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs decks in folders of their own and reads what they write."""
 import csv
+import os
 import shutil
 import subprocess
 import sys
@@ -136,7 +137,9 @@ class Bench:
         command = [self.program, str(path if path.exists() else HERE.parent / path.name)]
         for name, value in variables.items():
             command += ["-D", f"{name}={value!r}" if isinstance(value, float) else f"{name}={value}"]
-        done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+        # Small meshes gain nothing by threads, and tests run side by side.
+        environment = {"OMP_NUM_THREADS": "1", **os.environ}
+        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
         return Run(folder, deck, done.stdout)

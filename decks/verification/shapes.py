@@ -59,8 +59,6 @@ def hairpin(n_leg, n_bend, thickness):
     mesh.hexes("strip", (0, 0, 0), (4, thickness, 1), (n_leg, 2, 2))
     mesh.hexes("strip", (4, 0, 0), (math.pi, thickness, 1), (n_bend, 2, 2))
     mesh.hexes("strip", (4 + math.pi, 0, 0), (4, thickness, 1), (n_leg, 2, 2))
-    rows = [row for _, _, rows, _ in mesh.blocks for row in rows]
-    mesh.blocks = [("strip", "HEX8", rows, None)]
     mesh.node_set("lower", lambda s, t, z: s < 4)
     mesh.node_set("upper", lambda s, t, z: s > 4 + math.pi)
     return mesh

@@ -124,15 +124,12 @@ TEST_CASE("a node tied to a face over a gap stays over its point, and its force 
 
 TEST_CASE("a stiff tie that has hardly moved does not push the whole by round-off", "[contact][ties]") {
   Random random(5);
-  int n_tied = 0;
+  const MovingFace lower = make_square(0.0, 0.0, true), upper = make_square(0.5, 0.1, false);
+  Tie tie;
+  REQUIRE(tie_faces(lower, upper, 1e12, 1.0, tie));
   for (int i = 0; i < 20; ++i) {
-    const MovingFace a = random_face(random, true, true, 0.0), b = random_face(random, true, false, 0.1);
-    Tie tie;
-    if (!tie_faces(a, b, 1e12, 1.0, tie)) continue;
-    ++n_tied;
-    TieVectors x = corners_of(a, b);
+    TieVectors x = corners_of(lower, upper);
     for (int k = 0; k < 8; ++k) x.col(k) += random_vector(random, 1e-9);
     check_balance(x, find_tie_forces(tie, x).forces);
   }
-  CHECK(n_tied > 10);
 }
