@@ -92,9 +92,7 @@ TEST_CASE("contact variables are there before the first step", "[contact][contac
 
 TEST_CASE("nodes and totals of a cube pressed on a plate have the values of the pressure",
           "[contact][contact_output]") {
-  const std::string formulation =
-      GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
-  Watched bodies(rough(formulation));
+  Watched bodies(rough());
   bodies.shift(1, {0, 0, -0.01});
   bodies.ask();
   bodies.take(0);
@@ -123,6 +121,22 @@ TEST_CASE("nodes and totals of a cube pressed on a plate have the values of the 
     CHECK((direction.col(i) - Vector3d(0, 0, is_low ? 1 : 0)).norm() < 1e-12);
   }
   CHECK(n_touching == 4);
+}
+
+TEST_CASE("totals of nodes on faces are the sums of the forces on the bodies", "[contact][contact_output]") {
+  Watched bodies(rough("constraint formulation = node_face\n"));
+  bodies.shift(1, {0.1, 0.2, -0.01});
+  bodies.ask();
+  bodies.take(0);
+  CHECK(bodies.force_on(1).z() > 1.0);
+  CHECK((bodies.global("contact_force_high") - bodies.force_on(1)).norm() < 1e-12);
+  CHECK((bodies.global("contact_force_low") - bodies.force_on(0)).norm() < 1e-12);
+  CHECK((bodies.global("contact_moment_low") + bodies.global("contact_moment_high")).norm() < 1e-9);
+  CHECK((bodies.global("contact_moment_low") + bodies.global("contact_moment_high") - bodies.net_moment())
+            .norm() < 1e-9);
+  const Eigen::Matrix3Xd normal = bodies.nodal("contact_normal_force_magnitude");
+  for (Eigen::Index i = 0; i < bodies.x.cols(); ++i)
+    CHECK(normal(0, i) == Approx(bodies.forces.col(i).norm()).margin(1e-12));
 }
 
 TEST_CASE("slips, friction energy and rates of a cube that slides add up to what the run lost",
@@ -179,11 +193,11 @@ TEST_CASE("ties show their forces, and none outside their periods", "[contact][c
 }
 
 TEST_CASE("every contact variable has a name of its own and a line of help", "[contact][contact_output]") {
-  std::set<std::string_view> names;
+  std::set<std::string_view> names, of_totals;
   for (const ContactNodeRow& row : contact_node_rows()) {
     CHECK(names.insert(row.name).second);
     CHECK(!row.help.empty());
     CHECK(row.help.back() == ']');
   }
-  for (const ContactTotalRow& row : contact_total_rows()) CHECK(names.insert(row.name).second);
+  for (const ContactTotalRow& row : contact_total_rows()) CHECK(of_totals.insert(row.name).second);
 }
