@@ -227,6 +227,7 @@ void impact_step(benchmark::State& bench) {
       make_pair(skin_of_cube("low", 0), skin_of_cube("high", 64 * 64 * 64), formulation);
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   state.velocity.rightCols(state.velocity.cols() / 2).row(2).setConstant(-50.0);
+  state.forces.contact = Eigen::Matrix3Xd::Zero(3, state.velocity.cols());
   InternalForce internal(model, state);
   const ContactDefinition definition;
   ContactForce force({definition, contact, model, {}});
