@@ -225,7 +225,8 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   visit_places(face_face_, scene, take);
   visit_places(node_face_, scene, take);
   visit_places(planes_, scene, take);
-  for (const Tie& tie : ties_) ties.push_back(forces_of(tie));
+  const TieForces none{TieVectors::Zero(), Eigen::Vector3d::Zero(), 0.0};
+  for (const Tie& tie : ties_) ties.push_back(rules_[tie.pair].is_active ? forces_of(tie) : none);
 }
 
 }  // namespace contactsim

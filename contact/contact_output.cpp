@@ -185,6 +185,7 @@ void ContactOutput::add_to_nodes(const ContactRecord& record, const RecordSide& 
 }
 
 void ContactOutput::add_tie(const Tie& tie, const TieForces& forces) {
+  if (forces.normal.isZero()) return;
   ContactTotal total;
   total.area = tie.area;
   for (std::size_t k = 0; k < 8; ++k) {

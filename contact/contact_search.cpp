@@ -66,6 +66,18 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
   for (const SurfaceNode& node : faces.surface_nodes)
     node_margin_[node.node] =
         std::min(node_margin_[node.node], dash.search_length_scaling * std::sqrt(node.area));
+  const std::size_t n_surfaces = faces.first_face.size() - 1;
+  widest_margin_.assign(n_surfaces, 0.0);
+  narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
+  for (const SurfaceNode& node : faces.surface_nodes) {
+    double& narrowest = narrowest_margin_[node.surface];
+    narrowest = std::min(narrowest, node_margin_[node.node]);
+    widest_margin_[node.surface] = std::max(widest_margin_[node.surface], node_margin_[node.node]);
+  }
+  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
+    double& widest = widest_margin_[faces.faces[i].surface];
+    widest = std::max(widest, face_margin_[i]);
+  }
 }
 
 bool ContactSearch::is_due(const MovingSurface& surface) const {
@@ -73,9 +85,17 @@ bool ContactSearch::is_due(const MovingSurface& surface) const {
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
   // Two sides share their margins: one may use up what the other, at rest, does not need.
   const std::vector<double> used = used_margins(surface);
-  return std::ranges::any_of(rules_.rules(), [&](const PairRule& rule) {
-    return !(used[rule.pair->first] + used[rule.pair->second] <= 2.0);
+  return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
+    const std::uint32_t first = rule.pair->first, second = rule.pair->second;
+    return has_room(first, used[first], second, used[second]) &&
+           has_room(second, used[second], first, used[first]);
   });
+}
+
+bool ContactSearch::has_room(std::uint32_t first, double first_used, std::uint32_t second,
+                             double second_used) const {
+  if (first_used <= 1.0) return true;
+  return (first_used - 1.0) * widest_margin_[first] <= (1.0 - second_used) * narrowest_margin_[second];
 }
 
 std::vector<double> ContactSearch::used_margins(const MovingSurface& surface) const {

@@ -40,10 +40,20 @@ struct LawNamer {
 
 std::string describe_law(const FrictionLaw& law) { return std::visit(LawNamer{}, law).text; }
 
-void refuse_laws(std::span<const SurfacePair> pairs, Diagnostics& diagnostics) {
+void refuse_laws(std::span<const SurfacePair> pairs, std::span<const ContactSurface> surfaces,
+                 Diagnostics& diagnostics) {
   std::set<std::string> told;
   for (const SurfacePair& pair : pairs) {
     const LawWords words = std::visit(LawNamer{}, pair.law);
+    const bool holds = std::holds_alternative<Tied>(pair.law) || std::holds_alternative<Glued>(pair.law);
+    const bool has_plane =
+        !surfaces[pair.first].analytic_planes.empty() || !surfaces[pair.second].analytic_planes.empty();
+    if (holds && has_plane) {
+      diagnostics.add_error(pair.location,
+                            fmt::format("'{}' and '{}' cannot be {}: one is an analytic plane",
+                                        surfaces[pair.first].name, surfaces[pair.second].name, words.text),
+                            "planes only push");
+    }
     const bool is_news = !words.is_supported && told.insert(to_string(pair.location)).second;
     if (!is_news) continue;
     diagnostics.add_error(pair.location,

@@ -14,7 +14,9 @@ namespace contactsim {
 std::string describe_law(const FrictionLaw& law);
 
 /// Adds an error for every interaction whose law a run cannot act on: all but frictionless, constant
-/// friction, tied and glued.
-void refuse_laws(std::span<const SurfacePair> pairs, Diagnostics& diagnostics);
+/// friction, tied and glued, and of these the last two with analytic planes, which only push.
+///   surfaces  that the pairs are of
+void refuse_laws(std::span<const SurfacePair> pairs, std::span<const ContactSurface> surfaces,
+                 Diagnostics& diagnostics);
 
 }  // namespace contactsim

@@ -30,7 +30,7 @@ struct Tie {
   double area = 0.0;         ///< [length^2]
 };
 
-/// The forces of a tie on its corners.
+/// The forces of a tie on its corners; all 0 of one that does not act.
 struct TieForces {
   TieVectors forces;       ///< [force]
   Eigen::Vector3d normal;  ///< of the second side, unit [1]

@@ -435,7 +435,6 @@ begin sierra flight recorder drop
         search = dash
         begin search options
           search tolerance = automatic
-          face multiplier = 0.1
         end
         begin enforcement options
           penalty scale = 1

@@ -135,7 +135,7 @@ TEST_CASE("contact acts in its periods only, ties too", "[contact][contact_force
   ContactBodies bodies(cube_over_plate(law.empty() ? -0.1 : 0.05), region);
   ContactForce force({*bodies.region.contact, bodies.definition, bodies.model, blocks});
   const auto norm_at = [&](double time) {
-    force.set_forces({time, 0.1, bodies.x, bodies.v, 1.0}, bodies.forces);
+    force.set_forces({time, time > 0.0 ? 0.1 : 0.0, bodies.x, bodies.v, 1.0}, bodies.forces);
     return bodies.forces.norm();
   };
   norm_at(0.0);

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/contact_search.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <set>
 
-#include "core/errors.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 #include "support/random_faces.hpp"
@@ -224,48 +221,6 @@ TEST_CASE("between two searches nothing can come to touch that is no candidate",
   CHECK(search.n_searches() < 40);
 }
 
-TEST_CASE("a search is due when a node has moved by the margin of its smallest face",
-          "[contact][contact_search]") {
-  MeshBuilder b;
-  b.add_hexes({.id = 1});
-  b.add_hexes({.id = 2, .origin = {0, 0, 5}});
-  ContactParts parts(b, general_contact());
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
-  CHECK(search.is_due(parts.surface));
-  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
-  CHECK(!search.is_due(parts.surface));
-  parts.x(0, 3) += 0.129;  // below 0.15 times the root of the corner's area, 3/4
-  parts.move();
-  CHECK(!search.is_due(parts.surface));
-  parts.x(0, 3) += 0.002;
-  parts.move();
-  CHECK(search.is_due(parts.surface));
-  SearchOptions once;
-  once.global_search_once = true;
-  ContactSearch lazy(parts.faces, parts.mesh, parts.rules, once, {});
-  lazy.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
-  parts.x(0, 3) += 10.0;
-  parts.move();
-  CHECK(!lazy.is_due(parts.surface));
-}
-
-TEST_CASE("a search finds the same with one thread and with two", "[contact][contact_search]") {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {40, 40, 1}, .size = {40, 40, 1}});
-  b.add_hexes({.id = 2, .cells = {40, 40, 1}, .origin = {0.3, 0.2, 1.0}, .size = {40, 40, 1}});
-  std::vector<std::vector<std::uint32_t>> found;
-  const int before = omp_get_max_threads();
-  for (const int n_threads : {1, 2}) {
-    omp_set_num_threads(n_threads);
-    ContactParts parts(b, general_contact());
-    parts.search();
-    found.push_back(parts.face_partners.partners);
-  }
-  omp_set_num_threads(before);
-  CHECK(found[0] == found[1]);
-  CHECK(found[0].size() > 6000);
-}
-
 TEST_CASE("what slides infinitesimally keeps its first partners", "[contact][contact_search]") {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {4, 1, 1}, .size = {4, 1, 1}});
@@ -281,17 +236,4 @@ TEST_CASE("what slides infinitesimally keeps its first partners", "[contact][con
   const Pairs later = in_set(parts.face_partners);
   CHECK(std::includes(first.begin(), first.end(), later.begin(), later.end()));
   CHECK(later.size() < sweep_faces(parts, 0.0).size());
-}
-
-TEST_CASE("a node that is nowhere is named", "[contact][contact_search]") {
-  MeshBuilder b;
-  b.add_hexes({.id = 1});
-  b.add_hexes({.id = 2, .origin = {0, 0, 5}});
-  b.set_node_ids({11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23, 24, 25, 26, 27, 28});
-  ContactParts parts(b, general_contact());
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
-  parts.x(1, 10) = std::numeric_limits<double>::quiet_NaN();
-  parts.move();
-  CHECK_THROWS_WITH(search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces}),
-                    Catch::Matchers::Contains("node 23"));
 }

@@ -107,7 +107,9 @@ TEST_CASE("a node apart from a face gets no force, nor one beyond its edge",
   CHECK(parts.put({2.1, 2.1, -0.01}).empty());
   CHECK(parts.put({0.6, 0.7, -0.01}).size() == 1);
   TipOnFloor tolerant("tangential tolerance = 0.2\n");
-  CHECK(tolerant.put({-0.1, 0.7, -0.01}).size() == 1);
+  tolerant.put({-0.1, 0.7, 0.01});
+  CHECK(tolerant.put({-0.1, 0.7, -0.01}, true).size() == 1);
+  CHECK(tolerant.put({-0.3, 0.7, -0.01}, true).empty());
 }
 
 TEST_CASE("a node that comes near is told of before it touches", "[contact][node_face_contacts]") {
