@@ -245,10 +245,7 @@ OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& 
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
-  if (input.contact != nullptr) {
-    refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, warnings);
-    refuse_tied_planes(input.contact->pairs, input.contact->surfaces, warnings);
-  }
+  if (input.contact != nullptr) refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, warnings);
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/plane_contacts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "contact/contact_place.hpp"
@@ -58,19 +56,6 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.elastic = place.elastic;
     add_friction(penalty.stiffness * area, rule.friction, scene.is_frozen, record);
     if (!scene.is_frozen) place.elastic = record.elastic;
-  }
-}
-
-void refuse_tied_planes(std::span<const SurfacePair> pairs, const ContactSurfaces& surfaces,
-                        Diagnostics& diagnostics) {
-  for (const SurfacePair& pair : pairs) {
-    const bool ties = std::holds_alternative<Tied>(pair.law) || std::holds_alternative<Glued>(pair.law);
-    const ContactSurface &first = surfaces.surfaces[pair.first], &second = surfaces.surfaces[pair.second];
-    if (!ties || (first.analytic_planes.empty() && second.analytic_planes.empty())) continue;
-    diagnostics.add_error(
-        pair.location,
-        fmt::format("{} and {}: nothing can be tied to an analytic plane", first.name, second.name),
-        "a FIXED DISPLACEMENT holds the nodes");
   }
 }
 

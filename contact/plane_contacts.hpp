@@ -3,7 +3,6 @@
 
 #include "contact/contact_scene.hpp"
 #include "core/definition/contact_surfaces.hpp"
-#include "core/diagnostics.hpp"
 
 namespace contactsim {
 
@@ -36,9 +35,5 @@ class PlaneContacts {
   const ContactFaces& faces_;
   std::vector<Place> places_;
 };
-
-/// Adds an error for every pair that would tie or glue something to a plane: planes only push.
-void refuse_tied_planes(std::span<const SurfacePair> pairs, const ContactSurfaces& surfaces,
-                        Diagnostics& diagnostics);
 
 }  // namespace contactsim

@@ -35,8 +35,7 @@ TEST_CASE("search options are bound", "[parser][contact]") {
       contact_of(
           "begin search options fine\nglobal search once = on\n"
           "search tolerance = user_defined\nnormal tolerance = 1\ntangential tolerance = 2\ncapture "
-          "tolerance = 3\n"
-          "face multiplier = 0.2\nend\n")
+          "tolerance = 3\nend\n")
           .search;
   CHECK(search.global_search_once);
   CHECK(search.tolerance == SearchOptions::Tolerance::user_defined);
