@@ -12,10 +12,8 @@ namespace contactsim {
 
 namespace {
 
-/// Rows that are worked on as one piece, and pieces that are worked on before their places are added up:
-/// enough for the threads, and few enough to stay in the cache. Fixed, so that sums do not depend on the
-/// number of threads.
-constexpr std::size_t rows_per_chunk = 256, chunks_per_batch = 32;
+/// Rows that are worked on as one piece. Fixed, so that sums do not depend on the number of threads.
+constexpr std::size_t rows_per_chunk = 256;
 
 std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   std::vector<ActiveTimes> times;
@@ -37,7 +35,6 @@ ContactForce::ContactForce(const ContactSetup& setup)
       node_face_(faces_),
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
-      chunks_(chunks_per_batch),
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {
   add_backing(setup.model, faces_);
@@ -86,23 +83,21 @@ void ContactForce::begin(const Motion& motion) {
                     setup_.definition.dash.search_length_scaling);
 }
 
-/// Finds places chunk by chunk on all threads and takes them in order.
+/// Finds places chunk by chunk on all threads. They are taken in order while other threads work on later
+/// chunks.
 template <class Contacts, class Take>
 void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, const Take& take) {
   const std::size_t n_rows = contacts.n_rows();
-  constexpr std::size_t rows_per_batch = rows_per_chunk * chunks_per_batch;
-  for (std::size_t batch = 0; batch < n_rows; batch += rows_per_batch) {
-    const std::size_t n_chunks =
-        std::min(chunks_per_batch, (n_rows - batch + rows_per_chunk - 1) / rows_per_chunk);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads_for(n_chunks* rows_per_chunk * 10))
-    for (std::size_t i = 0; i < n_chunks; ++i) {
-      const std::size_t begin = batch + i * rows_per_chunk;
-      chunks_[i].clear();
-      contacts.find(scene, begin, std::min(begin + rows_per_chunk, n_rows), chunks_[i]);
-    }
-    for (std::size_t i = 0; i < n_chunks; ++i) {
-      for (const ContactRecord& record : chunks_[i]) take(record);
-    }
+  const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
+  const int n_threads = threads_for(n_rows * 10);
+  chunks_.resize(std::max(chunks_.size(), static_cast<std::size_t>(n_threads)));
+#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(n_threads)
+  for (std::size_t i = 0; i < n_chunks; ++i) {
+    std::vector<ContactRecord>& records = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
+    records.clear();
+    contacts.find(scene, i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows), records);
+#pragma omp ordered
+    for (const ContactRecord& record : records) take(record);
   }
 }
 

@@ -86,7 +86,7 @@ class ContactForce final : public ForceTerm {
   PlaneContacts planes_;
   std::vector<Tie> ties_;
   ContactSums sums_;
-  std::vector<std::vector<ContactRecord>> chunks_;  // scratch
+  std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
