@@ -11,6 +11,13 @@ namespace contactsim {
 /// enough for the penalty of what it brings into touch.
 inline constexpr double steps_ahead = 2.0;
 
+/// What touched in the last step may be this much deeper than what did not.
+inline constexpr double known_depth = 1.5;
+
+/// What was behind the other side one step ago by no more than this share of an element's thickness met it in
+/// front: facets of a round surface change that much.
+inline constexpr double shallow_depth = 0.02;
+
 /// The stiffness that a damped spring counts as for the stable step.
 ///   fraction  of critical damping [1]
 /// Source: Belytschko, Liu, Moran & Elkhodary, Nonlinear Finite Elements (2014), eq. 6.2.20.

@@ -85,7 +85,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
   PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
   // What came in by itself may be as deep as its speed brought it, and stays known a bit deeper than that.
-  penalty.depth = std::max((did_touch ? 1.5 : 1.0) * penalty.depth, 1.5 * closed);
+  penalty.depth = std::max((did_touch ? known_depth : 1.0) * penalty.depth, 1.5 * closed);
   const MovingFace moving_1 = scene.surface.face(candidate.first),
                    moving_2 = scene.surface.face(candidate.second);
   const FaceFaceContact contact = find_face_face_contact(moving_1, moving_2, penalty, reach);
@@ -124,11 +124,10 @@ bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& 
                                     const FaceFaceContact& contact, double closed) const {
   // Before the first step nobody knows: what is wider than deep is pushed out.
   if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
-  constexpr double shallow = 0.02;  // of the element's thickness, as of nodes
   constexpr double same_way = 0.5;
   const double thickness = std::min(faces_.faces[candidate.first].backing.thickness,
                                     faces_.faces[candidate.second].backing.thickness);
-  return contact.gap + closed > -shallow * thickness ||
+  return contact.gap + closed > -shallow_depth * thickness ||
          pushed_[candidate.first].dot(contact.normal) > same_way ||
          pushed_[candidate.second].dot(contact.normal) < -same_way;
 }

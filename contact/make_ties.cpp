@@ -33,15 +33,15 @@ void set_nodes(const std::array<std::uint32_t, 4>& first, const std::array<std::
   std::copy(second.begin(), second.end(), tie.nodes.begin() + 4);
 }
 
-/// How well a node stands over a face, the smaller the better; nothing when it does not.
-std::optional<double> distance_to(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
-                                  double tolerance) {
+/// Where a node stands over a face; nothing when it does not.
+std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
+                                   double tolerance) {
   const MovingFace moving = scene.surface.face(face);
   const std::uint32_t node = scene.surface.faces().surface_nodes[row].node;
   const auto point = project_onto_face(moving.x, moving.is_triangle, scene.surface.x(node));
   if (!point || std::abs(point->gap) > tolerance) return std::nullopt;
   if (point->beyond > beside * scene.surface.bound(face).radius) return std::nullopt;
-  return std::abs(point->gap) + point->beyond;
+  return point;
 }
 
 }  // namespace
@@ -64,12 +64,12 @@ std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first,
 
 std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
                                  double tolerance) {
-  if (!distance_to(scene, row, face, tolerance)) return std::nullopt;
+  const auto point = find_foot(scene, row, face, tolerance);
+  if (!point) return std::nullopt;
   const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
   const ContactFace& other = scene.surface.faces().faces[face];
   const MovingFace moving = scene.surface.face(face);
   const Eigen::Vector3d x = scene.surface.x(node.node);
-  const auto point = project_onto_face(moving.x, moving.is_triangle, x);
   Tie tie;
   tie.is_node = true;
   tie.pair = scene.rules.find(node.surface, other.surface);
@@ -106,8 +106,10 @@ std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_part
       const SurfacePair& pair =
           *scene.rules[scene.rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface)].pair;
       const double tolerance = tolerance_of(pair, scene.surface.bound(face), size_share);
-      const auto distance = distance_to(scene, row, face, tolerance);
-      if (!distance || (nearest && *distance >= *nearest)) continue;
+      const auto foot = find_foot(scene, row, face, tolerance);
+      if (!foot) continue;
+      const double distance = std::abs(foot->gap) + foot->beyond;
+      if (nearest && distance >= *nearest) continue;
       nearest = distance;
       best = face;
       best_tolerance = tolerance;

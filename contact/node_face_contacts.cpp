@@ -13,15 +13,16 @@ namespace contactsim {
 
 namespace {
 
-/// A node that touched in the last step may be this much deeper than one that did not.
-constexpr double known_depth = 1.5;
-
 /// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie
 /// over each other keep touching when they spread by different strains.
 constexpr double automatic_beyond = 0.02;
 
 /// Normals closer than this are of one surface that bends, not of the walls of a hollow.
 constexpr double same_wall = 0.7;
+
+double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
+  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius);
+}
 
 bool has_corner(const ContactFace& face, std::uint32_t node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
@@ -101,7 +102,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.pair = scene.rules.find(node.surface, face.surface);
   const PairRule& rule = scene.rules[hit.pair];
   const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
-  const double beyond = rule.pair->tangential_tolerance.value_or(automatic_beyond * bound.radius);
+  const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0, (bound.centre - x).dot(bound.normal) + bound.twist);
   if (!may_stand_over(x, bound, reach, deepest, beyond + behind) || has_corner(face, node.node)) return;
@@ -123,10 +124,9 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
                                           const MovingFace& face, const Hit& hit) const {
   // Before the first step nobody knows; what overlaps then is pushed out.
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
-  constexpr double shallow = 0.02;  // of the element's thickness: facets of a round surface change that much
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
-  return hit.point.gap + approach > -shallow * node.backing.thickness;
+  return hit.point.gap + approach > -shallow_depth * node.backing.thickness;
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
@@ -145,8 +145,7 @@ bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face
   if (hit.point.edge < 0) return true;
   const ContactFace& face = faces_.faces[face_index];
   const FaceBound& bound = scene.surface.bound(face_index);
-  const PairRule& rule = scene.rules[hit.pair];
-  double allowed = rule.pair->tangential_tolerance.value_or(automatic_beyond * bound.radius);
+  double allowed = allowed_beyond(*scene.rules[hit.pair].pair, bound);
   // Behind the edge of a hollow there is a wedge that no face stands over.
   const std::size_t n = face.is_triangle() ? 3 : 4, k = static_cast<std::size_t>(hit.point.edge);
   const std::uint32_t a = face.corners[k], b = face.corners[(k + 1) % n];
