@@ -39,7 +39,7 @@ std::string format_places_csv(ContactForce& force, const ContactModel& contact, 
   const auto& surfaces = contact.surfaces.surfaces;
   for (const ContactRecord& place : places) {
     const SurfacePair& pair = contact.pairs[place.pair];
-    const bool is_node = place.first.nodes[0] == place.first.nodes[3];
+    const bool is_node = place.first.is_node();
     const bool is_rigid = place.second.weights.isZero(0.0);
     const std::int64_t node = mesh.node_id({force.faces().mesh_nodes[place.first.nodes[0]]});
     fmt::format_to(out, "{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",

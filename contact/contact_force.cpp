@@ -131,9 +131,7 @@ void ContactForce::add_places(const ContactScene& scene) {
 void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) {
   constexpr double any_gap = std::numeric_limits<double>::infinity();
   std::optional<Tie> tie;
-  const bool is_node =
-      record.first.weights == Eigen::Vector4d::UnitX() && record.first.nodes[0] == record.first.nodes[3];
-  if (is_node) {
+  if (record.first.is_node()) {
     if (glued_.add_node(record.first_place, record.pair))
       tie = make_node_tie(scene, record.first_place, record.second_place, any_gap);
   } else if (glued_.add_faces(record.first_place, record.second_place)) {

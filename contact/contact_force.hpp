@@ -28,8 +28,7 @@ struct ContactSetup {
 
 /// How much contact lowers the stable step.
 struct ContactStep {
-  double share = 0.0;             ///< of its stable step that the run loses, largest so far [1]
-  std::optional<NodeIndex> node;  ///< that is held most stiffly, at that time
+  double share = 0.0;  ///< of its stable step that the run loses, largest so far [1]
 };
 
 /// The forces of contact: search when something has moved far enough, places of contact, penalties, friction

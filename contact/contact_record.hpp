@@ -11,6 +11,9 @@ namespace contactsim {
 struct RecordSide {
   std::array<std::uint32_t, 4> nodes{};
   Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< sum 1; all 0 of a rigid side [1]
+
+  /// Whether it is one node and not a face.
+  bool is_node() const { return nodes[0] == nodes[3]; }
 };
 
 /// One place where two sides meet in a step: a pair of faces, a node and a face, a tied point.
@@ -23,9 +26,7 @@ struct ContactRecord {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
   double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< on the first side [force]
-  Eigen::Vector3d couple =
-      Eigen::Vector3d::Zero();  ///< turns the second side: couple x arm on each of its corners [force/length]
-  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds [length]
+  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();     ///< slip that the tangential spring holds [length]
   double stiffness = 0.0;                          ///< for the stable step, damping included [force/length]
   double area = 0.0;                               ///< that touches [length^2]
   double gap = 0.0;                                ///< < 0 when they touch [length]
