@@ -3,10 +3,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <limits>
-
-#include "core/threads.hpp"
 
 namespace contactsim {
 
@@ -30,6 +27,16 @@ float round_up(double x) {
   return std::bit_cast<float>(bits + (nearest < x) * upward(bits));
 }
 
+}  // namespace
+
+bool is_sound(const Box& box) {
+  constexpr double most = std::numeric_limits<double>::max();
+  bool sound = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    sound &= -most <= box.lo[axis] && box.lo[axis] <= box.hi[axis] && box.hi[axis] <= most;
+  return sound;
+}
+
 void fit_leaf(BoxNode& leaf, const Box& box) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     leaf.lo[axis] = round_down(box.lo[axis]);
@@ -42,32 +49,6 @@ void fit_parent(BoxNode& parent, const BoxNode* children) {
     parent.lo[axis] = std::min(children[0].lo[axis], children[1].lo[axis]);
     parent.hi[axis] = std::max(children[0].hi[axis], children[1].hi[axis]);
   }
-}
-
-void fit_node(BoxTree& tree, std::uint32_t index, std::span<const Box> boxes) {
-  BoxNode& node = tree.nodes[index];
-  if (node.is_leaf()) {
-    fit_leaf(node, boxes[node.link]);
-  } else {
-    fit_parent(node, &tree.nodes[node.link]);
-  }
-}
-
-/// Fits all that is below a node, last first, then the node.
-void fit_branch(BoxTree& tree, std::uint32_t root, std::span<const Box> boxes) {
-  const std::uint32_t n_below = 2 * tree.nodes[root].n_boxes - 2, first = tree.nodes[root].link;
-  for (std::uint32_t i = n_below; i-- > 0;) fit_node(tree, first + i, boxes);
-  fit_node(tree, root, boxes);
-}
-
-}  // namespace
-
-bool is_sound(const Box& box) {
-  constexpr double most = std::numeric_limits<double>::max();
-  bool sound = true;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    sound &= -most <= box.lo[axis] && box.lo[axis] <= box.hi[axis] && box.hi[axis] <= most;
-  return sound;
 }
 
 void divide(BoxTree& tree) {
@@ -87,14 +68,6 @@ void divide(BoxTree& tree) {
       open.insert(open.end(), {node.link + 1, node.link});
     }
   }
-}
-
-void refit(BoxTree& tree, std::span<const Box> boxes) {
-  assert(boxes.size() == tree.n_boxes());
-  const auto n_branches = static_cast<std::int64_t>(tree.branches.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(tree.nodes.size()))
-  for (std::int64_t i = 0; i < n_branches; ++i) fit_branch(tree, tree.branches[i], boxes);
-  for (std::size_t i = tree.crown.size(); i-- > 0;) fit_node(tree, tree.crown[i], boxes);
 }
 
 }  // namespace contactsim

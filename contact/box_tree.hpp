@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <new>
-#include <span>
 #include <vector>
 
 namespace contactsim {
@@ -86,8 +85,9 @@ struct BoxTree {
 /// Fills in branches and crown of a tree whose nodes are linked.
 void divide(BoxTree& tree);
 
-/// Fits the nodes to boxes that have moved; who is whose child stays. Runs on OpenMP's threads.
-///   boxes  [n_boxes of the tree] sound
-void refit(BoxTree& tree, std::span<const Box> boxes);
+/// Fits a leaf to its box, rounded outward.
+void fit_leaf(BoxNode& leaf, const Box& box);
+/// Fits a node to its two children.
+void fit_parent(BoxNode& parent, const BoxNode* children);
 
 }  // namespace contactsim

@@ -48,24 +48,22 @@ BoxTree make_box_tree(std::span<const Box> boxes) {
   model.endModel();
   link_nodes(model, tree);
   divide(tree);
-  refit(tree, boxes);
+  refit(tree, [&](std::uint32_t i) { return boxes[i]; });
   return tree;
 }
 
-std::optional<std::uint32_t> BroadPhase::update(std::span<const Box> boxes) {
+std::optional<std::uint32_t> BroadPhase::build(std::span<const Box> boxes) {
   const auto unsound = std::find_if_not(boxes.begin(), boxes.end(), is_sound);
   if (unsound != boxes.end()) return static_cast<std::uint32_t>(unsound - boxes.begin());
-  if (counts_.builds == 0 || boxes.size() != tree_.n_boxes() || is_slow()) {
-    tree_ = make_box_tree(boxes);
-    ++counts_.builds;
-    fresh_effort_.reset();
-  } else {
-    refit(tree_, boxes);
-    ++counts_.refits;
-    if (!fresh_effort_ && effort_ > 0.0) fresh_effort_ = effort_;
-  }
-  effort_ = 0.0;
+  tree_ = make_box_tree(boxes);
+  ++counts_.builds;
+  fresh_effort_.reset();
   return std::nullopt;
+}
+
+void BroadPhase::note_refit() {
+  ++counts_.refits;
+  if (!fresh_effort_ && effort_ > 0.0) fresh_effort_ = effort_;
 }
 
 bool BroadPhase::is_slow() const {
@@ -75,9 +73,10 @@ bool BroadPhase::is_slow() const {
   return fresh_effort_ && effort_ > growth * std::max(*fresh_effort_, least_effort);
 }
 
-double BroadPhase::count_search(std::size_t n_kept, std::uint32_t n_partners) {
+double BroadPhase::count_search(std::span<const FoundPairs> parts, std::size_t n_kept,
+                                std::uint32_t n_partners) {
   std::uint64_t visits = 0, overlaps = 0;
-  for (const FoundPairs& part : parts_) {
+  for (const FoundPairs& part : parts) {
     visits += part.visits;
     overlaps += part.overlaps;
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/box_tree.hpp"
+#include "contact/fit_tree.hpp"
 #include "contact/pair_lists.hpp"
 #include "contact/tree_pairs.hpp"
 
@@ -33,10 +34,28 @@ class BroadPhase {
  public:
   /// Takes the boxes as they are now: fits the tree to them, or builds it anew at the first use, when their
   /// number has changed, or when searches have come to take a fifth more visits than after the last build.
-  /// Returns the number of the first box that is not sound (see is_sound), and then leaves the tree as it
-  /// was.
-  ///   boxes  [n] n < 2^30
-  [[nodiscard]] std::optional<std::uint32_t> update(std::span<const Box> boxes);
+  /// Returns the number of the first box that is not sound (see is_sound); the next search needs sound ones
+  /// first.
+  ///   n_boxes    < 2^30
+  ///   box_of(i)  box i; called from several threads at once
+  template <class BoxOf>
+  [[nodiscard]] std::optional<std::uint32_t> update(std::uint32_t n_boxes, const BoxOf& box_of) {
+    std::optional<std::uint32_t> unsound;
+    if (needs_build(n_boxes)) {
+      std::vector<Box> boxes(n_boxes);
+      for (std::uint32_t i = 0; i < n_boxes; ++i) boxes[i] = box_of(i);
+      unsound = build(boxes);
+    } else {
+      unsound = refit(tree_, box_of);
+      if (!unsound) note_refit();
+    }
+    effort_ = 0.0;
+    return unsound;
+  }
+  /// The same of boxes that are at hand.
+  [[nodiscard]] std::optional<std::uint32_t> update(std::span<const Box> boxes) {
+    return update(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; });
+  }
 
   /// Lists the partners of each of these boxes among the others: all that overlap and for which
   /// keep(row, partner) holds. Boxes closer than one part in 10^7 of their coordinates may count as
@@ -47,29 +66,33 @@ class BroadPhase {
   template <class Keep>
   void find_pairs(BroadPhase& partners, const Keep& keep, PairLists& lists) {
     assert(&partners != this);
-    find_tree_pairs<false>(tree_, partners.tree_, keep, parts_);
-    list_pairs(parts_, tree_.n_boxes(), lists);
-    partners.note_effort(count_search(lists.partners.size(), partners.tree_.n_boxes()));
+    const auto parts = find_tree_pairs<false>(tree_, partners.tree_, keep);
+    list_pairs(parts, tree_.n_boxes(), lists);
+    partners.note_effort(count_search(parts, lists.partners.size(), partners.tree_.n_boxes()));
   }
 
   /// The same among these boxes, each pair once: partners have greater numbers than their row.
   template <class Keep>
   void find_pairs(const Keep& keep, PairLists& lists) {
-    find_tree_pairs<true>(tree_, tree_, keep, parts_);
-    list_pairs(parts_, tree_.n_boxes(), lists);
-    count_search(lists.partners.size(), 0);
+    const auto parts = find_tree_pairs<true>(tree_, tree_, keep);
+    list_pairs(parts, tree_.n_boxes(), lists);
+    count_search(parts, lists.partners.size(), 0);
   }
 
   const BroadPhaseCounts& counts() const { return counts_; }
 
  private:
-  /// Counts what the last search took, and returns its visits per box and overlap [1].
-  double count_search(std::size_t n_kept, std::uint32_t n_partners);
+  bool needs_build(std::uint32_t n_boxes) const {
+    return counts_.builds == 0 || n_boxes != tree_.n_boxes() || is_slow();
+  }
+  std::optional<std::uint32_t> build(std::span<const Box> boxes);
+  void note_refit();
+  /// Counts what a search took, and returns its visits per box and overlap [1].
+  double count_search(std::span<const FoundPairs> parts, std::size_t n_kept, std::uint32_t n_partners);
   void note_effort(double effort) { effort_ = std::max(effort_, effort); }
   bool is_slow() const;
 
   BoxTree tree_;
-  std::vector<FoundPairs> parts_;  ///< of the last search
   BroadPhaseCounts counts_;
   double effort_ = 0.0;  ///< visits per box and overlap since the last update, the greatest [1]
   std::optional<double> fresh_effort_;  ///< the same of the first searches after the last build [1]

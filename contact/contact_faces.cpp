@@ -28,6 +28,7 @@ std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const 
     for (const NodeIndex node : surface.nodes) is_used[node.value] = 1;
   }
   std::vector<std::uint32_t> nodes;
+  nodes.reserve(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
   for (std::uint32_t node = 0; node < mesh.n_nodes(); ++node) {
     if (is_used[node] != 0) nodes.push_back(node);
   }
@@ -180,12 +181,15 @@ ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mes
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }
+  made.faces.shrink_to_fit();
+  made.surface_nodes.shrink_to_fit();
   made.faces_of_node = list_faces_of_nodes(made.faces, made.n_nodes());
   return made;
 }
 
 void add_backing(const Model& model, ContactFaces& faces) {
   faces.mass.clear();
+  faces.mass.reserve(faces.n_nodes());
   for (const std::uint32_t node : faces.mesh_nodes)
     faces.mass.push_back(model.mass(0, static_cast<Eigen::Index>(node)));
   const Materials materials(model);

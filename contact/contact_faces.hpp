@@ -39,8 +39,8 @@ struct ContactFace {
 struct SurfaceNode {
   std::uint32_t node = 0;  ///< contact node
   std::uint32_t surface = 0;
-  double area = 0.0;  ///< its share of the surface at the start [length^2]
   ElementSide side;   ///< a face that has it
+  double area = 0.0;  ///< its share of the surface at the start [length^2]
   Backing backing;
 };
 

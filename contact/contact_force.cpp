@@ -12,9 +12,6 @@ namespace contactsim {
 
 namespace {
 
-/// Rows that are worked on as one piece. Fixed, so that sums do not depend on the number of threads.
-constexpr std::size_t rows_per_chunk = 256;
-
 std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   std::vector<ActiveTimes> times;
   for (const SurfacePair& pair : setup.contact.pairs)
@@ -67,6 +64,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
     }
   }
   std::vector<std::uint32_t> watched;
+  watched.reserve(static_cast<std::size_t>(std::count(is_watched.begin(), is_watched.end(), 1)));
   for (std::uint32_t face = 0; face < is_watched.size(); ++face) {
     if (is_watched[face] != 0) watched.push_back(face);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 #include "contact/contact_record.hpp"
 #include "contact/face_face.hpp"
 
@@ -17,6 +19,9 @@ inline constexpr double known_depth = 1.5;
 /// What was behind the other side one step ago by no more than this share of an element's thickness met it in
 /// front: facets of a round surface change that much.
 inline constexpr double shallow_depth = 0.02;
+
+/// max(x, 0) without a branch: whether things come closer or part is chance.
+inline double above_zero(float x) { return 0.5f * (x + std::abs(x)); }
 
 /// The stiffness that a damped spring counts as for the stable step.
 ///   fraction  of critical damping [1]

@@ -13,6 +13,10 @@
 
 namespace contactsim {
 
+/// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
+/// threads.
+inline constexpr std::size_t rows_per_chunk = 256;
+
 /// How the sides of a pair hold each other, as far as the loops over places need to know.
 enum class ContactLaw : std::uint8_t { sliding, glued, tied };
 

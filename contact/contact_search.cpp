@@ -17,6 +17,9 @@ namespace {
 /// How deep behind a face its box reaches, over the thickness of its element: a bit deeper than contact does.
 constexpr double depth_share = 0.8;
 
+/// Share of a length that single precision loses at most.
+constexpr double rounding = 0x1p-24;
+
 void include(const Eigen::Vector3d& point, Box& box) {
   for (std::size_t i = 0; i < 3; ++i) {
     const double value = point[static_cast<Eigen::Index>(i)];
@@ -52,31 +55,34 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
       mesh_(mesh),
       rules_(rules),
       is_once_(search.global_search_once),
-      node_margin_(faces.n_nodes(), std::numeric_limits<double>::infinity()) {
+      node_margin_(faces.n_nodes(), std::numeric_limits<float>::infinity()) {
   for (const PairRule& rule : rules.rules()) {
     const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
   }
+  face_margin_.reserve(faces.faces.size());
   for (const ContactFace& face : faces.faces) {
-    face_margin_.push_back(dash.search_length_scaling * std::sqrt(area_vector(mesh, face.side).norm()));
+    face_margin_.push_back(
+        static_cast<float>(dash.search_length_scaling * std::sqrt(area_vector(mesh, face.side).norm())));
     for (const std::uint32_t corner : face.corners)
       node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
   }
   for (const SurfaceNode& node : faces.surface_nodes)
-    node_margin_[node.node] =
-        std::min(node_margin_[node.node], dash.search_length_scaling * std::sqrt(node.area));
+    node_margin_[node.node] = std::min(node_margin_[node.node],
+                                       static_cast<float>(dash.search_length_scaling * std::sqrt(node.area)));
   const std::size_t n_surfaces = faces.first_face.size() - 1;
   widest_margin_.assign(n_surfaces, 0.0);
   narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
   for (const SurfaceNode& node : faces.surface_nodes) {
     double& narrowest = narrowest_margin_[node.surface];
-    narrowest = std::min(narrowest, node_margin_[node.node]);
-    widest_margin_[node.surface] = std::max(widest_margin_[node.surface], node_margin_[node.node]);
+    double& widest = widest_margin_[node.surface];
+    narrowest = std::min<double>(narrowest, node_margin_[node.node]);
+    widest = std::max<double>(widest, node_margin_[node.node]);
   }
   for (std::size_t i = 0; i < faces.faces.size(); ++i) {
     double& widest = widest_margin_[faces.faces[i].surface];
-    widest = std::max(widest, face_margin_[i]);
+    widest = std::max<double>(widest, face_margin_[i]);
   }
 }
 
@@ -107,22 +113,24 @@ std::vector<double> ContactSearch::used_margins(const MovingSurface& surface) co
     double most = 0.0;
     for (std::uint32_t n = faces_.first_node[s]; n < faces_.first_node[s + 1]; ++n) {
       const std::uint32_t node = faces_.surface_nodes[n].node;
-      const double moved = (surface.x(node) - searched_at_[node]).squaredNorm();
-      const double share = moved / (node_margin_[node] * node_margin_[node]);
+      const Eigen::Vector3d now = surface.x(node) - searched_from_;
+      const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
+      const double share = moved / node_margin_[node];
       most = share <= most ? most : share;  // what is not a number stays
     }
-    used[s] = std::sqrt(most);
+    used[s] = most;
   }
   return used;
 }
 
 void ContactSearch::find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates) {
-  set_boxes(surface, motion.dt);
   const auto stop_at = [&](std::uint32_t node) {
     const NodeIndex index{faces_.mesh_nodes[node]};
     throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
   };
-  if (const auto bad = faces_phase_.update(face_boxes_)) {
+  const auto n_faces = static_cast<std::uint32_t>(faces_.faces.size());
+  if (const auto bad = faces_phase_.update(
+          n_faces, [&](std::uint32_t face) { return face_box(surface, face, motion.dt); })) {
     for (const std::uint32_t corner : faces_.faces[*bad].corners) {
       if (!surface.x(corner).allFinite() || !surface.v(corner).allFinite()) stop_at(corner);
     }
@@ -133,7 +141,9 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
                             candidates.face_partners);
   }
   if (has_node_pairs_) {
-    if (const auto bad = nodes_phase_.update(node_boxes_)) stop_at(faces_.surface_nodes[*bad].node);
+    const auto n_rows = static_cast<std::uint32_t>(faces_.surface_nodes.size());
+    const auto box_of = [&](std::uint32_t row) { return node_box(surface, row, motion.dt); };
+    if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(faces_.surface_nodes[*bad].node);
     nodes_phase_.find_pairs(
         faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
         candidates.node_faces);
@@ -141,24 +151,15 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
   if (has_small_sliding_) keep_first_partners(candidates);
   ++n_searches_;
   searched_at_.resize(faces_.n_nodes());
-  for (std::uint32_t i = 0; i < faces_.n_nodes(); ++i) searched_at_[i] = surface.x(i);
-}
-
-void ContactSearch::set_boxes(const MovingSurface& surface, double dt) {
-  face_boxes_.resize(faces_.faces.size());
-  const auto n_faces = static_cast<std::int64_t>(faces_.faces.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.faces.size()))
-  for (std::int64_t i = 0; i < n_faces; ++i)
-    face_boxes_[static_cast<std::size_t>(i)] = face_box(surface, static_cast<std::uint32_t>(i), dt);
-  if (!has_node_pairs_) return;
-  node_boxes_.resize(faces_.surface_nodes.size());
-  for (std::uint32_t row = 0; row < faces_.surface_nodes.size(); ++row)
-    node_boxes_[row] = node_box(surface, row, dt);
+  if (faces_.n_nodes() > 0) searched_from_ = surface.x(0);
+  for (std::uint32_t i = 0; i < faces_.n_nodes(); ++i)
+    searched_at_[i] = (surface.x(i) - searched_from_).cast<float>();
 }
 
 Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, double dt) const {
   const ContactFace& face = faces_.faces[index];
-  const Eigen::Vector3d inward = -depth_share * face.backing.thickness * surface.bound(index).normal;
+  const Eigen::Vector3d inward =
+      -depth_share * face.backing.thickness * surface.bound(index).normal().cast<double>();
   Box box = box_at(surface.x(face.corners[0]));
   for (const std::uint32_t corner : face.corners) {
     const Eigen::Vector3d x = surface.x(corner);
@@ -207,9 +208,9 @@ bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) 
 
 void ContactSearch::keep_first_partners(ContactCandidates candidates) {
   const auto drop = [&](PairLists& lists, const PairLists& first, const auto& pair_of) {
-    std::size_t n = 0;
+    std::uint32_t n = 0;
     for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
-      const auto end = static_cast<std::uint32_t>(lists.begin[row + 1]);
+      const std::uint32_t end = lists.begin[row + 1];
       for (std::uint32_t k = begin; k < end; ++k) {
         const std::uint32_t partner = lists.partners[k];
         const bool may_change =

@@ -43,7 +43,6 @@ class ContactSearch {
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
   /// beyond its own, at its widest, the other has left at its narrowest.
   bool has_room(std::uint32_t first, double first_used, std::uint32_t second, double second_used) const;
-  void set_boxes(const MovingSurface& surface, double dt);
   Box face_box(const MovingSurface& surface, std::uint32_t face, double dt) const;
   Box node_box(const MovingSurface& surface, std::uint32_t row, double dt) const;
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
@@ -56,10 +55,11 @@ class ContactSearch {
   const PairRules& rules_;
   bool is_once_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
-  std::vector<double> face_margin_, node_margin_;         // [n_faces], [n_contact_nodes] [length]
-  std::vector<double> widest_margin_, narrowest_margin_;  // [n_surfaces] [length]
-  std::vector<Eigen::Vector3d> searched_at_;  // [n_contact_nodes] coordinates of the last search [length]
-  std::vector<Box> face_boxes_, node_boxes_;
+  std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
+  std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]
+  Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]
+  std::vector<Eigen::Vector3f>
+      searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
   BroadPhase faces_phase_, nodes_phase_;
   PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners
   std::uint64_t n_searches_ = 0;

@@ -120,7 +120,7 @@ class PressureSums {
 };
 
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second) {
-  const auto plane = make_common_plane(first.x, first.normal, second.normal);
+  const auto plane = make_common_plane(first.x, area_vector(first.x), area_vector(second.x));
   if (!plane) return std::nullopt;
   ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), {}, {}};
   return pair;

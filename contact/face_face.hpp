@@ -14,10 +14,12 @@ struct PairPenalty {
 
 /// A face as it moves.
 struct MovingFace {
-  FaceCorners x;           ///< [length]
-  FaceCorners v;           ///< [length/time]
-  Eigen::Vector3d normal;  ///< unit, out of the element [1]
+  FaceCorners x;  ///< [length]
+  FaceCorners v;  ///< [length/time]
   bool is_triangle = false;
+
+  /// Unit, out of the element [1].
+  Eigen::Vector3d normal() const { return area_vector(x).normalized(); }
 };
 
 /// How two faces push each other.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
@@ -32,15 +33,15 @@ void FaceFaceContacts::take_candidates() {
       if (has_friction_) elastic[k] = elastic_[old];
     }
   }
-  std::swap(candidates_, next_);
+  candidates_ = std::exchange(next_, {});
   touched_ = std::move(touched);
   elastic_ = std::move(elastic);
 }
 
 void FaceFaceContacts::begin_step() {
-  std::swap(pushed_, next_pushed_);
-  pushed_.resize(faces_.faces.size(), Eigen::Vector3d::Zero());
-  next_pushed_.assign(faces_.faces.size(), Eigen::Vector3d::Zero());
+  std::swap(was_pushed_, is_pushed_);
+  was_pushed_.resize(faces_.faces.size(), 0);
+  is_pushed_.assign(faces_.faces.size(), 0);
   if (!has_friction_) return;
   std::swap(means_, next_means_);
   means_.resize(faces_.faces.size(), Eigen::Vector4d::Zero());
@@ -49,8 +50,7 @@ void FaceFaceContacts::begin_step() {
 
 void FaceFaceContacts::note(const ContactRecord& record) {
   if (!record.touches()) return;
-  next_pushed_[record.first_place] = record.normal;
-  next_pushed_[record.second_place] = -record.normal;
+  is_pushed_[record.first_place] = is_pushed_[record.second_place] = 1;
   if (!has_friction_) return;
   Eigen::Vector4d share;
   share << record.area * record.elastic, 0.0;
@@ -74,7 +74,7 @@ void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
 void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& candidate,
                                 std::vector<ContactRecord>& records) {
   const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
-  const double closed = std::max(0.0, (b.velocity - a.velocity).dot(b.normal)) * scene.dt;
+  const double closed = above_zero((b.velocity() - a.velocity()).dot(b.normal())) * scene.dt;
   const double reach = steps_ahead * closed;
   const PairRule& rule = scene.rules[candidate.pair];
   const bool did_touch = touched_[candidate.place] != 0;
@@ -124,12 +124,10 @@ bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& 
                                     const FaceFaceContact& contact, double closed) const {
   // Before the first step nobody knows: what is wider than deep is pushed out.
   if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
-  constexpr double same_way = 0.5;
   const double thickness = std::min(faces_.faces[candidate.first].backing.thickness,
                                     faces_.faces[candidate.second].backing.thickness);
-  return contact.gap + closed > -shallow_depth * thickness ||
-         pushed_[candidate.first].dot(contact.normal) > same_way ||
-         pushed_[candidate.second].dot(contact.normal) < -same_way;
+  return contact.gap + closed > -shallow_depth * thickness || was_pushed_[candidate.first] != 0 ||
+         was_pushed_[candidate.second] != 0;
 }
 
 Eigen::Vector3d FaceFaceContacts::mean_slip(const Candidate& candidate) const {

@@ -15,8 +15,8 @@ class FaceFaceContacts {
   FaceFaceContacts(const ContactFaces& faces, bool has_friction)
       : faces_(faces), has_friction_(has_friction) {}
 
-  /// Room for the next candidates: rows of first faces with their second ones, greater than the first. The
-  /// lists that it holds are given away for their memory; take_candidates() follows.
+  /// Room for the next candidates: rows of first faces with their second ones, greater than the first.
+  /// take_candidates() follows.
   PairLists& next_candidates() { return next_; }
   /// Goes over to the next candidates, with what is remembered of pairs that are in both.
   void take_candidates();
@@ -41,7 +41,7 @@ class FaceFaceContacts {
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
   Eigen::Vector3d mean_slip(const Candidate& candidate) const;
   /// Whether faces that overlap got there through their fronts: they were in front of each other, or hardly
-  /// behind, one step ago, or one of them has touched something on that side. The sides of two bodies that
+  /// behind, one step ago, or one of them has touched something already. The sides of two bodies that
   /// lie on each other at an edge overlap too, by a sliver that is far deeper than wide, and do not touch.
   ///   closed  by which the gap has shrunk in the step [length]
   bool met_in_front(const ContactScene& scene, const Candidate& candidate, const FaceFaceContact& contact,
@@ -55,8 +55,7 @@ class FaceFaceContacts {
   /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
   /// without friction.
   std::vector<Eigen::Vector4d> means_, next_means_;
-  /// [n_faces] of the last step and of this one: the direction in which the face was pushed, 0 for none [1].
-  std::vector<Eigen::Vector3d> pushed_, next_pushed_;
+  std::vector<std::uint8_t> was_pushed_, is_pushed_;  // [n_faces] in the last step, in this one
 };
 
 }  // namespace contactsim

@@ -132,11 +132,12 @@ void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes
 
 }  // namespace
 
-std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& normal_1,
-                                             const Eigen::Vector3d& normal_2) {
-  if (!(normal_1.dot(normal_2) < most_aside)) return std::nullopt;
+std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& area_1,
+                                             const Eigen::Vector3d& area_2) {
+  const double size_1 = area_1.norm(), size_2 = area_2.norm();
+  if (!(area_1.dot(area_2) < most_aside * size_1 * size_2)) return std::nullopt;
   CommonPlane plane;
-  plane.normal = (normal_2 - normal_1).normalized();
+  plane.normal = (size_1 * area_2 - size_2 * area_1).normalized();
   plane.origin = first.col(0);
   // In the plane any direction will do; one that turns with the faces makes results turn with them.
   const Eigen::Vector3d diagonal = first.col(2) - first.col(0);

@@ -21,10 +21,10 @@ struct CommonPlane {
 
 /// The plane between two faces: its normal is the mean of theirs, the second one's turned round, so that
 /// swapping the faces only turns it round as well. Nothing when the faces do not look at each other.
-///   normal_1, normal_2  unit, out of the elements [1]
+///   area_1, area_2  area vectors of the faces, of any length, out of the elements
 /// Source: Belytschko and Yeh, Comput. Methods Appl. Mech. Eng. 105 (1993); Tribol's common plane.
-std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& normal_1,
-                                             const Eigen::Vector3d& normal_2);
+std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& area_1,
+                                             const Eigen::Vector3d& area_2);
 
 /// A face in the coordinates of a common plane: rows across, along, normal [length].
 FaceCorners project(const FaceCorners& face, const CommonPlane& plane);

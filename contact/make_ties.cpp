@@ -18,7 +18,7 @@ constexpr double side_of_radius = 1.4142135623730951;
 constexpr double beside = 0.05;
 
 double tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_share) {
-  const double automatic = size_share * side_of_radius * face.radius;
+  const double automatic = size_share * side_of_radius * face.radius();
   return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
 }
 
@@ -40,7 +40,7 @@ std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row,
   const std::uint32_t node = scene.surface.faces().surface_nodes[row].node;
   const auto point = project_onto_face(moving.x, moving.is_triangle, scene.surface.x(node));
   if (!point || std::abs(point->gap) > tolerance) return std::nullopt;
-  if (point->beyond > beside * scene.surface.bound(face).radius) return std::nullopt;
+  if (point->beyond > beside * scene.surface.bound(face).radius()) return std::nullopt;
   return point;
 }
 

@@ -21,7 +21,7 @@ constexpr double automatic_beyond = 0.02;
 constexpr double same_wall = 0.7;
 
 double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
-  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius);
+  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
 }
 
 bool has_corner(const ContactFace& face, std::uint32_t node) {
@@ -51,52 +51,57 @@ struct NodeFaceContacts::Hits {
   auto end() { return hits.begin() + static_cast<std::ptrdiff_t>(n); }
 };
 
+/// What is known of a node, the faces that it is near to, and the touches of this step so far.
+struct NodeFaceContacts::Work {
+  Memory memory;
+  Hits hits;
+  std::vector<Touch> touches;
+};
+
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
-  Hits hits;
-  for (std::size_t row = begin; row < end; ++row)
-    find_one(scene, static_cast<std::uint32_t>(row), hits, records);
+  std::vector<Touch>& touches = touches_[begin / rows_per_chunk];
+  Work work;
+  auto known = touches.cbegin();
+  for (auto row = static_cast<std::uint32_t>(begin); row < end; ++row) {
+    const auto first = known;
+    while (known != touches.cend() && known->row == row) ++known;
+    work.memory.touches = {first, known};
+    if (!candidates_.of(row).empty()) find_one(scene, row, work, records);
+  }
+  if (!scene.is_frozen) touches = std::move(work.touches);
 }
 
-void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Hits& hits,
-                                std::vector<ContactRecord>& records) {
-  Memory& memory = memory_[row];
-  const auto candidates = candidates_.of(row);
-  if (candidates.empty() && memory.n_touches == 0) return;
-  hits.n = 0;
-  for (const std::uint32_t face : candidates) look_at(scene, row, face, hits);
-  choose(scene, memory, hits);
-  Memory next;
-  for (const Hit& hit : hits) {
+void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Work& work,
+                                std::vector<ContactRecord>& records) const {
+  work.hits.n = 0;
+  for (const std::uint32_t face : candidates_.of(row)) look_at(scene, row, face, work.memory, work.hits);
+  if (work.hits.n > 1) choose(scene, work.memory, work.hits);
+  for (const Hit& hit : work.hits) {
     if (scene.dt == 0.0 && hit.point.gap > 0.0) continue;
-    ContactRecord record = make_record(scene, row, hit);
-    if (record.touches()) {
-      Touch& touch = next.touches[next.n_touches++];
-      touch.normal = record.normal;
-      if (const double friction = scene.rules[hit.pair].friction; friction > 0.0) {
-        for (std::size_t i = 0; i < memory.n_touches; ++i) {
-          if (memory.touches[i].normal.dot(record.normal) > same_wall)
-            record.elastic = memory.touches[i].elastic;
-        }
-        add_friction(hit.penalty.stiffness * record.area, friction, scene.is_frozen, record);
-        touch.elastic = record.elastic;
+    records.push_back(make_record(scene, row, hit));
+    ContactRecord& record = records.back();
+    if (!record.touches()) continue;
+    if (const double friction = scene.rules[hit.pair].friction; friction > 0.0) {
+      for (const Touch& touch : work.memory.touches) {
+        if (touch.normal.cast<double>().dot(record.normal) > same_wall) record.elastic = touch.elastic;
       }
+      add_friction(hit.penalty.stiffness * record.area, friction, scene.is_frozen, record);
     }
-    records.push_back(record);
+    work.touches.push_back({row, record.normal.cast<float>(), record.elastic});
   }
-  if (!scene.is_frozen) memory = next;
 }
 
 void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face_index,
-                               Hits& hits) const {
+                               const Memory& memory, Hits& hits) const {
   const SurfaceNode& node = faces_.surface_nodes[row];
   const ContactFace& face = faces_.faces[face_index];
   const FaceBound& bound = scene.surface.bound(face_index);
   const Eigen::Vector3d x = scene.surface.x(node.node);
-  const double closed =
-      std::max(0.0, (bound.velocity - scene.surface.v(node.node)).dot(bound.normal)) * scene.dt;
+  const Eigen::Vector3f closing = bound.velocity() - scene.surface.v(node.node).cast<float>();
+  const double closed = above_zero(closing.dot(bound.normal())) * scene.dt;
   // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
-  const double reach = scene.dt > 0.0 ? steps_ahead * closed : bound.radius;
+  const double reach = scene.dt > 0.0 ? steps_ahead * closed : bound.radius();
   Hit hit;
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
@@ -104,7 +109,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
-  const double behind = std::max(0.0, (bound.centre - x).dot(bound.normal) + bound.twist);
+  const double behind = std::max(0.0f, bound.twist() - bound.height_of(x));
   if (!may_stand_over(x, bound, reach, deepest, beyond + behind) || has_corner(face, node.node)) return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law == ContactLaw::glued && scene.glued.holds_node(row, hit.pair)) return;
@@ -113,7 +118,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (!point) return;
   hit.point = *point;
   hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
-  const bool is_known = memory_[row].knows(hit.point.normal);
+  const bool is_known = memory.knows(hit.point.normal);
   hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
   if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
@@ -134,7 +139,8 @@ bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& no
   bool has_faces = false;
   for (const std::uint32_t own : faces_.faces_of_node.of(node.node)) {
     if (faces_.faces[own].surface != node.surface) continue;
-    if (scene.surface.bound(own).normal.dot(normal) < most_aside) return true;
+    if (scene.surface.bound(own).normal().dot(normal.cast<float>()) < static_cast<float>(most_aside))
+      return true;
     has_faces = true;
   }
   return !has_faces;
@@ -151,8 +157,7 @@ bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face
   const std::uint32_t a = face.corners[k], b = face.corners[(k + 1) % n];
   for (const std::uint32_t other : faces_.faces_of_node.of(a)) {
     if (other == face_index || !has_corner(faces_.faces[other], b)) continue;
-    if ((scene.surface.bound(other).centre - bound.centre).dot(bound.normal) > 0.0)
-      allowed += std::max(0.0, -hit.point.gap);
+    if (bound.looks_to(scene.surface.bound(other).centre())) allowed += std::max(0.0, -hit.point.gap);
   }
   return hit.point.beyond <= allowed;
 }
@@ -173,9 +178,8 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
       const FaceBound &wall = scene.surface.bound(chosen.face), &other = scene.surface.bound(hit.face);
       const double cosine = chosen.point.normal.dot(hit.point.normal);
       // Of a hollow: each wall stands in front of the other.
-      return cosine < same_wall && cosine > -same_wall &&
-             (other.centre - wall.centre).dot(wall.normal) > 0.0 &&
-             (wall.centre - other.centre).dot(other.normal) > 0.0;
+      return cosine < same_wall && cosine > -same_wall && wall.looks_to(other.centre()) &&
+             other.looks_to(wall.centre());
     };
     if (std::all_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(n_chosen), is_other_wall))
       hits.hits[n_chosen++] = hit;

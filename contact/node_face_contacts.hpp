@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <span>
+#include <vector>
 
 #include "contact/contact_scene.hpp"
 #include "contact/pair_lists.hpp"
@@ -14,14 +16,17 @@ namespace contactsim {
 class NodeFaceContacts {
  public:
   /// The faces must outlive this.
-  explicit NodeFaceContacts(const ContactFaces& faces) : faces_(faces), memory_(faces.surface_nodes.size()) {}
+  explicit NodeFaceContacts(const ContactFaces& faces)
+      : faces_(faces), touches_(faces.surface_nodes.size() / rows_per_chunk + 1) {}
 
   /// Candidates: rows of surface nodes with faces.
   PairLists& candidates() { return candidates_; }
   const PairLists& candidates() const { return candidates_; }
   std::size_t n_rows() const { return candidates_.n_rows(); }
 
-  /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
+  /// Appends the places of contact of rows [begin, end). Rows may be shared among threads; which are taken
+  /// together has to be the same in every step.
+  ///   begin  a multiple of rows_per_chunk
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
 
@@ -30,28 +35,29 @@ class NodeFaceContacts {
 
   /// A face that a node touched in the last step.
   struct Touch {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    std::uint32_t row = 0;
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();
     Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
   };
+  /// What is known of one node.
   struct Memory {
-    std::array<Touch, most_touched> touches;
-    std::uint8_t n_touches = 0;
+    std::span<const Touch> touches;
 
     /// Whether the node touched a face in the last step that looks the same way.
     bool knows(const Eigen::Vector3d& normal) const {
-      for (std::size_t i = 0; i < n_touches; ++i) {
-        if (touches[i].normal.dot(normal) > 0.5) return true;
-      }
-      return false;
+      return std::ranges::any_of(
+          touches, [&](const Touch& touch) { return touch.normal.cast<double>().dot(normal) > 0.5; });
     }
   };
   struct Hit;
   struct Hits;
 
-  /// hits  scratch
-  void find_one(const ContactScene& scene, std::uint32_t row, Hits& hits,
-                std::vector<ContactRecord>& records);
-  void look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face, Hits& hits) const;
+  struct Work;
+
+  void find_one(const ContactScene& scene, std::uint32_t row, Work& work,
+                std::vector<ContactRecord>& records) const;
+  void look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face, const Memory& memory,
+               Hits& hits) const;
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool looks_at(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
@@ -65,7 +71,7 @@ class NodeFaceContacts {
 
   const ContactFaces& faces_;
   PairLists candidates_;
-  std::vector<Memory> memory_;  // [n_surface_nodes]
+  std::vector<std::vector<Touch>> touches_;  // of each chunk of rows, by row
 };
 
 }  // namespace contactsim

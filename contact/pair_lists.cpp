@@ -2,6 +2,8 @@
 #include "contact/pair_lists.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 #include "core/threads.hpp"
 
@@ -21,7 +23,7 @@ RowRange share(std::uint64_t n_rows, int i, int n) {
 }
 
 /// Counts the pairs of each row, into the place after it.
-void count_pairs(std::span<const FoundPairs> parts, RowRange rows, std::vector<std::size_t>& begin) {
+void count_pairs(std::span<const FoundPairs> parts, RowRange rows, std::vector<std::uint32_t>& begin) {
   for (const FoundPairs& part : parts) {
     for (const RowPartner& pair : part.pairs) {
       if (rows.holds(pair.row)) ++begin[pair.row + 1];
@@ -48,10 +50,10 @@ void sort_rows(RowRange rows, PairLists& lists) {
 }
 
 /// Turns the counts after each row into the number of pairs before it.
-void sum_counts(std::vector<std::size_t>& begin) {
-  std::size_t n_before = 0;
+void sum_counts(std::vector<std::uint32_t>& begin) {
+  std::uint32_t n_before = 0;
   for (std::size_t i = 1; i < begin.size(); ++i) {
-    const std::size_t n = begin[i];
+    const std::uint32_t n = begin[i];
     begin[i] = n_before;
     n_before += n;
   }
@@ -62,7 +64,11 @@ void sum_counts(std::vector<std::size_t>& begin) {
 void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLists& lists) {
   std::size_t n_pairs = 0;
   for (const FoundPairs& part : parts) n_pairs += part.pairs.size();
+  if (n_pairs > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("more than 4 billion candidates of contact");
   lists.begin.assign(std::size_t{n_rows} + 1, 0);
+  // Growing in place would take room for twice as many.
+  if (lists.partners.capacity() < n_pairs) lists.partners = {};
   lists.partners.resize(n_pairs);
   const int n = threads_for(n_pairs);
 #pragma omp parallel for schedule(static, 1) num_threads(n)

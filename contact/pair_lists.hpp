@@ -9,8 +9,8 @@ namespace contactsim {
 
 /// Pairs row by row: those of row i are partners[begin[i]] to partners[begin[i + 1] - 1], ascending.
 struct PairLists {
-  std::vector<std::size_t> begin = {0};  ///< [n_rows + 1]
-  std::vector<std::uint32_t> partners;   ///< [n_pairs]
+  std::vector<std::uint32_t> begin = {0};  ///< [n_rows + 1]
+  std::vector<std::uint32_t> partners;     ///< [n_pairs]
 
   std::size_t n_rows() const { return begin.size() - 1; }
   /// The partners of one row, ascending.
@@ -29,18 +29,13 @@ struct FoundPairs {
   std::vector<RowPartner> pairs;
   std::uint64_t visits = 0;    ///< pairs of nodes looked at
   std::uint64_t overlaps = 0;  ///< pairs of boxes that overlapped, kept or not
-
-  /// Forgets the pairs and keeps their memory.
-  void clear() {
-    pairs.clear();
-    visits = overlaps = 0;
-  }
 };
 
 /// Sorts what the parts of a search have found, each pair once, into lists; their order and that of the pairs
 /// does not matter. Runs on OpenMP's threads.
 ///   n_rows  above every row
 ///   lists   overwritten, its memory reused
+/// Throws std::length_error from 2^32 pairs on.
 void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLists& lists);
 
 }  // namespace contactsim

@@ -132,19 +132,18 @@ class TreePairs {
 
 /// All pairs of boxes of two trees that overlap and that keep(row, partner) holds for, in parts whose number
 /// and content do not depend on the number of threads.
-///   keep   called from several threads at once
-///   parts  overwritten, their memory reused
+///   keep  called from several threads at once
 template <bool is_self, class Keep>
-void find_tree_pairs(const BoxTree& rows, const BoxTree& partners, const Keep& keep,
-                     std::vector<FoundPairs>& parts) {
-  for (FoundPairs& part : parts) part.clear();
-  if (rows.nodes.empty() || partners.nodes.empty()) return;
+std::vector<FoundPairs> find_tree_pairs(const BoxTree& rows, const BoxTree& partners, const Keep& keep) {
+  std::vector<FoundPairs> parts;
+  if (rows.nodes.empty() || partners.nodes.empty()) return parts;
   const TreePairs<is_self> walk(rows, partners);
   const std::vector<NodePair> tops = walk.cut();
-  if (parts.size() < tops.size()) parts.resize(tops.size());
+  parts.resize(tops.size());
   const auto n_tops = static_cast<std::int64_t>(tops.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(rows.nodes.size()))
   for (std::int64_t i = 0; i < n_tops; ++i) walk.find_below(tops[i], keep, parts[i]);
+  return parts;
 }
 
 }  // namespace contactsim

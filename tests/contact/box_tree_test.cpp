@@ -66,7 +66,7 @@ TEST_CASE("every node of a tree holds the boxes below it, before and after a ref
       REQUIRE(std::count(marked.begin(), marked.end(), true) == node.n_boxes);
     }
     moving.step();
-    refit(tree, moving.boxes());
+    REQUIRE(!refit(tree, [&](std::uint32_t i) { return moving.boxes()[i]; }));
   }
 }
 

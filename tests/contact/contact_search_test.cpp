@@ -80,7 +80,7 @@ Span span_of_face(const ContactParts& parts, std::uint32_t index, double dt) {
     const Vector3d x = parts.surface.x(corner);
     span.add(x);
     span.add(x - dt * parts.surface.v(corner));
-    span.add(x - 0.8 * face.backing.thickness * parts.surface.bound(index).normal);
+    span.add(x - 0.8 * face.backing.thickness * parts.surface.bound(index).normal().cast<double>());
   }
   span.low.array() -= margin;
   span.high.array() += margin;

@@ -20,7 +20,7 @@ struct Overlap {
   OverlapPoints points;
 
   Overlap(const MovingFace& a, const MovingFace& b)
-      : plane(make_common_plane(a.x, a.normal, b.normal).value()),
+      : plane(make_common_plane(a.x, a.normal(), b.normal()).value()),
         first(project(a.x, plane)),
         second(project(b.x, plane)),
         map_1(make_face_map(first, a.is_triangle)),
@@ -74,12 +74,12 @@ TEST_CASE("the common plane lies between two faces that look at each other", "[c
   for (int i = 0; i < 20; ++i) {
     const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
                      b = random_face(random, i % 3 == 0, false, 0.1);
-    const auto plane = make_common_plane(a.x, a.normal, b.normal),
-               swapped = make_common_plane(b.x, b.normal, a.normal);
+    const auto plane = make_common_plane(a.x, a.normal(), b.normal()),
+               swapped = make_common_plane(b.x, b.normal(), a.normal());
     REQUIRE((plane && swapped));
     CHECK((plane->normal + swapped->normal).norm() < 1e-15);
-    CHECK(plane->normal.dot(b.normal) == Approx(-plane->normal.dot(a.normal)));
-    CHECK(plane->normal.dot(b.normal) > 0.9);
+    CHECK(plane->normal.dot(b.normal()) == Approx(-plane->normal.dot(a.normal())));
+    CHECK(plane->normal.dot(b.normal()) > 0.9);
     CHECK((plane->across.cross(plane->along) - plane->normal).norm() < 1e-14);
     CHECK(plane->across.norm() == Approx(1.0));
   }
@@ -89,7 +89,7 @@ TEST_CASE("faces that stand at an angle have no common plane", "[contact][face_o
   const MovingFace floor = make_square(0.0, 0.0, true);
   const auto has_plane = [&](double cosine) {
     const Eigen::Vector3d normal(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
-    return make_common_plane(floor.x, floor.normal, normal).has_value();
+    return make_common_plane(floor.x, floor.normal(), normal).has_value();
   };
   CHECK(has_plane(-1.0));
   CHECK(has_plane(-0.31));

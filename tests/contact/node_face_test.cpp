@@ -47,7 +47,7 @@ TEST_CASE("a point over a warped face is found where it was put", "[contact][nod
     CHECK(found.eta == Approx(eta).epsilon(1e-10));
     CHECK(found.gap == Approx(gap).epsilon(1e-10).margin(1e-13));
     CHECK((found.normal - normal).norm() < 1e-10);
-    CHECK(found.normal.dot(face.normal) > 0.5);
+    CHECK(found.normal.dot(face.normal()) > 0.5);
     CHECK(found.edge == -1);
     CHECK(found.beyond == 0.0);
     const double slow = distance_by_sampling(face, point);

@@ -14,7 +14,7 @@ TEST_CASE("pairs are listed by row, partners ascending, rows without partners em
       {{{3, 1}, {0, 7}}, 0, 0}, {{}, 0, 0}, {{{3, 0}, {0, 2}, {3, 5}}, 0, 0}};
   PairLists lists;
   list_pairs(parts, 5, lists);
-  CHECK(lists.begin == std::vector<std::size_t>{0, 2, 2, 2, 5, 5});
+  CHECK(lists.begin == std::vector<std::uint32_t>{0, 2, 2, 2, 5, 5});
   CHECK(lists.partners == std::vector<std::uint32_t>{2, 7, 0, 1, 5});
   CHECK(lists.n_rows() == 5);
   CHECK(std::vector<std::uint32_t>(lists.of(3).begin(), lists.of(3).end()) ==
@@ -26,7 +26,7 @@ TEST_CASE("lists forget what they held", "[contact][pair_lists]") {
   PairLists lists;
   list_pairs(std::vector<FoundPairs>{{{{0, 1}, {1, 2}}, 0, 0}}, 2, lists);
   list_pairs({}, 1, lists);
-  CHECK(lists.begin == std::vector<std::size_t>{0, 0});
+  CHECK(lists.begin == std::vector<std::uint32_t>{0, 0});
   CHECK(lists.partners.empty());
 }
 

@@ -68,7 +68,7 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
   limit_stiffness(parts.surface, 0.1, parts.faces);
   CHECK(parts.faces.faces[0].backing.stiffness == 1e-3);
   for (std::uint32_t f = 1; f < parts.faces.faces.size(); ++f) {
-    const bool is_side = std::abs(parts.surface.bound(f).normal[2]) < 0.5;
+    const bool is_side = std::abs(parts.surface.bound(f).normal().cast<double>()[2]) < 0.5;
     CHECK(parts.faces.faces[f].backing.stiffness ==
           Approx(4.0 * penalty_share * (is_side ? 0.5 : 1.5) * 100.0));
   }

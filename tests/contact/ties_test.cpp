@@ -104,7 +104,7 @@ TEST_CASE("a node tied to a face over a gap stays over its point, and its force 
   for (int i = 0; i < 20; ++i) {
     const MovingFace face = random_face(random, i % 2 == 0, true, 0.0);
     const Eigen::Vector4d weights = corner_weights(0.2, 0.3, face.is_triangle);
-    const Vector3d node = face.x * weights + 0.1 * face.normal;
+    const Vector3d node = face.x * weights + 0.1 * face.normal();
     Tie tie;
     tie.is_node = true;
     tie_node(node, face, weights, stiffness, tie);

@@ -21,20 +21,15 @@ TEST_CASE("the work is cut into parts of about equal size for threads", "[contac
 TEST_CASE("trees apart have no pairs and take no visits", "[contact][tree_pairs]") {
   const BoxTree tree = make_box_tree(MovingBoxes(100, 1).boxes());
   const BoxTree far = make_box_tree(std::vector<Box>(100, Box{{9, 9, 9}, {10, 10, 10}}));
-  std::vector<FoundPairs> parts;
-  find_tree_pairs<false>(
-      tree, far, [](std::uint32_t, std::uint32_t) { return true; }, parts);
-  CHECK(parts.empty());
+  const auto all = [](std::uint32_t, std::uint32_t) { return true; };
+  CHECK(find_tree_pairs<false>(tree, far, all).empty());
 }
 
 TEST_CASE("a tree of one box meets itself in no pair", "[contact][tree_pairs]") {
   const BoxTree tree = make_box_tree(MovingBoxes(1, 1).boxes());
-  std::vector<FoundPairs> parts;
-  find_tree_pairs<true>(
-      tree, tree, [](std::uint32_t, std::uint32_t) { return true; }, parts);
-  REQUIRE(parts.size() == 1);
-  CHECK(parts[0].pairs.empty());
-  find_tree_pairs<false>(
-      tree, tree, [](std::uint32_t, std::uint32_t) { return true; }, parts);
-  CHECK(parts[0].pairs.size() == 1);
+  const auto all = [](std::uint32_t, std::uint32_t) { return true; };
+  const auto of_itself = find_tree_pairs<true>(tree, tree, all);
+  REQUIRE(of_itself.size() == 1);
+  CHECK(of_itself[0].pairs.empty());
+  CHECK(find_tree_pairs<false>(tree, tree, all)[0].pairs.size() == 1);
 }

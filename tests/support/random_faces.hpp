@@ -26,7 +26,7 @@ inline Eigen::Matrix3d random_rotation(Random& random) {
 
 /// A face through its corners; a triangle repeats its last.
 inline MovingFace make_face(const FaceCorners& x, const FaceCorners& v = FaceCorners::Zero()) {
-  return {x, v, area_vector(x).normalized(), x.col(2) == x.col(3)};
+  return {x, v, x.col(2) == x.col(3)};
 }
 
 /// A square from (left, 0, z) of a width that looks up, or down.

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "contact/box_tree.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+/// Fits a tree to boxes that have moved; who is whose child stays. Boxes are asked for one by one and not
+/// kept: at the size of a large surface that saves their memory and one way through it.
+template <class BoxOf>
+class TreeFit {
+ public:
+  /// box_of(i)  box i as it is now; called from several threads at once
+  TreeFit(BoxTree& tree, const BoxOf& box_of) : nodes_(tree.nodes.data()), box_of_(box_of) {}
+
+  /// Fits all that is below a node, last first, then the node. Returns the smallest number of a box that is
+  /// not sound, `none` if all are.
+  std::uint32_t fit_branch(std::uint32_t root) const {
+    const std::uint32_t n_below = 2 * nodes_[root].n_boxes - 2, first = nodes_[root].link;
+    std::uint32_t unsound = none;
+    for (std::uint32_t i = n_below; i-- > 0;) unsound = std::min(unsound, fit(nodes_[first + i]));
+    return std::min(unsound, fit(nodes_[root]));
+  }
+  std::uint32_t fit(BoxNode& node) const {
+    if (!node.is_leaf()) {
+      fit_parent(node, &nodes_[node.link]);
+      return none;
+    }
+    const Box box = box_of_(node.link);
+    fit_leaf(node, box);
+    return is_sound(box) ? none : node.link;
+  }
+
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+ private:
+  BoxNode* nodes_;
+  const BoxOf& box_of_;
+};
+
+/// Fits the nodes of a tree to boxes that have moved, on OpenMP's threads. Returns the number of the first box
+/// that is not sound, after which the tree means nothing until it is fitted again.
+template <class BoxOf>
+std::optional<std::uint32_t> refit(BoxTree& tree, const BoxOf& box_of) {
+  const TreeFit fit(tree, box_of);
+  std::uint32_t unsound = fit.none;
+  const auto n_branches = static_cast<std::int64_t>(tree.branches.size());
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(tree.nodes.size())) \
+    reduction(min : unsound)
+  for (std::int64_t i = 0; i < n_branches; ++i)
+    unsound = std::min(unsound, fit.fit_branch(tree.branches[static_cast<std::size_t>(i)]));
+  for (std::size_t i = tree.crown.size(); i-- > 0;) fit.fit(tree.nodes[tree.crown[i]]);
+  return unsound == fit.none ? std::nullopt : std::optional(unsound);
+}
+
+}  // namespace contactsim
