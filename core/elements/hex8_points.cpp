@@ -67,17 +67,10 @@ TensorLanes mixed(const TensorLanes& gradient, const TensorLanes& mean, double s
 }
 
 void add_bounds(const PointMap& map, const LaneModuli& moduli, PointSums& sums) {
-  const auto& c = map.cofactors;
-  const auto product = [&](std::size_t i, std::size_t j) -> Lanes {
-    return c[i][0] * c[j][0] + c[i][1] * c[j][1] + c[i][2] * c[j][2];
-  };
-  const SymmetricLanes squares{
-      {product(0, 0), product(1, 1), product(2, 2), product(0, 1), product(1, 2), product(2, 0)}};
-  const Lanes norm = trace(squares), per_volume = 1.0 / map.volume;
-  const SymmetricLanes spread = deviator(squares);
-  const Lanes largest = norm / 3.0 + (2.0 / 3.0 * contract(spread, spread)).sqrt();
-  sums.squared_gradient = sums.squared_gradient.max(norm * per_volume);
-  sums.squared_stretch = sums.squared_stretch.max(largest * per_volume);
+  const SymmetricLanes stretches = squares(map.cofactors);
+  const Lanes per_volume = 1.0 / map.volume;
+  sums.squared_gradient = sums.squared_gradient.max(trace(stretches) * per_volume);
+  sums.squared_stretch = sums.squared_stretch.max(bound_of_eigenvalues(stretches) * per_volume);
   sums.lambda = sums.lambda.max(moduli.lambda());
   sums.shear = sums.shear.max(moduli.shear);
 }
@@ -85,10 +78,10 @@ void add_bounds(const PointMap& map, const LaneModuli& moduli, PointSums& sums) 
 /// Adds what the stress at a point puts on the natural slopes of the motion.
 void add_natural_stress(const SymmetricLanes& stress, const PointMap& map, std::size_t point,
                         VectorSlopes& amounts) {
-  constexpr std::size_t index[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
   const auto& c = map.cofactors;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Lanes &x = stress[index[i][0]], &y = stress[index[i][1]], &z = stress[index[i][2]];
+    const auto& place = symmetric_place[i];
+    const Lanes &x = stress[place[0]], &y = stress[place[1]], &z = stress[place[2]];
     for (std::size_t j = 0; j < 3; ++j)
       amounts[i][j][signs_at(point, j)] += x * c[0][j] + y * c[1][j] + z * c[2][j];
   }

@@ -5,14 +5,6 @@
 
 namespace contactsim {
 
-/// Sum over the nodes of a_i b_j.
-template <std::size_t n>
-Lanes dot(const std::array<Lanes, n>& a, const std::array<Lanes, n>& b) {
-  Lanes sum = a[0] * b[0];
-  for (std::size_t k = 1; k < n; ++k) sum += a[k] * b[k];
-  return sum;
-}
-
 /// Uniform-gradient elements in the middle of a step; see uniform_gradient.hpp for what Geometry is.
 template <class Geometry>
 struct MiddleOfStep {
@@ -35,23 +27,13 @@ struct MiddleOfStep {
       for (std::size_t j = 0; j < 3; ++j)
         velocity_gradient[i][j] = dot(motion.v[i], gradient[j]) * per_volume;
     }
-    bound_eigenvalue();
+    const SymmetricLanes gradient_squares = squares(gradient);
+    gradient_norm = trace(gradient_squares);
+    largest_eigenvalue = bound_of_eigenvalues(gradient_squares);
   }
 
   Lanes dilatation() const {
     return velocity_gradient[0][0] + velocity_gradient[1][1] + velocity_gradient[2][2];
-  }
-
- private:
-  /// The largest eigenvalue of a symmetric 3 x 3 tensor lies at most sqrt(2/3) times the deviator's norm
-  /// above the mean.
-  void bound_eigenvalue() {
-    const auto& b = gradient;
-    const SymmetricLanes product{{dot(b[0], b[0]), dot(b[1], b[1]), dot(b[2], b[2]), dot(b[0], b[1]),
-                                  dot(b[1], b[2]), dot(b[2], b[0])}};
-    gradient_norm = trace(product);
-    const SymmetricLanes spread = deviator(product);
-    largest_eigenvalue = gradient_norm / 3.0 + (2.0 / 3.0 * contract(spread, spread)).sqrt();
   }
 };
 

@@ -47,12 +47,11 @@ void set_forces(const SymmetricLanes& stress, const PatternVectors<Geometry>& ho
   const auto gradient = Geometry::volume_gradient(x);
   step.volume = dot(x[0], gradient[0]);
   const PatternVectors<Geometry> sums = pattern_sums<Geometry>(x);
-  constexpr std::size_t index[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
   const Lanes scale = 1.0 / (Geometry::pattern_length * step.volume);
   for (std::size_t i = 0; i < 3; ++i) {
     std::array<Lanes, 3> row;  // of minus the stress
     for (std::size_t j = 0; j < 3; ++j) {
-      row[j] = -stress[index[i][j]];
+      row[j] = -stress[symmetric_place[i][j]];
       for (std::size_t k = 0; k < Geometry::n_patterns; ++k) row[j] += scale * hourglass[i][k] * sums[j][k];
     }
     for (std::size_t a = 0; a < Geometry::n_nodes; ++a)

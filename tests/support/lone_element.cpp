@@ -26,7 +26,10 @@ Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates,
   return Mesh(std::move(parts));
 }
 
-constexpr Eigen::Index places[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+/// Where component ij of the stress at a point stands in the element's state.
+std::size_t stress_place(const StateLayout& layout, std::size_t point, Eigen::Index i, Eigen::Index j) {
+  return point * layout.point_size + symmetric_place[i][j];
+}
 
 }  // namespace
 
@@ -97,10 +100,8 @@ Eigen::Matrix3Xd LoneElement::forces() const {
 Eigen::Matrix3d LoneElement::stress(std::size_t point) const {
   Eigen::Matrix3d tensor;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    for (Eigen::Index j = 0; j < 3; ++j) {
-      const auto place = static_cast<std::size_t>(places[i][j]) + point * block.layout.point_size;
-      tensor(i, j) = state.at(block.layout, 0, place);
-    }
+    for (Eigen::Index j = 0; j < 3; ++j)
+      tensor(i, j) = state.at(block.layout, 0, stress_place(block.layout, point, i, j));
   }
   return tensor;
 }
@@ -108,10 +109,8 @@ Eigen::Matrix3d LoneElement::stress(std::size_t point) const {
 void LoneElement::set_stress(const Eigen::Matrix3d& stress) {
   for (std::size_t point = 0; point < block.layout.n_points; ++point) {
     for (Eigen::Index i = 0; i < 3; ++i) {
-      for (Eigen::Index j = i; j < 3; ++j) {
-        const auto place = static_cast<std::size_t>(places[i][j]) + point * block.layout.point_size;
-        state.values[place].setConstant(stress(i, j));
-      }
+      for (Eigen::Index j = i; j < 3; ++j)
+        state.values[stress_place(block.layout, point, i, j)].setConstant(stress(i, j));
     }
   }
 }
