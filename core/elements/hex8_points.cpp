@@ -164,9 +164,9 @@ struct PointHex {
                     const MiddleOfStep<HexGeometry>& middle, const PointSums& sums, SolidStep<8>& step) {
     const Lanes per_mass = 1.0 / motion.mass, mean_norm = middle.gradient_norm * middle.per_volume;
     const Lanes& dilatation_norm = Quadrature::has_mean_dilatation ? mean_norm : sums.squared_gradient;
-    const Lanes frequency_squared = 8.0 * per_mass *
-                                    (sums.lambda * dilatation_norm + pattern_modulus(properties) * mean_norm +
-                                     2.0 * sums.shear * sums.squared_stretch);
+    const Lanes patterns = pattern_modulus(properties) * middle.pattern_bound * mean_norm;
+    const Lanes frequency_squared =
+        8.0 * per_mass * (sums.lambda * dilatation_norm + patterns + 2.0 * sums.shear * sums.squared_stretch);
     const Lanes wave_speed = ((sums.lambda + 2.0 * sums.shear) * middle.volume * per_mass).sqrt();
     const BulkViscosity viscosity(properties, 2.0 / frequency_squared.sqrt(), middle.dilatation(),
                                   motion.mass * middle.per_volume, wave_speed);

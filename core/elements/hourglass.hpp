@@ -7,22 +7,11 @@
 /// Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706.
 namespace contactsim {
 
-/// An amount of each pattern, [component][pattern].
-template <class Geometry>
-using PatternVectors = std::array<std::array<Lanes, Geometry::n_patterns>, 3>;
-
-/// Patterns summed with vectors at the nodes.
-template <class Geometry>
-PatternVectors<Geometry> pattern_sums(const NodeVectors<Geometry::n_nodes>& values) {
-  return {Geometry::pattern_sums(values[0]), Geometry::pattern_sums(values[1]),
-          Geometry::pattern_sums(values[2])};
-}
-
 /// Rates of the patterns: what is left of the velocities without their linear part [length/time].
 template <class Geometry>
 PatternVectors<Geometry> hourglass_rates(const NodeVectors<Geometry::n_nodes>& v,
                                          const MiddleOfStep<Geometry>& middle) {
-  const PatternVectors<Geometry> x = pattern_sums<Geometry>(middle.x);
+  const PatternVectors<Geometry>& x = middle.x_patterns;
   PatternVectors<Geometry> rates = pattern_sums<Geometry>(v);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto& row = middle.velocity_gradient[i];

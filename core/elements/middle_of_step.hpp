@@ -5,16 +5,29 @@
 
 namespace contactsim {
 
-/// Uniform-gradient elements in the middle of a step; see uniform_gradient.hpp for what Geometry is.
+/// An amount of each pattern, [component][pattern]; see uniform_gradient.hpp for what Geometry is.
+template <class Geometry>
+using PatternVectors = std::array<std::array<Lanes, Geometry::n_patterns>, 3>;
+
+/// Patterns summed with vectors at the nodes.
+template <class Geometry>
+PatternVectors<Geometry> pattern_sums(const NodeVectors<Geometry::n_nodes>& values) {
+  return {Geometry::pattern_sums(values[0]), Geometry::pattern_sums(values[1]),
+          Geometry::pattern_sums(values[2])};
+}
+
+/// Uniform-gradient elements in the middle of a step.
 template <class Geometry>
 struct MiddleOfStep {
   static constexpr std::size_t n = Geometry::n_nodes;
-  NodeVectors<n> x;               ///< coordinates [length]
-  NodeVectors<n> gradient;        ///< of the volume [length^2]
-  Lanes volume, per_volume;       ///< and one over it
-  Lanes gradient_norm;            ///< B:B [length^4]
-  Lanes largest_eigenvalue;       ///< bound for that of B B^T [length^4]
-  TensorLanes velocity_gradient;  ///< [1/time]
+  NodeVectors<n> x;                     ///< coordinates [length]
+  NodeVectors<n> gradient;              ///< of the volume [length^2]
+  Lanes volume, per_volume;             ///< and one over it
+  Lanes gradient_norm;                  ///< B:B [length^4]
+  Lanes largest_eigenvalue;             ///< bound for that of B B^T [length^4]
+  TensorLanes velocity_gradient;        ///< [1/time]
+  PatternVectors<Geometry> x_patterns;  ///< the patterns summed with the coordinates [length]
+  Lanes pattern_bound;  ///< of the squares of hourglass_rates, summed, over those of the velocities [1]
 
   explicit MiddleOfStep(const SolidMotion<n>& motion) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -30,10 +43,27 @@ struct MiddleOfStep {
     const SymmetricLanes gradient_squares = squares(gradient);
     gradient_norm = trace(gradient_squares);
     largest_eigenvalue = bound_of_eigenvalues(gradient_squares);
+    x_patterns = pattern_sums<Geometry>(x);
+    bound_patterns(gradient_squares);
   }
 
   Lanes dilatation() const {
     return velocity_gradient[0][0] + velocity_gradient[1][1] + velocity_gradient[2][2];
+  }
+
+ private:
+  /// The patterns are orthogonal and give 1. What is taken off them for the linear motion adds, by the
+  /// triangle inequality, at most the norm of B^T x_patterns / (V pattern_length) to the root: nothing for
+  /// parallelepipeds.
+  ///   gradient_squares  B B^T [length^4]
+  void bound_patterns(const SymmetricLanes& gradient_squares) {
+    if constexpr (Geometry::n_patterns == 0) {
+      pattern_bound.setZero();
+    } else {
+      const Lanes linear = contract(gradient_squares, squares(x_patterns)).max(0.0).sqrt();
+      const Lanes root = 1.0 + linear * per_volume * (1.0 / Geometry::pattern_length);
+      pattern_bound = root * root;
+    }
   }
 };
 

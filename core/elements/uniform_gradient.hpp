@@ -68,10 +68,10 @@ void set_forces(const SymmetricLanes& stress, const PatternVectors<Geometry>& ho
 /// and quadratic bulk viscosity. A volume that is not positive leaves numbers without meaning: look at
 /// `volume`. The stable step is 2 / omega (sqrt(1 + z^2) - z), with z the share of bulk viscosity in critical
 /// damping, and
-///   omega^2 <= n_nodes / (m V) (lambda B:B + 2 mu e(B B^T) + k B:B),
+///   omega^2 <= n_nodes / (m V) (lambda B:B + 2 mu e(B B^T) + k p B:B),
 /// a bound for the element's frequencies (e the largest eigenvalue; by Cauchy-Schwarz, term by term; the last
-/// one, of the hourglass modes, for parallelepipeds). Source: Flanagan and Belytschko (1981), Int. J. Numer.
-/// Meth. Eng. 17, 679-706, and (1984), J. Appl. Mech. 51, 35-40.
+/// one, of the hourglass modes, with p as MiddleOfStep::pattern_bound). Source: Flanagan and Belytschko
+/// (1981), Int. J. Numer. Meth. Eng. 17, 679-706, and (1984), J. Appl. Mech. 51, 35-40.
 ///   own  [3 x n_patterns] hourglass forces
 template <class Geometry>
 void advance_uniform_gradient(const SolidProperties& properties, const SolidMotion<Geometry::n_nodes>& motion,
@@ -85,9 +85,10 @@ void advance_uniform_gradient(const SolidProperties& properties, const SolidMoti
   const Lanes per_mass = 1.0 / motion.mass;
   const double patterns =
       Geometry::n_patterns > 0 ? properties.hourglass_stiffness * moduli_of(properties.law).shear : 0.0;
-  const Lanes frequency_squared = static_cast<double>(Geometry::n_nodes) * per_mass * middle.per_volume *
-                                  ((at_point.moduli.lambda() + patterns) * middle.gradient_norm +
-                                   2.0 * at_point.moduli.shear * middle.largest_eigenvalue);
+  const Lanes of_norm = at_point.moduli.lambda() + patterns * middle.pattern_bound;
+  const Lanes frequency_squared =
+      static_cast<double>(Geometry::n_nodes) * per_mass * middle.per_volume *
+      (of_norm * middle.gradient_norm + 2.0 * at_point.moduli.shear * middle.largest_eigenvalue);
   const Lanes undamped = 2.0 / frequency_squared.sqrt();
   const Lanes wave_speed = (at_point.moduli.p_wave() * middle.volume * per_mass).sqrt();
   const BulkViscosity viscosity(properties, undamped, middle.dilatation(), motion.mass * middle.per_volume,

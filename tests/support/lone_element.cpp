@@ -60,6 +60,14 @@ Eigen::Matrix3Xd distorted(const Eigen::Matrix3Xd& coordinates, double size, uns
   return moved;
 }
 
+Eigen::Matrix3Xd flat_and_warped(Shape shape, unsigned seed) {
+  const Eigen::Matrix3Xd thick = distorted(regular_element(shape), 0.2, seed);
+  const Eigen::Matrix3d slant{{1.0, 0.2, 0.0}, {0.0, 1.0, 0.0}, {1.5, -0.7, 0.03}};
+  Eigen::Matrix3Xd moved = slant * thick;
+  moved.row(2) += 0.1 * thick.row(0).cwiseProduct(thick.row(1));
+  return moved;
+}
+
 Eigen::Matrix3d rotation_of(double angle) {
   return Eigen::AngleAxisd(angle, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
 }

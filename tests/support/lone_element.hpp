@@ -16,6 +16,10 @@ Eigen::Matrix3Xd regular_element(Shape shape);
 /// Every coordinate moved at random by up to a size.
 Eigen::Matrix3Xd distorted(const Eigen::Matrix3Xd& coordinates, double size, unsigned seed);
 
+/// A distorted element, sheared and a thirtieth as thick as it is wide, its upper and lower faces warped
+/// alike by more than the thickness.
+Eigen::Matrix3Xd flat_and_warped(Shape shape, unsigned seed);
+
 /// Rotation about an axis that is no coordinate axis.
 Eigen::Matrix3d rotation_of(double angle);
 

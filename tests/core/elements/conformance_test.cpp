@@ -267,6 +267,20 @@ TEST_CASE("the stable step is below that of the highest frequency", "[core][conf
   });
 }
 
+TEST_CASE("the stable step of flat and warped elements is below that of the highest frequency",
+          "[core][conformance]") {
+  for_each_row({ElasticLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
+    SolidProperties properties = undamped(law);
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      properties.deviatoric_parameter = seed % 2 == 0 ? 0.0 : 0.5;
+      LoneElement element(row, properties, flat_and_warped(row.shape, seed));
+      const ChunkStep step = element.stay();
+      REQUIRE(step.least_volume > 0.0);
+      CHECK(step.stable_step <= (1.0 + 1e-6) * stable_limit(element));
+    }
+  });
+}
+
 TEST_CASE("bulk viscosity pushes against closing and shortens the stable step", "[core][conformance]") {
   for_each_row({ElasticLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
     const Matrix3Xd x = distorted(regular_element(row.shape), 0.1, 1);

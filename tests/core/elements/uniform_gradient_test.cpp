@@ -100,6 +100,28 @@ TEST_CASE("the stable step of a cube is near its limit", "[core][elements]") {
   }
 }
 
+TEST_CASE("the stable step of flat and warped elements is near its limit", "[core][elements]") {
+  for (const Shape shape : {Shape::hex8, Shape::wedge6, Shape::pyramid5}) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+      LoneElement element(*find_solid_element(shape, "mean_quadrature"), undamped_elastic(),
+                          flat_and_warped(shape, seed));
+      CHECK(element.stay().stable_step >= 0.8 * stable_limit(element));
+    }
+  }
+}
+
+TEST_CASE("a thin slice of a ball far from its pole is integrated in steps below its limit",
+          "[core][elements]") {
+  Eigen::Matrix3Xd x(3, 8);  // 0.2 thick, 12 wide, slanting by 36 degrees, warped by 0.7
+  x << 19.9869, 32.5, 32.5, 19.9869, 19.9869, 32.5, 32.5, 19.9869,             //
+      12.5254, 12.5254, 19.9869, 19.9869, 12.5254, 12.5254, 19.9869, 19.9869,  //
+      6.0896, 14.2706, 17.8140, 8.9212, 6.2660, 14.4141, 17.9433, 9.0862;
+  LoneElement slice(hex8(), undamped_elastic(), x);
+  const double step = slice.stay().stable_step, limit = stable_limit(slice);
+  CHECK(step <= limit);
+  CHECK(step >= 0.95 * limit);
+}
+
 TEST_CASE("the patterns of wedges and pyramids strain nothing and are resisted", "[core][elements]") {
   const auto check = [](Shape shape, const Eigen::RowVectorXd& pattern) {
     LoneElement element(*find_solid_element(shape, "mean_quadrature"), undamped_elastic(),
