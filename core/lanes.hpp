@@ -67,6 +67,9 @@ inline SymmetricLanes deviator(SymmetricLanes a) {
   return a;
 }
 
+/// F a F^T: a as a rotation turns it, or a deformation carries it along.
+SymmetricLanes transformed(const SymmetricLanes& a, const TensorLanes& f);
+
 /// At least the largest eigenvalue, which lies at most sqrt(2/3) times the deviator's norm above the mean;
 /// at most the trace of a tensor without negative ones.
 inline Lanes bound_of_eigenvalues(const SymmetricLanes& a) {

@@ -22,11 +22,11 @@ void store(const SymmetricLanes& tensor, std::span<Lanes> numbers) {
 PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::span<Lanes> point) {
   const auto update = [&](const auto& held) {
     using Law = std::decay_t<decltype(held)>;
-    const SymmetricLanes before = turned(tensor_at(point), motion.rotation);
+    const SymmetricLanes before = transformed(tensor_at(point), motion.rotation);
     const std::span<Lanes> material = point.subspan(6);
     for (std::size_t i = 0; i < Law::n_tensors; ++i) {
       const std::span<Lanes> numbers = material.subspan(6 * i, 6);
-      store(turned(tensor_at(numbers), motion.rotation), numbers);
+      store(transformed(tensor_at(numbers), motion.rotation), numbers);
     }
     PointStep step{before, {}, {}};
     step.moduli = held.update(motion.strain, step.stress, material);

@@ -23,18 +23,4 @@ StepMotion split_motion(const TensorLanes& velocity_gradient, double dt) {
   return motion;
 }
 
-SymmetricLanes turned(const SymmetricLanes& a, const TensorLanes& r) {
-  TensorLanes ra;  // R a
-  for (std::size_t i = 0; i < 3; ++i) {
-    ra[i] = {r[i][0] * a[0] + r[i][1] * a[3] + r[i][2] * a[5],
-             r[i][0] * a[3] + r[i][1] * a[1] + r[i][2] * a[4],
-             r[i][0] * a[5] + r[i][1] * a[4] + r[i][2] * a[2]};
-  }
-  const auto component = [&](std::size_t i, std::size_t j) -> Lanes {
-    return ra[i][0] * r[j][0] + ra[i][1] * r[j][1] + ra[i][2] * r[j][2];
-  };
-  return {
-      {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)}};
-}
-
 }  // namespace contactsim

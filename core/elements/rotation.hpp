@@ -16,7 +16,4 @@ struct StepMotion {
 ///   velocity_gradient  in the middle of the step [1/time]
 StepMotion split_motion(const TensorLanes& velocity_gradient, double dt);
 
-/// R a R^T.
-SymmetricLanes turned(const SymmetricLanes& a, const TensorLanes& rotation);
-
 }  // namespace contactsim

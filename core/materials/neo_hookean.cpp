@@ -28,21 +28,6 @@ TensorLanes deformation_of(const TensorLanes& gradient) {
   return f;
 }
 
-/// f B f^T.
-SymmetricLanes pushed(const SymmetricLanes& b, const TensorLanes& f) {
-  TensorLanes fb;
-  for (std::size_t i = 0; i < 3; ++i) {
-    fb[i] = {f[i][0] * b[0] + f[i][1] * b[3] + f[i][2] * b[5],
-             f[i][0] * b[3] + f[i][1] * b[1] + f[i][2] * b[4],
-             f[i][0] * b[5] + f[i][1] * b[4] + f[i][2] * b[2]};
-  }
-  const auto component = [&](std::size_t i, std::size_t j) -> Lanes {
-    return fb[i][0] * f[j][0] + fb[i][1] * f[j][1] + fb[i][2] * f[j][2];
-  };
-  return {
-      {component(0, 0), component(1, 1), component(2, 2), component(0, 1), component(1, 2), component(2, 0)}};
-}
-
 Lanes determinant(const SymmetricLanes& b) {
   return b[0] * (b[1] * b[2] - b[4] * b[4]) - b[3] * (b[3] * b[2] - b[4] * b[5]) +
          b[5] * (b[3] * b[4] - b[1] * b[5]);
@@ -73,7 +58,7 @@ void NeoHookeanLaw::start(std::span<Lanes> state) const {
 LaneModuli NeoHookeanLaw::update(const StrainStep& step, SymmetricLanes& stress,
                                  std::span<Lanes> state) const {
   SymmetricLanes b{{state[0], state[1], state[2], state[3], state[4], state[5]}};
-  b = pushed(b, deformation_of(step.gradient));
+  b = transformed(b, deformation_of(step.gradient));
   for (std::size_t i = 0; i < 6; ++i) state[i] = b[i];
   const Lanes squared = determinant(b), volume = squared.sqrt();
   const Lanes shear = moduli.shear * (-1.0 / 3.0 * squared.log()).exp();  // times J^(-2/3)
