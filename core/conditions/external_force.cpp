@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/conditions/face_forces.hpp"
 #include "core/mesh/face_geometry.hpp"
 #include "core/threads.hpp"
 
@@ -54,6 +55,18 @@ double normal_velocity(const Corners& corners, const Corners& velocities) {
   return area.stableNormalized().dot(0.25 * velocities.rowwise().sum());
 }
 
+/// The forces of a load on a face [force].
+///   value  at each corner [force/length^2]
+Corners forces_of(const FaceLoad& load, const std::array<NodeIndex, 4>& face, const Eigen::Vector4d& value,
+                  bool varies, const Motion& motion) {
+  const Corners corners = corners_of(face, motion.coordinates);
+  if (load.direction) return traction_forces(corners, value, *load.direction);
+  const Corners forces = varies ? pressure_forces(corners, value) : pressure_forces(corners, value(0));
+  if (load.damping == 0.0) return forces;
+  const double speed = normal_velocity(corners, corners_of(face, motion.velocity));
+  return forces + pressure_forces(corners, load.damping * speed);
+}
+
 /// The smaller of two node positions, one of which may be none.
 std::uint32_t first_bad(const Eigen::Vector4d& values, const std::array<NodeIndex, 4>& nodes) {
   std::uint32_t first = no_node;
@@ -66,7 +79,7 @@ std::uint32_t first_bad(const Eigen::Vector4d& values, const std::array<NodeInde
 }  // namespace
 
 void ExternalForce::add(FaceLoad load) {
-  corner_forces_.resize(std::max(corner_forces_.size(), load.faces.size()));
+  corner_forces_.resize(std::max(corner_forces_.size(), 4 * load.faces.size()));
   face_loads_.push_back(std::move(load));
 }
 
@@ -92,18 +105,11 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
 #pragma omp parallel for schedule(static) num_threads(threads_for(4 * load.faces.size())) reduction(min : bad)
   for (std::int64_t i = 0; i < n; ++i) {
     const auto face = static_cast<std::size_t>(i);
-    const Corners corners = corners_of(load.faces[face], motion.coordinates);
     const Eigen::Vector4d value = values.at(load.faces[face]);
     bad = std::min(bad, first_bad(value, load.faces[face]));
-    if (load.direction) {
-      corner_forces_[face] = traction_forces(corners, value, *load.direction);
-      continue;
-    }
-    corner_forces_[face] =
-        values.vary() ? pressure_forces(corners, value) : pressure_forces(corners, value(0));
-    if (load.damping == 0.0) continue;
-    const double speed = normal_velocity(corners, corners_of(load.faces[face], motion.velocity));
-    corner_forces_[face] += pressure_forces(corners, load.damping * speed);
+    const Corners on_corners = forces_of(load, load.faces[face], value, values.vary(), motion);
+    for (Eigen::Index a = 0; a < 4; ++a)
+      corner_forces_[4 * face + static_cast<std::size_t>(a)] << on_corners.col(a), 0.0;
   }
   if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
   load.sums.add(corner_forces_, forces);

@@ -10,7 +10,7 @@
 #include "core/conditions/active_times.hpp"
 #include "core/conditions/condition_function.hpp"
 #include "core/conditions/condition_scope.hpp"
-#include "core/conditions/corner_sums.hpp"
+#include "core/elements/node_sums.hpp"
 #include "core/force_term.hpp"
 
 namespace contactsim {
@@ -27,7 +27,7 @@ struct NodeLoad {
 /// PRESSURE and TRACTION: a load per area of the deformed faces.
 struct FaceLoad {
   std::vector<std::array<NodeIndex, 4>> faces;  ///< corners, outward; a triangle repeats its last
-  CornerSums sums;                              ///< of the faces
+  NodeSums sums;                                ///< of the corners of the faces
   std::optional<Eigen::Vector3d> direction;     ///< of a traction; absent: a pressure, against the normal
   ConditionFunction value{0.0};                 ///< [force/length^2]
   double damping = 0.0;  ///< pressure per velocity out of the face [force*time/length^3]
@@ -55,7 +55,7 @@ class ExternalForce final : public ForceTerm {
   const Mesh* mesh_;
   std::vector<NodeLoad> node_loads_;
   std::vector<FaceLoad> face_loads_;
-  std::vector<Corners> corner_forces_;  ///< of the load that is being added [force]
+  std::vector<NodeVector> corner_forces_;  ///< [4 x n_faces] of the load that is being added [force]
 };
 
 /// Compiles the loads of a region. Errors: unknown names, moments (nodes of solids have no rotations), masked

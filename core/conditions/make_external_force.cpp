@@ -110,9 +110,12 @@ bool ExternalForceMaker::check_lines(const Pressure& pressure, const ConditionLa
 
 void ExternalForceMaker::find_faces_of(const EntitySet& set, const ConditionLabel& label,
                                        FaceLoad& load) const {
-  for (const ElementSide face : find_faces(set, label, scope_))
+  std::vector<std::uint32_t> corners;
+  for (const ElementSide face : find_faces(set, label, scope_)) {
     load.faces.push_back(scope_.mesh.side_nodes(face));
-  load.sums = CornerSums(load.faces);
+    for (const NodeIndex node : load.faces.back()) corners.push_back(node.value);
+  }
+  load.sums = NodeSums(corners, scope_.mesh.n_nodes());
 }
 
 void ExternalForceMaker::add(const Pressure& pressure) {

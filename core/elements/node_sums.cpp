@@ -10,7 +10,7 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : 
   for (const std::uint32_t node : nodes) ++next[node + 1];
   for (std::uint32_t node = 0; node < n_nodes; ++node) {
     if (next[node + 1] > 0) {
-      nodes_.push_back(node);
+      nodes_.push_back({node});
       begin_.push_back(next[node]);
     }
     next[node + 1] += next[node];
@@ -26,7 +26,7 @@ void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) 
     const auto k = static_cast<std::size_t>(i);
     NodeVector sum = parts[places_[begin_[k]]];
     for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += parts[places_[entry]];
-    forces.col(nodes_[k]) += sum.head<3>();
+    forces.col(nodes_[k].value) += sum.head<3>();
   }
 }
 

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "core/elements/gather.hpp"
+#include "core/mesh/indices.hpp"
 
 namespace contactsim {
 
-/// Adds forces that stand in several places up at the nodes they belong to, each node's in the order of the
-/// places: the same bits for any number of threads.
+/// Adds forces that stand in several places, those of chunks of elements or of the corners of faces, up at
+/// the nodes they belong to, each node's in the order of the places: the same bits for any number of threads.
 class NodeSums {
  public:
   NodeSums() = default;
@@ -19,13 +20,16 @@ class NodeSums {
   ///   n_nodes  of the mesh
   NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes);
 
+  /// The nodes that have places, ascending.
+  std::span<const NodeIndex> nodes() const { return nodes_; }
+
   /// Adds to the forces of the nodes that have places.
   ///   parts   [n_places] [force]
   ///   forces  [3 x n_nodes] [force]
   void add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const;
 
  private:
-  std::vector<std::uint32_t> nodes_;   ///< that have places, ascending
+  std::vector<NodeIndex> nodes_;
   std::vector<std::uint32_t> begin_;   ///< [nodes_.size() + 1] first entry of each in places_
   std::vector<std::uint32_t> places_;  ///< by node
 };
