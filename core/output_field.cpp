@@ -38,9 +38,13 @@ std::string component_ending(FieldShape shape, int component, int n_components) 
   return fmt::format("{:0{}}", component + 1, fmt::formatted_size("{}", n_components));
 }
 
+std::string with_ending(const std::string& name, const std::string& separator, const std::string& ending) {
+  return ending.empty() ? name : name + separator + ending;
+}
+
 std::string component_name(const OutputField& field, int component) {
-  const std::string ending = component_ending(field.shape, component, field.n_components);
-  return ending.empty() ? field.name : field.name + field.separator + ending;
+  return with_ending(field.name, field.separator,
+                     component_ending(field.shape, component, field.n_components));
 }
 
 }  // namespace contactsim

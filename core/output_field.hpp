@@ -38,6 +38,9 @@ int component_count(FieldShape shape);
 /// Source: tried with vtkExodusIIReader and vtkIOSSReader of VTK 9.1.
 std::string component_ending(FieldShape shape, int component, int n_components);
 
+/// Name, separator, ending; the name alone without an ending.
+std::string with_ending(const std::string& name, const std::string& separator, const std::string& ending);
+
 /// The name of one component on a file: name, separator, ending. A scalar has its name alone.
 std::string component_name(const OutputField& field, int component);
 

@@ -3,9 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstdint>
-
+#include "core/conditions/element_marks.hpp"
 #include "core/conditions/entity_parts.hpp"
 
 namespace contactsim {
@@ -25,21 +23,17 @@ std::vector<ElementIndex> find_elements(const EntitySet& set, const ConditionLab
                                         const ConditionScope& scope) {
   const std::size_t n_errors = scope.diagnostics.error_count();
   const EntityParts parts = find_parts(set, label, scope);
-  std::vector<std::uint8_t> is_marked(scope.mesh.n_elements(), 0);
-  const auto mark = [&](const NamedEntity& part, std::uint8_t value) {
+  ElementMarks marks(scope.mesh, false);
+  const auto mark = [&](const NamedEntity& part, bool value) {
     if (part.entity.kind != EntityKind::block) return report(part, label, scope);
-    const ElementBlock& block = scope.mesh.blocks()[part.entity.index];
-    std::fill_n(is_marked.begin() + block.first_element.value, block.n_elements, value);
+    marks.set(part.entity, value);
   };
   if (!parts.nodes.empty())
     scope.diagnostics.add_error(set.nodes.front().location, label.what + " takes no NODE line", "use BLOCK");
-  for (const NamedEntity& added : parts.added) mark(added, 1);
-  for (const ElementIndex element : parts.elements) is_marked[element.value] = 1;
-  for (const NamedEntity& removed : parts.removed) mark(removed, 0);
-  std::vector<ElementIndex> elements;
-  for (std::uint32_t i = 0; i < is_marked.size(); ++i) {
-    if (is_marked[i] != 0) elements.push_back({i});
-  }
+  for (const NamedEntity& added : parts.added) mark(added, true);
+  for (const ElementIndex element : parts.elements) marks.set(element, true);
+  for (const NamedEntity& removed : parts.removed) mark(removed, false);
+  std::vector<ElementIndex> elements = marks.list();
   if (elements.empty() && scope.diagnostics.error_count() == n_errors) {
     scope.diagnostics.add_warning("condition-empty", label.location,
                                   fmt::format("{} acts on no element", label.what));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/conditions/element_marks.hpp"
 #include "core/conditions/entity_nodes.hpp"
 #include "core/conditions/entity_parts.hpp"
 
@@ -19,31 +20,6 @@ void append(std::vector<EntityRange>& ranges, std::size_t block, std::size_t ent
     ranges.push_back({block, entity, 1, {}});
   }
 }
-
-// Marks the elements of mesh parts.
-class ElementMarks {
- public:
-  ElementMarks(const Mesh& mesh, bool value) : mesh_(mesh), is_marked_(mesh.n_elements(), value ? 1 : 0) {}
-
-  bool has(ElementIndex element) const { return is_marked_[element.value] != 0; }
-  void set(ElementIndex element, bool value) { is_marked_[element.value] = value ? 1 : 0; }
-
-  // False when the entity holds no elements.
-  bool set(const Entity& entity, bool value) {
-    if (entity.kind == EntityKind::block) {
-      const ElementBlock& block = mesh_.blocks()[entity.index];
-      for (std::uint32_t e = 0; e < block.n_elements; ++e) set({block.first_element.value + e}, value);
-      return true;
-    }
-    if (entity.kind != EntityKind::side_set) return false;
-    for (const ElementSide side : mesh_.side_sets()[entity.index].sides) set(side.element(), value);
-    return true;
-  }
-
- private:
-  const Mesh& mesh_;
-  std::vector<std::uint8_t> is_marked_;
-};
 
 ElementMarks mark_elements(const EntitySet& set, const ConditionLabel& label, const ConditionScope& scope) {
   ElementMarks marks(scope.mesh, !set.names_something());

@@ -25,14 +25,7 @@ std::vector<std::string> names_in(std::string_view expression) {
 std::optional<VariablePick> find_global_number(const RunVariables& variables, const std::string& name) {
   const RunVariable* whole = variables.find(FieldLocation::global, canonical_variable_name(name));
   if (whole != nullptr && whole->n_components == 1) return VariablePick{whole, {}, {}};
-  const std::size_t end = name.rfind('_');
-  if (end == std::string::npos) return std::nullopt;
-  const RunVariable* base =
-      variables.find(FieldLocation::global, canonical_variable_name(name.substr(0, end)));
-  if (base == nullptr) return std::nullopt;
-  const auto component = find_component(*base, std::string_view(name).substr(end + 1));
-  if (!component) return std::nullopt;
-  return VariablePick{base, component, {}};
+  return find_by_ending(variables, FieldLocation::global, name);
 }
 
 }  // namespace

@@ -147,9 +147,9 @@ std::string field_name(const VariableRequest& request, const VariablePick& pick,
   if (pick.point) name += fmt::format("{}{}", separator, *pick.point + 1);
   if (!pick.component) return name;
   const RunVariable& variable = *pick.variable;
-  const std::string ending =
-      component_ending(variable.shape, static_cast<int>(*pick.component), variable.n_components);
-  return ending.empty() ? name : name + separator + ending;
+  return with_ending(
+      name, separator,
+      component_ending(variable.shape, static_cast<int>(*pick.component), variable.n_components));
 }
 
 std::vector<OutputField> RequestedFields::fields() const {

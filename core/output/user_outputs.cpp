@@ -25,11 +25,6 @@ FieldLocation field_location(UserVariable::Place place) {
   return place == UserVariable::Place::element ? FieldLocation::element : FieldLocation::global;
 }
 
-FieldLocation field_location(VariableLocation location) {
-  if (location == VariableLocation::nodal) return FieldLocation::node;
-  return location == VariableLocation::element ? FieldLocation::element : FieldLocation::global;
-}
-
 FieldShape field_shape(const UserVariable& variable) {
   using S = UserVariable::Shape;
   if (variable.shape == S::vector) return FieldShape::vector;
@@ -164,7 +159,7 @@ class UserOutputMaker {
   }
 
   void add(const FunctionVariable& computed) {
-    const FieldLocation location = field_location(computed.location);
+    const FieldLocation location = to_field_location(computed.location).value_or(FieldLocation::global);
     auto function = make_named_function(computed.function, scope_.definition.functions, scope_.diagnostics);
     if (!function) return;
     auto ranges = find_ranges(location);

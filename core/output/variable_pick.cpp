@@ -15,13 +15,6 @@ namespace {
 
 constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
 
-std::optional<FieldLocation> to_field_location(VariableLocation location) {
-  if (location == VariableLocation::nodal) return FieldLocation::node;
-  if (location == VariableLocation::element) return FieldLocation::element;
-  if (location == VariableLocation::global) return FieldLocation::global;
-  return std::nullopt;
-}
-
 // Variables of Sierra/SM that mean something to other elements and materials than those of a run.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 7> foreign_variables{{
     {"element_shape", "contactsim judges no element shapes"},
@@ -39,12 +32,10 @@ std::string hint_at(const RunVariables& variables, const std::string& name,
   for (const auto& [foreign, hint] : foreign_variables) {
     if (name == foreign) return std::string(hint);
   }
-  const std::string base = name.substr(0, name.rfind('_'));
   std::vector<std::string> known;
   for (const FieldLocation location : locations) {
-    const RunVariable* whole = base.size() < name.size() ? variables.find(location, base) : nullptr;
-    const std::string ending = whole ? name.substr(base.size() + 1) : "";
-    if (whole && find_component(*whole, ending)) return fmt::format("did you mean {}({})?", base, ending);
+    if (const auto pick = find_by_ending(variables, location, name))
+      return fmt::format("did you mean {}({})?", pick->variable->name, name.substr(name.rfind('_') + 1));
     const auto names = variables.names(location);
     known.insert(known.end(), names.begin(), names.end());
   }
@@ -143,6 +134,24 @@ std::optional<std::size_t> find_component(const RunVariable& variable, std::stri
   const bool is_number = error == std::errc() && stop == text.data() + text.size();
   if (!is_number || number < 1 || number > variable.n_components) return std::nullopt;
   return static_cast<std::size_t>(number) - 1;
+}
+
+std::optional<VariablePick> find_by_ending(const RunVariables& variables, FieldLocation location,
+                                           const std::string& name) {
+  const std::size_t end = name.rfind('_');
+  if (end == std::string::npos) return std::nullopt;
+  const RunVariable* whole = variables.find(location, canonical_variable_name(name.substr(0, end)));
+  if (whole == nullptr) return std::nullopt;
+  const auto component = find_component(*whole, std::string_view(name).substr(end + 1));
+  if (!component) return std::nullopt;
+  return VariablePick{whole, component, {}};
+}
+
+std::optional<FieldLocation> to_field_location(VariableLocation location) {
+  if (location == VariableLocation::nodal) return FieldLocation::node;
+  if (location == VariableLocation::element) return FieldLocation::element;
+  if (location == VariableLocation::global) return FieldLocation::global;
+  return std::nullopt;
 }
 
 std::optional<VariablePick> find_pick(const RunVariables& variables, VariableLocation location,

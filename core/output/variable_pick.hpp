@@ -28,6 +28,13 @@ struct VariablePick {
 /// The component that a text names, by its ending or its number from 1; nothing when there is none.
 std::optional<std::size_t> find_component(const RunVariable& variable, std::string_view text);
 
+/// The component that a name tells by its ending, "stress_xx"; nothing when there is none.
+std::optional<VariablePick> find_by_ending(const RunVariables& variables, FieldLocation location,
+                                           const std::string& name);
+
+/// Where a variable lives that a command asks for; nothing when it does not say, or when nothing lives there.
+std::optional<FieldLocation> to_field_location(VariableLocation location);
+
 /// What a reference means. Nothing when it means nothing in this run: a warning is added
 /// ("output-variable-unknown") that names the nearest variable, or the location at which there is one.
 std::optional<VariablePick> find_pick(const RunVariables& variables, VariableLocation location,
