@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/names.hpp"
+#include "parser/aprepro/calls.hpp"
 #include "parser/aprepro/control.hpp"
 #include "parser/aprepro/operators.hpp"
 #include "parser/aprepro/tokens.hpp"

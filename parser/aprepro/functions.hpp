@@ -50,9 +50,4 @@ std::span<const ApreproFunction> aprepro_functions();
 /// The row of a name, case mattering; null when there is none.
 const ApreproFunction* find_aprepro_function(std::string_view name);
 
-/// Calls a function. Throws ApreproError at the function's name when it is refused, when number or types of
-/// arguments are wrong, and when its value is not a finite number.
-ApreproValue call_aprepro_function(const ApreproFunction& function, const ApreproToken& name,
-                                   ApreproFunction::Arguments arguments, ApreproState& state);
-
 }  // namespace contactsim

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "parser/aprepro/calls.hpp"
 #include "parser/aprepro/expression.hpp"
 #include "support/catch.hpp"
 
