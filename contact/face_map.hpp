@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "core/mesh/face_geometry.hpp"
+
 namespace contactsim {
 
 /// Positions or velocities of a face's corners [3 x 4]; a triangle repeats its last.
@@ -52,11 +54,6 @@ inline Eigen::Vector4d corner_shares(const FaceMoments& m, bool is_triangle) {
 /// The values of the shape functions at a point.
 inline Eigen::Vector4d corner_weights(double xi, double eta, bool is_triangle) {
   return corner_shares({1.0, xi, eta, xi * eta}, is_triangle);
-}
-
-/// Area times unit normal of a face: half the cross product of the diagonals, projected area if it is warped.
-inline Eigen::Vector3d area_vector(const FaceCorners& x) {
-  return 0.5 * (x.col(2) - x.col(0)).cross(x.col(3) - x.col(1));
 }
 
 }  // namespace contactsim

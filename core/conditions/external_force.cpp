@@ -51,7 +51,7 @@ Corners corners_of(const std::array<NodeIndex, 4>& nodes, const Eigen::Matrix3Xd
 
 /// How fast a face moves along its mean normal [length/time].
 double normal_velocity(const Corners& corners, const Corners& velocities) {
-  const Eigen::Vector3d area = area_vector(corners.col(0), corners.col(1), corners.col(2), corners.col(3));
+  const Eigen::Vector3d area = area_vector(corners);
   return area.stableNormalized().dot(0.25 * velocities.rowwise().sum());
 }
 

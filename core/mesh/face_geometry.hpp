@@ -18,6 +18,11 @@ inline Eigen::Vector3d area_vector(const Eigen::Vector3d& a, const Eigen::Vector
   return 0.5 * (c - a).cross(d - b);
 }
 
+/// The same of corners in columns.
+inline Eigen::Vector3d area_vector(const Eigen::Matrix<double, 3, 4>& corners) {
+  return area_vector(corners.col(0), corners.col(1), corners.col(2), corners.col(3));
+}
+
 /// The same of a face of the mesh. Precondition: the side is a face.
 inline Eigen::Vector3d area_vector(const Mesh& mesh, ElementSide side) {
   const std::array<NodeIndex, 4> nodes = mesh.side_nodes(side);
