@@ -78,7 +78,7 @@ std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, s
   tie.first_place = row;
   tie.second_place = face;
   set_nodes({node.node, node.node, node.node, node.node}, other.corners, tie);
-  tie.area = (pair.is_one_sided ? 1.0 : 0.5) * scene.surface.area_against(node, point->normal);
+  tie.area = pair.node_share() * scene.surface.area_against(node, point->normal);
   const double stiffness = make_pair_penalty(node.backing, &other.backing, pair).stiffness * tie.area;
   tie_node(x, moving, corner_weights(point->xi, point->eta, moving.is_triangle), stiffness, tie);
   return tie;

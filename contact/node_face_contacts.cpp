@@ -202,9 +202,7 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   record.second = {face.corners, corner_weights(hit.point.xi, hit.point.eta, face.is_triangle())};
   record.normal = hit.point.normal;
   record.gap = hit.point.gap;
-  // Pairs that go both ways meet everything twice.
-  const double area =
-      (rule.pair->is_one_sided ? 1.0 : 0.5) * scene.surface.area_against(node, hit.point.normal);
+  const double area = rule.pair->node_share() * scene.surface.area_against(node, hit.point.normal);
   const MovingFace moving = scene.surface.face(hit.face);
   const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
   push_node({hit.penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);

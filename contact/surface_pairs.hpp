@@ -35,6 +35,10 @@ struct SurfacePair {
   std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
   double damping_fraction = 0.0;            ///< of critical damping [1]
   ActivePeriods periods;                    ///< of the interaction
+
+  /// Share of a node's area that counts where it meets a face: pairs that go both ways meet everything twice
+  /// [1].
+  double node_share() const { return is_one_sided ? 1.0 : 0.5; }
 };
 
 /// The pairs that a contact definition asks for, sorted by (first, second), those of NO_INTERACTION left out.
