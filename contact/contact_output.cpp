@@ -42,17 +42,6 @@ ContactTotal opposite(ContactTotal total) {
   return total;
 }
 
-void set_total(const ContactTotalRow& row, const ContactTotal& total, std::span<double> values) {
-  const auto set = [&](const Eigen::Vector3d& vector) {
-    Eigen::Map<Eigen::Vector3d>(values.data()) = vector;
-  };
-  if (row.name == "contact_force") set(total.force);
-  if (row.name == "contact_moment") set(total.moment);
-  if (row.name == "contact_centre")
-    set(total.normal_sum > 0.0 ? Eigen::Vector3d(total.centre / total.normal_sum) : Eigen::Vector3d::Zero());
-  if (row.name == "contact_area") values[0] = total.area;
-}
-
 }  // namespace
 
 ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, const Model& model)
@@ -114,7 +103,7 @@ RunVariable ContactOutput::make_total(const ContactTotalRow& row, const std::str
   variable.fill = [this, &row, is_pair, index](const OutputMoment& moment, const EntityRange&,
                                                std::span<double> values) {
     look_at(moment.state);
-    set_total(row, is_pair ? pairs_[index] : surfaces_[index], values);
+    row.fill(is_pair ? pairs_[index] : surfaces_[index], values.data());
   };
   return variable;
 }

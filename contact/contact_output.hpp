@@ -37,23 +37,24 @@ struct ContactNodeRow {
 /// Source: Sierra/SM 5.22, 8.10 and 9.
 std::span<const ContactNodeRow> contact_node_rows();
 
+/// Force, moment, centre and area of contact on a surface, or on the first surface of a pair.
+struct ContactTotal {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin [force length]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< places times normal forces, summed [force length]
+  double normal_sum = 0.0;                           ///< of the sizes of normal forces [force]
+  double area = 0.0;                                 ///< that touches [length^2]
+};
+
 /// Row of the table of global contact variables: one of each surface, name_<surface>, and of each pair,
 /// name_<first>_<second>.
 struct ContactTotalRow {
   std::string_view name;
   FieldShape shape = FieldShape::scalar;
-  std::string_view help;
+  void (*fill)(const ContactTotal& total, double* values) = nullptr;
+  std::string_view help;  ///< one line with the dimension
 };
 std::span<const ContactTotalRow> contact_total_rows();
-
-/// Force, moment, centre and area of contact on a surface, or on the first surface of a pair.
-struct ContactTotal {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin [force length]
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean place by normal force; 0 without any [length]
-  double normal_sum = 0.0;                           ///< of the sizes of normal forces [force]
-  double area = 0.0;                                 ///< that touches [length^2]
-};
 
 /// The contact variables of a run, worked out when someone asks for them, once per step.
 class ContactOutput {

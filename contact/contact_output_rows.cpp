@@ -17,6 +17,11 @@ void set_direction(const Eigen::Vector3d& vector, double* values) {
   set(length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(), values);
 }
 
+void set_centre(const ContactTotal& total, double* values) {
+  const bool touches = total.normal_sum > 0.0;
+  set(touches ? Eigen::Vector3d(total.centre / total.normal_sum) : Eigen::Vector3d::Zero(), values);
+}
+
 double per_area(double value, double area) { return area > 0.0 ? value / area : 0.0; }
 
 }  // namespace
@@ -71,12 +76,16 @@ std::span<const ContactNodeRow> contact_node_rows() {
 }
 
 std::span<const ContactTotalRow> contact_total_rows() {
+  using T = const ContactTotal&;
   constexpr auto scalar = FieldShape::scalar, vector = FieldShape::vector;
   static constexpr std::array rows{
-      ContactTotalRow{"contact_force", vector, "On the surface, or on the first of two [force]"},
-      ContactTotalRow{"contact_moment", vector, "Of that about the origin [force length]"},
-      ContactTotalRow{"contact_centre", vector, "Mean place by normal force, 0 without any [length]"},
-      ContactTotalRow{"contact_area", scalar, "That touches [length^2]"},
+      ContactTotalRow{"contact_force", vector, [](T t, double* v) { set(t.force, v); },
+                      "On the surface, or on the first of two [force]"},
+      ContactTotalRow{"contact_moment", vector, [](T t, double* v) { set(t.moment, v); },
+                      "Of that about the origin [force length]"},
+      ContactTotalRow{"contact_centre", vector, set_centre,
+                      "Mean place by normal force, 0 without any [length]"},
+      ContactTotalRow{"contact_area", scalar, [](T t, double* v) { *v = t.area; }, "That touches [length^2]"},
   };
   return rows;
 }
