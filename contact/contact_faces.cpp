@@ -35,12 +35,6 @@ std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const 
   return nodes;
 }
 
-double thickness_behind(const Mesh& mesh, ElementSide side) {
-  const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
-  const double volume = solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape);
-  return volume / area_vector(mesh, side).norm();
-}
-
 PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_nodes) {
   PairLists lists;
   lists.begin.assign(n_nodes + 1, 0);
@@ -159,6 +153,12 @@ class Materials {
 };
 
 }  // namespace
+
+double thickness_behind(const Mesh& mesh, ElementSide side) {
+  const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
+  const double volume = solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape);
+  return volume / area_vector(mesh, side).norm();
+}
 
 bool ContactFace::shares_node(const ContactFace& other) const {
   for (const std::uint32_t node : corners) {

@@ -58,6 +58,9 @@ struct ContactFaces {
   std::size_t n_nodes() const { return mesh_nodes.size(); }
 };
 
+/// Thickness of the solid behind a face: its volume over the face's area [length].
+double thickness_behind(const Mesh& mesh, ElementSide side);
+
 /// Numbers the faces and nodes of the surfaces of solids, with the thickness of the elements behind them.
 /// Lofted elements are left out, and so are nodes of node sets that no outside face of the mesh has: they lie
 /// behind it.

@@ -6,20 +6,18 @@
 #include <map>
 
 #include "contact/broad_phase.hpp"
-#include "core/mesh/element_checks.hpp"
+#include "contact/contact_faces.hpp"
+#include "contact/contact_scene.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t no_pair = UINT32_MAX;
-
-/// Half the thickness of the solid behind a face: its volume over the face's area; 0 for other elements.
-double half_thickness(const Mesh& mesh, ElementSide side, double area) {
-  const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
-  if (shape.family != Family::solid) return 0.0;
-  return 0.5 * solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape) / area;
+/// Half the thickness of the solid behind a face; 0 for other elements.
+double half_thickness(const Mesh& mesh, ElementSide side) {
+  const bool is_solid = topology(mesh.blocks()[mesh.block_of(side.element())].shape).family == Family::solid;
+  return is_solid ? 0.5 * thickness_behind(mesh, side) : 0.0;
 }
 
 OverlapFace make_face(const Mesh& mesh, ElementSide side, std::uint32_t surface) {
@@ -30,7 +28,7 @@ OverlapFace make_face(const Mesh& mesh, ElementSide side, std::uint32_t surface)
   face.side = side;
   const double area = area_vector(mesh, side).norm();
   face.size = std::sqrt(area);
-  face.reach = area > 0.0 ? half_thickness(mesh, side, area) : 0.0;
+  face.reach = area > 0.0 ? half_thickness(mesh, side) : 0.0;
   return face;
 }
 
@@ -64,23 +62,6 @@ void add_surface(const ContactModel& model, const Mesh& mesh, std::uint32_t inde
   }
 }
 
-/// The pair of two surfaces in either order.
-class PairTable {
- public:
-  explicit PairTable(const ContactModel& model)
-      : n_(model.surfaces.surfaces.size()), pairs_(n_ * n_, no_pair) {
-    for (std::uint32_t i = 0; i < model.pairs.size(); ++i) {
-      const SurfacePair& pair = model.pairs[i];
-      pairs_[pair.first * n_ + pair.second] = pairs_[pair.second * n_ + pair.first] = i;
-    }
-  }
-  std::uint32_t find(std::uint32_t a, std::uint32_t b) const { return pairs_[a * n_ + b]; }
-
- private:
-  std::size_t n_;
-  std::vector<std::uint32_t> pairs_;  ///< [n_surfaces x n_surfaces]
-};
-
 Box box_of(const OverlapFace& face, const Eigen::Matrix3Xd& coordinates, double deepest) {
   // Both sides move, each by no more than the deepest overlap.
   const double margin = 2.0 * std::max(face.reach, deepest);
@@ -99,7 +80,7 @@ bool is_corner_of_element(const Mesh& mesh, std::uint32_t node, const OverlapFac
 }
 
 PairLists find_near(const OverlapParts& parts, const ContactModel& model, const Mesh& mesh,
-                    const PairTable& table) {
+                    const PairRules& rules) {
   double deepest = 0.0;
   for (const SurfacePair& pair : model.pairs)
     deepest = std::max(deepest, pair.overlap_normal_tolerance.value_or(0.0));
@@ -118,7 +99,7 @@ PairLists find_near(const OverlapParts& parts, const ContactModel& model, const 
       [&](std::uint32_t row, std::uint32_t partner) {
         const OverlapNode& node = parts.nodes[row];
         const OverlapFace& face = parts.faces[partner];
-        return table.find(node.surface, face.surface) != no_pair &&
+        return rules.find(node.surface, face.surface) != PairRules::none &&
                !is_corner_of_element(mesh, node.node, face);
       },
       lists);
@@ -152,11 +133,12 @@ OverlapParts make_overlap_parts(const ContactModel& model, const Mesh& mesh) {
   }
   add_planes(model, parts);
   if (parts.faces.empty() || parts.nodes.empty()) return parts;
-  const PairTable table(model);
-  const PairLists near = find_near(parts, model, mesh, table);
+  const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()),
+                        model.surfaces.surfaces.size());
+  const PairLists near = find_near(parts, model, mesh, rules);
   for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
     for (const std::uint32_t face : near.of(i)) {
-      const std::uint32_t pair = table.find(parts.nodes[i].surface, parts.faces[face].surface);
+      const std::uint32_t pair = rules.find(parts.nodes[i].surface, parts.faces[face].surface);
       parts.sites[pair].faces.push_back({i, face});
     }
   }
