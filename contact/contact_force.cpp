@@ -125,7 +125,8 @@ void ContactForce::add_places(const ContactScene& scene) {
   for (const ContactRecord& record : to_glue) glue(scene, record);
 }
 
-/// What has touched is tied from the next step on, as deep as it is now.
+/// What has touched is tied from the next step on, as deep as it is now. What its springs hold stays in them:
+/// the tie has no way to give it back.
 void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) {
   constexpr double any_gap = std::numeric_limits<double>::infinity();
   std::optional<Tie> tie;
@@ -135,7 +136,9 @@ void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) 
   } else if (glued_.add_faces(record.first_place, record.second_place)) {
     tie = make_face_tie(scene, record.first_place, record.second_place, any_gap);
   }
-  if (tie) ties_.push_back(*tie);
+  if (!tie) return;
+  tie->rest_energy += record.stored();
+  ties_.push_back(*tie);
 }
 
 /// Bounds the eigenvalues of contact's stiffness over mass. Each place is a spring of stiffness k with the

@@ -36,6 +36,8 @@ struct ContactRecord {
 
   bool touches() const { return force != 0.0; }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }
+  /// What the springs of the penalty and of friction hold [energy].
+  double stored() const { return 0.5 * (tangential.norm() * elastic.norm() - force * gap); }
 };
 
 }  // namespace contactsim

@@ -33,7 +33,7 @@ void ContactSums::add(const ContactRecord& record) {
   if (!record.touches()) return;
   pair.force += record.is_swapped ? Eigen::Vector3d(-force) : force;
   pair.area += record.area;
-  pair.stored += 0.5 * (record.tangential.norm() * record.elastic.norm() - record.force * record.gap);
+  pair.stored += record.stored();
   pair.dissipated += record.dissipated;
   pair.damped += record.damped;
   pair.touches = true;

@@ -26,7 +26,8 @@ struct Tie {
       Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of them [force/length]
   TieVectors rest =
       TieVectors::Zero();    ///< forces that hold the gaps open, in axes of the second face [force]
-  double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed [energy]
+  double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed; of a glued place also what
+                             ///< it held before [energy]
   double area = 0.0;         ///< [length^2]
 };
 

@@ -95,6 +95,27 @@ TEST_CASE("bodies that have touched under a glued model hold each other from the
   CHECK(bodies.contact.ties().size() == n_ties);
 }
 
+TEST_CASE("what a glued place holds when it is tied stays with its pair", "[contact][contact_force]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  ContactBodies bodies(
+      cube_over_plate(0.005),
+      general_contact("friction model = sticky\n" + stiff + formulation + "end\nbegin glued model sticky\n"));
+  const auto work = [&] {
+    double sum = 0.0;
+    for (const PairHistory& history : bodies.contact.histories()) sum += history.work;
+    return sum;
+  };
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -0.01});
+  bodies.step(1.0);
+  const double before = work();
+  CHECK(before == Approx(0.5 * 1000.0 * 0.005 * 0.005));
+  bodies.set_velocity(1, {0, 0, 0});
+  bodies.step(1.0);
+  CHECK(!bodies.contact.ties().empty());
+  CHECK(work() == Approx(before));
+}
+
 TEST_CASE("the stable step that contact asks for bears the stiffest motion of its springs",
           "[contact][contact_force]") {
   const std::string formulation = GENERATE(std::string(), node_face);
