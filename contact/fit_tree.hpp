@@ -44,15 +44,15 @@ class TreeFit {
   const BoxOf& box_of_;
 };
 
-/// Fits the nodes of a tree to boxes that have moved, on OpenMP's threads. Returns the number of the first box
-/// that is not sound, after which the tree means nothing until it is fitted again.
+/// Fits the nodes of a tree to boxes that have moved, on OpenMP's threads. Returns the number of the first
+/// box that is not sound, after which the tree means nothing until it is fitted again.
 template <class BoxOf>
 std::optional<std::uint32_t> refit(BoxTree& tree, const BoxOf& box_of) {
   const TreeFit fit(tree, box_of);
   std::uint32_t unsound = fit.none;
   const auto n_branches = static_cast<std::int64_t>(tree.branches.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(tree.nodes.size())) \
-    reduction(min : unsound)
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(tree.nodes.size())) reduction(min \
+                                                                                                 : unsound)
   for (std::int64_t i = 0; i < n_branches; ++i)
     unsound = std::min(unsound, fit.fit_branch(tree.branches[static_cast<std::size_t>(i)]));
   for (std::size_t i = tree.crown.size(); i-- > 0;) fit.fit(tree.nodes[tree.crown[i]]);

@@ -68,12 +68,12 @@ std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangl
   FacePoint found;
   if (!find_foot(map, point, found.xi, found.eta)) return std::nullopt;
   const Eigen::Vector3d foot = map.at(found.xi, found.eta);
-  found.edge = move_inside(is_triangle, found.xi, found.eta);
   const auto [a, b] = tangents_at(map, found.xi, found.eta);
   found.normal = a.cross(b).normalized();
-  const Eigen::Vector3d on_face = found.edge < 0 ? foot : map.at(found.xi, found.eta);
-  found.beyond = found.edge < 0 ? 0.0 : (foot - on_face).norm();
-  found.gap = (point - on_face).dot(found.normal);
+  found.gap = (point - foot).dot(found.normal);
+  double xi = found.xi, eta = found.eta;
+  found.edge = move_inside(is_triangle, xi, eta);
+  if (found.edge >= 0) found.beyond = (foot - map.at(xi, eta)).norm();
   return found;
 }
 

@@ -24,6 +24,8 @@ double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
   return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
 }
 
+double distance(const FacePoint& point) { return std::abs(point.gap) + point.beyond; }
+
 bool has_corner(const ContactFace& face, std::uint32_t node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
 }
@@ -35,6 +37,7 @@ struct NodeFaceContacts::Hit {
   std::uint32_t face = 0, pair = 0;
   FacePoint point;
   PairPenalty penalty;
+  double share = 1.0;  ///< of the node's area, where it stands over several faces alike [1]
 };
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
@@ -162,17 +165,34 @@ bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face
   return hit.point.beyond <= allowed;
 }
 
+/// A node right behind an edge or a corner stands over all its faces alike. Choosing one would push it aside,
+/// and which one it is would be chance: they share the node. Faces that lie in one plane need not. Returns
+/// how many faces, the first ones, share it.
+std::size_t NodeFaceContacts::share_edge(Hits& hits) {
+  constexpr double alike = 1e-6, one_plane = 1.0 - 1e-7;
+  const FacePoint& first = hits.hits[0].point;
+  std::size_t n = 1;
+  for (std::size_t i = 1; i < hits.n; ++i) {
+    const FacePoint& point = hits.hits[i].point;
+    const double cosine = first.normal.dot(point.normal);
+    if (cosine < same_wall || cosine > one_plane || distance(point) > (1.0 + alike) * distance(first))
+      continue;
+    std::swap(hits.hits[i], hits.hits[n++]);
+  }
+  for (std::size_t i = 0; i < n; ++i) hits.hits[i].share = 1.0 / static_cast<double>(n);
+  return n;
+}
+
 void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, Hits& hits) const {
   const auto went_in_here = [&](const Hit& hit) { return memory.knows(hit.point.normal); };
   // Faces on the side of the last step first, then the nearest, then those over which the node stands.
   std::stable_sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
     const bool a_in = went_in_here(a), b_in = went_in_here(b);
     if (a_in != b_in) return a_in;
-    const double da = std::abs(a.point.gap) + a.point.beyond, db = std::abs(b.point.gap) + b.point.beyond;
-    return da < db;
+    return distance(a.point) < distance(b.point);
   });
-  std::size_t n_chosen = 0;
-  for (std::size_t i = 0; i < hits.n && n_chosen < most_touched; ++i) {
+  std::size_t n_chosen = share_edge(hits);
+  for (std::size_t i = n_chosen, n_walls = 1; i < hits.n && n_walls < most_walls; ++i) {
     const Hit& hit = hits.hits[i];
     const auto is_other_wall = [&](const Hit& chosen) {
       const FaceBound &wall = scene.surface.bound(chosen.face), &other = scene.surface.bound(hit.face);
@@ -182,7 +202,7 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
              other.looks_to(wall.centre());
     };
     if (std::all_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(n_chosen), is_other_wall))
-      hits.hits[n_chosen++] = hit;
+      hits.hits[n_chosen++] = hit, ++n_walls;
   }
   hits.n = n_chosen;
 }
@@ -202,7 +222,8 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   record.second = {face.corners, corner_weights(hit.point.xi, hit.point.eta, face.is_triangle())};
   record.normal = hit.point.normal;
   record.gap = hit.point.gap;
-  const double area = rule.pair->node_share() * scene.surface.area_against(node, hit.point.normal);
+  const double area =
+      hit.share * rule.pair->node_share() * scene.surface.area_against(node, hit.point.normal);
   const MovingFace moving = scene.surface.face(hit.face);
   const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
   push_node({hit.penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);

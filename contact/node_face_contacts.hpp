@@ -10,9 +10,9 @@
 
 namespace contactsim {
 
-/// The nodes that meet faces as nodes, and what contact remembers of each. A node touches one face, however
-/// many share the edge or the corner that it stands over; only where faces form a hollow does it touch more,
-/// three at most. It comes out on the side on which it went in.
+/// The nodes that meet faces as nodes, and what contact remembers of each. A node touches one face, or shares
+/// itself among those of the edge or the corner right behind which it stands; only where faces form a hollow
+/// does it touch more, three at most. It comes out on the side on which it went in.
 class NodeFaceContacts {
  public:
   /// The faces must outlive this.
@@ -31,7 +31,7 @@ class NodeFaceContacts {
             std::vector<ContactRecord>& records);
 
  private:
-  static constexpr std::size_t most_touched = 3;
+  static constexpr std::size_t most_walls = 3;
 
   /// A face that a node touched in the last step.
   struct Touch {
@@ -66,6 +66,7 @@ class NodeFaceContacts {
   bool comes_from_outside(const ContactScene& scene, const SurfaceNode& node, const MovingFace& face,
                           const Hit& hit) const;
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
+  static std::size_t share_edge(Hits& hits);
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;
   ContactRecord make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;
 
