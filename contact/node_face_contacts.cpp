@@ -169,7 +169,7 @@ bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face
 /// and which one it is would be chance: they share the node. Faces that lie in one plane need not. Returns
 /// how many faces, the first ones, share it.
 std::size_t NodeFaceContacts::share_edge(Hits& hits) {
-  constexpr double alike = 1e-6, one_plane = 1.0 - 1e-7;
+  constexpr double alike = 1e-6, one_plane = 1.0 - 1e-13;
   const FacePoint& first = hits.hits[0].point;
   std::size_t n = 1;
   for (std::size_t i = 1; i < hits.n; ++i) {

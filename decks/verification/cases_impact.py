@@ -73,13 +73,12 @@ def sphere_and_plate(bench):
         for name, nodes, expected in (("plate", plate, 7.392e-3), ("sphere", ball, 7.3371e-2)):
             mean = np.average(moved[nodes], axis=0, weights=mass[nodes])
             checks += [Check(f"{form}: mean displacement of the {name} [m]", expected, mean[0], 0.1),
-                       at_most(f"{form}: the same aside", max(abs(mean[1]), abs(mean[2])) / expected, 1e-6,
-                               known_miss=0.01 if form == "node_face" else None)]
+                       at_most(f"{form}: the same aside", max(abs(mean[1]), abs(mean[2])) / expected, 1e-6)]
     bench.threads = 2
     again = bench.run("sphere_and_plate", ball_before_plate())
     change = np.max(np.abs(again.nodal("displacement") - runs[0].nodal("displacement")))
     checks.append(at_most("change with two threads in place of one", change, 0.0))
-    return checks + balances(runs, is_free=True, moment=1e-4)
+    return checks + balances(runs, is_free=True)
 
 
 def block_over_plate():
@@ -127,11 +126,9 @@ def rings(bench):
         head_on, offset = [bench.run("rings", two_rings(aside), form=form) for aside in (0, 5)]
         runs += [head_on, offset]
         deepest = np.max(head_on.nodal("coordinates")[:, head_on.nodes_of(1), 0])
-        checks += [at_most(f"{form}: asymmetry of the head-on hit", mirror_error(head_on), 1e-8,
-                           known_miss=0.05 if form == "node_face" else None),
-                   at_most(f"{form}: depth over an element", max(0.0, deepest), 0.1,
-                           known_miss=0.2 if form == "node_face" else None)]
-    return checks + balances(runs, is_free=True, moment=1e-4)
+        checks += [at_most(f"{form}: asymmetry of the head-on hit", mirror_error(head_on), 1e-8),
+                   at_most(f"{form}: depth over an element", max(0.0, deepest), 0.1)]
+    return checks + balances(runs, is_free=True)
 
 
 def crossing_depth(run):
@@ -150,7 +147,7 @@ def folding_strip(bench):
     checks = [at_most(f"{form}: depth over an element", max(0.0, crossing_depth(run)) / 0.15, 0.5)
               for form, run in zip(("face_face", "node_face"), runs)]
     checks.append(at_most("legs that do not cross without contact", float(crossing_depth(off) < 0.3), 0))
-    return checks + balances(runs, is_free=True, moment=1e-4)
+    return checks + balances(runs, is_free=True)
 
 
 def cubes_in_box():

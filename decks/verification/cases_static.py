@@ -44,7 +44,7 @@ def patch_test(bench):
                 bar = 0.001 if form == "face_face" else of_calculix[lower, upper]
                 missed = 0.3 if (form, lower, upper) == ("node_face", 2, 3) else None
                 checks.append(at_most(label, stress_error(runs[-1], -100), bar, known_miss=missed))
-    return checks + balances(runs, moment=1e-5)
+    return checks + balances(runs)
 
 
 @case()

@@ -1,8 +1,7 @@
 # The legs of a hairpin are thrown against each other (SI).
 #
 # Shows self contact: with it the legs meet and part again, no deeper than half an element, with forces and
-# momentum in balance; with -D self=off they pass through each other. NODE_FACE leaves a moment of 6e-6 by nodes that hang
-# over edges.
+# momentum in balance; with -D self=off they pass through each other.
 #
 # {ifndef(form)}
 # {form = "face_face"}

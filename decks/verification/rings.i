@@ -2,8 +2,7 @@
 #
 # Shows contact of curved bodies that bend, in contact with themselves too: momentum stays none, energy within 1 %, a head-on
 # hit stays its own mirror image within 1e-8 until the rings part (round-off grows later), and no node gets deeper than a
-# tenth of an element. NODE_FACE misses the symmetry, by 3 %: a node that meets another's edge head on takes one of its
-# faces, and is pushed aside. Its nodes that hang over edges leave a moment of 2e-5.
+# tenth of an element.
 #
 # {ifndef(form)}
 # {form = "face_face"}

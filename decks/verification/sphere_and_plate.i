@@ -3,9 +3,7 @@
 #
 # Shows contact under strains of 30 %, the same to the last bit on one thread and on two. Expected after 0.1 ms, within
 # 10 %: displacements along x of 7.392 mm (plate) and 73.371 mm (sphere) in the mean, what NimbleSM has stored; none aside.
-# Its meshes are finer and its penalty is stiffer, which is why the penalty is four times the automatic one here. With
-# NODE_FACE the sphere is pushed aside by 0.05 %: its first node meets the corner of four faces of the plate and takes one of
-# them; nodes beyond edges leave a moment of 2e-5.
+# Its meshes are finer and its penalty is stiffer, which is why the penalty is four times the automatic one here.
 #
 # {ifndef(form)}
 # {form = "face_face"}

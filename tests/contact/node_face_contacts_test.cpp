@@ -99,6 +99,36 @@ TEST_CASE("a node gets one force over a face, an edge and a corner, always the s
   }
 }
 
+TEST_CASE("the faces of a ridge share a node behind it, and none pushes it aside",
+          "[contact][node_face_contacts]") {
+  TipOnFloor parts;
+  parts.put({1.0, 1.0, 0.02});
+  // The middle of the top is lifted: a ridge with slopes of 0.1.
+  for (Eigen::Index i = 12; i < parts.x.cols(); ++i) {
+    if (parts.x(0, i) == 1.0 && parts.x(2, i) == 0.0) parts.x(2, i) = 0.1;
+  }
+  const auto records = parts.put({1.0, 0.7, 0.09});
+  REQUIRE(records.size() == 2);
+  const Vector3d force = records[0].force_on_first() + records[1].force_on_first();
+  CHECK(std::abs(force[0]) < 1e-12 * force[2]);
+  CHECK(records[0].force == Approx(records[1].force).epsilon(1e-12));
+  const double depth = 0.01 / std::sqrt(1.01);
+  CHECK(records[0].gap == Approx(-depth).epsilon(1e-9));
+  CHECK(force.norm() < stiffness * 1.1 * tip_area * depth);
+}
+
+TEST_CASE("a node that hangs over an edge leaves no moment", "[contact][node_face_contacts]") {
+  TipOnFloor parts("tangential tolerance = 0.2\n");
+  parts.put({-0.1, 0.7, 0.01});
+  const auto records = parts.put({-0.1, 0.7, -0.01}, true);
+  REQUIRE(records.size() == 1);
+  REQUIRE(records[0].touches());
+  Vector3d under = Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k)
+    under += records[0].second.weights[static_cast<int>(k)] * parts.surface.x(records[0].second.nodes[k]);
+  CHECK((under - Vector3d(-0.1, 0.7, 0.0)).norm() < 1e-12);
+}
+
 TEST_CASE("a node apart from a face gets no force, nor one beyond its edge",
           "[contact][node_face_contacts]") {
   TipOnFloor parts;
