@@ -7,6 +7,7 @@ import numpy as np
 from cases import balances, case
 from mesh_maker import MeshMaker
 from runs import Check
+from shapes import add_quarter_ball
 
 
 def graded(step, n_even, n, end=1.0):
@@ -147,3 +148,35 @@ def hertz_cylinders(bench):
             Check("on a plane: force over length [N/mm]", 68.9, 2 * late(plane, plane["force"]) / 0.1, 0.03),
             Check("on a plane: largest pressure [MPa]", 54.9, pole_pressure(plane, 0), 0.05),
             *balances([nafems]), *balances([plane], has_plane=True)]
+
+
+def two_quarter_balls(radius):
+    mesh = MeshMaker()
+    add_quarter_ball(mesh, "lower", -radius, radius, True)
+    add_quarter_ball(mesh, "upper", radius, radius, False)
+    points = np.array(mesh.points)
+    for name, axis in (("on_x", 0), ("on_y", 1)):
+        mesh.node_sets.append((name, [i + 1 for i, p in enumerate(points) if abs(p[axis]) < 1e-9 * radius]))
+    return mesh
+
+
+@case(is_long=True)
+def glass_spheres(bench):
+    checks, runs = [], []
+    for form in ("face_face", "node_face"):
+        run = bench.run("glass_spheres", two_quarter_balls(0.01), form=form)
+        runs.append(run)
+        force, times = 4 * run["force"], run["Time"]
+        lower, upper = run.nodes_of(1), run.nodes_of(2)
+        mass, moved = run.nodal("mass")[0], run.nodal("displacement")[:, :, 2]
+        centre = [np.average(moved[:, nodes], axis=1, weights=mass[nodes]) for nodes in (lower, upper)]
+        back = np.average(run.nodal("velocity")[-1, upper, 2], weights=mass[upper])
+        peak = np.argmax(np.sum(run.nodal("force_contact")[:, upper, 2], axis=1))
+        pushes = np.linalg.norm(run.nodal("force_contact")[peak, upper], axis=1)
+        pushed = upper[(pushes > 1e-3 * np.max(pushes)) & (run.start[upper, 1] < 1e-9)]
+        checks += [Check(f"{form}: largest force [N]", 10697, np.max(force), 0.08),
+                   Check(f"{form}: largest approach [m]", 0.27411e-3, np.max(centre[0] - centre[1]), 0.08),
+                   Check(f"{form}: duration [s]", 40.339e-6, times[force > 0][-1] - times[force > 0][0], 0.08),
+                   Check(f"{form}: radius of contact [m]", 1.1707e-3, np.max(run.start[pushed, 0]), 0.3e-3, 1.0),
+                   Check(f"{form}: speed of the rebound [m/s]", 10, back, 0.03)]
+    return checks + balances(runs)

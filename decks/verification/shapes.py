@@ -62,3 +62,28 @@ def hairpin(n_leg, n_bend, thickness):
     mesh.node_set("lower", lambda s, t, z: s < 4)
     mesh.node_set("upper", lambda s, t, z: s > 4 + math.pi)
     return mesh
+
+
+def near_zero(t, slope):
+    """Maps [0, 1] to itself, steps near 0 smaller by a factor."""
+    return t * (slope + (1 - slope) * t * t)
+
+
+def add_quarter_ball(mesh, name, level, radius, pole_up, n=16):
+    """The quarter x, y > 0 of a ball around (0, 0, level), with small elements at its upper or lower pole."""
+    mesh.new_body()
+    ball = on_ball(np.array((0.0, 0.0, level)), radius)
+
+    def place(u, v, w):
+        u, v = (near_zero(t, 0.4) if t < 1 else t for t in (u, v))
+        if (w > 0) == pole_up and abs(w) > 1:
+            w = math.copysign(2 - near_zero(2 - abs(w), 0.4), w)
+        return ball(u, v, w)
+    mesh.place = place
+    few = n // 4
+    upper, lower = (3 * few, few) if pole_up else (few, 3 * few)
+    mesh.hexes(name, (0, 0, -1), (1, 1, 2), (n, n, 2 * few))
+    mesh.hexes(name, (1, 0, -1), (1, 1, 2), (few, n, 2 * few))
+    mesh.hexes(name, (0, 1, -1), (1, 1, 2), (n, few, 2 * few))
+    mesh.hexes(name, (0, 0, 1), (1, 1, 1), (n, n, upper))
+    mesh.hexes(name, (0, 0, -2), (1, 1, 1), (n, n, lower))
