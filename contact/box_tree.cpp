@@ -1,33 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/box_tree.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <limits>
 
 namespace contactsim {
-
-namespace {
-
-/// +1 where adding one to the bits leads away from zero upward, -1 below zero.
-std::int32_t upward(std::int32_t bits) { return (bits >> 31) | 1; }
-
-/// The greatest float that is not above x. Rounding keeps the sign of a zero, so one step on the bits is
-/// enough.
-float round_down(double x) {
-  const float nearest = static_cast<float>(x);
-  const auto bits = std::bit_cast<std::int32_t>(nearest);
-  return std::bit_cast<float>(bits - (nearest > x) * upward(bits));
-}
-
-/// The least float that is not below x.
-float round_up(double x) {
-  const float nearest = static_cast<float>(x);
-  const auto bits = std::bit_cast<std::int32_t>(nearest);
-  return std::bit_cast<float>(bits + (nearest < x) * upward(bits));
-}
-
-}  // namespace
 
 bool is_sound(const Box& box) {
   constexpr double most = std::numeric_limits<double>::max();
@@ -35,20 +11,6 @@ bool is_sound(const Box& box) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     sound &= -most <= box.lo[axis] && box.lo[axis] <= box.hi[axis] && box.hi[axis] <= most;
   return sound;
-}
-
-void fit_leaf(BoxNode& leaf, const Box& box) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    leaf.lo[axis] = round_down(box.lo[axis]);
-    leaf.hi[axis] = round_up(box.hi[axis]);
-  }
-}
-
-void fit_parent(BoxNode& parent, const BoxNode* children) {
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    parent.lo[axis] = std::min(children[0].lo[axis], children[1].lo[axis]);
-    parent.hi[axis] = std::max(children[0].hi[axis], children[1].hi[axis]);
-  }
 }
 
 void divide(BoxTree& tree) {

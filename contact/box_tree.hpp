@@ -85,9 +85,4 @@ struct BoxTree {
 /// Fills in branches and crown of a tree whose nodes are linked.
 void divide(BoxTree& tree);
 
-/// Fits a leaf to its box, rounded outward.
-void fit_leaf(BoxNode& leaf, const Box& box);
-/// Fits a node to its two children.
-void fit_parent(BoxNode& parent, const BoxNode* children);
-
 }  // namespace contactsim

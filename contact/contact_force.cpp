@@ -176,6 +176,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
   const auto nodes = sums_.nodes();
+#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.size()))
   for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
   note_histories(motion);
   ForceReport report;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -10,6 +11,40 @@
 #include "core/threads.hpp"
 
 namespace contactsim {
+
+/// +1 where adding one to the bits leads away from zero upward, -1 below zero.
+inline std::int32_t upward(std::int32_t bits) { return (bits >> 31) | 1; }
+
+/// The greatest float that is not above x. Rounding keeps the sign of a zero, so one step on the bits is
+/// enough.
+inline float round_down(double x) {
+  const float nearest = static_cast<float>(x);
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  return std::bit_cast<float>(bits - (nearest > x) * upward(bits));
+}
+
+/// The least float that is not below x.
+inline float round_up(double x) {
+  const float nearest = static_cast<float>(x);
+  const auto bits = std::bit_cast<std::int32_t>(nearest);
+  return std::bit_cast<float>(bits + (nearest < x) * upward(bits));
+}
+
+/// Fits a leaf to its box, rounded outward.
+inline void fit_leaf(BoxNode& leaf, const Box& box) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    leaf.lo[axis] = round_down(box.lo[axis]);
+    leaf.hi[axis] = round_up(box.hi[axis]);
+  }
+}
+
+/// Fits a node to its two children.
+inline void fit_parent(BoxNode& parent, const BoxNode* children) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    parent.lo[axis] = std::min(children[0].lo[axis], children[1].lo[axis]);
+    parent.hi[axis] = std::max(children[0].hi[axis], children[1].hi[axis]);
+  }
+}
 
 /// Fits a tree to boxes that have moved; who is whose child stays. Boxes are asked for one by one and not
 /// kept: at the size of a large surface that saves their memory and one way through it.
