@@ -24,6 +24,11 @@ class TimedForce final : public ForceTerm {
     seconds_ += clock_seconds() - start;
     return report;
   }
+  void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override {
+    const double start = clock_seconds();
+    term_.set_moments(motion, moments);
+    seconds_ += clock_seconds() - start;
+  }
   double seconds() const { return seconds_; }
 
  private:

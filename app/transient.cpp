@@ -212,7 +212,8 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks,
                              input.mesh,       warnings,     &stored};
   model.kinematics = make_kinematics(scope);
-  ExternalForce external = make_external_force(scope, model.mass);
+  model.rotation_kinematics = make_rotation_kinematics(scope, model.inertia);
+  ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
   InitialState initial = make_initial_state(scope, model.blocks);
   stop_on_errors(warnings);

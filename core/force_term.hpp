@@ -17,6 +17,8 @@ struct Motion {
   const Eigen::Matrix3Xd& velocity;     ///< [3 x n_nodes] at its middle [length/time]
   /// The largest step that the terms asked before allow; infinite for the first [time]
   double stable_step = std::numeric_limits<double>::infinity();
+  /// [3 x n_nodes] at the middle of the step, as velocity; null when no node turns [1/time]
+  const Eigen::Matrix3Xd* angular_velocity = nullptr;
 };
 
 /// What a force term says of a step besides its forces.
@@ -38,6 +40,11 @@ class ForceTerm {
   /// terms with a memory. Throws SolveError when the motion cannot go on.
   ///   forces  [3 x n_nodes] [force]; whatever it held is gone
   virtual ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) = 0;
+
+  /// Sets the moments that go with the forces of the last call of set_forces; none by default. Called only
+  /// when nodes turn.
+  ///   moments  [3 x n_nodes] [force length]; whatever it held is gone
+  virtual void set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) { moments.setZero(); }
 };
 
 }  // namespace contactsim

@@ -14,6 +14,15 @@ namespace contactsim {
 
 namespace {
 
+/// Has every term set the moments that go with its forces.
+void set_moments(ForceTerms terms, const Motion& motion, NodalForces& moments) {
+  terms.internal.set_moments(motion, moments.internal);
+  terms.external.set_moments(motion, moments.external);
+  if (terms.contact == nullptr) return;
+  moments.contact.resizeLike(moments.internal);
+  terms.contact->set_moments(motion, moments.contact);
+}
+
 /// Has every term set its forces for the motion.
 StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
   Energies& energies = state.energies;
@@ -31,31 +40,50 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
     energies.friction += contact.friction_work;
     energies.contact_damping += contact.contact_damping_work;
   }
+  if (state.rotations.exist()) set_moments(terms, motion, state.rotations.moments);
   return step;
 }
 
-void accelerate(const Model& model, State& state) {
-  const auto n = static_cast<std::int64_t>(state.acceleration.size());
-  double* a = state.acceleration.data();
-  const double *mass = model.mass.data(), *internal = state.forces.internal.data(),
-               *external = state.forces.external.data();
-  const double* contact = state.forces.contact.size() > 0 ? state.forces.contact.data() : nullptr;
-#pragma omp parallel for simd schedule(static) num_threads(threads_for(state.acceleration.size() / 3))
+void accelerate(const Eigen::Matrix3Xd& masses, const NodalForces& forces, Eigen::Matrix3Xd& acceleration) {
+  const auto n = static_cast<std::int64_t>(acceleration.size());
+  double* a = acceleration.data();
+  const double *mass = masses.data(), *internal = forces.internal.data(), *external = forces.external.data();
+  const double* contact = forces.contact.size() > 0 ? forces.contact.data() : nullptr;
+#pragma omp parallel for simd schedule(static) num_threads(threads_for(acceleration.size() / 3))
   for (std::int64_t i = 0; i < n; ++i)
     a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
 }
 
-/// Brings the velocities to the middle of the step and the coordinates to its end.
-void move(State& state) {
-  const auto n = static_cast<std::int64_t>(state.velocity.size());
-  double *v = state.velocity.data(), *x = state.coordinates.data();
-  const double* a = state.acceleration.data();
-  const double dt = state.dt, half = 0.5 * dt;
-#pragma omp parallel for simd schedule(static) num_threads(threads_for(state.velocity.size() / 3))
+/// Brings velocities to the middle of the step and what they change to its end.
+void move(double dt, const Eigen::Matrix3Xd& acceleration, Eigen::Matrix3Xd& velocity,
+          Eigen::Matrix3Xd& changed) {
+  const auto n = static_cast<std::int64_t>(velocity.size());
+  double *v = velocity.data(), *x = changed.data();
+  const double* a = acceleration.data();
+  const double half = 0.5 * dt;
+#pragma omp parallel for simd schedule(static) num_threads(threads_for(velocity.size() / 3))
   for (std::int64_t i = 0; i < n; ++i) {
     v[i] += half * a[i];
     x[i] += dt * v[i];
   }
+}
+
+void move(State& state) {
+  move(state.dt, state.acceleration, state.velocity, state.coordinates);
+  NodalRotations& rotations = state.rotations;
+  if (rotations.exist()) move(state.dt, rotations.acceleration, rotations.velocity, rotations.angle);
+}
+
+Motion motion_of(const State& state, double dt) {
+  Motion motion{state.time, dt, state.coordinates, state.velocity};
+  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
+  return motion;
+}
+
+/// A moment between steps as the conditions of rotations see it.
+BetweenSteps between_turns(const State& state, double dt_before, double dt_after) {
+  const NodalRotations& rotations = state.rotations;
+  return {state.time, dt_before, dt_after, state.coordinates, rotations.velocity, &rotations.angle};
 }
 
 /// Names the first node whose motion is not finite.
@@ -65,6 +93,13 @@ void move(State& state) {
     const bool is_massless = model.mass(0, node) <= least_mass && !acceleration.isZero(0.0);
     if (acceleration.allFinite() && state.velocity.col(node).allFinite() && !is_massless) continue;
     const char* cause = is_massless ? "has no mass but is pushed" : "moves without bound";
+    throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
+  }
+  for (std::uint32_t node = 0; node < state.rotations.velocity.cols(); ++node) {
+    const auto acceleration = state.rotations.acceleration.col(node);
+    const bool is_massless = model.inertia(0, node) <= least_mass && !acceleration.isZero(0.0);
+    if (acceleration.allFinite() && state.rotations.velocity.col(node).allFinite() && !is_massless) continue;
+    const char* cause = is_massless ? "has no rotations but is turned by a moment" : "turns without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
   throw SolveError(state.time, "the energy is not finite");
@@ -102,9 +137,15 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
   state.next_dt = control.step_after(state.time, state.dt, report.stable_step);
   if (state.step == 0) state.first_dt = state.next_dt;
   check_step(model, state, report);
-  accelerate(model, state);
+  accelerate(model.mass, state.forces, state.acceleration);
   model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
                              state.acceleration);
+  NodalRotations& rotations = state.rotations;
+  if (rotations.exist()) {
+    accelerate(model.inertia, rotations.moments, rotations.acceleration);
+    model.rotation_kinematics.constrain(between_turns(state, state.dt, state.next_dt),
+                                        rotations.acceleration);
+  }
   const NodeWork work = complete_velocities(model, state);
   if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);
   add_work(work, state);
@@ -113,11 +154,13 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
 }  // namespace
 
 StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
-  const Motion motion{state.time, 0.0, state.coordinates, state.velocity};
+  const Motion motion = motion_of(state, 0.0);
   StepReport report = set_forces(forces, motion, state);
   const double dt = control.step_after(state.time, 0.0, report.stable_step);
   model.kinematics.constrain_velocity({state.time, 0.0, dt, state.coordinates, state.velocity},
                                       state.velocity);
+  if (state.rotations.exist())
+    model.rotation_kinematics.constrain_velocity(between_turns(state, 0.0, dt), state.rotations.velocity);
   report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
   complete(model, control, report, state);
   return report;
@@ -128,7 +171,7 @@ StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl&
   state.time += state.dt;
   ++state.step;
   move(state);
-  const Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+  const Motion motion = motion_of(state, state.dt);
   const StepReport report = set_forces(forces, motion, state);
   complete(model, control, report, state);
   return report;

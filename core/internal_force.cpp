@@ -70,4 +70,12 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
   return report;
 }
 
+void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
+  moments.setZero();
+  for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
+    const SolidBlock& block = model_.blocks[index];
+    if (block.element->has_rotations) block.sums.add(state_.blocks[index].moments, moments);
+  }
+}
+
 }  // namespace contactsim

@@ -16,6 +16,7 @@ class InternalForce final : public ForceTerm {
 
   /// Throws SolveError naming the element when one has no positive volume.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
  private:
   void advance_chunks(std::size_t index, const Motion& motion);

@@ -3,9 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/names.hpp"
+#include "core/shell_section.hpp"
 
 namespace contactsim {
 
@@ -26,17 +29,83 @@ class BlockMaker {
                 fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text), "");
       return;
     }
-    const SolidSection* section = find_solid_section(index, *parameters);
-    const SolidElement* element =
-        section ? find_formulation(topology(mesh_.blocks()[index].shape), *section, *parameters) : nullptr;
-    const auto properties = make_properties(*parameters, section);
-    if (element == nullptr || !properties) return;
-    blocks.push_back(make_solid_block(mesh_, index, *element, *properties));
-    check_volumes(blocks.back(), *parameters);
-    blocks.back().material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
+    const bool is_shell = topology(mesh_.blocks()[index].shape).family == Family::shell;
+    auto block = is_shell ? make_shells(index, *parameters) : make_solids(index, *parameters);
+    if (!block) return;
+    check_volumes(*block, *parameters);
+    block->material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
+    blocks.push_back(std::move(*block));
   }
 
  private:
+  std::optional<SolidBlock> make_solids(std::uint32_t index, const BlockParameters& parameters) {
+    const SolidSection* section = find_solid_section(index, parameters);
+    const SolidElement* element =
+        section ? find_formulation(topology(mesh_.blocks()[index].shape), *section, parameters) : nullptr;
+    const auto properties = make_properties(parameters, section);
+    if (element == nullptr || !properties) return std::nullopt;
+    return make_solid_block(mesh_, index, *element, *properties);
+  }
+
+  std::optional<SolidBlock> make_shells(std::uint32_t index, const BlockParameters& parameters) {
+    const ShellSection* section = find_shell_section(index, parameters);
+    const auto properties = make_properties(parameters, nullptr);
+    if (section == nullptr || !properties) return std::nullopt;
+    const SolidElement* element = find_formulation(index, *section, parameters);
+    if (!can_be_plane(properties->law)) {
+      add_error(
+          parameters.location,
+          fmt::format("{}: shells of the model {} are not supported", block_name_, parameters.model->text),
+          "");
+      return std::nullopt;
+    }
+    const DeckLocation& location = section_location_.is_known() ? section_location_ : parameters.location;
+    const auto settings = make_shell_settings(*section, parameters, location, diagnostics_);
+    const auto thicknesses = find_thicknesses(*section, mesh_, index, location, diagnostics_);
+    if (element == nullptr || !settings || !thicknesses) return std::nullopt;
+    return make_shell_block(mesh_, index, *element, *properties, *settings, *thicknesses);
+  }
+
+  /// A block without a section has the default one, with the thickness of the mesh.
+  const ShellSection* find_shell_section(std::uint32_t index, const BlockParameters& parameters) {
+    const SectionDefinition* section = find_section(definition_, parameters);
+    section_location_ = section != nullptr ? section->name.location : DeckLocation{};
+    if (section == nullptr) return &default_shell_section_;
+    const auto* shell = std::get_if<ShellSection>(&section->properties);
+    if (shell == nullptr) {
+      add_error(section->name.location,
+                fmt::format("{} has elements of type {}, but its section '{}' is not a SHELL SECTION",
+                            block_name_, topology(mesh_.blocks()[index].shape).name, section->name.text),
+                "");
+    }
+    if (section->rigid_body)
+      add_error(section->rigid_body->location, "rigid bodies are not supported yet", "");
+    return shell;
+  }
+
+  const SolidElement* find_formulation(std::uint32_t index, const ShellSection& section,
+                                       const BlockParameters& parameters) {
+    const Topology& shape = topology(mesh_.blocks()[index].shape);
+    const std::string wanted = fold(section.formulation.text);
+    const bool is_alike = wanted == "bl_shell" || wanted == "kh_shell";
+    if (is_alike) {
+      diagnostics_.add_warning(
+          "shell-formulation", section.formulation.location,
+          fmt::format("{}: BT_SHELL stands in for {}", block_name_, section.formulation.text),
+          "both have one point of integration in the surface");
+    }
+    const SolidElement* element = find_shell_element(shape.shape, is_alike ? "bt_shell" : wanted);
+    if (element != nullptr) return element;
+    const std::string known = list_formulations(shape.shape);
+    add_error(section.formulation.location.is_known() ? section.formulation.location : parameters.location,
+              known.empty() ? fmt::format("{} has elements of type {}, which are not supported", block_name_,
+                                          shape.name)
+                            : fmt::format("{}: there is no {} with the formulation {}", block_name_,
+                                          shape.name, section.formulation.text),
+              known.empty() ? "shells of three and four nodes are" : fmt::format("it has {}", known));
+    return nullptr;
+  }
+
   void add_error(const DeckLocation& location, std::string text, std::string hint) {
     diagnostics_.add_error(location, std::move(text), std::move(hint));
   }
@@ -47,10 +116,10 @@ class BlockMaker {
     const SolidSection* solid = &default_section_;
     if (section != nullptr) solid = std::get_if<SolidSection>(&section->properties);
     if (shape.family != Family::solid) {
-      add_error(
-          parameters.location,
-          fmt::format("{} has elements of type {}: only solids can move so far", block_name_, shape.name),
-          "--check resolves the surfaces of all of them");
+      add_error(parameters.location,
+                fmt::format("{} has elements of type {}: only solids and shells can move so far", block_name_,
+                            shape.name),
+                "--check resolves the surfaces of all of them");
       return nullptr;
     }
     if (solid == nullptr) {
@@ -150,17 +219,21 @@ class BlockMaker {
   const Mesh& mesh_;
   Diagnostics& diagnostics_;
   SolidSection default_section_;
+  ShellSection default_shell_section_;
+  DeckLocation section_location_;  ///< of the block at hand; not known when it has none
   std::string block_name_;
 };
 
-/// An element gives each of its nodes an equal share of its mass.
-void add_mass(const SolidBlock& block, const Mesh& mesh, Eigen::Matrix3Xd& mass) {
+/// An element gives each of its nodes an equal share of what it has.
+///   of_elements  [n_batches]
+void add_shares(const SolidBlock& block, const Mesh& mesh, std::span<const Lanes> of_elements,
+                Eigen::Matrix3Xd& sums) {
   const ElementBlock& source = mesh.blocks()[block.mesh_block];
   for (std::uint32_t element = 0; element < source.n_elements; ++element) {
-    const double of_element = block.mass[element / n_lanes](element % n_lanes);
+    const double of_element = of_elements[element / n_lanes](element % n_lanes);
     const auto nodes = source.element_nodes(element);
     for (const NodeIndex node : nodes)
-      mass.col(node.value).array() += of_element / static_cast<double>(nodes.size());
+      sums.col(node.value).array() += of_element / static_cast<double>(nodes.size());
   }
 }
 
@@ -168,8 +241,18 @@ void add_mass(const SolidBlock& block, const Mesh& mesh, Eigen::Matrix3Xd& mass)
 
 Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const SolidBlock> blocks) {
   Eigen::Matrix3Xd mass = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
-  for (const SolidBlock& block : blocks) add_mass(block, mesh, mass);
+  for (const SolidBlock& block : blocks) add_shares(block, mesh, block.mass, mass);
   return mass.cwiseMax(least_mass);
+}
+
+Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const SolidBlock> blocks) {
+  const auto turns = [](const SolidBlock& block) { return block.element->has_rotations; };
+  if (std::none_of(blocks.begin(), blocks.end(), turns)) return Eigen::Matrix3Xd(3, 0);
+  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  for (const SolidBlock& block : blocks) {
+    if (turns(block)) add_shares(block, mesh, block.inertia, inertia);
+  }
+  return inertia.cwiseMax(least_mass);
 }
 
 Model make_model(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
@@ -188,6 +271,7 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
     if (mesh.blocks()[i].n_elements > 0) maker.add_block(i, names[i], model.blocks);
   }
   model.mass = lumped_mass(mesh, model.blocks);
+  model.inertia = lumped_inertia(mesh, model.blocks);
   return model;
 }
 

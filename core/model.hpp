@@ -8,13 +8,11 @@
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/elements/solid_block.hpp"
+#include "core/least_mass.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/state.hpp"
 
 namespace contactsim {
-
-/// Mass of nodes that no element gives any: next to none, but so that a force on them is noticed.
-inline constexpr double least_mass = 1e-300;
 
 /// What a region makes of a mesh: elements with their materials, masses, held and driven nodes. Const after
 /// set-up; the mesh must outlive it.
@@ -22,11 +20,17 @@ struct Model {
   const Mesh* mesh = nullptr;
   std::vector<SolidBlock> blocks;  ///< in the order of the mesh, blocks of no elements left out
   Eigen::Matrix3Xd mass;  ///< [3 x n_nodes] lumped, the same in every row; least_mass without elements [mass]
+  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0);  ///< [3 x n_nodes] lumped, about any axis, as mass;
+                                                      ///< 3 x 0 when no node turns [mass length^2]
   Kinematics kinematics;
+  Kinematics rotation_kinematics;  ///< of the nodes' rotations
 };
 
 /// The masses of the nodes, as Model::mass.
 Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const SolidBlock> blocks);
+
+/// The rotational inertias of the nodes, as Model::inertia.
+Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const SolidBlock> blocks);
 
 /// Builds the model of a region. Errors: blocks without material, with one that is not supported or with a
 /// density that is missing; element shapes and section formulations that are not supported; wrong conditions.

@@ -44,10 +44,18 @@ void add(const HalfStepWork& part, HalfStepWork& sum) {
   sum.contact += part.contact;
 }
 
+/// What nodes do as they move, or as they turn: then inertias, moments and angular velocities.
+struct NodeMotion {
+  const Eigen::Matrix3Xd& mass;
+  const NodalForces& forces;
+  const Eigen::Matrix3Xd& acceleration;
+  Eigen::Matrix3Xd& velocity;
+};
+
 /// Walks the nodes in groups; the last one is filled up with zeros.
 class Completion {
  public:
-  Completion(const Model& model, State& state) : model_(model), state_(state), size_(state.velocity.size()) {
+  Completion(const NodeMotion& nodes, const State& state) : nodes_(nodes), size_(nodes.velocity.size()) {
     half_before_ = 0.5 * state.dt;
     half_after_ = 0.5 * state.next_dt;
     // Before the first step the leapfrog stands mirrored, as if it had come with the step that follows.
@@ -76,58 +84,56 @@ class Completion {
   }
 
   void complete_group(Eigen::Index i, GroupSums& sums) {
-    const Group a = load(state_.acceleration, i), mass = load(model_.mass, i);
-    const Group before = load(state_.velocity, i);
+    const Group a = load(nodes_.acceleration, i), mass = load(nodes_.mass, i);
+    const Group before = load(nodes_.velocity, i);
     const Group now = before + half_before_ * a, after = now + half_after_ * a;
     const Eigen::Index n = std::min(group_size, size_ - i);
-    Eigen::Map<Eigen::ArrayXd>(state_.velocity.data() + i, n) = now.head(n);
+    Eigen::Map<Eigen::ArrayXd>(nodes_.velocity.data() + i, n) = now.head(n);
     // In this order infinite where something pushes a node of next to no mass.
     sums.kinetic += now * now * mass;
     sums.conserved += after * (after - product_span_ * a) * mass;
     sums.momentum += mass * now;
-    const Group internal = load(state_.forces.internal, i), external = load(state_.forces.external, i);
+    const Group internal = load(nodes_.forces.internal, i), external = load(nodes_.forces.external, i);
     sums.internal_ended += internal * before;
     sums.internal_begun += internal * after;
     sums.external_ended += external * before;
     sums.external_begun += external * after;
-    if (state_.forces.contact.size() == 0) return;
-    const Group contact = load(state_.forces.contact, i);
+    if (nodes_.forces.contact.size() == 0) return;
+    const Group contact = load(nodes_.forces.contact, i);
     sums.contact_ended += contact * before;
     sums.contact_begun += contact * after;
   }
 
-  const Model& model_;
-  State& state_;
+  NodeMotion nodes_;
   Eigen::Index size_;
   double half_before_, half_after_, product_span_;
 };
 
-/// Work of the reactions, with the velocities already those of now.
-void add_reactions(const Model& model, const State& state, NodeWork& work) {
-  const double half_before = 0.5 * state.dt, half_after = 0.5 * state.next_dt;
-  for (const NodeIndex node : model.kinematics.nodes()) {
-    const Eigen::Vector3d a = state.acceleration.col(node.value), v = state.velocity.col(node.value);
-    const Eigen::Vector3d reaction = reaction_at(model, state, node);
-    work.ended.external += half_before * reaction.dot(v - half_before * a);
-    work.begun.external += half_after * reaction.dot(v + half_after * a);
-  }
-}
-
-}  // namespace
-
-Eigen::Vector3d reaction_at(const Model& model, const State& state, NodeIndex node) {
+Eigen::Vector3d reaction_at(const NodeMotion& nodes, NodeIndex node) {
   const Eigen::Index i = node.value;
-  const NodalForces& forces = state.forces;
-  Eigen::Vector3d reaction = model.mass(0, i) * state.acceleration.col(i) - forces.internal.col(i);
+  const NodalForces& forces = nodes.forces;
+  Eigen::Vector3d reaction = nodes.mass(0, i) * nodes.acceleration.col(i) - forces.internal.col(i);
   reaction -= forces.external.col(i);
   if (forces.contact.size() > 0) reaction -= forces.contact.col(i);
   return reaction;
 }
 
-NodeWork complete_velocities(const Model& model, State& state) {
-  Completion completion(model, state);
+/// Work of the reactions, with the velocities already those of now.
+void add_reactions(const NodeMotion& nodes, std::span<const NodeIndex> held, const State& state,
+                   NodeWork& work) {
+  const double half_before = 0.5 * state.dt, half_after = 0.5 * state.next_dt;
+  for (const NodeIndex node : held) {
+    const Eigen::Vector3d a = nodes.acceleration.col(node.value), v = nodes.velocity.col(node.value);
+    const Eigen::Vector3d reaction = reaction_at(nodes, node);
+    work.ended.external += half_before * reaction.dot(v - half_before * a);
+    work.begun.external += half_after * reaction.dot(v + half_after * a);
+  }
+}
+
+NodeWork complete_nodes(const NodeMotion& nodes, const State& state) {
+  Completion completion(nodes, state);
   std::vector<NodeWork> parts(static_cast<std::size_t>(completion.n_chunks()));
-#pragma omp parallel for schedule(static) num_threads(threads_for(model.mesh->n_nodes()))
+#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.velocity.size() / 3))
   for (std::int64_t i = 0; i < completion.n_chunks(); ++i)
     parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i);
   NodeWork work;
@@ -139,7 +145,37 @@ NodeWork complete_velocities(const Model& model, State& state) {
     add(part.ended, work.ended);
     add(part.begun, work.begun);
   }
-  add_reactions(model, state, work);
+  return work;
+}
+
+NodeMotion turning_nodes(const Model& model, NodalRotations& rotations) {
+  return {model.inertia, rotations.moments, rotations.acceleration, rotations.velocity};
+}
+
+}  // namespace
+
+Eigen::Vector3d reaction_at(const Model& model, const State& state, NodeIndex node) {
+  Eigen::Matrix3Xd unused;
+  return reaction_at({model.mass, state.forces, state.acceleration, unused}, node);
+}
+
+Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeIndex node) {
+  Eigen::Matrix3Xd unused;
+  return reaction_at({model.inertia, state.rotations.moments, state.rotations.acceleration, unused}, node);
+}
+
+NodeWork complete_velocities(const Model& model, State& state) {
+  const NodeMotion moving{model.mass, state.forces, state.acceleration, state.velocity};
+  NodeWork work = complete_nodes(moving, state);
+  add_reactions(moving, model.kinematics.nodes(), state, work);
+  if (!state.rotations.exist()) return work;
+  const NodeMotion turning = turning_nodes(model, state.rotations);
+  NodeWork of_turning = complete_nodes(turning, state);
+  add_reactions(turning, model.rotation_kinematics.nodes(), state, of_turning);
+  work.kinetic += of_turning.kinetic;
+  work.conserved += of_turning.conserved;
+  add(of_turning.ended, work.ended);
+  add(of_turning.begun, work.begun);
   return work;
 }
 

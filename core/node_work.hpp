@@ -20,6 +20,10 @@ struct NodeWork {
 /// mass x acceleration has beyond the forces is the reaction, whose work counts as external.
 NodeWork complete_velocities(const Model& model, State& state);
 
+/// The moment by which conditions hold or turn a node: inertia x angular acceleration less all other moments.
+/// Precondition: the state has rotations [force length].
+Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeIndex node);
+
 /// The force by which conditions hold or drive a node: mass x acceleration less all other forces [force].
 Eigen::Vector3d reaction_at(const Model& model, const State& state, NodeIndex node);
 

@@ -17,6 +17,16 @@ struct NodalForces {
   Eigen::Matrix3Xd contact;  ///< 3 x 0 without contact
 };
 
+/// How the nodes turn. The arrays have no columns when no element has nodes that turn.
+struct NodalRotations {
+  Eigen::Matrix3Xd angle;         ///< [3 x n_nodes] angular velocity summed over time [1]
+  Eigen::Matrix3Xd velocity;      ///< [3 x n_nodes] [1/time]
+  Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [1/time^2]
+  NodalForces moments;            ///< on the nodes [force length]
+
+  bool exist() const { return velocity.cols() > 0; }
+};
+
 /// Energies since the start.
 struct Energies {
   double kinetic = 0.0;          ///< now [energy]
@@ -51,6 +61,7 @@ struct State {
   Eigen::Matrix3Xd velocity;      ///< [3 x n_nodes] [length/time]
   Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [length/time^2]
   NodalForces forces;
+  NodalRotations rotations;
   Energies energies;
   HalfStepWork begun;  ///< of the half step that begins here: the forces of now along the velocity to come
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [mass length/time]

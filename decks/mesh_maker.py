@@ -43,6 +43,17 @@ class MeshMaker:
                 for j in range(cells[1]) for i in range(cells[0])]
         return self._add(name, "SHELL4", rows, thickness)
 
+    def triangles(self, name, origin, size, cells, thickness):
+        """A horizontal sheet of cells of two SHELL3 each, with a thickness attribute; their diagonals alternate."""
+        x = np.linspace(origin[0], origin[0] + size[0], cells[0] + 1)
+        y = np.linspace(origin[1], origin[1] + size[1], cells[1] + 1)
+        rows = []
+        for j in range(cells[1]):
+            for i in range(cells[0]):
+                a, b, c, d = [self.node(x[i + p], y[j + q], origin[2]) for p, q in [(0, 0), (1, 0), (1, 1), (0, 1)]]
+                rows += [[a, b, c], [a, c, d]] if (i + j) % 2 == 0 else [[a, b, d], [b, c, d]]
+        return self._add(name, "SHELL3", rows, thickness)
+
     def shell_of_cube(self, name, across, layers):
         """HEX8 cells between the surface of the cube |x|, |y|, |z| <= 1 and that of twice its size."""
         grid = np.linspace(-1, 1, across + 1)

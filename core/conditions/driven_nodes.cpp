@@ -131,13 +131,13 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
     for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       for (Eigen::Index c = 0; c < 3; ++c) {
         if (!components->is_set[static_cast<std::size_t>(c)]) continue;
-        const Along along{now.coordinates(c, i) - model(c, i), now.velocity(c, i)};
+        const Along along{now.displacement(model, c, i), now.velocity(c, i)};
         acceleration(c, i) = wanted_acceleration(drive, wanted, along, now);
       }
     });
   } else if (const auto* unit = std::get_if<Eigen::Vector3d>(&direction)) {
     for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
-      const Along along{unit->dot(now.coordinates.col(i) - model.col(i)), unit->dot(now.velocity.col(i))};
+      const Along along{unit->dot(now.displacement(model, i)), unit->dot(now.velocity.col(i))};
       const double change = wanted_acceleration(drive, wanted, along, now) - unit->dot(acceleration.col(i));
       acceleration.col(i) += change * *unit;
     });
@@ -161,7 +161,7 @@ void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen:
   if (axis == nullptr) {
     const std::vector<Eigen::Vector3d> units = unit_vectors(direction);
     for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
-      const Eigen::Vector3d displacement = now.coordinates.col(i) - mesh.coordinates().col(i);
+      const Eigen::Vector3d displacement = now.displacement(mesh.coordinates(), i);
       for (const Eigen::Vector3d& unit : units) {
         const double along = wanted_velocity(drive, wanted, unit.dot(displacement), now.dt_after);
         velocity.col(i) += (along - unit.dot(velocity.col(i))) * unit;

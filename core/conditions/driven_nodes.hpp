@@ -20,6 +20,19 @@ struct BetweenSteps {
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
   /// [3 x n_nodes] at the middle of the step before; at the start, now [length/time].
   const Eigen::Matrix3Xd& velocity;
+  /// [3 x n_nodes] when rotations are driven: how far nodes have turned; the velocity is then angular [1]
+  const Eigen::Matrix3Xd* angle = nullptr;
+
+  /// From the mesh to now [length], or how far the node has turned [1].
+  double displacement(const Eigen::Matrix3Xd& model_coordinates, Eigen::Index component,
+                      Eigen::Index node) const {
+    if (angle != nullptr) return (*angle)(component, node);
+    return coordinates(component, node) - model_coordinates(component, node);
+  }
+  Eigen::Vector3d displacement(const Eigen::Matrix3Xd& model_coordinates, Eigen::Index node) const {
+    if (angle != nullptr) return angle->col(node);
+    return coordinates.col(node) - model_coordinates.col(node);
+  }
 };
 
 /// What a kinematic condition does to its nodes.

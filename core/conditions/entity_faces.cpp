@@ -24,7 +24,8 @@ class FaceFinder {
   std::vector<ElementSide> take();
 
  private:
-  void add_block(std::uint32_t block);
+  void add_block(const NamedEntity& part);
+  void add_shells(const NamedEntity& part);
   void add_side_set(const NamedEntity& part);
   void report(const DeckName& name, std::string text) const {
     scope_.diagnostics.add_error(name.location, std::move(text), "", static_cast<int>(name.text.size()));
@@ -40,7 +41,7 @@ class FaceFinder {
 void FaceFinder::add(const NamedEntity& part) {
   switch (part.entity.kind) {
     case EntityKind::block:
-      return add_block(part.entity.index);
+      return add_block(part);
     case EntityKind::side_set:
       return add_side_set(part);
     case EntityKind::node_set:
@@ -51,10 +52,24 @@ void FaceFinder::add(const NamedEntity& part) {
   }
 }
 
-void FaceFinder::add_block(std::uint32_t block) {
+void FaceFinder::add_block(const NamedEntity& part) {
+  const ElementBlock& block = scope_.mesh.blocks()[part.entity.index];
+  if (topology(block.shape).family == Family::shell) return add_shells(part);
   if (!skin_) skin_ = make_skin(scope_.mesh, std::vector<std::uint8_t>(scope_.mesh.n_elements(), 1));
-  const auto faces = skin_->of_block(scope_.mesh.blocks()[block]);
+  const auto faces = skin_->of_block(block);
   faces_.insert(faces_.end(), faces.begin(), faces.end());
+}
+
+/// Shells are loaded on the side that their normal points to.
+void FaceFinder::add_shells(const NamedEntity& part) {
+  const ElementBlock& block = scope_.mesh.blocks()[part.entity.index];
+  const Topology& shape = topology(block.shape);
+  if (shape.sides.front().kind != SideKind::face) {
+    return report(part.name, fmt::format("{} acts on faces, but all sides of {} in '{}' are edges",
+                                         label_.what, shape.name, scope_.mesh.name(part.entity)));
+  }
+  for (std::uint32_t i = 0; i < block.n_elements; ++i)
+    faces_.push_back(ElementSide({block.first_element.value + i}, 1));
 }
 
 void FaceFinder::add_side_set(const NamedEntity& part) {

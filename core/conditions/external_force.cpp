@@ -126,4 +126,11 @@ ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
   return {};
 }
 
+void ExternalForce::set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) {
+  moments.setZero(3, mesh_->n_nodes());
+  for (const NodeLoad& moment : node_moments_) {
+    if (moment.times.is_active(motion.time)) add_load(moment, motion, moments);
+  }
+}
+
 }  // namespace contactsim

@@ -15,12 +15,12 @@
 
 namespace contactsim {
 
-/// GRAVITY and PRESCRIBED FORCE: a vector on every node, times its mass or not.
+/// GRAVITY, PRESCRIBED FORCE and PRESCRIBED MOMENT: a vector on every node, times its mass or not.
 struct NodeLoad {
   std::vector<NodeIndex> nodes;                         ///< ascending, each once
   std::vector<double> masses;                           ///< [n] of the nodes, empty: 1 of each [mass]
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< unit, or the sum of some units [1]
-  ConditionFunction value{0.0};                         ///< [force], or of masses [length/time^2]
+  ConditionFunction value{0.0};  ///< [force], [force length], or of masses [length/time^2]
   ActiveTimes times;
 };
 
@@ -40,6 +40,7 @@ class ExternalForce final : public ForceTerm {
   /// mesh  must outlive this
   explicit ExternalForce(const Mesh& mesh) : mesh_(&mesh) {}
   void add(NodeLoad load) { node_loads_.push_back(std::move(load)); }
+  void add_moment(NodeLoad moment) { node_moments_.push_back(std::move(moment)); }
   void add(FaceLoad load);
 
   /// Sums loads in the order in which they were added: the same bits for any number of threads. Allocates
@@ -47,20 +48,24 @@ class ExternalForce final : public ForceTerm {
   /// The report sets no limit to the step. VELOCITY DAMPING COEFFICIENT acts on velocities half a step old:
   /// density times wave speed, which lets waves out, is about the most that stays stable.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  /// As set_forces, of the prescribed moments.
+  void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
  private:
   void add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const;
   void add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces);
 
   const Mesh* mesh_;
-  std::vector<NodeLoad> node_loads_;
+  std::vector<NodeLoad> node_loads_, node_moments_;
   std::vector<FaceLoad> face_loads_;
   std::vector<NodeVector> corner_forces_;  ///< [4 x n_faces] of the load that is being added [force]
 };
 
-/// Compiles the loads of a region. Errors: unknown names, moments (nodes of solids have no rotations), masked
+/// Compiles the loads of a region. Errors: unknown names, moments on nodes without rotations, masked
 /// pressures, pressures of faces that are read from the mesh. Throws FileError.
-///   mass  [3 x n_nodes] lumped, the same in every row [mass]
-ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass);
+///   mass     [3 x n_nodes] lumped, the same in every row [mass]
+///   inertia  as Model::inertia
+ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
+                                  const Eigen::Matrix3Xd& inertia = Eigen::Matrix3Xd(3, 0));
 
 }  // namespace contactsim

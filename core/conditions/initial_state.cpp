@@ -41,7 +41,8 @@ void set_block(const InitialElementValues& given, const SolidBlock& block, Solid
 InitialState make_initial_state(const ConditionScope& scope, std::span<const SolidBlock> blocks) {
   InitialState state;
   state.velocity = state.displacement = Eigen::Matrix3Xd::Zero(3, scope.mesh.n_nodes());
-  set_initial_velocity(scope, state.velocity);
+  state.angular_velocity = state.velocity;
+  set_initial_velocity(scope, state.velocity, &state.angular_velocity);
   InitialConditionSetter setter(scope, blocks, state);
   for (const InitialCondition& condition : scope.region.initial_conditions) setter.set(condition);
   return state;
@@ -50,6 +51,7 @@ InitialState make_initial_state(const ConditionScope& scope, std::span<const Sol
 void set_initial_state(const InitialState& initial, std::span<const SolidBlock> blocks, State& state) {
   state.velocity = initial.velocity;
   state.coordinates += initial.displacement;
+  if (state.rotations.exist()) state.rotations.velocity = initial.angular_velocity;
   for (const InitialElementValues& given : initial.element_values) {
     for (std::size_t i = 0; i < blocks.size(); ++i) set_block(given, blocks[i], state.blocks[i]);
   }

@@ -24,6 +24,7 @@ constexpr std::uint32_t nobody = ~0u;
 struct GivenVelocity {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   std::array<bool, 3> is_set{true, true, true};
+  Eigen::Vector3d turning = Eigen::Vector3d::Zero();  ///< angular velocity, set with all components
 };
 
 GivenVelocity along(const Direction& direction, double value, const Eigen::Vector3d& position) {
@@ -31,14 +32,17 @@ GivenVelocity along(const Direction& direction, double value, const Eigen::Vecto
     return {Eigen::Vector3d::Constant(value), components->is_set};
   if (const auto* unit = std::get_if<Eigen::Vector3d>(&direction)) return {value * *unit};
   const Axis& axis = std::get<Axis>(direction);
-  return {value * axis.direction.cross(axis.offset_of(position))};
+  return {value * axis.direction.cross(axis.offset_of(position)), {true, true, true}, value * axis.direction};
 }
 
 /// Carries blocks out, one after another.
 class VelocitySetter {
  public:
-  VelocitySetter(const ConditionScope& scope, Eigen::Matrix3Xd& velocity)
-      : scope_(scope), velocity_(velocity), given_by_(3 * scope.mesh.n_nodes(), nobody) {}
+  VelocitySetter(const ConditionScope& scope, Eigen::Matrix3Xd& velocity, Eigen::Matrix3Xd* angular_velocity)
+      : scope_(scope),
+        velocity_(velocity),
+        angular_velocity_(angular_velocity),
+        given_by_(3 * scope.mesh.n_nodes(), nobody) {}
 
   void set(std::uint32_t block);
 
@@ -57,6 +61,7 @@ class VelocitySetter {
 
   const ConditionScope& scope_;
   Eigen::Matrix3Xd& velocity_;
+  Eigen::Matrix3Xd* angular_velocity_;   ///< null: nodes do not turn
   std::vector<std::uint32_t> given_by_;  ///< [n_nodes x 3] position of the last block that set it
   Overruled overruled_;                  ///< by the block that is carried out
 };
@@ -70,6 +75,8 @@ std::optional<ConditionFunction> VelocitySetter::find_value(const InitialVelocit
 
 /// Notes a block whose value is changed.
 bool VelocitySetter::set_node(std::uint32_t block, NodeIndex node, const GivenVelocity& given) {
+  const bool is_whole = given.is_set[0] && given.is_set[1] && given.is_set[2];
+  if (angular_velocity_ != nullptr && is_whole) angular_velocity_->col(node.value) = given.turning;
   std::uint32_t changed = nobody;
   for (std::size_t c = 0; c < 3; ++c) {
     if (!given.is_set[c]) continue;
@@ -123,8 +130,9 @@ void VelocitySetter::set(std::uint32_t block) {
 
 }  // namespace
 
-void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity) {
-  VelocitySetter setter(scope, velocity);
+void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity,
+                          Eigen::Matrix3Xd* angular_velocity) {
+  VelocitySetter setter(scope, velocity, angular_velocity);
   for (std::uint32_t i = 0; i < scope.region.initial_velocities.size(); ++i) setter.set(i);
 }
 

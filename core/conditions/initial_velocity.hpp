@@ -11,7 +11,11 @@ namespace contactsim {
 /// axis sets the whole vector. Of several blocks on one node the last in the deck counts, with a warning when
 /// it changes what another gave: blocks of equal velocity may share nodes. A function is taken at the start
 /// time. Errors: unknown names, values that are not finite.
-///   velocity  [3 x n_nodes] [length/time]
-void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity);
+///   velocity          [3 x n_nodes] [length/time]
+///   angular_velocity  [3 x n_nodes] set where a whole vector is: about an axis all of it turns [1/time];
+///   null:
+///                     not wanted
+void set_initial_velocity(const ConditionScope& scope, Eigen::Matrix3Xd& velocity,
+                          Eigen::Matrix3Xd* angular_velocity = nullptr);
 
 }  // namespace contactsim

@@ -43,9 +43,15 @@ class Kinematics {
   std::vector<NodeIndex> nodes_;
 };
 
-/// Compiles the kinematic conditions of a region. Errors: unknown names, prescribed rotations (solids have
-/// none), two conditions that drive one node in one direction at one time. Holding a node twice is no error.
-/// Fixed rotations are ignored with a warning. Throws FileError when the mesh file cannot be read.
+/// Compiles the kinematic conditions of a region on where nodes are. Errors: unknown names, two conditions
+/// that drive one node in one direction at one time. Holding a node twice is no error. Throws FileError when
+/// the mesh file cannot be read.
 Kinematics make_kinematics(const ConditionScope& scope);
+
+/// Compiles those on how nodes turn; an axis counts as its direction. Nodes without rotations, those of
+/// solids alone, are left out. Errors: as make_kinematics, and prescribed rotations that are left without
+/// nodes; such fixed rotations are ignored with a warning. Throws FileError.
+///   inertia  [3 x n_nodes] lumped, least_mass where nothing turns; 3 x 0 when no node turns [mass length^2]
+Kinematics make_rotation_kinematics(const ConditionScope& scope, const Eigen::Matrix3Xd& inertia);
 
 }  // namespace contactsim

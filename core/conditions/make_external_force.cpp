@@ -9,6 +9,7 @@
 #include "core/conditions/entity_nodes.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/stored_values.hpp"
+#include "core/least_mass.hpp"
 
 namespace contactsim {
 
@@ -17,8 +18,9 @@ namespace {
 /// Compiles loads, each on its own.
 class ExternalForceMaker {
  public:
-  ExternalForceMaker(const ConditionScope& scope, const Eigen::Matrix3Xd& mass)
-      : scope_(scope), mass_(mass), made_(scope.mesh) {}
+  ExternalForceMaker(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
+                     const Eigen::Matrix3Xd& inertia)
+      : scope_(scope), mass_(mass), inertia_(inertia), made_(scope.mesh) {}
 
   void add(const Gravity& gravity);
   void add(const NodalLoad& load);
@@ -30,6 +32,7 @@ class ExternalForceMaker {
   void find_faces_of(const EntitySet& set, const ConditionLabel& label, FaceLoad& load) const;
   std::vector<NodeIndex> nodes_of(const EntitySet& set, const ConditionLabel& label) const;
   std::optional<Eigen::Vector3d> find_vector(const DirectionChoice& choice) const;
+  bool check_turn(std::span<const NodeIndex> nodes, const ConditionLabel& label) const;
   bool check_lines(const Pressure& pressure, const ConditionLabel& label) const;
   void add_error(const DeckLocation& location, std::string text, std::string hint = "") const {
     scope_.diagnostics.add_error(location, std::move(text), std::move(hint));
@@ -37,6 +40,7 @@ class ExternalForceMaker {
 
   const ConditionScope& scope_;
   const Eigen::Matrix3Xd& mass_;
+  const Eigen::Matrix3Xd& inertia_;
   ExternalForce made_;
 };
 
@@ -70,16 +74,28 @@ void ExternalForceMaker::add(const Gravity& gravity) {
   made_.add(std::move(load));
 }
 
+/// Whether all nodes of a moment have rotations that it can act on.
+bool ExternalForceMaker::check_turn(std::span<const NodeIndex> nodes, const ConditionLabel& label) const {
+  const auto turns = [&](NodeIndex node) {
+    return inertia_.cols() > 0 && inertia_(0, node.value) > least_mass;
+  };
+  const auto still = std::find_if_not(nodes.begin(), nodes.end(), turns);
+  if (still == nodes.end()) return true;
+  const bool none_turns = std::none_of(nodes.begin(), nodes.end(), turns);
+  add_error(label.location,
+            none_turns ? "the prescribed moment cannot act: the nodes of solids have no rotations"
+                       : fmt::format("the prescribed moment cannot act on node {}: it has no rotations",
+                                     scope_.mesh.node_id(*still)),
+            "forces on several nodes make a moment");
+  return false;
+}
+
 void ExternalForceMaker::add(const NodalLoad& nodal) {
   const ConditionLabel label{nodal.is_moment ? "the prescribed moment" : "the prescribed force",
                              nodal.name.location};
-  if (nodal.is_moment) {
-    add_error(label.location, "the prescribed moment cannot act: the nodes of solids have no rotations",
-              "forces on several nodes make a moment");
-    return;
-  }
   NodeLoad load;
   load.nodes = find_nodes(nodal.set, label, scope_);
+  if (nodal.is_moment && !check_turn(load.nodes, label)) return;
   load.times = make_active_times(nodal.periods, scope_.blocks);
   const auto direction = find_direction(nodal.direction, scope_);
   const auto values = find_condition_values(nodal.function, nodal.variable,
@@ -89,7 +105,7 @@ void ExternalForceMaker::add(const NodalLoad& nodal) {
   for (std::size_t i = 0; i < units.size(); ++i) {
     load.value = (*values)[std::min(i, values->size() - 1)];
     load.direction = units[i];
-    made_.add(load);
+    nodal.is_moment ? made_.add_moment(load) : made_.add(load);
   }
 }
 
@@ -149,8 +165,9 @@ void ExternalForceMaker::add(const Traction& traction) {
 
 }  // namespace
 
-ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass) {
-  ExternalForceMaker maker(scope, mass);
+ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
+                                  const Eigen::Matrix3Xd& inertia) {
+  ExternalForceMaker maker(scope, mass, inertia);
   for (const Gravity& gravity : scope.region.gravities) maker.add(gravity);
   for (const NodalLoad& load : scope.region.nodal_loads) maker.add(load);
   for (const Pressure& pressure : scope.region.pressures) maker.add(pressure);

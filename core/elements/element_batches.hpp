@@ -29,17 +29,29 @@ class ChunkVectors {
   std::array<NodeVector, SolidBlock::batches_per_chunk * n_lanes * 8> vectors_;
 };
 
-/// What the lanes in use add.
-template <std::size_t n>
-void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
+/// The step of no element.
+inline ChunkStep no_step() {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {infinity, 0, infinity, 0.0, 0.0};
+}
+
+/// What the lanes in use have for the extremes.
+inline void add_extremes(const Lanes& stable_step, const Lanes& volumes, std::size_t first_element,
+                         Eigen::Index n_used, ChunkStep& sums) {
   Eigen::Index lane = 0;
-  const double stable = step.stable_step.head(n_used).minCoeff(&lane);
+  const double stable = stable_step.head(n_used).minCoeff(&lane);
   if (stable < sums.stable_step) {
     sums.stable_step = stable;
     sums.critical_element = first_element + static_cast<std::size_t>(lane);
   }
-  const double volume = step.volume.head(n_used).minCoeff();
+  const double volume = volumes.head(n_used).minCoeff();
   if (!(volume >= sums.least_volume)) sums.least_volume = volume;
+}
+
+/// What the lanes in use add.
+template <std::size_t n>
+void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
+  add_extremes(step.stable_step, step.volume, first_element, n_used, sums);
   sums.hourglass_work += step.hourglass_work.head(n_used).sum();
   sums.viscous_work += step.viscous_work.head(n_used).sum();
 }
@@ -57,12 +69,11 @@ void volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matr
 template <class Element>
 ChunkStep advance(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
                   SolidBlockState& state) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr std::size_t n = Element::n_nodes;
   const ChunkVectors x(block.nodes_of(chunk), motion.coordinates), v(block.nodes_of(chunk), motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
-  ChunkStep sums{infinity, 0, infinity, 0.0, 0.0};
+  ChunkStep sums = no_step();
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
     const SolidMotion<n> solid_motion{gather<n>(nodes, x.data()), gather<n>(nodes, v.data()), block.mass[i],

@@ -15,20 +15,42 @@ std::span<const SolidElement* const> solid_elements() {
   return rows;
 }
 
-const SolidElement* find_solid_element(Shape shape, std::string_view formulation) {
+std::span<const SolidElement* const> shell_elements() {
+  static constexpr std::array rows{&shell4_bt_shell, &quad4_bt_shell, &shell3_c0_tri_shell};
+  return rows;
+}
+
+namespace {
+
+const SolidElement* find(std::span<const SolidElement* const> rows, Shape shape,
+                         std::string_view formulation) {
   const std::string wanted = fold(formulation);
-  for (const SolidElement* row : solid_elements()) {
+  for (const SolidElement* row : rows) {
     if (row->shape == shape && row->formulation == wanted) return row;
   }
   return nullptr;
 }
 
+}  // namespace
+
+const SolidElement* find_solid_element(Shape shape, std::string_view formulation) {
+  return find(solid_elements(), shape, formulation);
+}
+
+const SolidElement* find_shell_element(Shape shape, std::string_view formulation) {
+  if (shape == Shape::shell3 && find(shell_elements(), Shape::shell4, formulation) != nullptr)
+    return &shell3_c0_tri_shell;
+  return find(shell_elements(), shape, formulation);
+}
+
 std::string list_formulations(Shape shape) {
   std::string list;
-  for (const SolidElement* row : solid_elements()) {
-    if (row->shape != shape) continue;
-    if (!list.empty()) list += ", ";
-    list += row->formulation;
+  for (const auto rows : {solid_elements(), shell_elements()}) {
+    for (const SolidElement* row : rows) {
+      if (row->shape != shape) continue;
+      if (!list.empty()) list += ", ";
+      list += row->formulation;
+    }
   }
   return list;
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/elements/element_vectors.hpp"
 #include "core/elements/solid_block.hpp"
 #include "core/force_term.hpp"
 #include "core/mesh/topology.hpp"
@@ -37,13 +38,25 @@ struct SolidElement {
   /// Brings the elements of a chunk to the end of a step, forces on their nodes and all.
   ChunkStep (*advance)(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
                        SolidBlockState& state);
+  bool has_rotations = false;  ///< whether its nodes turn: Motion has angular velocities, it sets moments
+
+  /// The axes, as rows, along which an element keeps its stress; null: the global axes.
+  ///   coordinates  [3 x n_nodes] of the element now [length]
+  Eigen::Matrix3d (*frame)(const ElementVectors& coordinates) = nullptr;
 };
 
-/// All rows; the first of a shape is its default.
+/// The rows of solids; the first of a shape is its default.
 std::span<const SolidElement* const> solid_elements();
+
+/// The rows of shells, in the same order.
+std::span<const SolidElement* const> shell_elements();
 
 /// The row of a shape and formulation (compared without case), null when there is none.
 const SolidElement* find_solid_element(Shape shape, std::string_view formulation);
+
+/// The same of shells. The formulations of four-node shells mean the one of triangles there is, so that a
+/// section may be for both.
+const SolidElement* find_shell_element(Shape shape, std::string_view formulation);
 
 /// The formulations of a shape, for messages: "mean_quadrature, selective_deviatoric"; "" when it has none.
 std::string list_formulations(Shape shape);

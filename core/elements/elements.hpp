@@ -13,4 +13,8 @@ extern const SolidElement tet4_mean_quadrature;
 extern const SolidElement wedge6_mean_quadrature;
 extern const SolidElement pyramid5_mean_quadrature;
 
+extern const SolidElement shell4_bt_shell;
+extern const SolidElement quad4_bt_shell;
+extern const SolidElement shell3_c0_tri_shell;
+
 }  // namespace contactsim

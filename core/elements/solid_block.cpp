@@ -53,8 +53,11 @@ class ChunkNumbering {
 
 }  // namespace
 
-SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                            const SolidProperties& properties) {
+namespace {
+
+/// All but the masses.
+SolidBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                      const SolidProperties& properties) {
   const ElementBlock& source = mesh.blocks()[mesh_block];
   SolidBlock block;
   block.element = &element;
@@ -68,8 +71,41 @@ SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const So
   for (std::size_t batch = 0; batch < block.n_batches(); batch += SolidBlock::batches_per_chunk)
     numbering.add_chunk(batch, std::min(SolidBlock::batches_per_chunk, block.n_batches() - batch), block);
   block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes());
-  for (const BatchChunk& chunk : block.chunks) element.volumes(block, chunk, mesh.coordinates(), block.mass);
-  for (Lanes& mass : block.mass) mass *= properties.density;
+  return block;
+}
+
+void set_masses(const Mesh& mesh, SolidBlock& block) {
+  for (const BatchChunk& chunk : block.chunks)
+    block.element->volumes(block, chunk, mesh.coordinates(), block.mass);
+  for (Lanes& mass : block.mass) mass *= block.properties.density;
+}
+
+}  // namespace
+
+SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                            const SolidProperties& properties) {
+  SolidBlock block = make_block(mesh, mesh_block, element, properties);
+  set_masses(mesh, block);
+  return block;
+}
+
+SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                            const SolidProperties& properties, const ShellSettings& settings,
+                            std::span<const double> thickness) {
+  SolidBlock block = make_block(mesh, mesh_block, element, properties);
+  block.layout.n_points = settings.layers.size();
+  block.shell = settings;
+  block.thickness.resize(block.n_batches());
+  for (std::size_t i = 0; i < block.n_batches() * n_lanes; ++i)
+    block.thickness[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes)) =
+        thickness[std::min(i, block.n_elements - 1)];
+  set_masses(mesh, block);
+  const double across = 1.0 / 12.0 + settings.offset * settings.offset;
+  for (std::size_t i = 0; i < block.n_batches(); ++i) {
+    const Lanes& t = block.thickness[i];
+    const Lanes area = block.mass[i] / (properties.density * t);
+    block.inertia.push_back(block.mass[i] * (across * t * t).max(area / 8.0));
+  }
   return block;
 }
 
@@ -77,6 +113,7 @@ SolidBlockState make_state(const SolidBlock& block) {
   SolidBlockState state;
   state.values.assign(block.n_batches() * block.layout.size(), Lanes::Zero());
   state.forces.assign(block.chunk_nodes.size(), NodeVector::Zero());
+  if (block.element->has_rotations) state.moments = state.forces;
   for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
     for (std::size_t point = 0; point < block.layout.n_points; ++point) {
       const std::size_t size = block.layout.point_size;

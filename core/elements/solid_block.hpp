@@ -8,6 +8,7 @@
 
 #include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
+#include "core/elements/shell_settings.hpp"
 #include "core/elements/solid_kernel.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -49,6 +50,9 @@ struct SolidBlock {
   std::vector<std::uint32_t> chunk_nodes;  ///< of the mesh, chunk by chunk
   std::vector<ChunkNode> nodes;            ///< [n_batches x n_nodes x n_lanes] of the chunk
   std::vector<Lanes> mass;                 ///< [n_batches] [mass]
+  ShellSettings shell;                     ///< of shells
+  std::vector<Lanes> thickness;            ///< [n_batches] of shells [length]
+  std::vector<Lanes> inertia;              ///< [n_batches] of elements whose nodes turn [mass length^2]
   NodeSums sums;                           ///< from the nodes of chunks to those of the mesh
 
   std::size_t n_batches() const { return mass.size(); }
@@ -59,8 +63,9 @@ struct SolidBlock {
 
 /// What the elements of a block remember.
 struct SolidBlockState {
-  std::vector<Lanes> values;       ///< [n_batches x layout.size()] [as StateLayout]
-  std::vector<NodeVector> forces;  ///< [chunk_nodes] on the nodes of each chunk, of the last step [force]
+  std::vector<Lanes> values;        ///< [n_batches x layout.size()] [as StateLayout]
+  std::vector<NodeVector> forces;   ///< [chunk_nodes] on the nodes of each chunk, of the last step [force]
+  std::vector<NodeVector> moments;  ///< the same of elements whose nodes turn, else empty [force length]
 
   std::span<Lanes> batch(const StateLayout& layout, std::size_t batch) {
     return {values.data() + batch * layout.size(), layout.size()};
@@ -75,6 +80,14 @@ struct SolidBlockState {
 ///   mesh_block  position in the mesh
 SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
                             const SolidProperties& properties);
+
+/// The same of shells, whose nodes have an equal share of an inertia each: a sphere's of radius^2 = A / 8, or
+/// that of a bar across the thickness when it is larger, which is what keeps turning out of the stable step.
+/// Source: Hughes, Cohen and Haroun, Nucl. Eng. Des. 46 (1978) 203-222.
+///   thickness  [n_elements] > 0 [length]
+SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                            const SolidProperties& properties, const ShellSettings& settings,
+                            std::span<const double> thickness);
 
 /// The state of undeformed elements at rest.
 SolidBlockState make_state(const SolidBlock& block);

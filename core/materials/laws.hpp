@@ -5,6 +5,7 @@
 
 #include "core/materials/elastic_moduli.hpp"
 #include "core/materials/hardening.hpp"
+#include "core/materials/plane_step.hpp"
 #include "core/materials/state_variable.hpp"
 #include "core/materials/strain_step.hpp"
 
@@ -17,6 +18,9 @@
 ///   update     brings stress and state to the end of a step; returns bounds of the stiffness then
 ///       stress  in: Cauchy stress at the start, turned to the end of the step; out: at the end
 ///       [force/length^2] state   [n_state], its tensors turned as well
+/// and, when shells may be made of it,
+///   update_plane  the same without stress along z, in axes that turn with the material; the stiffness must
+///                 not exceed the elastic one
 namespace contactsim {
 
 /// Hypoelastic: the stress rate is linear in the strain rate. Source: Sierra/SM, ELASTIC.
@@ -27,6 +31,7 @@ struct ElasticLaw {
 
   void start(std::span<Lanes>) const {}
   LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
+  void update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const;
 };
 
 /// Von Mises plasticity with associated flow, brought back to the yield surface along its radius.
@@ -44,6 +49,7 @@ struct PlasticLaw {
     for (Lanes& number : state) number.setZero();
   }
   LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
+  void update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const;
 };
 
 extern template struct PlasticLaw<LinearHardening>;

@@ -68,6 +68,14 @@ ElasticModuli moduli_of(const MaterialLaw& law) {
   return std::visit([](const auto& held) { return held.moduli; }, law);
 }
 
+bool can_be_plane(const MaterialLaw& law) {
+  return std::visit(
+      [](const auto& held) {
+        return requires { &std::decay_t<decltype(held)>::update_plane; };
+      },
+      law);
+}
+
 void start_state(const MaterialLaw& law, std::span<Lanes> state) {
   std::visit([&](const auto& held) { held.start(state); }, law);
 }

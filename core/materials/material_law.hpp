@@ -27,6 +27,9 @@ LawState state_of(const MaterialLaw& law);
 /// Elastic moduli of the law at rest.
 ElasticModuli moduli_of(const MaterialLaw& law);
 
+/// Whether shells may be made of the law: it has update_plane.
+bool can_be_plane(const MaterialLaw& law);
+
 /// Law::start of the law that is held.
 void start_state(const MaterialLaw& law, std::span<Lanes> state);
 

@@ -29,6 +29,25 @@ void add_face(const Side& side, const ElementVectors& x, ElementVectors& gradien
   add_triangle({b, c, d}, 0.5, x, gradient);
 }
 
+// How a shell's place in its middle changes with its natural coordinates.
+struct SurfaceTangents {
+  SurfaceTangents(const Topology& topology, const ElementVectors& x) {
+    if (topology.n_corners == 4) {
+      slopes_r = {-0.25, 0.25, 0.25, -0.25};
+      slopes_s = {-0.25, -0.25, 0.25, 0.25};
+      natural_area = 4.0;
+    }
+    for (int a = 0; a < topology.n_corners; ++a) {
+      along_r += slopes_r[static_cast<std::size_t>(a)] * (x.col(a) - x.col(0));
+      along_s += slopes_s[static_cast<std::size_t>(a)] * (x.col(a) - x.col(0));
+    }
+  }
+
+  std::array<double, 4> slopes_r{-1.0, 1.0, 0.0, 0.0}, slopes_s{-1.0, 0.0, 1.0, 0.0};  // of shape functions
+  double natural_area = 0.5;
+  Eigen::Vector3d along_r = Eigen::Vector3d::Zero(), along_s = Eigen::Vector3d::Zero();
+};
+
 }  // namespace
 
 ElementVectors gather(std::span<const NodeIndex> nodes, const Eigen::Matrix3Xd& values) {
@@ -44,6 +63,28 @@ ElementVectors volume_gradient(const Topology& topology, const ElementVectors& x
   ElementVectors gradient = ElementVectors::Zero(3, x.cols());
   for (const Side& side : topology.sides) add_face(side, near, gradient);
   return gradient;
+}
+
+ElementVectors surface_gradient(const Topology& topology, const ElementVectors& x) {
+  const SurfaceTangents tangents(topology, x);
+  const Eigen::Vector3d normal = tangents.along_r.cross(tangents.along_s);
+  const Eigen::Vector3d of_r = tangents.along_s.cross(normal) / normal.squaredNorm();
+  const Eigen::Vector3d of_s = normal.cross(tangents.along_r) / normal.squaredNorm();
+  ElementVectors gradient = ElementVectors::Zero(3, x.cols());
+  for (int a = 0; a < topology.n_corners; ++a)
+    gradient.col(a) = tangents.slopes_r[static_cast<std::size_t>(a)] * of_r +
+                      tangents.slopes_s[static_cast<std::size_t>(a)] * of_s;
+  return gradient;
+}
+
+double surface_area(const Topology& topology, const ElementVectors& x) {
+  const SurfaceTangents tangents(topology, x);
+  return tangents.natural_area * tangents.along_r.cross(tangents.along_s).norm();
+}
+
+Eigen::Vector3d surface_normal(const Topology& topology, const ElementVectors& x) {
+  const SurfaceTangents tangents(topology, x);
+  return tangents.along_r.cross(tangents.along_s).stableNormalized();
 }
 
 double solid_volume(const ElementVectors& x, const ElementVectors& gradient) {

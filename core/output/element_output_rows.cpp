@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "core/elements/element_table.hpp"
 #include "core/output/element_geometry.hpp"
 #include "core/output/output_table.hpp"
 #include "core/output/strain_measures.hpp"
@@ -29,9 +30,10 @@ struct ElementMoment {
     return gather(mesh_block().element_nodes(static_cast<std::uint32_t>(element())), values);
   }
   ElementVectors coordinates() const { return gathered(moment.state.coordinates); }
-  double mass() const {
-    return block().mass[element() / n_lanes](static_cast<Eigen::Index>(element() % n_lanes));
+  double of_lane(const std::vector<Lanes>& numbers) const {
+    return numbers[element() / n_lanes](static_cast<Eigen::Index>(element() % n_lanes));
   }
+  double mass() const { return of_lane(block().mass); }
   double strain_energy() const {
     return moment.state.blocks[range.block].at(block().layout, element(), block().layout.energy());
   }
@@ -40,18 +42,35 @@ struct ElementMoment {
   // Mean of the gradient, by the mesh's coordinates, of the motion from the mesh to now.
   Eigen::Matrix3d deformation_gradient() const {
     const ElementVectors start = gathered(moment.model.mesh->coordinates());
+    if (shape().family == Family::shell) return shell_deformation_gradient(start);
     const ElementVectors gradient = volume_gradient(shape(), start);
     return coordinates() * gradient.transpose() / solid_volume(start, gradient);
   }
+  // Of the surface; its thickness stays.
+  Eigen::Matrix3d shell_deformation_gradient(const ElementVectors& start) const {
+    const ElementVectors now = coordinates();
+    return now * surface_gradient(shape(), start).transpose() +
+           surface_normal(shape(), now) * surface_normal(shape(), start).transpose();
+  }
   Eigen::Matrix3d log_strain() const { return contactsim::log_strain(deformation_gradient()); }
   Eigen::Matrix3d rate_of_deformation() const {
-    const ElementVectors x = coordinates(), gradient = volume_gradient(shape(), x);
+    const ElementVectors x = coordinates();
+    if (shape().family == Family::shell) {
+      const Eigen::Vector3d normal = surface_normal(shape(), x);
+      const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+      const Eigen::Matrix3d l =
+          along * gathered(moment.state.velocity) * surface_gradient(shape(), x).transpose();
+      return 0.5 * (l + l.transpose());
+    }
+    const ElementVectors gradient = volume_gradient(shape(), x);
     const Eigen::Matrix3d l =
         gathered(moment.state.velocity) * gradient.transpose() / solid_volume(x, gradient);
     return 0.5 * (l + l.transpose());
   }
+  double thickness() const { return of_lane(block().thickness); }
   double volume() const {
     const ElementVectors x = coordinates();
+    if (shape().family == Family::shell) return surface_area(shape(), x) * thickness();
     return solid_volume(x, volume_gradient(shape(), x));
   }
 };
@@ -176,6 +195,32 @@ constexpr std::array strain_rows{
         [](const E& e) { return principal_values(e.rate_of_deformation())[2]; }, "[1/time]"),
 };
 
+// The mean over the thickness.
+Eigen::Matrix3d membrane_stress(const E& e) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  const auto& layers = e.block().shell.layers;
+  for (std::size_t point = 0; point < layers.size(); ++point) {
+    EntityRange at_point = e.range;
+    at_point.point = point;
+    sum += layers[point].weight * stress_of(e.moment, at_point, e.i);
+  }
+  return sum;
+}
+
+constexpr OutputRow of_shells(OutputRow row) {
+  row.is_of_shells = true;
+  return row;
+}
+
+constexpr std::array shell_rows{
+    of_shells(make_row(
+        "element_thickness", scalar, [](const E& e) { return e.thickness(); }, "Of shells [length]")),
+    of_shells(make_row(
+        "memb_stress", symmetric_tensor,
+        [](const E& e) { return components_of_symmetric(membrane_stress(e)); },
+        "Mean of a shell's Cauchy stress over its thickness, along the global axes [force/length^2]")),
+};
+
 constexpr std::array other_rows{
     make_row(
         "volume", scalar, [](const E& e) { return e.volume(); }, "Of now [length^3]"),
@@ -221,22 +266,38 @@ double state_value(const OutputMoment& moment, const EntityRange& range, std::si
   });
 }
 
+constexpr std::size_t n_stresses = 6;
+
+// A tensor of the state along the global axes. Elements with a frame of their own keep it along that.
+Eigen::Matrix3d tensor_of(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+                          std::size_t place) {
+  std::array<double, 6> components{};
+  for (std::size_t c = 0; c < 6; ++c) components[c] = state_value(moment, range, i, place + c);
+  const Eigen::Matrix3d tensor = symmetric(components);
+  const SolidBlock& block = moment.model.blocks[range.block];
+  if (block.element->frame == nullptr) return tensor;
+  const Eigen::Matrix3d frame = block.element->frame(ElementMoment{moment, range, i}.coordinates());
+  return frame.transpose() * tensor * frame;
+}
+
 }  // namespace
 
 Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i) {
-  std::array<double, 6> components{};
-  for (std::size_t c = 0; c < 6; ++c) components[c] = state_value(moment, range, i, c);
-  return symmetric(components);
+  return tensor_of(moment, range, i, 0);
 }
 
 double material_value(const OutputMoment& moment, const EntityRange& range, std::size_t i,
                       std::size_t place) {
-  constexpr std::size_t n_stresses = 6;
   return state_value(moment, range, i, n_stresses + place);
 }
 
+Eigen::Matrix3d material_tensor(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+                                std::size_t place) {
+  return tensor_of(moment, range, i, n_stresses + place);
+}
+
 std::span<const OutputRow> element_output_rows() {
-  static constexpr auto rows = joined(stress_rows, strain_rows, other_rows);
+  static constexpr auto rows = joined(stress_rows, strain_rows, shell_rows, other_rows);
   return rows;
 }
 

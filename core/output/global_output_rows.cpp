@@ -42,6 +42,8 @@ void fill_angular_momentum(const OutputMoment& m, const EntityRange&, Values val
     const Eigen::Vector3d x = m.state.coordinates.col(n), v = m.state.velocity.col(n);
     sum += m.model.mass(0, n) * x.cross(v);
   }
+  const Eigen::Matrix3Xd& turning = m.state.rotations.velocity;
+  for (Eigen::Index n = 0; n < turning.cols(); ++n) sum += m.model.inertia(0, n) * turning.col(n);
   for (std::size_t i = 0; i < 3; ++i) values[i] = sum[static_cast<Eigen::Index>(i)];
 }
 

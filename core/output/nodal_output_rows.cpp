@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/node_work.hpp"
 #include "core/output/output_table.hpp"
 
 namespace contactsim {
@@ -46,6 +47,58 @@ Eigen::Vector3d inertial_force(const OutputMoment& m, Eigen::Index node) {
 bool is_held(const Model& model, Eigen::Index node) {
   const auto nodes = model.kinematics.nodes();
   return std::binary_search(nodes.begin(), nodes.end(), NodeIndex{static_cast<std::uint32_t>(node)});
+}
+
+// Nodes of a model that nothing turns in have no rotations.
+template <class Value>
+void fill_rotations(const OutputMoment& m, const EntityRange& range, Values values, Value value) {
+  fill_vectors(range, values, [&](Eigen::Index n) -> Eigen::Vector3d {
+    if (!m.state.rotations.exist()) return Eigen::Vector3d::Zero();
+    return value(m.state.rotations, n);
+  });
+}
+
+template <Eigen::Matrix3Xd NodalRotations::*vectors>
+void fill_from_rotations(const OutputMoment& m, const EntityRange& range, Values values) {
+  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+    return (r.*vectors).col(n);
+  });
+}
+
+void fill_moment_external(const OutputMoment& m, const EntityRange& range, Values values) {
+  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+    return r.moments.external.col(n);
+  });
+}
+
+void fill_moment_internal(const OutputMoment& m, const EntityRange& range, Values values) {
+  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+    return -r.moments.internal.col(n);
+  });
+}
+
+void fill_moment_contact(const OutputMoment& m, const EntityRange& range, Values values) {
+  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+    if (n >= r.moments.contact.cols()) return Eigen::Vector3d::Zero();
+    return r.moments.contact.col(n);
+  });
+}
+
+void fill_reaction_moment(const OutputMoment& m, const EntityRange& range, Values values) {
+  const auto held = m.model.rotation_kinematics.nodes();
+  fill_rotations(m, range, values, [&](const NodalRotations&, Eigen::Index n) -> Eigen::Vector3d {
+    const NodeIndex node{static_cast<std::uint32_t>(n)};
+    if (!std::binary_search(held.begin(), held.end(), node)) return Eigen::Vector3d::Zero();
+    return reaction_moment_at(m.model, m.state, node);
+  });
+}
+
+void fill_rotational_mass(const OutputMoment& m, const EntityRange& range, Values values) {
+  for (std::size_t i = 0; i < range.count; ++i) {
+    const auto n = static_cast<Eigen::Index>(range.first + i);
+    const double inertia = n < m.model.inertia.cols() ? m.model.inertia(0, n) : 0.0;
+    values[i] = inertia > least_mass ? inertia : 0.0;
+  }
 }
 
 void fill_displacement(const OutputMoment& m, const EntityRange& range, Values values) {
@@ -116,6 +169,22 @@ std::span<const OutputRow> nodal_output_rows() {
                 "contact force + reaction [force]"},
       OutputRow{"force_contact", node, vector, false, fill_contact, "As it acts on the node [force]"},
       OutputRow{"force_inertial", node, vector, false, fill_inertial, "mass x acceleration [force]"},
+      OutputRow{"rotational_displacement", node, vector, false, fill_from_rotations<&NodalRotations::angle>,
+                "Angular velocity summed over time; 0 at nodes that do not turn [1]"},
+      OutputRow{"rotational_velocity", node, vector, false, fill_from_rotations<&NodalRotations::velocity>,
+                "Angular velocity [1/time]"},
+      OutputRow{"rotational_acceleration", node, vector, false,
+                fill_from_rotations<&NodalRotations::acceleration>, "Angular acceleration [1/time^2]"},
+      OutputRow{"rotational_mass", node, FieldShape::scalar, false, fill_rotational_mass,
+                "Lumped rotational inertia about any axis [mass length^2]"},
+      OutputRow{"moment_external", node, vector, false, fill_moment_external,
+                "Prescribed moments [force length]"},
+      OutputRow{"moment_internal", node, vector, false, fill_moment_internal,
+                "Resistance of the elements, against the turning [force length]"},
+      OutputRow{"moment_contact", node, vector, false, fill_moment_contact,
+                "As it acts on the node [force length]"},
+      OutputRow{"reaction_moment", node, vector, false, fill_reaction_moment,
+                "What holds or turns the node; 0 at free nodes [force length]"},
   };
   return rows;
 }

@@ -33,8 +33,9 @@ struct OutputRow {
   bool is_at_points = false;  ///< an element variable that each integration point has
   /// Sets the values, [count x n_components].
   void (*fill)(const OutputMoment& moment, const EntityRange& range, std::span<double> values) = nullptr;
-  std::string_view help;  ///< one line with the dimension
-  int list_size = 1;      ///< number of components of a list
+  std::string_view help;      ///< one line with the dimension
+  int list_size = 1;          ///< number of components of a list
+  bool is_of_shells = false;  ///< only shells have it, of element variables
 
   int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };
@@ -46,6 +47,11 @@ std::span<const OutputRow> element_output_rows();
 
 /// The stress of an element at the range's point, element `range.first` + `i` [force/length^2].
 Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i);
+
+/// A symmetric tensor that a material remembers, along the global axes.
+///   place  of its first component, as below
+Eigen::Matrix3d material_tensor(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+                                std::size_t place);
 
 /// One number that a material remembers, at the range's point.
 ///   place  in the state of an integration point, after its stress

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/output/strain_measures.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -17,8 +19,14 @@ RunVariable::Fill fill_from_materials(std::vector<std::size_t> first_places, std
   return [first_places = std::move(first_places), n_components](
              const OutputMoment& moment, const EntityRange& range, std::span<double> values) {
     for (std::size_t i = 0; i < range.count; ++i) {
+      const std::size_t place = first_places[range.block];
+      if (n_components == 6) {
+        const auto tensor = components_of_symmetric(material_tensor(moment, range, i, place));
+        std::copy(tensor.begin(), tensor.end(), values.begin() + static_cast<std::ptrdiff_t>(6 * i));
+        continue;
+      }
       for (std::size_t c = 0; c < n_components; ++c)
-        values[i * n_components + c] = material_value(moment, range, i, first_places[range.block] + c);
+        values[i * n_components + c] = material_value(moment, range, i, place + c);
     }
   };
 }
@@ -37,7 +45,11 @@ void RunVariables::add_rows(std::span<const OutputRow> rows) {
   for (const OutputRow& row : rows) {
     RunVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
                          row.is_at_points,      /*in_blocks*/ {}, row.fill};
-    if (row.location == FieldLocation::element) variable.in_blocks.assign(model_.blocks.size(), 1);
+    if (row.location == FieldLocation::element) {
+      for (const SolidBlock& block : model_.blocks)
+        variable.in_blocks.push_back(!row.is_of_shells || !block.thickness.empty() ? 1 : 0);
+    }
+    if (row.is_of_shells && std::ranges::count(variable.in_blocks, 1) == 0) continue;
     add(std::move(variable));
   }
 }

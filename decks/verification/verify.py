@@ -20,6 +20,7 @@ import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
 import cases_rods  # noqa: E402, F401
+import cases_shells  # noqa: E402, F401
 import cases_static  # noqa: E402, F401
 import cases_unit  # noqa: E402, F401
 import cases_solids  # noqa: E402, F401

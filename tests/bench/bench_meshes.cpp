@@ -113,6 +113,30 @@ std::array<std::uint32_t, 4> side_quad(CubeNodes& nodes, std::uint32_t n, std::u
 
 }  // namespace
 
+Mesh make_shell_sheet(std::uint32_t n) {
+  MeshParts parts;
+  parts.path = "sheet";
+  const Eigen::Index row = n + 1;
+  parts.coordinates.resize(3, row * row);
+  for (Eigen::Index node = 0; node < row * row; ++node) {
+    const auto x = static_cast<double>(node % row), y = static_cast<double>(node / row);
+    parts.coordinates.col(node) = Eigen::Vector3d(x, y, 0.1 * std::sin(0.7 * x) * std::sin(0.9 * y));
+  }
+  ElementBlock block;
+  block.id = 1;
+  block.shape = Shape::shell4;
+  block.type_name = "SHELL4";
+  block.nodes_per_element = 4;
+  block.n_elements = n * n;
+  for (std::uint32_t cell = 0; cell < n * n; ++cell) {
+    const std::uint32_t first = cell % n + (n + 1) * (cell / n);
+    for (const std::uint32_t corner : {first, first + 1, first + n + 2, first + n + 1})
+      block.nodes.push_back({corner});
+  }
+  parts.blocks.push_back(std::move(block));
+  return Mesh(std::move(parts));
+}
+
 Mesh make_tet_cube(std::uint32_t n) {
   // The six ways from corner 0 along edges to corner 6.
   constexpr std::size_t ways[6][4] = {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6},

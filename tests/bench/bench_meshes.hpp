@@ -15,6 +15,9 @@ namespace contactsim::bench {
 /// Precondition: n_blocks divides n.
 Mesh make_hex_cube(std::uint32_t n, std::uint32_t n_blocks = 1, bool shuffled = false);
 
+/// A square sheet of n x n unit shells of four nodes, slightly warped.
+Mesh make_shell_sheet(std::uint32_t n);
+
 /// A cube of n x n x n unit cells of six tetrahedra each.
 Mesh make_tet_cube(std::uint32_t n);
 

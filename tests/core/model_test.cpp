@@ -55,7 +55,7 @@ TEST_CASE("blocks that cannot move are errors", "[core][model]") {
   CHECK(errors_of(definition_for("block_7"), hexes) == "block_1 has no PARAMETERS FOR BLOCK in 'fem'\n");
   const Mesh shells = test::MeshBuilder().add_shells({}).build();
   CHECK(errors_of(definition_for("block_1"), shells) ==
-        "block_1 has elements of type SHELL4: only solids can move so far\n");
+        "block_1 has no thickness: neither a section nor an attribute on the mesh\n");
   SimulationDefinition strange = definition_for("block_1");
   strange.finite_element_models[0].block_parameters[0].model = named("strange");
   CHECK_THAT(errors_of(strange, hexes), Catch::Contains("model 'strange': the model is not supported"));

@@ -168,6 +168,22 @@ TEST_CASE("forces do not depend on the number of threads or the numbers of nodes
   CHECK((found - straight.at(0.0)).norm() < 1e-14);
 }
 
+TEST_CASE("a prescribed moment turns its nodes and pushes none", "[core][conditions]") {
+  const Mesh mesh = body();
+  ConditionDeck deck(mesh, block("prescribed moment", "node set = edge\ncomponents = x z\nfunction = ramp"));
+  const Eigen::Matrix3Xd ones = Eigen::Matrix3Xd::Ones(3, mesh.n_nodes());
+  ExternalForce external = make_external_force(deck.scope(), ones, ones);
+  CHECK(deck.messages().empty());
+  const Eigen::Matrix3Xd still = 0.0 * ones;
+  Eigen::Matrix3Xd forces = ones, moments = ones;
+  const Motion motion{0.5, 0.1, mesh.coordinates(), still};
+  external.set_forces(motion, forces);
+  external.set_moments(motion, moments);
+  CHECK(forces == still);
+  const auto n = static_cast<double>(mesh.node_sets()[*mesh.find(EntityKind::node_set, "edge")].nodes.size());
+  CHECK(moments.rowwise().sum() == Eigen::Vector3d(0.5 * n, 0.0, 0.5 * n));
+}
+
 TEST_CASE("loads that cannot act are refused or warned of at their block", "[core][conditions]") {
   CHECK(messages_of(block("prescribed moment", "node set = edge\ncomponent = x\nfunction = one")) ==
         "c.i:1:1: error: the prescribed moment cannot act: the nodes of solids have no rotations; forces on "

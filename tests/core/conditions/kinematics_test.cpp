@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "core/least_mass.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/mesh_builder.hpp"
@@ -64,6 +65,7 @@ std::string messages_of(const std::string& lines) {
   const Mesh mesh = cube();
   ConditionDeck deck(mesh, lines);
   make_kinematics(deck.scope());
+  make_rotation_kinematics(deck.scope(), Eigen::Matrix3Xd(3, 0));
   return deck.messages();
 }
 
@@ -234,6 +236,29 @@ TEST_CASE("what solids cannot do is refused, what changes nothing is ignored", "
       "d.i:27:35: error: the function of the prescribed velocity reads 'stress(xx)', which conditions do not "
       "know; they know the global time and x, y and z of the nodal coordinates, model_coordinates, "
       "displacement and velocity\n");
+}
+
+TEST_CASE("rotations are held and driven as places are, about an axis by its direction",
+          "[core][conditions]") {
+  const Mesh mesh = cube();
+  ConditionDeck deck(mesh, block("fixed rotation", "node set = n1 n2\ncomponents = x y") +
+                               block("prescribed rotation",
+                                     "node set = n1\ncomponent = z\n"
+                                     "function = ramp") +
+                               block("prescribed rotational velocity",
+                                     "node set = n3\ncylindrical axis = spin\nfunction = one"));
+  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Ones(3, 8);
+  inertia.col(1).setConstant(least_mass);  // node 2 is one of solids alone
+  const Kinematics kinematics = make_rotation_kinematics(deck.scope(), inertia);
+  CHECK(deck.messages().empty());
+  CHECK(kinematics.nodes().size() == 2);
+  const Eigen::Matrix3Xd x = mesh.coordinates(), zero = Eigen::Matrix3Xd::Zero(3, 8);
+  const Eigen::Matrix3Xd angle = 0.25 * Eigen::Matrix3Xd::Ones(3, 8);
+  Eigen::Matrix3Xd a = Eigen::Matrix3Xd::Ones(3, 8);
+  kinematics.constrain({0.5, 0.5, 0.5, x, zero, &angle}, a);
+  CHECK(a.col(0) == Eigen::Vector3d(0.0, 0.0, (1.0 - 0.25) / 0.5 / 0.5));  // to the angle 1 at time 1
+  CHECK(a.col(1) == Eigen::Vector3d::Ones());
+  CHECK(a.col(2) == Eigen::Vector3d(1.0, 1.0, 2.0));  // a rate of 1 from rest in half a unit of time
 }
 
 TEST_CASE("a value may vary from node to node", "[core][conditions]") {

