@@ -18,6 +18,7 @@
 #include "core/conditions/initial_state.hpp"
 #include "core/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
+#include "core/rigid/make_rigid_bodies.hpp"
 #include "io/exodus_variables.hpp"
 #include "io/outputs.hpp"
 
@@ -210,12 +211,16 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   StoredVariables stored;
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks,
-                             input.mesh,       warnings,     &stored};
+                             input.mesh,       warnings,     &stored,
+                             &model.rigid.nodes};
   model.kinematics = make_kinematics(scope);
   model.rotation_kinematics = make_rotation_kinematics(scope, model.inertia);
+  model.rigid.kinematics = make_body_kinematics(scope);
+  model.rigid.rotation_kinematics = make_body_rotation_kinematics(scope);
   ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
   InitialState initial = make_initial_state(scope, model.blocks);
+  set_rigid_velocities(scope, model.rigid, initial.velocity);
   stop_on_errors(warnings);
   return {std::move(model), std::move(external), std::move(initial), std::move(control)};
 }

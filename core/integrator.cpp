@@ -8,6 +8,7 @@
 
 #include "core/errors.hpp"
 #include "core/node_work.hpp"
+#include "core/rigid/rigid_motion.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -146,7 +147,9 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
     model.rotation_kinematics.constrain(between_turns(state, state.dt, state.next_dt),
                                         rotations.acceleration);
   }
-  const NodeWork work = complete_velocities(model, state);
+  if (!model.rigid.empty()) drive_rigid_bodies(model, state);
+  NodeWork work = complete_velocities(model, state);
+  if (!model.rigid.empty()) add_rigid_work(model, state, work);
   if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);
   add_work(work, state);
 }
@@ -154,6 +157,7 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
 }  // namespace
 
 StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& control, State& state) {
+  if (!model.rigid.empty()) start_rigid_bodies(model, state);
   const Motion motion = motion_of(state, 0.0);
   StepReport report = set_forces(forces, motion, state);
   const double dt = control.step_after(state.time, 0.0, report.stable_step);
@@ -171,6 +175,7 @@ StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl&
   state.time += state.dt;
   ++state.step;
   move(state);
+  if (!model.rigid.empty()) move_rigid_bodies(model, state);
   const Motion motion = motion_of(state, state.dt);
   const StepReport report = set_forces(forces, motion, state);
   complete(model, control, report, state);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/elements/element_table.hpp"
 #include "core/errors.hpp"
@@ -23,9 +24,25 @@ std::size_t find_inverted(const SolidBlock& block, const Eigen::Matrix3Xd& coord
   return 0;
 }
 
+/// As all elements of rigid bodies would be stable at rest if they were elastic.
+double find_rigid_step(const Model& model) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const SolidBlock& block : model.blocks) {
+    if (!block.is_rigid) continue;
+    SolidBlockState state = make_state(block);
+    const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, model.mesh->n_nodes());
+    Motion motion{0.0, 0.0, model.mesh->coordinates(), still};
+    motion.angular_velocity = &still;
+    for (const BatchChunk& chunk : block.chunks)
+      step = std::min(step, block.element->advance(block, chunk, motion, state).stable_step);
+  }
+  return step;
+}
+
 }  // namespace
 
-InternalForce::InternalForce(const Model& model, State& state) : model_(model), state_(state) {
+InternalForce::InternalForce(const Model& model, State& state)
+    : model_(model), state_(state), rigid_step_(find_rigid_step(model)) {
   std::size_t most = 0;
   for (const SolidBlock& block : model.blocks) most = std::max(most, block.chunks.size());
   chunks_.resize(most);
@@ -54,6 +71,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
   ForceReport report;
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const SolidBlock& block = model_.blocks[index];
+    if (block.is_rigid) continue;
     advance_chunks(index, motion);
     for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
       if (!(chunk.least_volume > 0.0)) stop_at_inverted(block, motion);
@@ -67,6 +85,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
     }
     block.sums.add(state_.blocks[index].forces, forces);
   }
+  if (std::isinf(report.stable_step)) report.stable_step = rigid_step_;
   return report;
 }
 
@@ -74,7 +93,7 @@ void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& mome
   moments.setZero();
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const SolidBlock& block = model_.blocks[index];
-    if (block.element->has_rotations) block.sums.add(state_.blocks[index].moments, moments);
+    if (block.element->has_rotations && !block.is_rigid) block.sums.add(state_.blocks[index].moments, moments);
   }
 }
 

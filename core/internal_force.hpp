@@ -25,6 +25,7 @@ class InternalForce final : public ForceTerm {
   const Model& model_;
   State& state_;
   std::vector<ChunkStep> chunks_;  ///< of the largest block, scratch
+  double rigid_step_;  ///< stable step were the rigid elements elastic, for when there are no others [time]
 };
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/names.hpp"
+#include "core/rigid/make_rigid_bodies.hpp"
 #include "core/shell_section.hpp"
 
 namespace contactsim {
@@ -33,6 +34,8 @@ class BlockMaker {
     auto block = is_shell ? make_shells(index, *parameters) : make_solids(index, *parameters);
     if (!block) return;
     check_volumes(*block, *parameters);
+    const SectionDefinition* section = find_section(definition_, *parameters);
+    block->is_rigid = section != nullptr && section->rigid_body;
     block->material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
     blocks.push_back(std::move(*block));
   }
@@ -78,8 +81,6 @@ class BlockMaker {
                             block_name_, topology(mesh_.blocks()[index].shape).name, section->name.text),
                 "");
     }
-    if (section->rigid_body)
-      add_error(section->rigid_body->location, "rigid bodies are not supported yet", "");
     return shell;
   }
 
@@ -130,8 +131,6 @@ class BlockMaker {
       return nullptr;
     }
     check_options(*solid);
-    if (section != nullptr && section->rigid_body)
-      add_error(section->rigid_body->location, "rigid bodies are not supported yet", "");
     return solid;
   }
 
@@ -272,6 +271,7 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
   }
   model.mass = lumped_mass(mesh, model.blocks);
   model.inertia = lumped_inertia(mesh, model.blocks);
+  make_rigid_bodies(definition, region, model, diagnostics);
   return model;
 }
 

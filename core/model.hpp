@@ -10,6 +10,7 @@
 #include "core/elements/solid_block.hpp"
 #include "core/least_mass.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/rigid/rigid_bodies.hpp"
 #include "core/state.hpp"
 
 namespace contactsim {
@@ -24,6 +25,7 @@ struct Model {
                                                       ///< 3 x 0 when no node turns [mass length^2]
   Kinematics kinematics;
   Kinematics rotation_kinematics;  ///< of the nodes' rotations
+  RigidBodies rigid;
 };
 
 /// The masses of the nodes, as Model::mass.

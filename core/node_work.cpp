@@ -149,7 +149,8 @@ NodeWork complete_nodes(const NodeMotion& nodes, const State& state) {
 }
 
 NodeMotion turning_nodes(const Model& model, NodalRotations& rotations) {
-  return {model.inertia, rotations.moments, rotations.acceleration, rotations.velocity};
+  const Eigen::Matrix3Xd& inertia = model.rigid.empty() ? model.inertia : model.rigid.free_inertia;
+  return {inertia, rotations.moments, rotations.acceleration, rotations.velocity};
 }
 
 }  // namespace
@@ -165,7 +166,8 @@ Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeI
 }
 
 NodeWork complete_velocities(const Model& model, State& state) {
-  const NodeMotion moving{model.mass, state.forces, state.acceleration, state.velocity};
+  const Eigen::Matrix3Xd& mass = model.rigid.empty() ? model.mass : model.rigid.free_mass;
+  const NodeMotion moving{mass, state.forces, state.acceleration, state.velocity};
   NodeWork work = complete_nodes(moving, state);
   add_reactions(moving, model.kinematics.nodes(), state, work);
   if (!state.rotations.exist()) return work;

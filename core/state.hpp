@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/elements/solid_block.hpp"
+#include "core/rigid/rigid_body.hpp"
 
 namespace contactsim {
 
@@ -62,6 +63,7 @@ struct State {
   Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [length/time^2]
   NodalForces forces;
   NodalRotations rotations;
+  std::vector<RigidBodyState> rigid;  ///< as RigidBodies::bodies
   Energies energies;
   HalfStepWork begun;  ///< of the half step that begins here: the forces of now along the velocity to come
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [mass length/time]

@@ -8,6 +8,7 @@
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/stored_variables.hpp"
+#include "core/rigid/rigid_nodes.hpp"
 
 namespace contactsim {
 
@@ -19,6 +20,7 @@ struct ConditionScope {
   const Mesh& mesh;
   Diagnostics& diagnostics;
   const StoredVariables* stored = nullptr;  ///< results of the mesh file, for READ VARIABLE; null: none
+  const RigidNodes* rigid = nullptr;        ///< of the model; null: no rigid bodies
 
   /// Of the run [time].
   double start_time() const { return blocks.empty() ? 0.0 : blocks.front().start_time; }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/mesh/name_lookup.hpp"
+#include "core/rigid/rigid_blocks.hpp"
 
 namespace contactsim {
 
@@ -32,6 +33,7 @@ class PartFinder {
   void add_checked(const Entity& entity, const DeckName& item, std::vector<NamedEntity>& found);
   bool is_known(std::uint32_t block) const;
   bool is_known(const Entity& entity) const;
+  void find_rigid_body(const DeckName& item, std::vector<NamedEntity>& found) const;
   void find_ids(const EntitySet& set, EntityParts& parts);
   void add_error(const DeckLocation& location, std::string text, std::size_t length) {
     scope_.diagnostics.add_error(location, std::move(text), "", static_cast<int>(length));
@@ -89,6 +91,19 @@ void PartFinder::find_all_blocks(std::vector<NamedEntity>& found) const {
   }
 }
 
+/// Stands for its blocks and node sets. The binder has told of names that no rigid body has.
+void PartFinder::find_rigid_body(const DeckName& item, std::vector<NamedEntity>& found) const {
+  for (const RigidBodyDefinition& body : scope_.definition.rigid_bodies) {
+    if (fold(body.name.text) != fold(item.text)) continue;
+    for (const std::uint32_t block : find_rigid_blocks(scope_.definition, scope_.region, scope_.mesh, body))
+      found.push_back({{EntityKind::block, block}, item});
+    for (const DeckName& name : body.node_sets) {
+      if (const auto set = scope_.mesh.find(EntityKind::node_set, name.text))
+        found.push_back({{EntityKind::node_set, *set}, item});
+    }
+  }
+}
+
 void PartFinder::find_ids(const EntitySet& set, EntityParts& parts) {
   const auto report = [&](const EntityId& wanted, std::string_view kind) {
     add_error(wanted.location, fmt::format("the mesh has no {} with id {}", kind, wanted.id),
@@ -107,10 +122,7 @@ void PartFinder::find_ids(const EntitySet& set, EntityParts& parts) {
 
 EntityParts PartFinder::find(const EntitySet& set) {
   EntityParts parts;
-  for (const DeckName& item : set.rigid_bodies) {
-    add_error(item.location, fmt::format("{}: rigid bodies are not supported yet", label_.what),
-              item.text.size());
-  }
+  for (const DeckName& item : set.rigid_bodies) find_rigid_body(item, parts.added);
   if (set.includes_all_blocks) find_all_blocks(parts.added);
   find_named(set.node_sets, EntityKind::node_set, "NODE SET", parts.added);
   find_named(set.side_sets, EntityKind::side_set, "SURFACE", parts.added);

@@ -44,9 +44,16 @@ class Kinematics {
 };
 
 /// Compiles the kinematic conditions of a region on where nodes are. Errors: unknown names, two conditions
-/// that drive one node in one direction at one time. Holding a node twice is no error. Throws FileError when
+/// that drive one node in one direction at one time. Holding a node twice is no error. Nodes of
+/// rigid bodies are left out, with a warning when not all nodes of the body are named. Throws FileError when
 /// the mesh file cannot be read.
 Kinematics make_kinematics(const ConditionScope& scope);
+
+/// Compiles those on the places and on the rotations of rigid bodies, whose nodes the two functions around these leave
+/// out: a condition acts on the bodies of which it names all nodes, at their centres. Its nodes are the bodies.
+/// Errors: as make_kinematics, and values that are read from the mesh. Nothing without rigid bodies in the scope.
+Kinematics make_body_kinematics(const ConditionScope& scope);
+Kinematics make_body_rotation_kinematics(const ConditionScope& scope);
 
 /// Compiles those on how nodes turn; an axis counts as its direction. Nodes without rotations, those of
 /// solids alone, are left out. Errors: as make_kinematics, and prescribed rotations that are left without

@@ -39,12 +39,17 @@ bool is_of_rotations(const PrescribedCondition& prescribed) {
          prescribed.quantity == PrescribedQuantity::rotational_velocity;
 }
 
+/// What conditions are compiled for.
+struct Driven {
+  bool are_bodies = false;  ///< rigid bodies in place of nodes
+  bool turn = false;        ///< rotations in place of places
+  const Eigen::Matrix3Xd* inertia = nullptr;  ///< of the nodes, when these turn
+};
+
 /// Compiles conditions, each on its own.
 class KinematicsMaker {
  public:
-  ///   inertia  of the nodes that turn, when conditions on rotations are compiled; null: on positions
-  KinematicsMaker(const ConditionScope& scope, const Eigen::Matrix3Xd* inertia)
-      : scope_(scope), inertia_(inertia) {}
+  KinematicsMaker(const ConditionScope& scope, const Driven& driven) : scope_(scope), wanted_(driven) {}
 
   void add(const FixedCondition& fixed);
   void add(const PrescribedCondition& prescribed);
@@ -53,9 +58,10 @@ class KinematicsMaker {
  private:
   bool find_names(const EntitySet& set, const DirectionChoice& choice, DrivenNodes& driven) const;
   bool keep_turning(std::vector<NodeIndex>& nodes) const;
+  void sort_out_bodies(DrivenNodes& driven) const;
 
   const ConditionScope& scope_;
-  const Eigen::Matrix3Xd* inertia_;
+  Driven wanted_;
   std::vector<DrivenNodes> driven_;
 };
 
@@ -63,18 +69,41 @@ class KinematicsMaker {
 bool KinematicsMaker::find_names(const EntitySet& set, const DirectionChoice& choice,
                                  DrivenNodes& driven) const {
   driven.nodes = find_nodes(set, driven.label, scope_);
+  sort_out_bodies(driven);
   const auto direction = find_direction(choice, scope_);
   if (direction) driven.direction = *direction;
-  if (const auto* axis = std::get_if<Axis>(&driven.direction); axis != nullptr && inertia_ != nullptr)
+  if (const auto* axis = std::get_if<Axis>(&driven.direction); axis != nullptr && wanted_.turn)
     driven.direction = Eigen::Vector3d(axis->direction);
   return direction && !driven.nodes.empty();
 }
 
+/// Leaves nodes that are free, or bodies of which all nodes are named.
+void KinematicsMaker::sort_out_bodies(DrivenNodes& driven) const {
+  if (scope_.rigid == nullptr || scope_.rigid->names.empty()) return;
+  const RigidNodes& rigid = *scope_.rigid;
+  std::vector<std::size_t> counts(rigid.names.size(), 0);
+  std::vector<NodeIndex> free, bodies;
+  for (const NodeIndex node : driven.nodes) {
+    if (rigid.is_free(node)) free.push_back(node);
+    else ++counts[static_cast<std::size_t>(rigid.body_of[node.value])];
+  }
+  for (std::uint32_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] == rigid.counts[i]) bodies.push_back({i});
+    if (wanted_.are_bodies || counts[i] == 0 || counts[i] == rigid.counts[i]) continue;
+    scope_.diagnostics.add_warning(
+        "condition-rigid", driven.label.location,
+        driven.label.what + " leaves out nodes of the rigid body '" + rigid.names[i] + "'",
+        "name its block or the body itself to act on all of it");
+  }
+  driven.nodes = wanted_.are_bodies ? std::move(bodies) : std::move(free);
+}
+
 /// Returns whether some are left, or there were none before.
 bool KinematicsMaker::keep_turning(std::vector<NodeIndex>& nodes) const {
-  if (inertia_ == nullptr || nodes.empty()) return true;
+  if (wanted_.inertia == nullptr || nodes.empty()) return true;
+  const Eigen::Matrix3Xd& inertia = *wanted_.inertia;
   std::erase_if(nodes, [&](NodeIndex node) {
-    return inertia_->cols() == 0 || (*inertia_)(0, node.value) <= least_mass;
+    return inertia.cols() == 0 || inertia(0, node.value) <= least_mass;
   });
   return !nodes.empty();
 }
@@ -103,6 +132,11 @@ void KinematicsMaker::add(const PrescribedCondition& prescribed) {
         driven.label.location, driven.label.what + " cannot act: the nodes of solids have no rotations",
         "PRESCRIBED DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis");
   }
+  if (wanted_.are_bodies && prescribed.variable.variable && has_nodes) {
+    return scope_.diagnostics.add_error(driven.label.location,
+                                        driven.label.what + " of a rigid body cannot be read from the mesh",
+                                        "give it a FUNCTION");
+  }
   const ValueTarget target{prescribed.direction.components, driven.nodes, driven.label};
   const auto values = find_condition_values(prescribed.function, prescribed.variable, target, scope_);
   if (!values || !has_nodes) return;
@@ -120,26 +154,44 @@ void KinematicsMaker::add(const PrescribedCondition& prescribed) {
   }
 }
 
-Kinematics compile(const ConditionScope& scope, const Eigen::Matrix3Xd* inertia) {
-  KinematicsMaker maker(scope, inertia);
-  const bool wants_rotations = inertia != nullptr;
+Kinematics compile(const ConditionScope& scope, const Driven& wanted) {
+  KinematicsMaker maker(scope, wanted);
   for (const FixedCondition& fixed : scope.region.fixed_conditions) {
-    if (fixed.is_rotation == wants_rotations) maker.add(fixed);
+    if (fixed.is_rotation == wanted.turn) maker.add(fixed);
   }
   for (const PrescribedCondition& prescribed : scope.region.prescribed_conditions) {
-    if (is_of_rotations(prescribed) == wants_rotations) maker.add(prescribed);
+    if (is_of_rotations(prescribed) == wanted.turn) maker.add(prescribed);
   }
   std::vector<DrivenNodes> driven = maker.take();
-  check_conflicts(driven, scope.mesh, scope.diagnostics);
-  return Kinematics(scope.mesh, separate_oblique_holds(std::move(driven)));
+  const Mesh& mesh = wanted.are_bodies ? *scope.rigid->references : scope.mesh;
+  check_conflicts(driven, mesh, scope.diagnostics);
+  return Kinematics(mesh, separate_oblique_holds(std::move(driven)));
+}
+
+/// Conditions on bodies are looked up a second time: what is wrong with them has been said.
+Kinematics compile_bodies(const ConditionScope& scope, bool turn) {
+  if (scope.rigid == nullptr || scope.rigid->names.empty() || scope.diagnostics.has_errors()) return {};
+  Diagnostics quiet;
+  const ConditionScope again{scope.definition, scope.region, scope.blocks, scope.mesh,
+                             quiet,            scope.stored, scope.rigid};
+  Kinematics made = compile(again, {true, turn, nullptr});
+  for (const Diagnostic& diagnostic : quiet.all()) {
+    if (diagnostic.severity == Severity::error)
+      scope.diagnostics.add_error(diagnostic.location, diagnostic.text, diagnostic.hint);
+  }
+  return made;
 }
 
 }  // namespace
 
-Kinematics make_kinematics(const ConditionScope& scope) { return compile(scope, nullptr); }
+Kinematics make_kinematics(const ConditionScope& scope) { return compile(scope, {}); }
 
 Kinematics make_rotation_kinematics(const ConditionScope& scope, const Eigen::Matrix3Xd& inertia) {
-  return compile(scope, &inertia);
+  return compile(scope, {false, true, &inertia});
 }
+
+Kinematics make_body_kinematics(const ConditionScope& scope) { return compile_bodies(scope, false); }
+
+Kinematics make_body_rotation_kinematics(const ConditionScope& scope) { return compile_bodies(scope, true); }
 
 }  // namespace contactsim

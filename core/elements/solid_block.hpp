@@ -44,6 +44,7 @@ struct SolidBlock {
   ElementIndex first_element;
   std::size_t n_elements = 0;
   SolidProperties properties;
+  bool is_rigid = false;  ///< a part of a rigid body: it has no stress
   std::string material;  ///< and its model, for people: "steel (elastic)"
   StateLayout layout;
   std::vector<BatchChunk> chunks;

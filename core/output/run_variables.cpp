@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/output/rigid_output.hpp"
 #include "core/output/strain_measures.hpp"
 
 namespace contactsim {
@@ -38,6 +39,7 @@ RunVariables::RunVariables(const Model& model, std::vector<RunVariable> more) : 
   add_rows(nodal_output_rows());
   add_rows(element_output_rows());
   for (std::size_t block = 0; block < model.blocks.size(); ++block) add_material_variables(block);
+  for (RunVariable& variable : rigid_variables(model)) add(std::move(variable));
   for (RunVariable& variable : more) add(std::move(variable));
 }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/rigid_output.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "core/names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using Value = double (*)(const RigidBody&, const RigidBodyState&, Eigen::Index component);
+
+struct Row {
+  std::string_view name;
+  Value value;
+};
+
+constexpr std::array rows{
+    Row{"displ", [](const RigidBody& body, const RigidBodyState& s, Eigen::Index c) {
+          return s.position(c) - body.centre(c);
+        }},
+    Row{"vel", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.now.velocity(c); }},
+    Row{"a", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.acceleration(c); }},
+    Row{"rotd", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.angle(c); }},
+    Row{"rotv", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.now.turning(c); }},
+    Row{"rota",
+        [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.angular_acceleration(c); }},
+    Row{"react", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.reaction(c); }},
+    Row{"rreact",
+        [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.reaction_moment(c); }},
+    Row{"fext", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.force(c); }},
+    Row{"mext", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.moment(c); }},
+};
+
+double quaternion_part(const RigidBody&, const RigidBodyState& state, Eigen::Index component) {
+  return component == 0 ? state.orientation.w() : state.orientation.vec()(component - 1);
+}
+
+// At the moment of output the state may not have bodies yet: before the run has started.
+RunVariable make_variable(std::string name, std::size_t body, Value value, Eigen::Index component) {
+  RunVariable variable;
+  variable.name = std::move(name);
+  variable.fill = [=](const OutputMoment& moment, const EntityRange&, std::span<double> values) {
+    const bool is_known = body < moment.state.rigid.size();
+    values[0] = is_known ? value(moment.model.rigid.bodies[body], moment.state.rigid[body], component) : 0.0;
+  };
+  return variable;
+}
+
+}  // namespace
+
+std::vector<RunVariable> rigid_variables(const Model& model) {
+  std::vector<RunVariable> variables;
+  for (std::size_t body = 0; body < model.rigid.bodies.size(); ++body) {
+    const std::string name = fold(model.rigid.bodies[body].name);
+    for (const Row& row : rows) {
+      for (Eigen::Index c = 0; c < 3; ++c)
+        variables.push_back(make_variable(fmt::format("{}{}_{}", row.name, "xyz"[c], name), body, row.value, c));
+    }
+    for (Eigen::Index c = 0; c < 4; ++c)
+      variables.push_back(make_variable(fmt::format("qvec{}_{}", c + 1, name), body, quaternion_part, c));
+  }
+  return variables;
+}
+
+}  // namespace contactsim

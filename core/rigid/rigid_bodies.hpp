@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/conditions/kinematics.hpp"
+#include "core/rigid/rigid_body.hpp"
+#include "core/rigid/rigid_nodes.hpp"
+
+namespace contactsim {
+
+/// The rigid bodies of a model. Conditions on them act on their centres.
+struct RigidBodies {
+  std::vector<RigidBody> bodies;
+  RigidNodes nodes;
+  Eigen::Matrix3Xd free_mass;     ///< as Model::mass, but 0 of nodes that are not free; 3 x 0 without bodies
+  Eigen::Matrix3Xd free_inertia;  ///< as Model::inertia in the same way
+  Kinematics kinematics;           ///< its nodes are the bodies
+  Kinematics rotation_kinematics;  ///< the same
+
+  bool empty() const { return bodies.empty(); }
+};
+
+}  // namespace contactsim
