@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace contactsim {
 
 namespace {
@@ -35,6 +37,21 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
   for (const RestartData& restart : region.restart_data) {
     diagnostics.add_warning("restart-not-written", restart.name.location,
                             "restart files are not supported yet: none is read or written");
+  }
+}
+
+void refuse_lofts(const ContactSurfaces& surfaces, const Mesh& mesh, Diagnostics& diagnostics) {
+  const auto is_of_shell = [&](ElementSide face) {
+    return topology(mesh.blocks()[mesh.block_of(face.element())].shape).family == Family::shell;
+  };
+  for (const ContactSurface& surface : surfaces.surfaces) {
+    if (surface.lofted_elements.empty() && std::ranges::none_of(surface.faces, is_of_shell)) continue;
+    diagnostics.add_error(
+        surface.location,
+        fmt::format(
+            "the surface '{}' has shells, lines or particles: their contact is not supported in a run yet",
+            surface.name),
+        "--check resolves it");
   }
 }
 

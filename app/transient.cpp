@@ -210,8 +210,8 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   Model model = make_model(input.definition, input.region, input.mesh, warnings);
   StoredVariables stored;
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
-  const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks,
-                             input.mesh,       warnings,     &stored,
+  const ConditionScope scope{input.definition,  input.region, input.procedure.time_control->blocks,
+                             input.mesh,        warnings,     &stored,
                              &model.rigid.nodes};
   model.kinematics = make_kinematics(scope);
   model.rotation_kinematics = make_rotation_kinematics(scope, model.inertia);
@@ -251,7 +251,10 @@ OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& 
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
-  if (input.contact != nullptr) refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, warnings);
+  if (input.contact != nullptr) {
+    refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, warnings);
+    refuse_lofts(input.contact->surfaces, input.mesh, warnings);
+  }
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,

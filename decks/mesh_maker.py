@@ -43,6 +43,11 @@ class MeshMaker:
                 for j in range(cells[1]) for i in range(cells[0])]
         return self._add(name, "SHELL4", rows, thickness)
 
+    def lines(self, name, start, end, n, kind="BEAM2"):
+        """Cells of two nodes along a straight line."""
+        spots = [self.node(*(np.array(start) + (np.array(end) - np.array(start)) * i / n)) for i in range(n + 1)]
+        return self._add(name, kind, [[a, b] for a, b in zip(spots, spots[1:])])
+
     def triangles(self, name, origin, size, cells, thickness):
         """A horizontal sheet of cells of two SHELL3 each, with a thickness attribute; their diagonals alternate."""
         x = np.linspace(origin[0], origin[0] + size[0], cells[0] + 1)

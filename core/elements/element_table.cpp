@@ -20,6 +20,11 @@ std::span<const SolidElement* const> shell_elements() {
   return rows;
 }
 
+std::span<const SolidElement* const> line_elements() {
+  static constexpr std::array rows{&beam2_beam, &bar2_beam, &beam2_truss, &bar2_truss, &sphere_particle};
+  return rows;
+}
+
 namespace {
 
 const SolidElement* find(std::span<const SolidElement* const> rows, Shape shape,
@@ -41,6 +46,10 @@ const SolidElement* find_shell_element(Shape shape, std::string_view formulation
   if (shape == Shape::shell3 && find(shell_elements(), Shape::shell4, formulation) != nullptr)
     return &shell3_c0_tri_shell;
   return find(shell_elements(), shape, formulation);
+}
+
+const SolidElement* find_line_element(Shape shape, std::string_view formulation) {
+  return find(line_elements(), shape, formulation);
 }
 
 std::string list_formulations(Shape shape) {

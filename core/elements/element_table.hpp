@@ -51,6 +51,12 @@ std::span<const SolidElement* const> solid_elements();
 /// The rows of shells, in the same order.
 std::span<const SolidElement* const> shell_elements();
 
+/// The rows of lines and particles: beam, truss, particle.
+std::span<const SolidElement* const> line_elements();
+
+/// The row of lines or particles of a shape and formulation, null when there is none.
+const SolidElement* find_line_element(Shape shape, std::string_view formulation);
+
 /// The row of a shape and formulation (compared without case), null when there is none.
 const SolidElement* find_solid_element(Shape shape, std::string_view formulation);
 

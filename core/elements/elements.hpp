@@ -13,6 +13,12 @@ extern const SolidElement tet4_mean_quadrature;
 extern const SolidElement wedge6_mean_quadrature;
 extern const SolidElement pyramid5_mean_quadrature;
 
+extern const SolidElement beam2_beam;
+extern const SolidElement bar2_beam;
+extern const SolidElement beam2_truss;
+extern const SolidElement bar2_truss;
+extern const SolidElement sphere_particle;
+
 extern const SolidElement shell4_bt_shell;
 extern const SolidElement quad4_bt_shell;
 extern const SolidElement shell3_c0_tri_shell;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cmath>
-
-#include "core/elements/shell_kernel.hpp"
-#include "core/materials/material_law.hpp"
+#include "core/elements/shell_stiffness.hpp"
 
 /// A step of shells whose Geometry is as QuadShell.
 namespace contactsim {
@@ -58,65 +55,39 @@ Resultants update_layers(const Law& law, const ShellSettings& settings, const Sh
   return sums;
 }
 
-/// Moduli that bound a shell's stiffness: a rate D of strain in the surface meets a power of the stress rate
-/// of at most lambda (tr D)^2 + 2 shear D : D, and angles across the thickness one of `across` times their
-/// squares.
-struct ShellModuli {
-  double lambda, shear, across, youngs;
-
-  explicit ShellModuli(const MaterialLaw& law) {
-    const ElasticModuli moduli = moduli_of(law);
-    const PlaneModuli plane(moduli);
-    lambda = std::max(plane.across, 0.0);
-    shear = moduli.shear;
-    across = moduli.shear;
-    youngs = 9.0 * moduli.bulk * moduli.shear / (3.0 * moduli.bulk + moduli.shear);
-  }
+/// What the patterns of a step are resisted by.
+template <class Geometry>
+struct PatternStep {
+  const Geometry& geometry;
+  const ShellSettings& settings;
+  const ShellModuli& moduli;
+  const ShellSizes& sizes;
+  const ShellMotion<Geometry::n_nodes>& motion;
 };
 
-/// The stiffness of a kind of patterns, times their scale.
-inline Lanes pattern_stiffness(PatternKind kind, const ShellSettings& settings, const ShellModuli& moduli,
-                               const ShellSizes& sizes, const Lanes& thickness) {
-  const Lanes volume = sizes.area * thickness;
-  switch (kind) {
-    case PatternKind::membrane:
-      return settings.membrane_hourglass * 0.5 * moduli.youngs * volume * sizes.gram_trace();
-    case PatternKind::bending:
-      return settings.bending_hourglass / 48.0 * moduli.youngs * volume * thickness * thickness *
-             sizes.gram_trace();
-    case PatternKind::shear:
-      break;
+/// Brings the elastic resistance to patterns to the end of the step; returns the work on it in the step.
+///   elastic            [n_patterns]
+///   resistance         its patterns are set
+///   frequency_squared  what patterns add to the bound is added [1/time^2]
+template <class Geometry>
+Lanes resist_patterns(const PatternStep<Geometry>& step, const typename Geometry::Rates& rates,
+                      std::span<Lanes> elastic, typename Geometry::Rates& resistance,
+                      Lanes& frequency_squared) {
+  const auto& motion = step.motion;
+  const Lanes per_mass = static_cast<double>(Geometry::n_nodes) / motion.mass;
+  const Lanes per_inertia = static_cast<double>(Geometry::n_nodes) / motion.inertia;
+  const auto sizes = step.geometry.pattern_sizes();
+  Lanes work = Lanes::Zero();
+  for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
+    const Lanes stiffness = sizes[k].scale * pattern_stiffness(Geometry::kinds[k], step.settings, step.moduli,
+                                                               step.sizes, motion.thickness);
+    const Lanes rate = rates.patterns[k], growth = motion.dt * stiffness * rate;
+    elastic[k] += growth;
+    work += motion.dt * rate * (elastic[k] - 0.5 * growth);
+    frequency_squared += stiffness * (sizes[k].by_moving * per_mass + sizes[k].by_turning * per_inertia);
+    resistance.patterns[k] = elastic[k];
   }
-  return settings.shear_hourglass * shear_correction / 48.0 * moduli.across * volume;
-}
-
-/// A bound for the squared frequency of the strains. With amplitudes V and W of motion in the surface and
-/// along the normal, and T of turning, the layers give at most [[a, b], [b, d]] in V and T, the shear a rank
-/// of size p + q in W and T: the largest eigenvalue of [[a, b], [b, d + p + q]] bounds them all.
-///   per_node   share of a node in the element [1]
-template <std::size_t n>
-Lanes strain_frequency(const ShellMotion<n>& motion, const ShellSettings& settings, const ShellModuli& moduli,
-                       const ShellSizes& sizes) {
-  double first = 0.0, second = 0.0;  // moments of the layers about the nodes
-  for (const ShellLayer& layer : settings.layers) {
-    const double height = 0.5 * layer.place + settings.offset;
-    first += layer.weight * height;
-    second += layer.weight * height * height;
-  }
-  const Lanes& t = motion.thickness;
-  const Lanes warp = sizes.warp * t;  // moments by powers of the thickness
-  const Lanes largest = sizes.gram_eigenvalue();
-  const Lanes in_plane = sizes.area * t * (moduli.lambda * sizes.gram_trace() + 2.0 * moduli.shear * largest);
-  const Lanes across = shear_correction * moduli.across * sizes.area * t;
-  const Lanes per_mass = static_cast<double>(n) / motion.mass;
-  const Lanes per_inertia = static_cast<double>(n) / motion.inertia;
-  const Lanes tilted = 1.0 + sizes.tilt;
-  const Lanes a = in_plane * per_mass * (1.0 + 2.0 * std::abs(first) * warp + second * warp * warp);
-  const Lanes b = in_plane * t * (std::abs(first) + second * warp) * (tilted * per_mass * per_inertia).sqrt();
-  const Lanes d = in_plane * t * t * second * tilted * per_inertia;
-  const Lanes shear = across * (largest * per_mass + sizes.shear_by_turning * per_inertia);
-  const Lanes half = 0.5 * (a - d - shear);
-  return 0.5 * (a + d + shear) + (half * half + b * b).sqrt();
+  return work;
 }
 
 }  // namespace shells
@@ -151,22 +122,10 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
 
   const shells::ShellModuli moduli(properties.law);
   Lanes frequency_squared = shells::strain_frequency(motion, settings, moduli, sizes);
-  const Lanes per_mass = static_cast<double>(Geometry::n_nodes) / motion.mass;
-  const Lanes per_inertia = static_cast<double>(Geometry::n_nodes) / motion.inertia;
-  const auto pattern_sizes = geometry.pattern_sizes();
   typename Geometry::Rates resistance;
-  step.hourglass_work.setZero();
-  for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
-    const PatternSizes& pattern = pattern_sizes[k];
-    const Lanes stiffness = pattern.scale * shells::pattern_stiffness(Geometry::kinds[k], settings, moduli,
-                                                                      sizes, motion.thickness);
-    const Lanes rate = rates.patterns[k], growth = motion.dt * stiffness * rate;
-    Lanes& elastic = state[n_layers + k];
-    elastic += growth;
-    step.hourglass_work += motion.dt * rate * (elastic - 0.5 * growth);
-    frequency_squared += stiffness * (pattern.by_moving * per_mass + pattern.by_turning * per_inertia);
-    resistance.patterns[k] = elastic;
-  }
+  step.hourglass_work = shells::resist_patterns<Geometry>(
+      shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates,
+      state.subspan(n_layers), resistance, frequency_squared);
   step.stable_step = 2.0 / frequency_squared.sqrt();
 
   const Geometry end(motion.x);

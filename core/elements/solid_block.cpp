@@ -74,6 +74,13 @@ SolidBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidEle
   return block;
 }
 
+std::vector<Lanes> in_lanes(std::span<const double> numbers, std::size_t n_batches) {
+  std::vector<Lanes> lanes(n_batches);
+  for (std::size_t i = 0; i < n_batches * n_lanes; ++i)
+    lanes[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes)) = numbers[std::min(i, numbers.size() - 1)];
+  return lanes;
+}
+
 void set_masses(const Mesh& mesh, SolidBlock& block) {
   for (const BatchChunk& chunk : block.chunks)
     block.element->volumes(block, chunk, mesh.coordinates(), block.mass);
@@ -95,10 +102,7 @@ SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const So
   SolidBlock block = make_block(mesh, mesh_block, element, properties);
   block.layout.n_points = settings.layers.size();
   block.shell = settings;
-  block.thickness.resize(block.n_batches());
-  for (std::size_t i = 0; i < block.n_batches() * n_lanes; ++i)
-    block.thickness[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes)) =
-        thickness[std::min(i, block.n_elements - 1)];
+  block.thickness = in_lanes(thickness, block.n_batches());
   set_masses(mesh, block);
   const double across = 1.0 / 12.0 + settings.offset * settings.offset;
   for (std::size_t i = 0; i < block.n_batches(); ++i) {
@@ -106,6 +110,23 @@ SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const So
     const Lanes area = block.mass[i] / (properties.density * t);
     block.inertia.push_back(block.mass[i] * (across * t * t).max(area / 8.0));
   }
+  return block;
+}
+
+SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                           const SolidProperties& properties, const BeamShapeSettings& beam,
+                           std::span<const double> sizes) {
+  SolidBlock block = make_block(mesh, mesh_block, element, properties);
+  block.layout.n_points = beam.fibres.size();
+  block.beam = beam;
+  block.section = in_lanes(sizes, block.n_batches());
+  set_masses(mesh, block);
+  if (!element.has_rotations) return block;
+  double second = 0.0;  // about the nodes
+  for (const BeamFibre& fibre : beam.fibres) second += fibre.area * (fibre.t * fibre.t + fibre.s * fibre.s);
+  const double offset = second - beam.second_t - beam.second_s;
+  const double radius_squared = (4.0 * std::max(beam.second_t, beam.second_s) + offset) / beam.area;
+  for (const Lanes& mass : block.mass) block.inertia.push_back(mass * radius_squared);
   return block;
 }
 

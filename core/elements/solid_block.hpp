@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/elements/beam_shape.hpp"
 #include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
 #include "core/elements/shell_settings.hpp"
@@ -45,7 +46,7 @@ struct SolidBlock {
   std::size_t n_elements = 0;
   SolidProperties properties;
   bool is_rigid = false;  ///< a part of a rigid body: it has no stress
-  std::string material;  ///< and its model, for people: "steel (elastic)"
+  std::string material;   ///< and its model, for people: "steel (elastic)"
   StateLayout layout;
   std::vector<BatchChunk> chunks;
   std::vector<std::uint32_t> chunk_nodes;  ///< of the mesh, chunk by chunk
@@ -53,8 +54,10 @@ struct SolidBlock {
   std::vector<Lanes> mass;                 ///< [n_batches] [mass]
   ShellSettings shell;                     ///< of shells
   std::vector<Lanes> thickness;            ///< [n_batches] of shells [length]
-  std::vector<Lanes> inertia;              ///< [n_batches] of elements whose nodes turn [mass length^2]
-  NodeSums sums;                           ///< from the nodes of chunks to those of the mesh
+  BeamShapeSettings beam;                  ///< of lines
+  std::vector<Lanes> section;  ///< [n_batches] of lines [length^2], of particles the radius [length]
+  std::vector<Lanes> inertia;  ///< [n_batches] of elements whose nodes turn [mass length^2]
+  NodeSums sums;               ///< from the nodes of chunks to those of the mesh
 
   std::size_t n_batches() const { return mass.size(); }
   std::span<const std::uint32_t> nodes_of(const BatchChunk& chunk) const {
@@ -89,6 +92,13 @@ SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const So
 SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
                             const SolidProperties& properties, const ShellSettings& settings,
                             std::span<const double> thickness);
+
+/// The same of lines and particles. The nodes of beams have inertias of 4 times the larger second moment over
+/// area, which is what keeps bending out of the stable step of slender beams.
+///   sizes  [n_elements] cross-section of lines [length^2], radius of particles [length]
+SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                           const SolidProperties& properties, const BeamShapeSettings& beam,
+                           std::span<const double> sizes);
 
 /// The state of undeformed elements at rest.
 SolidBlockState make_state(const SolidBlock& block);

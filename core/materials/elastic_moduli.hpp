@@ -11,6 +11,7 @@ struct ElasticModuli {
   double shear = 0.0;  ///< > 0 [force/length^2]
 
   double lambda() const { return bulk - 2.0 / 3.0 * shear; }
+  double youngs() const { return 9.0 * bulk * shear / (3.0 * bulk + shear); }
   /// Modulus of the pressure wave, bulk + 4/3 shear [force/length^2].
   double p_wave() const { return bulk + 4.0 / 3.0 * shear; }
 };

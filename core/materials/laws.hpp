@@ -21,6 +21,8 @@
 /// and, when shells may be made of it,
 ///   update_plane  the same without stress along z, in axes that turn with the material; the stiffness must
 ///                 not exceed the elastic one
+/// and, when beams and trusses may be,
+///   update_fibre  the same with stress along x and shear on its cross-section alone
 namespace contactsim {
 
 /// Hypoelastic: the stress rate is linear in the strain rate. Source: Sierra/SM, ELASTIC.
@@ -32,6 +34,7 @@ struct ElasticLaw {
   void start(std::span<Lanes>) const {}
   LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
   void update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const;
+  void update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes> state) const;
 };
 
 /// Von Mises plasticity with associated flow, brought back to the yield surface along its radius.
@@ -50,6 +53,7 @@ struct PlasticLaw {
   }
   LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
   void update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const;
+  void update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes> state) const;
 };
 
 extern template struct PlasticLaw<LinearHardening>;

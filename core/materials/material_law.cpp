@@ -76,6 +76,14 @@ bool can_be_plane(const MaterialLaw& law) {
       law);
 }
 
+bool can_be_fibre(const MaterialLaw& law) {
+  return std::visit(
+      [](const auto& held) {
+        return requires { &std::decay_t<decltype(held)>::update_fibre; };
+      },
+      law);
+}
+
 void start_state(const MaterialLaw& law, std::span<Lanes> state) {
   std::visit([&](const auto& held) { held.start(state); }, law);
 }

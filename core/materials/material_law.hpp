@@ -30,6 +30,9 @@ ElasticModuli moduli_of(const MaterialLaw& law);
 /// Whether shells may be made of the law: it has update_plane.
 bool can_be_plane(const MaterialLaw& law);
 
+/// Whether beams and trusses may be: it has update_fibre.
+bool can_be_fibre(const MaterialLaw& law);
+
 /// Law::start of the law that is held.
 void start_state(const MaterialLaw& law, std::span<Lanes> state);
 

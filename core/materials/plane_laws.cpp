@@ -7,9 +7,11 @@ namespace contactsim {
 
 namespace {
 
-/// What the flow g = strain over stress of a step must satisfy, with s, d the sum and the difference of the
-/// direct stresses and t those of shear, all relative to the back stress in an elastic step:
-///   q(g)^2 = s^2 / 4 / (1 + a g)^2 + (3/4 d^2 + 3 t^2) / (1 + b g)^2,  q(g) = flow stress(2/3 g q(g)).
+/// What the flow g = strain over stress of a step must satisfy in a shell or a fibre. In a shell, with s, d
+/// the sum and the difference of the direct stresses and t those of shear, all relative to the back stress in
+/// an elastic step:
+///   q(g)^2 = s^2 / 4 / (1 + a g)^2 + (3/4 d^2 + 3 t^2) / (1 + b g)^2,  q(g) = flow stress(2/3 g q(g));
+/// in a fibre with s^2 in place of s^2 / 4, the stress along it, and no d.
 /// Source: Simo and Taylor, Int. J. Numer. Meth. Eng. 22 (1986) 649-670, with the shear across the thickness.
 template <class Hardening>
 struct PlaneConsistency {
@@ -62,6 +64,48 @@ struct PlaneConsistency {
 
 }  // namespace
 
+void ElasticLaw::update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes>) const {
+  stress[0] += moduli.youngs() * step.strain[0];
+  for (std::size_t i = 1; i < 3; ++i) stress[i] += moduli.shear * step.strain[i];
+}
+
+template <class Hardening>
+void PlasticLaw<Hardening>::update_fibre(const FibreStep& step, FibreLanes& stress,
+                                         std::span<Lanes> state) const {
+  stress[0] += moduli.youngs() * step.strain[0];
+  for (std::size_t i = 1; i < 3; ++i) stress[i] += moduli.shear * step.strain[i];
+  FibreLanes relative = stress;  // to the back stress less its parts across
+  if constexpr (Hardening::has_back_stress) {
+    relative[0] -= 1.5 * state[0];
+    for (std::size_t i = 1; i < 3; ++i) relative[i] -= state[fibre_places[i]];
+  }
+  Lanes& eqps = state[n_state - 1];
+  const double kinematic = 2.0 / 3.0 * hardening.kinematic_modulus;
+  const PlaneConsistency<Hardening> consistency{hardening,
+                                                relative[0] * relative[0],
+                                                3.0 * (relative[1] * relative[1] + relative[2] * relative[2]),
+                                                2.0 / 3.0 * moduli.youngs() + kinematic,
+                                                2.0 * moduli.shear + kinematic,
+                                                eqps,
+                                                step.dt};
+  const Lanes trial = (consistency.sum_part + consistency.difference_part).sqrt();
+  const Lanes start = hardening.at(eqps, Lanes::Zero(), step.dt).value;
+  if (step.dt == 0.0 || (trial <= start).all()) return;
+  const Lanes flow = consistency.solve(trial, start);
+  const Lanes per_shear = 1.0 / (1.0 + consistency.b * flow);
+  const FibreLanes end{relative[0] / (1.0 + consistency.a * flow), relative[1] * per_shear,
+                       relative[2] * per_shear};
+  for (std::size_t i = 0; i < 3; ++i) stress[i] += end[i] * (1.0 + kinematic * flow) - relative[i];
+  if constexpr (Hardening::has_back_stress) {
+    const Lanes across = kinematic * flow * end[0] / 3.0;
+    state[0] += 2.0 * across;
+    state[1] -= across;
+    state[2] -= across;
+    for (std::size_t i = 1; i < 3; ++i) state[fibre_places[i]] += kinematic * flow * end[i];
+  }
+  eqps += 2.0 / 3.0 * flow * consistency.equivalent(flow);
+}
+
 void ElasticLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes>) const {
   PlaneModuli(moduli).add(step.strain, stress);
 }
@@ -111,6 +155,12 @@ template void PlasticLaw<LinearHardening>::update_plane(const PlaneStep&, PlaneL
                                                         std::span<Lanes>) const;
 template void PlasticLaw<PowerHardening>::update_plane(const PlaneStep&, PlaneLanes&, std::span<Lanes>) const;
 template void PlasticLaw<JohnsonCookHardening>::update_plane(const PlaneStep&, PlaneLanes&,
+                                                             std::span<Lanes>) const;
+
+template void PlasticLaw<LinearHardening>::update_fibre(const FibreStep&, FibreLanes&,
+                                                        std::span<Lanes>) const;
+template void PlasticLaw<PowerHardening>::update_fibre(const FibreStep&, FibreLanes&, std::span<Lanes>) const;
+template void PlasticLaw<JohnsonCookHardening>::update_fibre(const FibreStep&, FibreLanes&,
                                                              std::span<Lanes>) const;
 
 }  // namespace contactsim

@@ -42,4 +42,16 @@ struct PlaneModuli {
   }
 };
 
+/// Components of a fibre that has no stress across it: xx along it, xy and zx.
+using FibreLanes = std::array<Lanes, 3>;
+
+/// Where FibreLanes stand among xx, yy, zz, xy, yz, zx.
+inline constexpr std::array<std::size_t, 3> fibre_places{0, 3, 5};
+
+/// How eight fibres deform in a step. Their axes turn with the material.
+struct FibreStep {
+  FibreLanes strain;  ///< increment; of shear, the angles [1]
+  double dt;          ///< size of the step; 0: the state at the start is asked for, nothing moves [time]
+};
+
 }  // namespace contactsim

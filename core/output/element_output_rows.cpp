@@ -4,8 +4,7 @@
 #include <array>
 #include <tuple>
 
-#include "core/elements/element_table.hpp"
-#include "core/output/element_geometry.hpp"
+#include "core/output/element_moment.hpp"
 #include "core/output/output_table.hpp"
 #include "core/output/strain_measures.hpp"
 
@@ -14,66 +13,6 @@ namespace contactsim {
 namespace {
 
 using Values = std::span<double>;
-
-// One element and what its variables are made of.
-struct ElementMoment {
-  const OutputMoment& moment;
-  const EntityRange& range;
-  std::size_t i;  // element range.first + i
-
-  const SolidBlock& block() const { return moment.model.blocks[range.block]; }
-  const ElementBlock& mesh_block() const { return moment.model.mesh->blocks()[block().mesh_block]; }
-  std::size_t element() const { return range.first + i; }
-  const Topology& shape() const { return topology(mesh_block().shape); }
-
-  ElementVectors gathered(const Eigen::Matrix3Xd& values) const {
-    return gather(mesh_block().element_nodes(static_cast<std::uint32_t>(element())), values);
-  }
-  ElementVectors coordinates() const { return gathered(moment.state.coordinates); }
-  double of_lane(const std::vector<Lanes>& numbers) const {
-    return numbers[element() / n_lanes](static_cast<Eigen::Index>(element() % n_lanes));
-  }
-  double mass() const { return of_lane(block().mass); }
-  double strain_energy() const {
-    return moment.state.blocks[range.block].at(block().layout, element(), block().layout.energy());
-  }
-  Eigen::Matrix3d stress() const { return stress_of(moment, range, i); }
-
-  // Mean of the gradient, by the mesh's coordinates, of the motion from the mesh to now.
-  Eigen::Matrix3d deformation_gradient() const {
-    const ElementVectors start = gathered(moment.model.mesh->coordinates());
-    if (shape().family == Family::shell) return shell_deformation_gradient(start);
-    const ElementVectors gradient = volume_gradient(shape(), start);
-    return coordinates() * gradient.transpose() / solid_volume(start, gradient);
-  }
-  // Of the surface; its thickness stays.
-  Eigen::Matrix3d shell_deformation_gradient(const ElementVectors& start) const {
-    const ElementVectors now = coordinates();
-    return now * surface_gradient(shape(), start).transpose() +
-           surface_normal(shape(), now) * surface_normal(shape(), start).transpose();
-  }
-  Eigen::Matrix3d log_strain() const { return contactsim::log_strain(deformation_gradient()); }
-  Eigen::Matrix3d rate_of_deformation() const {
-    const ElementVectors x = coordinates();
-    if (shape().family == Family::shell) {
-      const Eigen::Vector3d normal = surface_normal(shape(), x);
-      const Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-      const Eigen::Matrix3d l =
-          along * gathered(moment.state.velocity) * surface_gradient(shape(), x).transpose();
-      return 0.5 * (l + l.transpose());
-    }
-    const ElementVectors gradient = volume_gradient(shape(), x);
-    const Eigen::Matrix3d l =
-        gathered(moment.state.velocity) * gradient.transpose() / solid_volume(x, gradient);
-    return 0.5 * (l + l.transpose());
-  }
-  double thickness() const { return of_lane(block().thickness); }
-  double volume() const {
-    const ElementVectors x = coordinates();
-    if (shape().family == Family::shell) return surface_area(shape(), x) * thickness();
-    return solid_volume(x, volume_gradient(shape(), x));
-  }
-};
 
 void put(double value, double* to) { *to = value; }
 void put(const Eigen::Vector3d& value, double* to) { Eigen::Map<Eigen::Vector3d>{to} = value; }
@@ -250,51 +189,7 @@ constexpr auto joined(const Rows&... rows) {
   return all;
 }
 
-// The mean of a number over the range's integration points.
-template <class Value>
-double point_mean(const EntityRange& range, std::size_t n_points, Value value) {
-  if (range.point) return value(*range.point);
-  double sum = 0.0;
-  for (std::size_t p = 0; p < n_points; ++p) sum += value(p);
-  return sum / static_cast<double>(n_points);
-}
-
-double state_value(const OutputMoment& moment, const EntityRange& range, std::size_t i, std::size_t place) {
-  const StateLayout& layout = moment.model.blocks[range.block].layout;
-  return point_mean(range, layout.n_points, [&](std::size_t point) {
-    return moment.state.blocks[range.block].at(layout, range.first + i, point * layout.point_size + place);
-  });
-}
-
-constexpr std::size_t n_stresses = 6;
-
-// A tensor of the state along the global axes. Elements with a frame of their own keep it along that.
-Eigen::Matrix3d tensor_of(const OutputMoment& moment, const EntityRange& range, std::size_t i,
-                          std::size_t place) {
-  std::array<double, 6> components{};
-  for (std::size_t c = 0; c < 6; ++c) components[c] = state_value(moment, range, i, place + c);
-  const Eigen::Matrix3d tensor = symmetric(components);
-  const SolidBlock& block = moment.model.blocks[range.block];
-  if (block.element->frame == nullptr) return tensor;
-  const Eigen::Matrix3d frame = block.element->frame(ElementMoment{moment, range, i}.coordinates());
-  return frame.transpose() * tensor * frame;
-}
-
 }  // namespace
-
-Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i) {
-  return tensor_of(moment, range, i, 0);
-}
-
-double material_value(const OutputMoment& moment, const EntityRange& range, std::size_t i,
-                      std::size_t place) {
-  return state_value(moment, range, i, n_stresses + place);
-}
-
-Eigen::Matrix3d material_tensor(const OutputMoment& moment, const EntityRange& range, std::size_t i,
-                                std::size_t place) {
-  return tensor_of(moment, range, i, n_stresses + place);
-}
 
 std::span<const OutputRow> element_output_rows() {
   static constexpr auto rows = joined(stress_rows, strain_rows, shell_rows, other_rows);

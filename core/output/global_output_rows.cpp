@@ -37,13 +37,20 @@ void fill_momentum(const OutputMoment& m, const EntityRange&, Values values) {
 }
 
 void fill_angular_momentum(const OutputMoment& m, const EntityRange&, Values values) {
+  const RigidBodies& rigid = m.model.rigid;
+  const Eigen::Matrix3Xd& mass = rigid.empty() ? m.model.mass : rigid.free_mass;
+  const Eigen::Matrix3Xd& inertia = rigid.empty() ? m.model.inertia : rigid.free_inertia;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (Eigen::Index n = 0; n < m.state.coordinates.cols(); ++n) {
     const Eigen::Vector3d x = m.state.coordinates.col(n), v = m.state.velocity.col(n);
-    sum += m.model.mass(0, n) * x.cross(v);
+    sum += mass(0, n) * x.cross(v);
   }
   const Eigen::Matrix3Xd& turning = m.state.rotations.velocity;
-  for (Eigen::Index n = 0; n < turning.cols(); ++n) sum += m.model.inertia(0, n) * turning.col(n);
+  for (Eigen::Index n = 0; n < turning.cols(); ++n) sum += inertia(0, n) * turning.col(n);
+  for (std::size_t i = 0; i < m.state.rigid.size(); ++i) {
+    const RigidBodyState& body = m.state.rigid[i];
+    sum += body.now.spin + rigid.bodies[i].mass * body.position.cross(body.now.velocity);
+  }
   for (std::size_t i = 0; i < 3; ++i) values[i] = sum[static_cast<Eigen::Index>(i)];
 }
 

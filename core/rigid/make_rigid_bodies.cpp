@@ -19,7 +19,11 @@ class RigidBodyMaker {
  public:
   RigidBodyMaker(const SimulationDefinition& definition, const Region& region, Model& model,
                  Diagnostics& diagnostics)
-      : definition_(definition), region_(region), model_(model), mesh_(*model.mesh), diagnostics_(diagnostics) {
+      : definition_(definition),
+        region_(region),
+        model_(model),
+        mesh_(*model.mesh),
+        diagnostics_(diagnostics) {
     model.rigid.nodes.body_of.assign(mesh_.n_nodes(), RigidNodes::free);
     std::vector<SolidBlock> rigid;
     for (const SolidBlock& block : model.blocks) {
@@ -34,8 +38,10 @@ class RigidBodyMaker {
  private:
   bool claim_nodes(const RigidBodyDefinition& definition, std::span<const std::uint32_t> blocks,
                    RigidBody& body);
-  bool set_mass(const RigidBodyDefinition& definition, std::span<const std::uint32_t> blocks, RigidBody& body);
+  bool set_mass(const RigidBodyDefinition& definition, std::span<const std::uint32_t> blocks,
+                RigidBody& body);
   bool check_reference(const RigidBodyDefinition& definition, RigidBody& body);
+  bool share_mass(const DeckLocation& location, const RigidBody& body);
   MassMoments moments_of(std::span<const std::uint32_t> blocks, const RigidBody& body) const;
 
   const SimulationDefinition& definition_;
@@ -109,7 +115,6 @@ bool RigidBodyMaker::set_mass(const RigidBodyDefinition& definition, std::span<c
   const double factor = definition.mass.value_or(body.mass) / body.mass;
   body.mass *= factor;
   moments.second *= factor;
-  for (const NodeIndex node : body.nodes) model_.mass.col(node.value) *= factor;
   MassMoments whole{body.mass, Eigen::Vector3d::Zero(), moments.second};
   for (const AttachedPointMass& point : definition.point_masses)
     whole.add(point.mass, point.location - body.centre);
@@ -139,10 +144,36 @@ bool RigidBodyMaker::check_reference(const RigidBodyDefinition& definition, Rigi
   if ((reference - body.centre).norm() <= round_off * size) return true;
   diagnostics_.add_error(
       definition.name.location,
-      fmt::format("the reference location of '{}' is not its centre of mass, ({:.6g}, {:.6g}, {:.6g}), which is "
-                  "not supported",
-                  body.name, body.centre.x(), body.centre.y(), body.centre.z()),
+      fmt::format(
+          "the reference location of '{}' is not its centre of mass, ({:.6g}, {:.6g}, {:.6g}), which is "
+          "not supported",
+          body.name, body.centre.x(), body.centre.y(), body.centre.z()),
       "leave REFERENCE LOCATION out, or give MASS and INERTIA with it");
+  return false;
+}
+
+/// Shares the body's mass among its nodes anew where the deck gives a mass, a centre or point masses, such
+/// that weight acts at the centre: every node's mass times a linear function of its place.
+bool RigidBodyMaker::share_mass(const DeckLocation& location, const RigidBody& body) {
+  MassMoments at_nodes;
+  for (const NodeIndex node : body.nodes)
+    at_nodes.add(model_.mass(0, node.value), mesh_.coordinates().col(node.value) - body.centre);
+  const Eigen::Vector3d centre = at_nodes.first / at_nodes.mass;
+  const Eigen::Matrix3d spread = at_nodes.second / at_nodes.mass - centre * centre.transpose();
+  const Eigen::Vector3d slope = -inverse_where_it_is(spread) * centre;
+  const Eigen::Vector3d left = spread * slope + centre;  // where nodes lie in a plane that has not the centre
+  bool is_possible = left.norm() <= 1e-6 * std::sqrt(spread.trace());
+  for (const NodeIndex node : body.nodes) {
+    const Eigen::Vector3d arm = mesh_.coordinates().col(node.value) - body.centre - centre;
+    const double factor = body.mass / at_nodes.mass * (1.0 + slope.dot(arm));
+    is_possible = is_possible && factor > 0.0;
+    model_.mass.col(node.value) *= factor;
+  }
+  if (is_possible) return true;
+  diagnostics_.add_error(
+      location,
+      fmt::format("the centre of mass of the rigid body '{}' lies too far from its elements to be supported",
+                  body.name));
   return false;
 }
 
@@ -152,6 +183,7 @@ void RigidBodyMaker::add(const RigidBodyDefinition& definition) {
   const auto blocks = find_rigid_blocks(definition_, region_, mesh_, definition);
   if (blocks.empty() && definition.node_sets.empty()) return;  // of another region
   if (!claim_nodes(definition, blocks, body) || !set_mass(definition, blocks, body)) return;
+  if (!share_mass(definition.name.location, body)) return;
   body.flexible = inverse_where_it_is(body.inertia);
   body.arms.resize(3, static_cast<Eigen::Index>(body.nodes.size()));
   for (std::size_t i = 0; i < body.nodes.size(); ++i)
@@ -201,9 +233,9 @@ void set_rigid_velocities(const ConditionScope& scope, const RigidBodies& rigid,
     const RigidBodyDefinition& given = *std::find_if(all.begin(), all.end(), is_it);
     const bool moves = std::isfinite(given.magnitude), turns = std::isfinite(given.angular_velocity);
     if ((moves && !given.direction) || (turns && !given.cylindrical_axis)) {
-      scope.diagnostics.add_error(given.name.location,
-                                  fmt::format("the initial velocity of the rigid body '{}' has no {}", body.name,
-                                              moves && !given.direction ? "DIRECTION" : "CYLINDRICAL AXIS"));
+      scope.diagnostics.add_error(
+          given.name.location, fmt::format("the initial velocity of the rigid body '{}' has no {}", body.name,
+                                           moves && !given.direction ? "DIRECTION" : "CYLINDRICAL AXIS"));
       continue;
     }
     const auto way = moves ? find_direction({{}, given.direction, {}}, scope) : std::nullopt;

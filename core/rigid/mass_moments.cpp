@@ -54,7 +54,8 @@ MassMoments shell_moments(const Topology& shape, const ElementVectors& x, double
   for_each_triangle(face, [&](int a, int b, int c, double share) {
     Corners triangle(3, 3);
     triangle << x.col(a), x.col(b), x.col(c);
-    const Eigen::Vector3d area = 0.5 * Eigen::Vector3d(x.col(b) - x.col(a)).cross(Eigen::Vector3d(x.col(c) - x.col(a)));
+    const Eigen::Vector3d area =
+        0.5 * Eigen::Vector3d(x.col(b) - x.col(a)).cross(Eigen::Vector3d(x.col(c) - x.col(a)));
     add_simplex(share * area.norm(), triangle, moments);
     normal += area;
   });

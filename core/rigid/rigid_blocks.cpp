@@ -15,8 +15,8 @@ std::vector<std::uint32_t> find_rigid_blocks(const SimulationDefinition& definit
   for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
     const BlockParameters* parameters = find_block_parameters(*model, names[i]);
     const SectionDefinition* section = parameters ? find_section(definition, *parameters) : nullptr;
-    const bool is_member = section != nullptr && section->rigid_body &&
-                           fold(section->rigid_body->text) == fold(body.name.text);
+    const bool is_member =
+        section != nullptr && section->rigid_body && fold(section->rigid_body->text) == fold(body.name.text);
     if (is_member) blocks.push_back(i);
   }
   return blocks;

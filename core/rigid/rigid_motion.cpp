@@ -34,7 +34,8 @@ struct BodyArrays {
 
   explicit BodyArrays(const std::vector<RigidBodyState>& bodies) {
     const auto n = static_cast<Eigen::Index>(bodies.size());
-    for (Eigen::Matrix3Xd* array : {&position, &velocity, &acceleration, &angle, &turning, &angular_acceleration})
+    for (Eigen::Matrix3Xd* array :
+         {&position, &velocity, &acceleration, &angle, &turning, &angular_acceleration})
       array->resize(3, n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const RigidBodyState& body = bodies[static_cast<std::size_t>(i)];
@@ -157,8 +158,8 @@ void drive_start(const Model& model, State& state) {
     body.before.velocity = arrays.velocity.col(column);
     if (arrays.turning.col(column) != body.before.turning) {
       body.before.turning = arrays.turning.col(column);
-      body.before.spin =
-          inertia_amid(model.rigid.bodies[i], body.orientation, body.before.turning, 0.0) * body.before.turning;
+      body.before.spin = inertia_amid(model.rigid.bodies[i], body.orientation, body.before.turning, 0.0) *
+                         body.before.turning;
     }
     body.now = body.before;
     set_velocities(model.rigid.bodies[i], body, state);
@@ -230,8 +231,9 @@ void add_rigid_work(const Model& model, const State& state, NodeWork& work) {
                 2.0 * body.now.spin - body.after.spin};
     }
     work.kinetic += 0.5 * (mass * body.now.velocity.squaredNorm() + body.now.spin.dot(body.now.turning));
-    work.conserved += 0.5 * (mass * body.after.velocity.dot(behind.velocity) +
-                             0.5 * (body.after.spin.dot(behind.turning) + behind.spin.dot(body.after.turning)));
+    work.conserved +=
+        0.5 * (mass * body.after.velocity.dot(behind.velocity) +
+               0.5 * (body.after.spin.dot(behind.turning) + behind.spin.dot(body.after.turning)));
     work.momentum += mass * body.now.velocity;
     work.ended.external += half_before * (body.reaction.dot(body.before.velocity) +
                                           body.reaction_moment.dot(body.before.turning));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Shells without contact."""
+"""Shells and beams without contact."""
 import math
 
 import numpy as np
@@ -92,3 +92,20 @@ def breathing_pipe(bench, n=32):
     return [Check("largest expansion [m]", 2 * expansion, np.max(run["wall"]), 0.01),
             Check("frequency [Hz]", exact, frequency_of(run["Time"], run["wall"] - expansion), 0.01),
             energy_check(run, ["external_energy"])]
+
+
+def beam_mesh(n):
+    mesh = MeshMaker()
+    mesh.lines("beam", (0, 0, 0), (1, 0, 0), n)
+    mesh.node_set("clamped", lambda x, y, z: x == 0)
+    return mesh
+
+
+@case(refined=[5, 10, 20])
+def beam(bench, n=10):
+    run = bench.run("beam", beam_mesh(n))
+    checks = []
+    for way, size in [("y", 0.05), ("z", 0.02)]:
+        exact = 1.875104 ** 2 / (2 * math.pi) * math.sqrt(200e9 * size ** 2 / (12 * 7800))
+        checks.append(Check(f"frequency along {way} [Hz]", exact, frequency_of(run["Time"], run[f"tip_{way}"]), 0.01))
+    return checks + [energy_check(run, ["kinetic_energy"])]

@@ -10,9 +10,17 @@ namespace contactsim::test {
 
 namespace {
 
-Mesh one_shell_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
+Eigen::Matrix3Xd summed(const NodeSums& sums, const std::vector<NodeVector>& parts, Eigen::Index n) {
+  Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, n);
+  sums.add(parts, all);
+  return all;
+}
+
+}  // namespace
+
+Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
   MeshParts parts;
-  parts.path = "one shell";
+  parts.path = "one element";
   parts.coordinates = coordinates;
   ElementBlock block;
   block.id = 1;
@@ -23,14 +31,6 @@ Mesh one_shell_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
   parts.blocks.push_back(std::move(block));
   return Mesh(std::move(parts));
 }
-
-Eigen::Matrix3Xd summed(const NodeSums& sums, const std::vector<NodeVector>& parts, Eigen::Index n) {
-  Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, n);
-  sums.add(parts, all);
-  return all;
-}
-
-}  // namespace
 
 Eigen::Matrix3Xd regular_shell(Shape shape) {
   Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, topology(shape).n_nodes);
@@ -52,10 +52,13 @@ ShellSettings gauss_layers(std::int64_t n_layers) {
 
 LoneShell::LoneShell(const SolidElement& row, const MaterialLaw& law, const Eigen::Matrix3Xd& at_rest,
                      double thickness, const ShellSettings& settings)
-    : block(make_shell_block(one_shell_mesh(row.shape, at_rest), 0, row, undamped(law), settings,
+    : block(make_shell_block(one_element_mesh(row.shape, at_rest), 0, row, undamped(law), settings,
                              {&thickness, 1})),
       state(make_state(block)),
       coordinates(at_rest) {}
+
+LoneShell::LoneShell(SolidBlock its_block, const Eigen::Matrix3Xd& at_rest)
+    : block(std::move(its_block)), state(make_state(block)), coordinates(at_rest) {}
 
 ChunkStep LoneShell::move_to(const Eigen::Matrix3Xd& there, const Eigen::Matrix3Xd& turns, double dt) {
   const double per_dt = dt > 0.0 ? 1.0 / dt : 0.0;

@@ -13,7 +13,10 @@ Eigen::Matrix3Xd regular_shell(Shape shape);
 /// Three layers of Gauss.
 ShellSettings gauss_layers(std::int64_t n_layers = 3);
 
-/// One shell that a test moves as it likes.
+/// A mesh of one element over these nodes.
+Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates);
+
+/// One shell, or another element whose nodes may turn, that a test moves as it likes.
 struct LoneShell {
   SolidBlock block;
   SolidBlockState state;
@@ -21,6 +24,9 @@ struct LoneShell {
 
   LoneShell(const SolidElement& row, const MaterialLaw& law, const Eigen::Matrix3Xd& at_rest,
             double thickness, const ShellSettings& settings = gauss_layers());
+
+  /// Any block of one element.
+  LoneShell(SolidBlock its_block, const Eigen::Matrix3Xd& at_rest);
 
   /// Moves the nodes along straight lines in one step, and turns them.
   ///   turns  [3 x n_nodes] angular velocity times dt [1]

@@ -65,7 +65,7 @@ TEST_CASE("wrong parts of a set are errors at their place", "[core][conditions]"
   CHECK(nodes_of("assembly = empty\n") ==
         "c.i:2:12: error: assembly 'empty' holds no block, side set or node set\n");
   CHECK(nodes_of("rigid body = rb\n") ==
-        "c.i:2:14: error: the fixed displacement: rigid bodies are not supported yet\n");
+        "c.i:1:1: warning: the fixed displacement acts on no node [condition-empty]\n");
   CHECK(nodes_of("block = block_1\nremove block = block_1\n") ==
         "c.i:1:1: warning: the fixed displacement acts on no node [condition-empty]\n");
 }

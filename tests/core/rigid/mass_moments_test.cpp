@@ -38,8 +38,8 @@ TEST_CASE("the moments of a brick are exact for any cells", "[core][rigid]") {
 TEST_CASE("the moments of a sheet of shells are those of a thin brick", "[core][rigid]") {
   const Mesh mesh = MeshBuilder().add_shells({.cells = {3, 2}, .u = {1, 0, 0}, .v = {0, 2, 0}}).build();
   const std::vector<double> thickness(6, 0.3);
-  const SolidBlock block = make_shell_block(mesh, 0, shell4_bt_shell, {ElasticLaw{{1.0, 1.0}}, 2.0},
-                                            gauss_layers(), thickness);
+  const SolidBlock block =
+      make_shell_block(mesh, 0, shell4_bt_shell, {ElasticLaw{{1.0, 1.0}}, 2.0}, gauss_layers(), thickness);
   const MassMoments moments = mass_moments(block, mesh, {0.5, 1.0, 0.0});
   CHECK(moments.mass == Approx(1.2));
   const Eigen::Matrix3d inertia = inertia_of(moments.second);

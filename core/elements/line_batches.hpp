@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/elements/element_batches.hpp"
+#include "core/elements/shell_frame.hpp"
+
+/// Makes a row of the element table from a kind of lines of two nodes, which states n_own and has_rotations
+/// and has
+///   advance(block, batch, motion, state, step)   state: [layout.energy()]
+namespace contactsim {
+
+/// How eight lines move in a step.
+struct LineMotion {
+  NodeVectors<2> x;     ///< coordinates at the end of the step [length]
+  NodeVectors<2> v;     ///< velocities at its middle [length/time]
+  NodeVectors<2> w;     ///< angular velocities at its middle, of lines with rotations [1/time]
+  Lanes mass, inertia;  ///< of the elements [mass], [mass length^2]
+  double dt = 0.0;      ///< size of the step; 0: forces at the start are asked for [time]
+
+  VectorLanes velocity_difference() const {
+    return {v[0][1] - v[0][0], v[1][1] - v[1][0], v[2][1] - v[2][0]};
+  }
+};
+
+/// What a step gives. The second node feels -pull, the first pull; of moments the second -bend - mean_moment
+/// / 2, the first bend - mean_moment / 2.
+struct LineStep {
+  VectorLanes pull;               ///< [force]
+  VectorLanes bend, mean_moment;  ///< of lines with rotations [force length]
+  Lanes volume, stable_step, stress_work;
+};
+
+/// Where lines lie some time before the end of a step.
+struct LineGeometry {
+  VectorLanes axis;  ///< unit, from the first node to the second
+  Lanes length;
+
+  explicit LineGeometry(const NodeVectors<2>& x) {
+    VectorLanes way;
+    for (std::size_t i = 0; i < 3; ++i) way[i] = x[i][1] - x[i][0];
+    set(way);
+  }
+  ///   before  [time]
+  LineGeometry(const NodeVectors<2>& x, const NodeVectors<2>& v, double before) {
+    VectorLanes way;
+    for (std::size_t i = 0; i < 3; ++i) way[i] = x[i][1] - x[i][0] - before * (v[i][1] - v[i][0]);
+    set(way);
+  }
+
+ private:
+  void set(const VectorLanes& way) {
+    length = dot(way, way).sqrt();
+    axis = scaled(way, 1.0 / length);
+  }
+};
+
+/// The stress that a fibre keeps.
+inline FibreLanes fibre_stress(std::span<const Lanes> point) {
+  return {point[fibre_places[0]], point[fibre_places[1]], point[fibre_places[2]]};
+}
+
+/// Brings a fibre to the end of a step; returns its stress there. Precondition: the law has update_fibre.
+///   point  [6 + n_state]
+inline FibreLanes update_fibre(const MaterialLaw& law, const FibreStep& step, std::span<Lanes> point) {
+  FibreLanes stress = fibre_stress(point);
+  std::visit(
+      [&](const auto& held) {
+        if constexpr (requires { &std::decay_t<decltype(held)>::update_fibre; })
+          held.update_fibre(step, stress, point.subspan(6));
+      },
+      law);
+  for (std::size_t i = 0; i < 3; ++i) point[fibre_places[i]] = stress[i];
+  return stress;
+}
+
+namespace batches {
+
+inline void line_volumes(const SolidBlock& block, const BatchChunk& chunk,
+                         const Eigen::Matrix3Xd& coordinates, std::span<Lanes> volumes) {
+  const ChunkVectors x(block.nodes_of(chunk), coordinates);
+  for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    const ChunkNode* nodes = block.nodes.data() + i * 2 * n_lanes;
+    volumes[i] = LineGeometry(gather<2>(nodes, x.data())).length * block.section[i];
+  }
+}
+
+template <class Line>
+ChunkStep advance_lines(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
+                        SolidBlockState& state) {
+  const auto numbers = block.nodes_of(chunk);
+  const ChunkVectors x(numbers, motion.coordinates), v(numbers, motion.velocity);
+  const ChunkVectors w(numbers, Line::has_rotations ? *motion.angular_velocity : motion.velocity);
+  NodeVector* forces = state.forces.data() + chunk.first_node;
+  std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
+  if (Line::has_rotations)
+    std::fill_n(state.moments.data() + chunk.first_node, chunk.n_nodes, NodeVector::Zero());
+  ChunkStep sums = no_step();
+  for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    const ChunkNode* nodes = block.nodes.data() + i * 2 * n_lanes;
+    const Lanes inertia = Line::has_rotations ? block.inertia[i] : Lanes::Zero();
+    const LineMotion line_motion{gather<2>(nodes, x.data()),
+                                 gather<2>(nodes, v.data()),
+                                 gather<2>(nodes, w.data()),
+                                 block.mass[i],
+                                 inertia,
+                                 motion.dt};
+    const std::span<Lanes> values = state.batch(block.layout, i);
+    LineStep step;
+    Line::advance(block, i, line_motion, values.first(block.layout.energy()), step);
+    values.back() += step.stress_work;
+    const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
+    NodeVectors<2> at_nodes;
+    for (std::size_t k = 0; k < 3; ++k) at_nodes[k] = {step.pull[k], -step.pull[k]};
+    scatter_add(at_nodes, nodes, n_used, forces);
+    if constexpr (Line::has_rotations) {
+      for (std::size_t k = 0; k < 3; ++k)
+        at_nodes[k] = {step.bend[k] - 0.5 * step.mean_moment[k], -step.bend[k] - 0.5 * step.mean_moment[k]};
+      scatter_add(at_nodes, nodes, n_used, state.moments.data() + chunk.first_node);
+    }
+    add_extremes(step.stable_step, step.volume, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
+  }
+  return sums;
+}
+
+}  // namespace batches
+
+///   n_points  of the layout comes from the block
+template <class Line>
+constexpr SolidElement line_element(Shape shape, std::string_view formulation) {
+  return {shape,
+          formulation,
+          2,
+          1,
+          Line::n_own,
+          &batches::line_volumes,
+          &batches::advance_lines<Line>,
+          Line::has_rotations};
+}
+
+}  // namespace contactsim

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/elements/elements.hpp"
+#include "core/elements/line_batches.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Straight bars of two nodes that have nothing but an axial stress. The cross-section does not change.
+struct Truss {
+  static constexpr std::size_t n_own = 0;
+  static constexpr bool has_rotations = false;
+
+  /// As LineStep; the middle of a step makes a turn of any size free of strain.
+  static void advance(const SolidBlock& block, std::size_t batch, const LineMotion& motion,
+                      std::span<Lanes> state, LineStep& step) {
+    const LineGeometry middle(motion.x, motion.v, 0.5 * motion.dt), end(motion.x);
+    FibreStep strain{{}, motion.dt};
+    for (Lanes& component : strain.strain) component.setZero();
+    strain.strain[0] = motion.dt * dot(motion.velocity_difference(), middle.axis) / middle.length;
+    const FibreLanes before = fibre_stress(state);
+    const FibreLanes after = update_fibre(block.properties.law, strain, state);
+    const Lanes& area = block.section[batch];
+    step.stress_work = 0.5 * (before[0] + after[0]) * strain.strain[0] * area * middle.length;
+    const double youngs = moduli_of(block.properties.law).youngs();
+    step.stable_step = (motion.mass * middle.length / (youngs * area)).sqrt();
+    step.volume = area * end.length;
+    step.pull = scaled(end.axis, area * after[0]);
+  }
+};
+
+}  // namespace
+
+const SolidElement bar2_truss = line_element<Truss>(Shape::bar2, "truss");
+const SolidElement beam2_truss = line_element<Truss>(Shape::beam2, "truss");
+
+}  // namespace contactsim

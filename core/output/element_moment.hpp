@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/output/element_geometry.hpp"
+#include "core/output/output_table.hpp"
+
+namespace contactsim {
+
+/// One element at the moment of output, and what its variables are made of.
+struct ElementMoment {
+  const OutputMoment& moment;
+  const EntityRange& range;
+  std::size_t i;  ///< element range.first + i of the block
+
+  const SolidBlock& block() const { return moment.model.blocks[range.block]; }
+  const ElementBlock& mesh_block() const { return moment.model.mesh->blocks()[block().mesh_block]; }
+  const Topology& shape() const { return topology(mesh_block().shape); }
+  std::size_t element() const { return range.first + i; }
+
+  /// The columns of the element's nodes of an array over the mesh.
+  ElementVectors gathered(const Eigen::Matrix3Xd& values) const;
+  ElementVectors coordinates() const { return gathered(moment.state.coordinates); }
+
+  /// One of numbers that are kept by batches [n_batches].
+  double of_lane(const std::vector<Lanes>& numbers) const {
+    return numbers[element() / n_lanes](static_cast<Eigen::Index>(element() % n_lanes));
+  }
+  double mass() const { return of_lane(block().mass); }            ///< [mass]
+  double thickness() const { return of_lane(block().thickness); }  ///< of shells [length]
+  double volume() const;         ///< now; lines and particles keep theirs [length^3]
+  double strain_energy() const;  ///< work of the stress so far [energy]
+  Eigen::Matrix3d stress() const { return stress_of(moment, range, i); }
+
+  /// The motion from the mesh to now: its mean gradient by the mesh's coordinates. Of shells that of the
+  /// surface, whose thickness stays; of lines the stretch along them; particles do not deform.
+  Eigen::Matrix3d deformation_gradient() const;
+  Eigen::Matrix3d log_strain() const;  ///< of the deformation gradient [1]
+
+  /// Symmetric part of the mean velocity gradient, in the same way [1/time].
+  Eigen::Matrix3d rate_of_deformation() const;
+
+  /// The axes, as rows, along which the element keeps its stress.
+  Eigen::Matrix3d frame() const;
+};
+
+}  // namespace contactsim
