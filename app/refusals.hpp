@@ -4,6 +4,7 @@
 #include "contact/contact_surface.hpp"
 #include "core/definition/procedure.hpp"
 #include "core/diagnostics.hpp"
+#include "core/mesh/mesh.hpp"
 
 namespace contactsim {
 
