@@ -93,7 +93,8 @@ void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& mome
   moments.setZero();
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const SolidBlock& block = model_.blocks[index];
-    if (block.element->has_rotations && !block.is_rigid) block.sums.add(state_.blocks[index].moments, moments);
+    if (block.element->has_rotations && !block.is_rigid)
+      block.sums.add(state_.blocks[index].moments, moments);
   }
 }
 

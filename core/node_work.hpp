@@ -17,8 +17,8 @@ struct NodeWork {
 
 /// Brings the velocities from the middle of the step that ends (at the start: from now) to now, and sums work
 /// and energy over the nodes in a fixed order. Forces and accelerations are those of now; what
-/// mass x acceleration has beyond the forces is the reaction, whose work counts as external. Of the nodes of rigid
-/// bodies only the work of the forces counts.
+/// mass x acceleration has beyond the forces is the reaction, whose work counts as external. Of the nodes of
+/// rigid bodies only the work of the forces counts.
 NodeWork complete_velocities(const Model& model, State& state);
 
 /// The moment by which conditions hold or turn a node: inertia x angular acceleration less all other moments.

@@ -23,7 +23,8 @@ struct EntityParts {
 };
 
 /// Looks up the parts of an entity set. Errors: names and ids that the mesh does not have, assemblies that
-/// hold nothing, parts whose elements are of an unknown type. A rigid body stands for its blocks and node sets.
+/// hold nothing, parts whose elements are of an unknown type. A rigid body stands for its blocks and node
+/// sets.
 ///   label  the condition that the set belongs to
 EntityParts find_parts(const EntitySet& set, const ConditionLabel& label, const ConditionScope& scope);
 

@@ -49,9 +49,10 @@ class Kinematics {
 /// the mesh file cannot be read.
 Kinematics make_kinematics(const ConditionScope& scope);
 
-/// Compiles those on the places and on the rotations of rigid bodies, whose nodes the two functions around these leave
-/// out: a condition acts on the bodies of which it names all nodes, at their centres. Its nodes are the bodies.
-/// Errors: as make_kinematics, and values that are read from the mesh. Nothing without rigid bodies in the scope.
+/// Compiles those on the places and on the rotations of rigid bodies, whose nodes the two functions around
+/// these leave out: a condition acts on the bodies of which it names all nodes, at their centres. Its nodes
+/// are the bodies. Errors: as make_kinematics, and values that are read from the mesh. Nothing without rigid
+/// bodies in the scope.
 Kinematics make_body_kinematics(const ConditionScope& scope);
 Kinematics make_body_rotation_kinematics(const ConditionScope& scope);
 

@@ -41,8 +41,8 @@ bool is_of_rotations(const PrescribedCondition& prescribed) {
 
 /// What conditions are compiled for.
 struct Driven {
-  bool are_bodies = false;  ///< rigid bodies in place of nodes
-  bool turn = false;        ///< rotations in place of places
+  bool are_bodies = false;                    ///< rigid bodies in place of nodes
+  bool turn = false;                          ///< rotations in place of places
   const Eigen::Matrix3Xd* inertia = nullptr;  ///< of the nodes, when these turn
 };
 
@@ -84,8 +84,10 @@ void KinematicsMaker::sort_out_bodies(DrivenNodes& driven) const {
   std::vector<std::size_t> counts(rigid.names.size(), 0);
   std::vector<NodeIndex> free, bodies;
   for (const NodeIndex node : driven.nodes) {
-    if (rigid.is_free(node)) free.push_back(node);
-    else ++counts[static_cast<std::size_t>(rigid.body_of[node.value])];
+    if (rigid.is_free(node))
+      free.push_back(node);
+    else
+      ++counts[static_cast<std::size_t>(rigid.body_of[node.value])];
   }
   for (std::uint32_t i = 0; i < counts.size(); ++i) {
     if (counts[i] == rigid.counts[i]) bodies.push_back({i});
@@ -102,9 +104,8 @@ void KinematicsMaker::sort_out_bodies(DrivenNodes& driven) const {
 bool KinematicsMaker::keep_turning(std::vector<NodeIndex>& nodes) const {
   if (wanted_.inertia == nullptr || nodes.empty()) return true;
   const Eigen::Matrix3Xd& inertia = *wanted_.inertia;
-  std::erase_if(nodes, [&](NodeIndex node) {
-    return inertia.cols() == 0 || inertia(0, node.value) <= least_mass;
-  });
+  std::erase_if(nodes,
+                [&](NodeIndex node) { return inertia.cols() == 0 || inertia(0, node.value) <= least_mass; });
   return !nodes.empty();
 }
 
@@ -172,8 +173,8 @@ Kinematics compile(const ConditionScope& scope, const Driven& wanted) {
 Kinematics compile_bodies(const ConditionScope& scope, bool turn) {
   if (scope.rigid == nullptr || scope.rigid->names.empty() || scope.diagnostics.has_errors()) return {};
   Diagnostics quiet;
-  const ConditionScope again{scope.definition, scope.region, scope.blocks, scope.mesh,
-                             quiet,            scope.stored, scope.rigid};
+  const ConditionScope again{scope.definition, scope.region, scope.blocks, scope.mesh, quiet,
+                             scope.stored,     scope.rigid};
   Kinematics made = compile(again, {true, turn, nullptr});
   for (const Diagnostic& diagnostic : quiet.all()) {
     if (diagnostic.severity == Severity::error)

@@ -19,9 +19,8 @@ struct Row {
 };
 
 constexpr std::array rows{
-    Row{"displ", [](const RigidBody& body, const RigidBodyState& s, Eigen::Index c) {
-          return s.position(c) - body.centre(c);
-        }},
+    Row{"displ", [](const RigidBody& body, const RigidBodyState& s,
+                    Eigen::Index c) { return s.position(c) - body.centre(c); }},
     Row{"vel", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.now.velocity(c); }},
     Row{"a", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.acceleration(c); }},
     Row{"rotd", [](const RigidBody&, const RigidBodyState& s, Eigen::Index c) { return s.angle(c); }},
@@ -58,7 +57,8 @@ std::vector<RunVariable> rigid_variables(const Model& model) {
     const std::string name = fold(model.rigid.bodies[body].name);
     for (const Row& row : rows) {
       for (Eigen::Index c = 0; c < 3; ++c)
-        variables.push_back(make_variable(fmt::format("{}{}_{}", row.name, "xyz"[c], name), body, row.value, c));
+        variables.push_back(
+            make_variable(fmt::format("{}{}_{}", row.name, "xyz"[c], name), body, row.value, c));
     }
     for (Eigen::Index c = 0; c < 4; ++c)
       variables.push_back(make_variable(fmt::format("qvec{}_{}", c + 1, name), body, quaternion_part, c));

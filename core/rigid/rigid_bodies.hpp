@@ -14,8 +14,8 @@ namespace contactsim {
 struct RigidBodies {
   std::vector<RigidBody> bodies;
   RigidNodes nodes;
-  Eigen::Matrix3Xd free_mass;     ///< as Model::mass, but 0 of nodes that are not free; 3 x 0 without bodies
-  Eigen::Matrix3Xd free_inertia;  ///< as Model::inertia in the same way
+  Eigen::Matrix3Xd free_mass;      ///< as Model::mass, but 0 of nodes that are not free; 3 x 0 without bodies
+  Eigen::Matrix3Xd free_inertia;   ///< as Model::inertia in the same way
   Kinematics kinematics;           ///< its nodes are the bodies
   Kinematics rotation_kinematics;  ///< the same
 
