@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/counted.hpp"
+#include "contact/friction_words.hpp"
 
 namespace contactsim {
 
@@ -19,11 +20,18 @@ struct TiedArea {
 
 std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact) {
   std::vector<TiedArea> areas(contact.pairs.size());
-  for (const Tie& tie : force.ties()) {
+  for (std::size_t i = 0; i < force.held().size(); ++i) {
+    const HeldPlace& tie = force.held()[i];
     ++areas[tie.pair].n_ties;
     areas[tie.pair].area += tie.area;
   }
   return areas;
+}
+
+bool holds_at_start(const FrictionLaw& law) {
+  return std::holds_alternative<Tied>(law) || std::holds_alternative<SpringWeld>(law) ||
+         std::holds_alternative<SurfaceWeld>(law) || std::holds_alternative<CohesiveZone>(law) ||
+         std::holds_alternative<Threaded>(law);
 }
 
 std::string names_of(const SurfacePair& pair, const ContactModel& contact) {
@@ -37,9 +45,9 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
   std::string text;
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (!std::holds_alternative<Tied>(contact.pairs[i].law)) continue;
-    text += fmt::format("  tied: {}, {} over an area of {:.6g}\n", names_of(contact.pairs[i], contact),
-                        counted(areas[i].n_ties, "tie"), areas[i].area);
+    if (!holds_at_start(contact.pairs[i].law)) continue;
+    text += fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(contact.pairs[i].law),
+                        names_of(contact.pairs[i], contact), counted(areas[i].n_ties, "tie"), areas[i].area);
   }
   const auto& faces = force.faces().faces;
   if (faces.empty()) return text;
@@ -55,7 +63,7 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!std::holds_alternative<Tied>(pair.law) || areas[i].n_ties > 0) continue;
+    if (!holds_at_start(pair.law) || areas[i].n_ties > 0) continue;
     warnings.add_warning("tie-empty", pair.location,
                          fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
                          "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
@@ -68,7 +76,7 @@ std::string format_contact(const ContactForce& contact) {
   std::string text = "\nContact search\n";
   text +=
       fmt::format("  {}, {}, {}\n", counted(contact.faces().faces.size(), "contact face"),
-                  counted(contact.faces().n_nodes(), "contact node"), counted(contact.ties().size(), "tie"));
+                  counted(contact.faces().n_nodes(), "contact node"), counted(contact.held().size(), "tie"));
   text += fmt::format("  {}: trees built {} and refitted {} times, {:.6g} candidates in all, {} at the end\n",
                       counted(search.n_searches(), "global search", "global searches"),
                       faces.builds + nodes.builds, faces.refits + nodes.refits,

@@ -12,7 +12,8 @@ namespace contactsim {
 RunContact::RunContact(const RunInput& input, const Model& model)
     : contact_(*input.contact),
       mesh_(input.mesh),
-      force_(ContactSetup{*input.region.contact, contact_, model, input.procedure.time_control->blocks}),
+      force_(ContactSetup{*input.region.contact, contact_, model, input.procedure.time_control->blocks,
+                          input.definition.functions}),
       output_(force_, contact_, model),
       debug_(contact_debug_files(input.definition, input.region.contact->debug)) {}
 

@@ -252,7 +252,9 @@ OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
   if (input.contact != nullptr) {
-    refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, warnings);
+    const LawScope laws{input.region.contact->friction_models, input.definition.functions,
+                        input.procedure.time_control->blocks};
+    refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, laws, warnings);
     refuse_lofts(input.contact->surfaces, input.mesh, warnings);
   }
   stop_on_errors(warnings);

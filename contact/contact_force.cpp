@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/make_ties.hpp"
+#include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
+#include "core/errors.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -19,13 +20,24 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   return times;
 }
 
+/// The pairs with their friction models. That these are right has been checked before.
+PairRules make_rules(const ContactSetup& setup) {
+  PairRules rules(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size());
+  Diagnostics told;
+  auto laws = make_pair_laws(setup.contact.pairs,
+                             {setup.definition.friction_models, setup.functions, setup.blocks}, told);
+  if (told.has_errors()) throw DeckError(told);
+  rules.set_laws(std::move(laws));
+  return rules;
+}
+
 }  // namespace
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
       faces_(make_contact_faces(setup.contact.surfaces, *setup.model.mesh)),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
-      rules_(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size()),
+      rules_(make_rules(setup)),
       surface_(faces_),
       search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
       face_face_(faces_, rules_.has_friction()),
@@ -77,8 +89,12 @@ void ContactForce::begin(const Motion& motion) {
   limit_stiffness(surface_, motion.stable_step, faces_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
-  ties_ = make_ties(scene, face_face_.candidates(), node_face_.candidates(),
-                    setup_.definition.dash.search_length_scaling);
+  mark_close_places(scene, near_candidates(), rules_);
+  held_.begin(scene, near_candidates(), glued_);
+}
+
+NearCandidates ContactForce::near_candidates() const {
+  return {face_face_.candidates(), node_face_.candidates(), setup_.definition.dash.search_length_scaling};
 }
 
 /// Finds places chunk by chunk on all threads. They are taken in order while other threads work on later
@@ -99,17 +115,19 @@ void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, c
   }
 }
 
-TieForces ContactForce::forces_of(const Tie& tie) const {
-  TieVectors x;
-  for (std::size_t k = 0; k < 8; ++k) x.col(static_cast<Eigen::Index>(k)) = surface_.x(tie.nodes[k]);
-  return find_tie_forces(tie, x);
+/// Whether a place that touches is glued then.
+bool ContactForce::glues(const ContactRecord& record) const {
+  const PairRule& rule = record.first.is_node()
+                             ? rules_.of_node(record.pair, record.first_place)
+                             : rules_.of_faces(record.pair, record.first_place, record.second_place);
+  return rule.law == ContactLaw::glued;
 }
 
 void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   const auto take = [&](const ContactRecord& record) {
     sums_.add(record);
-    if (record.touches() && rules_[record.pair].law == ContactLaw::glued) to_glue.push_back(record);
+    if (record.touches() && glues(record)) to_glue.push_back(record);
   };
   face_face_.begin_step();
   visit_places(face_face_, scene, [&](const ContactRecord& record) {
@@ -118,27 +136,9 @@ void ContactForce::add_places(const ContactScene& scene) {
   });
   visit_places(node_face_, scene, take);
   visit_places(planes_, scene, take);
-  for (const Tie& tie : ties_) {
-    if (rules_[tie.pair].is_active) sums_.add(tie, forces_of(tie));
-  }
+  held_.step(scene, glued_, sums_);
   sums_.end_step();
-  for (const ContactRecord& record : to_glue) glue(scene, record);
-}
-
-/// What has touched is tied from the next step on, as deep as it is now. What its springs hold stays in them:
-/// the tie has no way to give it back.
-void ContactForce::glue(const ContactScene& scene, const ContactRecord& record) {
-  constexpr double any_gap = std::numeric_limits<double>::infinity();
-  std::optional<Tie> tie;
-  if (record.first.is_node()) {
-    if (glued_.add_node(record.first_place, record.pair))
-      tie = make_node_tie(scene, record.first_place, record.second_place, any_gap);
-  } else if (glued_.add_faces(record.first_place, record.second_place)) {
-    tie = make_face_tie(scene, record.first_place, record.second_place, any_gap);
-  }
-  if (!tie) return;
-  tie->rest_energy += record.stored();
-  ties_.push_back(*tie);
+  for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
 }
 
 /// Bounds the eigenvalues of contact's stiffness over mass. Each place is a spring of stiffness k with the
@@ -168,6 +168,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (!has_begun_) {
     begin(motion);
+  } else if (rules_.have_changed()) {
+    find_candidates(motion);
+    held_.renew({surface_, rules_, glued_, motion.dt}, near_candidates(), glued_);
   } else if (search_.is_due(surface_)) {
     find_candidates(motion);
   } else {
@@ -220,8 +223,7 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   visit_places(face_face_, scene, take);
   visit_places(node_face_, scene, take);
   visit_places(planes_, scene, take);
-  const TieForces none{TieVectors::Zero(), Eigen::Vector3d::Zero(), 0.0};
-  for (const Tie& tie : ties_) ties.push_back(rules_[tie.pair].is_active ? forces_of(tie) : none);
+  held_.find_forces(scene, ties);
 }
 
 }  // namespace contactsim

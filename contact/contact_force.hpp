@@ -9,6 +9,7 @@
 #include "contact/contact_search.hpp"
 #include "contact/contact_sums.hpp"
 #include "contact/face_face_contacts.hpp"
+#include "contact/held_places.hpp"
 #include "contact/node_face_contacts.hpp"
 #include "contact/pair_history.hpp"
 #include "contact/plane_contacts.hpp"
@@ -23,7 +24,8 @@ struct ContactSetup {
   const ContactDefinition& definition;
   const ContactModel& contact;  ///< its surfaces are of solids, of nodes and analytic
   const Model& model;
-  std::span<const TimeSteppingBlock> blocks;  ///< the periods of the procedure
+  std::span<const TimeSteppingBlock> blocks;           ///< the periods of the procedure
+  std::span<const FunctionDefinition> functions = {};  ///< that friction models name
 };
 
 /// How much contact lowers the stable step.
@@ -57,7 +59,9 @@ class ContactForce final : public ForceTerm {
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
   ///   motion  of that step
   void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
-  std::span<const Tie> ties() const { return ties_; }
+  std::span<const Tie> ties() const { return held_.ties(); }
+  /// All that holds places together, in the order of their forces.
+  const HeldPlaces& held() const { return held_; }
   /// Where a contact node is, of the motion seen last [length].
   Eigen::Vector3d position(std::uint32_t node) const { return surface_.x(node); }
 
@@ -65,10 +69,10 @@ class ContactForce final : public ForceTerm {
   void begin(const Motion& motion);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
-  void glue(const ContactScene& scene, const ContactRecord& record);
   template <class Contacts, class Take>
   void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
-  TieForces forces_of(const Tie& tie) const;
+  bool glues(const ContactRecord& record) const;
+  NearCandidates near_candidates() const;
   void add_places(const ContactScene& scene);
   double largest_eigenvalue();
   void note_histories(const Motion& motion);
@@ -83,7 +87,7 @@ class ContactForce final : public ForceTerm {
   FaceFaceContacts face_face_;
   NodeFaceContacts node_face_;
   PlaneContacts planes_;
-  std::vector<Tie> ties_;
+  HeldPlaces held_;
   ContactSums sums_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<PairHistory> histories_;

@@ -127,7 +127,7 @@ void ContactOutput::look_at(const State& state) {
   std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
   std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
   for (const ContactRecord& place : places_) add_place(place);
-  for (std::size_t i = 0; i < ties_.size(); ++i) add_tie(force_.ties()[i], ties_[i]);
+  for (std::size_t i = 0; i < ties_.size(); ++i) add_tie(force_.held()[i], ties_[i]);
 }
 
 void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {
@@ -173,7 +173,7 @@ void ContactOutput::add_to_nodes(const ContactRecord& record, const RecordSide& 
   }
 }
 
-void ContactOutput::add_tie(const Tie& tie, const TieForces& forces) {
+void ContactOutput::add_tie(const HeldPlace& tie, const TieForces& forces) {
   if (forces.normal.isZero()) return;
   ContactTotal total;
   total.area = tie.area;
@@ -199,7 +199,7 @@ void ContactOutput::add_tie(const Tie& tie, const TieForces& forces) {
   add_to_totals(tie.pair, tie.is_swapped, total);
 }
 
-double ContactOutput::tie_share(const Tie& tie, bool is_first) {
+double ContactOutput::tie_share(const HeldPlace& tie, bool is_first) {
   std::array<std::uint32_t, 4> nodes;
   std::copy_n(tie.nodes.begin() + (is_first ? 0 : 4), 4, nodes.begin());
   std::sort(nodes.begin(), nodes.end());

@@ -70,11 +70,11 @@ class ContactOutput {
   /// Brings everything to the state. Whoever asks first does the work.
   void look_at(const State& state);
   void add_place(const ContactRecord& record);
-  void add_tie(const Tie& tie, const TieForces& forces);
+  void add_tie(const HeldPlace& tie, const TieForces& forces);
   void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
   void add_to_nodes(const ContactRecord& record, const RecordSide& side, double sign);
   /// The share of each corner of a tie's side in its area.
-  static double tie_share(const Tie& tie, bool is_first);
+  static double tie_share(const HeldPlace& tie, bool is_first);
   RunVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
                          std::size_t index);
 

@@ -33,11 +33,13 @@ struct ContactRecord {
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
   double dissipated = 0.0;                         ///< by friction in the step [energy]
   double damped = 0.0;                             ///< by contact damping in the step [energy]
+  double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
+  bool is_held_apart = false;                      ///< a law acts on it across its gap
 
-  bool touches() const { return force != 0.0; }
+  bool touches() const { return force != 0.0 || is_held_apart; }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }
-  /// What the springs of the penalty and of friction hold [energy].
-  double stored() const { return 0.5 * (tangential.norm() * elastic.norm() - force * gap); }
+  /// What the springs of the penalty and of friction hold, and the potential of what pulls [energy].
+  double stored() const { return 0.5 * (tangential.norm() * elastic.norm() - force * gap) + beyond_spring; }
 };
 
 }  // namespace contactsim

@@ -22,12 +22,85 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
   }
 }
 
-void PairRules::activate(double time, bool is_on) {
-  for (PairRule& rule : rules_) rule.is_active = is_on && rule.times.is_active(time);
+void PairRule::take(const PlaceLaw& taken) {
+  law = taken.law;
+  friction = taken.friction;
+  reach = taken.reach();
+  place = taken.pressure_velocity || taken.rate_limit || taken.pull || taken.hold ? &taken : nullptr;
 }
 
+double PairRule::slip_limit(const ContactRecord& record, double dt) const {
+  if (place == nullptr) return friction * record.force;
+  const Eigen::Vector3d along = record.slip - record.normal.dot(record.slip) * record.normal;
+  return place->slip_limit(record.force, record.area, dt > 0.0 ? along.norm() / dt : 0.0);
+}
+
+void PairRules::set_laws(std::vector<PairLaw> laws) {
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    PairRule& rule = rules_[i];
+    rule.model = std::move(laws[i]);
+    rule.take(*rule.model.law);
+    if (!rule.model.far) continue;
+    rule.far = static_cast<std::uint32_t>(far_rules_.size());
+    far_rules_.push_back(rule);
+    far_rules_.back().take(*rule.model.far);
+  }
+}
+
+void PairRules::activate(double time, bool is_on) {
+  for (PairRule& rule : rules_) {
+    rule.is_active = is_on && rule.times.is_active(time);
+    rule.has_changed = false;
+    if (rule.far != PairRule::not_hybrid) far_rules_[rule.far].is_active = rule.is_active;
+    if (!rule.model.is_variant()) continue;
+    const auto period =
+        std::ranges::find_if(rule.model.periods, [&](const auto& p) { return p.times.is_active(time); });
+    const PlaceLaw* law = period == rule.model.periods.end() ? rule.model.law.get() : period->law.get();
+    if (law == rule.now) continue;
+    rule.has_changed = true;
+    rule.now = law;
+    rule.take(*law);
+  }
+}
+
+bool PairRules::have_changed() const {
+  return std::ranges::any_of(rules_, [](const PairRule& rule) { return rule.has_changed; });
+}
+
+namespace {
+
+/// Calls a function with every model that a pair may have.
+template <class Visit>
+void visit_models(const PairLaw& model, const Visit& visit) {
+  if (model.law) visit(*model.law);
+  if (model.far) visit(*model.far);
+  for (const PairLaw::Period& period : model.periods) visit(*period.law);
+}
+
+}  // namespace
+
 bool PairRules::has_friction() const {
-  return std::any_of(rules_.begin(), rules_.end(), [](const PairRule& rule) { return rule.friction > 0.0; });
+  bool has = false;
+  for (const PairRule& rule : rules_) {
+    has = has || rule.friction > 0.0;
+    visit_models(rule.model,
+                 [&](const PlaceLaw& law) { has = has || law.friction > 0.0 || law.rate_limit.has_value(); });
+  }
+  return has;
+}
+
+double PairRules::largest_reach(std::uint32_t pair) const {
+  double reach = 0.0;
+  visit_models(rules_[pair].model, [&](const PlaceLaw& law) { reach = std::max(reach, law.reach()); });
+  return reach;
+}
+
+bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  return close_faces_.contains(key(pair, first)) && close_faces_.contains(key(pair, second));
+}
+
+bool PairRules::is_close(std::uint32_t pair, std::uint32_t row) const {
+  return close_nodes_.contains(key(pair, row));
 }
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 
 #include "contact/contact_record.hpp"
 #include "contact/moving_surface.hpp"
+#include "contact/place_law.hpp"
 #include "contact/surface_pairs.hpp"
 #include "core/conditions/active_times.hpp"
 
@@ -17,16 +18,32 @@ namespace contactsim {
 /// threads.
 inline constexpr std::size_t rows_per_chunk = 256;
 
-/// How the sides of a pair hold each other, as far as the loops over places need to know.
-enum class ContactLaw : std::uint8_t { sliding, glued, tied };
-
 /// A pair of surfaces, ready for the loops.
 struct PairRule {
   const SurfacePair* pair = nullptr;
   ContactLaw law = ContactLaw::sliding;
-  double friction = 0.0;  ///< Coulomb's coefficient [1]
+  double friction = 0.0;  ///< Coulomb's coefficient; more than 0 wherever touching places have friction [1]
+  double reach = 0.0;     ///< gaps up to this one feel the law [length]
+  const PlaceLaw* place = nullptr;  ///< of models that are more than the above
+  std::uint32_t far = not_hybrid;   ///< rule of the places that were far at the start
   ActiveTimes times;
-  bool is_active = true;  ///< now
+  bool is_active = true;     ///< now
+  bool has_changed = false;  ///< has another model than before, by its period
+  PairLaw model;
+  const PlaceLaw* now = nullptr;  ///< the model of this period, of a TIME VARIANT one
+
+  static constexpr std::uint32_t not_hybrid = 0xffffffff;
+
+  /// Whether the law pulls, or acts along the surface, across a gap.
+  bool acts_apart() const { return place != nullptr && (place->pull || place->rate_limit); }
+  /// Whether the pair has ties and never anything else.
+  bool only_ties() const { return law == ContactLaw::tied && far == not_hybrid && !model.is_variant(); }
+  /// The largest tangential force of a place that touches.
+  ///   force  normal [force]
+  ///   slip   in the step, of which the normal part is left out [length]
+  double slip_limit(const ContactRecord& record, double dt) const;
+  /// Goes over to a model.
+  void take(const PlaceLaw& taken);
 };
 
 /// The pairs of a run by the surfaces that they are of.
@@ -39,9 +56,28 @@ class PairRules {
   ///   times  [n_pairs] at which each is active
   PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces);
 
-  /// Says which pairs act now.
+  /// Gives all pairs their models in place of those that their laws say.
+  ///   laws  [n_pairs] none of them null
+  void set_laws(std::vector<PairLaw> laws);
+  /// Says which pairs act now, and by which model.
   ///   is_on  whether any does
   void activate(double time, bool is_on);
+  /// Whether some pair has another model than in the step before.
+  bool have_changed() const;
+  /// Remembers that a face, or a surface node, of a HYBRID pair was close to the other side at the start.
+  void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.insert(key(pair, face)); }
+  void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.insert(key(pair, row)); }
+  /// The rule of two faces of a pair, or of a surface node: for HYBRID that of both close, or not.
+  const PairRule& of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+    const PairRule& rule = rules_[pair];
+    return rule.far == PairRule::not_hybrid || are_close(pair, first, second) ? rule : far_rules_[rule.far];
+  }
+  const PairRule& of_node(std::uint32_t pair, std::uint32_t row) const {
+    const PairRule& rule = rules_[pair];
+    return rule.far == PairRule::not_hybrid || is_close(pair, row) ? rule : far_rules_[rule.far];
+  }
+  /// The largest reach that a pair's models may ever have [length].
+  double largest_reach(std::uint32_t pair) const;
   std::span<const PairRule> rules() const { return rules_; }
   const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
   /// Position of the pair of two surfaces in either order; `none` if they do not meet.
@@ -51,12 +87,18 @@ class PairRules {
   bool has_friction() const;
 
  private:
-  std::vector<PairRule> rules_;
+  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }
+  bool are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
+  bool is_close(std::uint32_t pair, std::uint32_t row) const;
+
+  std::vector<PairRule> rules_, far_rules_;
+  std::set<std::uint64_t> close_faces_, close_nodes_;
   std::vector<std::uint32_t> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };
 
-/// Places that stick for good because they have touched under a GLUED MODEL.
+/// Places that ties hold, so that contact leaves them alone: for good once they have touched under a GLUED
+/// MODEL, until it fails under a weld.
 class GluedPlaces {
  public:
   bool holds_faces(std::uint32_t first, std::uint32_t second) const { return holds(faces_, first, second); }
@@ -64,6 +106,11 @@ class GluedPlaces {
   /// Return whether the place is new.
   bool add_faces(std::uint32_t first, std::uint32_t second) { return add(first, second, faces_); }
   bool add_node(std::uint32_t row, std::uint32_t pair) { return add(row, pair, nodes_); }
+  /// The same of a node, by its row and the pair, or of two faces.
+  void add(bool is_node, std::uint32_t a, std::uint32_t b) { (is_node ? nodes_ : faces_).insert(key(a, b)); }
+  void remove(bool is_node, std::uint32_t a, std::uint32_t b) {
+    (is_node ? nodes_ : faces_).erase(key(a, b));
+  }
 
  private:
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }

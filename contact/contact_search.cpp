@@ -72,6 +72,11 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     node_margin_[node.node] = std::min(node_margin_[node.node],
                                        static_cast<float>(dash.search_length_scaling * std::sqrt(node.area)));
   const std::size_t n_surfaces = faces.first_face.size() - 1;
+  reach_.assign(n_surfaces, 0.0);
+  for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
+    for (const std::uint32_t surface : {rules[i].pair->first, rules[i].pair->second})
+      reach_[surface] = std::max(reach_[surface], rules.largest_reach(i));
+  }
   widest_margin_.assign(n_surfaces, 0.0);
   narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
   for (const SurfaceNode& node : faces.surface_nodes) {
@@ -167,7 +172,7 @@ Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, d
     include(x - dt * surface.v(corner), box);
     include(x + inward, box);
   }
-  widen(face_margin_[index], box);
+  widen(face_margin_[index] + 0.5 * reach_[face.surface], box);
   return box;
 }
 
@@ -175,7 +180,7 @@ Box ContactSearch::node_box(const MovingSurface& surface, std::uint32_t row, dou
   const std::uint32_t node = faces_.surface_nodes[row].node;
   Box box = box_at(surface.x(node));
   include(surface.x(node) - dt * surface.v(node), box);
-  widen(node_margin_[node], box);
+  widen(node_margin_[node] + 0.5 * reach_[faces_.surface_nodes[row].surface], box);
   return box;
 }
 
@@ -184,8 +189,7 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   const std::uint32_t pair = rules_.find(a.surface, b.surface);
   if (pair == PairRules::none) return false;
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
-  if (rules_[pair].law == ContactLaw::tied && n_searches_ > 0)
-    return false;  // what was near at the start is tied
+  if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   return a.side.element() != b.side.element() && !a.shares_node(b);
 }
 
@@ -196,7 +200,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   if (pair == PairRules::none) return false;
   const SurfacePair& of = *rules_[pair].pair;
   if (of.formulation != ConstraintFormulation::node_face) return false;
-  if (rules_[pair].law == ContactLaw::tied && n_searches_ > 0) return false;
+  if (rules_[pair].only_ties() && n_searches_ > 0) return false;
   if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   return !has_element_of(node.node, face);
 }

@@ -55,6 +55,7 @@ class ContactSearch {
   const PairRules& rules_;
   bool is_once_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
+  std::vector<double> reach_;                                // [n_surfaces] of the models [length]
   std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
   std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]
   Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]

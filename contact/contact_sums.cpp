@@ -54,17 +54,19 @@ void ContactSums::add_slip(const RecordSide& side, const Eigen::Vector3d& slip, 
   }
 }
 
-void ContactSums::add(const Tie& tie, const TieForces& forces) {
-  PairStep& pair = pairs_[tie.pair];
+void ContactSums::add(const HeldPlace& place, const TieForces& forces) {
+  PairStep& pair = pairs_[place.pair];
   for (std::size_t k = 0; k < 8; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    nodes_[tie.nodes[k]].head<3>() += forces.forces.col(i);
-    nodes_[tie.nodes[k]][3] += tie.springs[i];
+    nodes_[place.nodes[k]].head<3>() += forces.forces.col(i);
+    nodes_[place.nodes[k]][3] += place.springs[i];
   }
   const Eigen::Vector3d on_first = forces.forces.leftCols<4>().rowwise().sum();
-  pair.force += tie.is_swapped ? Eigen::Vector3d(-on_first) : on_first;
-  pair.area += tie.area;
+  pair.force += place.is_swapped ? Eigen::Vector3d(-on_first) : on_first;
+  pair.area += place.area;
   pair.stored += forces.stored;
+  pair.dissipated += forces.dissipated;
+  dissipated_ += forces.dissipated;
   pair.touches = pair.is_near = true;
 }
 

@@ -39,7 +39,7 @@ class ContactSums {
 
   void begin_step();
   void add(const ContactRecord& record);
-  void add(const Tie& tie, const TieForces& forces);
+  void add(const HeldPlace& place, const TieForces& forces);
   /// Ends a step: slips of the nodes are added up.
   void end_step();
 

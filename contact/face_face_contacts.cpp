@@ -7,6 +7,7 @@
 
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
+#include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
 
 namespace contactsim {
@@ -49,7 +50,7 @@ void FaceFaceContacts::begin_step() {
 }
 
 void FaceFaceContacts::note(const ContactRecord& record) {
-  if (!record.touches()) return;
+  if (!record.touches() || record.is_held_apart) return;
   is_pushed_[record.first_place] = is_pushed_[record.second_place] = 1;
   if (!has_friction_) return;
   Eigen::Vector4d share;
@@ -67,6 +68,8 @@ void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
       const std::uint32_t second = candidates_.partners[k];
       const std::uint32_t pair = scene.rules.find(faces_.faces[first].surface, faces_.faces[second].surface);
       find_one(scene, {first, second, pair, k}, records);
+      if (scene.rules.of_faces(pair, first, second).acts_apart())
+        pull_one(scene, {first, second, pair, k}, records);
     }
   }
 }
@@ -76,11 +79,11 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
   const double closed = above_zero((b.velocity() - a.velocity()).dot(b.normal())) * scene.dt;
   const double reach = steps_ahead * closed;
-  const PairRule& rule = scene.rules[candidate.pair];
+  const PairRule& rule = scene.rules.of_faces(candidate.pair, candidate.first, candidate.second);
   const bool did_touch = touched_[candidate.place] != 0;
   if (!scene.is_frozen) touched_[candidate.place] = 0;
   if (!may_touch(a, b, reach) || !rule.is_active || rule.law == ContactLaw::tied) return;
-  if (rule.law == ContactLaw::glued && scene.glued.holds_faces(candidate.first, candidate.second)) return;
+  if (rule.law != ContactLaw::sliding && scene.glued.holds_faces(candidate.first, candidate.second)) return;
 
   const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
   PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
@@ -115,9 +118,37 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
     record.slip = apart * scene.dt;
     if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
     record.elastic = elastic_[candidate.place];
-    add_friction(penalty.stiffness * contact.area, rule.friction, scene.is_frozen, record);
+    add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
+                 record);
     if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
   }
+}
+
+void FaceFaceContacts::pull_one(const ContactScene& scene, const Candidate& candidate,
+                                std::vector<ContactRecord>& records) {
+  const PairRule& rule = scene.rules.of_faces(candidate.pair, candidate.first, candidate.second);
+  const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
+  const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
+  ContactRecord record;
+  if (has_friction_) record.elastic = elastic_[candidate.place];
+  const auto feels = [&] {
+    if (!rule.is_active || !may_touch(a, b, rule.reach)) return false;
+    const FacePush push{scene.surface.face(candidate.first), scene.surface.face(candidate.second),
+                        make_pair_penalty(first.backing, &second.backing, *rule.pair), scene.dt};
+    return pull_faces(*rule.place, push, scene.is_frozen, record);
+  };
+  const bool is_held = feels();
+  // A junction's spring is its own: what only touches has none.
+  if (rule.place->rate_limit && !scene.is_frozen)
+    elastic_[candidate.place] = is_held ? record.elastic : Eigen::Vector3d::Zero();
+  if (!is_held) return;
+  record.pair = candidate.pair;
+  record.is_swapped = first.surface != rule.pair->first;
+  record.first_place = candidate.first;
+  record.second_place = candidate.second;
+  record.first.nodes = first.corners;
+  record.second.nodes = second.corners;
+  records.push_back(record);
 }
 
 bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& candidate,

@@ -39,6 +39,8 @@ class FaceFaceContacts {
     std::size_t place;  ///< in candidates_
   };
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
+  /// Adds what a law does across the gap, or beside the penalty.
+  void pull_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
   Eigen::Vector3d mean_slip(const Candidate& candidate) const;
   /// Whether faces that overlap got there through their fronts: they were in front of each other, or hardly
   /// behind, one step ago, or one of them has touched something already. The sides of two bodies that

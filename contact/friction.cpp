@@ -33,10 +33,9 @@ FrictionStep step_friction(const Eigen::Vector3d& normal, const Eigen::Vector3d&
   return step;
 }
 
-void add_friction(double stiffness, double coefficient, bool is_frozen, ContactRecord& record) {
+void add_friction(double stiffness, double limit, bool is_frozen, ContactRecord& record) {
   if (is_frozen) record.slip.setZero();
-  const FrictionStep step =
-      step_friction(record.normal, record.elastic, record.slip, stiffness, coefficient * record.force);
+  const FrictionStep step = step_friction(record.normal, record.elastic, record.slip, stiffness, limit);
   record.tangential = step.force;
   record.elastic = step.elastic;
   record.slip = step.slip;

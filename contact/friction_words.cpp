@@ -3,62 +3,57 @@
 
 #include <fmt/format.h>
 
-#include <set>
-#include <string_view>
+#include <algorithm>
 
 namespace contactsim {
 
 namespace {
 
-/// A law's name, and whether a run acts on it.
-struct LawWords {
-  std::string text;
-  bool is_supported = false;
+struct LawNamer {
+  std::string operator()(const Frictionless&) const { return "frictionless"; }
+  std::string operator()(const ConstantFriction& law) const {
+    return fmt::format("friction {:.6g}", law.coefficient);
+  }
+  std::string operator()(const Tied&) const { return "tied"; }
+  std::string operator()(const Glued&) const { return "glued"; }
+  std::string operator()(const SpringWeld&) const { return "spring weld"; }
+  std::string operator()(const SurfaceWeld& law) const {
+    return law.is_per_area ? "area weld" : "surface weld";
+  }
+  std::string operator()(const Adhesion&) const { return "adhesion"; }
+  std::string operator()(const CohesiveZone&) const { return "cohesive zone"; }
+  std::string operator()(const Junction&) const { return "junction"; }
+  std::string operator()(const Threaded&) const { return "threaded"; }
+  std::string operator()(const PressureVelocityFriction&) const { return "pv dependent"; }
+  std::string operator()(const HybridFriction&) const { return "hybrid"; }
+  std::string operator()(const TimeVariantFriction&) const { return "time variant"; }
 };
 
-struct LawNamer {
-  LawWords operator()(const Frictionless&) const { return {"frictionless", true}; }
-  LawWords operator()(const ConstantFriction& law) const {
-    return {fmt::format("friction {:.6g}", law.coefficient), true};
-  }
-  LawWords operator()(const Tied&) const { return {"tied", true}; }
-  LawWords operator()(const Glued&) const { return {"glued", true}; }
-  LawWords operator()(const SpringWeld&) const { return {"spring weld"}; }
-  LawWords operator()(const SurfaceWeld& law) const {
-    return {law.is_per_area ? "area weld" : "surface weld"};
-  }
-  LawWords operator()(const Adhesion&) const { return {"adhesion"}; }
-  LawWords operator()(const CohesiveZone&) const { return {"cohesive zone"}; }
-  LawWords operator()(const Junction&) const { return {"junction"}; }
-  LawWords operator()(const Threaded&) const { return {"threaded"}; }
-  LawWords operator()(const PressureVelocityFriction&) const { return {"pv dependent"}; }
-  LawWords operator()(const HybridFriction&) const { return {"hybrid"}; }
-  LawWords operator()(const TimeVariantFriction&) const { return {"time variant"}; }
-};
+/// Whether a model, or one that it may be, holds its sides together.
+bool holds(const PairLaw& law) {
+  const auto of_one = [](const std::shared_ptr<const PlaceLaw>& place) {
+    return place && (place->law != ContactLaw::sliding || place->hold);
+  };
+  return of_one(law.law) || of_one(law.far) ||
+         std::ranges::any_of(law.periods, [&](const PairLaw::Period& period) { return of_one(period.law); });
+}
 
 }  // namespace
 
-std::string describe_law(const FrictionLaw& law) { return std::visit(LawNamer{}, law).text; }
+std::string describe_law(const FrictionLaw& law) { return std::visit(LawNamer{}, law); }
 
 void refuse_laws(std::span<const SurfacePair> pairs, std::span<const ContactSurface> surfaces,
-                 Diagnostics& diagnostics) {
-  std::set<std::string> told;
-  for (const SurfacePair& pair : pairs) {
-    const LawWords words = std::visit(LawNamer{}, pair.law);
-    const bool holds = std::holds_alternative<Tied>(pair.law) || std::holds_alternative<Glued>(pair.law);
-    const bool has_plane =
-        !surfaces[pair.first].analytic_planes.empty() || !surfaces[pair.second].analytic_planes.empty();
-    if (holds && has_plane) {
-      diagnostics.add_error(pair.location,
-                            fmt::format("'{}' and '{}' cannot be {}: one is an analytic plane",
-                                        surfaces[pair.first].name, surfaces[pair.second].name, words.text),
-                            "planes only push");
-    }
-    const bool is_news = !words.is_supported && told.insert(to_string(pair.location)).second;
-    if (!is_news) continue;
+                 const LawScope& scope, Diagnostics& diagnostics) {
+  const std::vector<PairLaw> laws = make_pair_laws(pairs, scope, diagnostics);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const SurfacePair& pair = pairs[i];
+    const ContactSurface &first = surfaces[pair.first], &second = surfaces[pair.second];
+    if (first.analytic_planes.empty() && second.analytic_planes.empty()) continue;
+    if (!holds(laws[i])) continue;
     diagnostics.add_error(pair.location,
-                          fmt::format("the friction model '{}' is not supported in a run yet", words.text),
-                          "frictionless, constant friction, tied and glued are");
+                          fmt::format("'{}' and '{}' cannot be {}: one is an analytic plane", first.name,
+                                      second.name, describe_law(pair.law)),
+                          "nothing is held to planes");
   }
 }
 

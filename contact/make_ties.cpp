@@ -22,18 +22,8 @@ double tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_
   return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
 }
 
-bool is_tied(const ContactScene& scene, std::uint32_t surface, std::uint32_t other) {
-  const std::uint32_t pair = scene.rules.find(surface, other);
-  return pair != PairRules::none && scene.rules[pair].law == ContactLaw::tied && scene.rules[pair].is_active;
-}
+}  // namespace
 
-void set_nodes(const std::array<std::uint32_t, 4>& first, const std::array<std::uint32_t, 4>& second,
-               Tie& tie) {
-  std::copy(first.begin(), first.end(), tie.nodes.begin());
-  std::copy(second.begin(), second.end(), tie.nodes.begin() + 4);
-}
-
-/// Where a node stands over a face; nothing when it does not.
 std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
                                    double tolerance) {
   const MovingFace moving = scene.surface.face(face);
@@ -44,19 +34,37 @@ std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row,
   return point;
 }
 
-}  // namespace
+HeldPlace place_of_faces(const ContactScene& scene, std::uint32_t first, std::uint32_t second) {
+  const ContactFace &a = scene.surface.faces().faces[first], &b = scene.surface.faces().faces[second];
+  HeldPlace place;
+  place.pair = scene.rules.find(a.surface, b.surface);
+  place.is_swapped = a.surface != scene.rules[place.pair].pair->first;
+  place.first_place = first;
+  place.second_place = second;
+  std::copy(a.corners.begin(), a.corners.end(), place.nodes.begin());
+  std::copy(b.corners.begin(), b.corners.end(), place.nodes.begin() + 4);
+  return place;
+}
+
+HeldPlace place_of_node(const ContactScene& scene, std::uint32_t row, std::uint32_t face) {
+  const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
+  const ContactFace& other = scene.surface.faces().faces[face];
+  HeldPlace place;
+  place.is_node = true;
+  place.pair = scene.rules.find(node.surface, other.surface);
+  place.is_swapped = node.surface != scene.rules[place.pair].pair->first;
+  place.first_place = row;
+  place.second_place = face;
+  std::fill_n(place.nodes.begin(), 4, node.node);
+  std::copy(other.corners.begin(), other.corners.end(), place.nodes.begin() + 4);
+  return place;
+}
 
 std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first, std::uint32_t second,
                                  double tolerance) {
   const ContactFace &a = scene.surface.faces().faces[first], &b = scene.surface.faces().faces[second];
-  Tie tie;
-  tie.pair = scene.rules.find(a.surface, b.surface);
-  const SurfacePair& pair = *scene.rules[tie.pair].pair;
-  tie.is_swapped = a.surface != pair.first;
-  tie.first_place = first;
-  tie.second_place = second;
-  set_nodes(a.corners, b.corners, tie);
-  const double stiffness = make_pair_penalty(a.backing, &b.backing, pair).stiffness;
+  Tie tie{place_of_faces(scene, first, second)};
+  const double stiffness = make_pair_penalty(a.backing, &b.backing, *scene.rules[tie.pair].pair).stiffness;
   if (!tie_faces(scene.surface.face(first), scene.surface.face(second), stiffness, tolerance, tie))
     return std::nullopt;
   return tie;
@@ -67,55 +75,68 @@ std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, s
   const auto point = find_foot(scene, row, face, tolerance);
   if (!point) return std::nullopt;
   const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
-  const ContactFace& other = scene.surface.faces().faces[face];
   const MovingFace moving = scene.surface.face(face);
-  const Eigen::Vector3d x = scene.surface.x(node.node);
-  Tie tie;
-  tie.is_node = true;
-  tie.pair = scene.rules.find(node.surface, other.surface);
+  Tie tie{place_of_node(scene, row, face)};
   const SurfacePair& pair = *scene.rules[tie.pair].pair;
-  tie.is_swapped = node.surface != pair.first;
-  tie.first_place = row;
-  tie.second_place = face;
-  set_nodes({node.node, node.node, node.node, node.node}, other.corners, tie);
   tie.area = pair.node_share() * scene.surface.area_against(node, point->normal);
-  const double stiffness = make_pair_penalty(node.backing, &other.backing, pair).stiffness * tie.area;
-  tie_node(x, moving, corner_weights(point->xi, point->eta, moving.is_triangle), stiffness, tie);
+  const Backing& other = scene.surface.faces().faces[face].backing;
+  const double stiffness = make_pair_penalty(node.backing, &other, pair).stiffness * tie.area;
+  tie_node(scene.surface.x(node.node), moving, corner_weights(point->xi, point->eta, moving.is_triangle),
+           stiffness, tie);
   return tie;
 }
 
-std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_partners,
-                           const PairLists& node_faces, double size_share) {
+namespace {
+
+/// The nearest of the faces that a node stands over and is held to.
+std::optional<NearPlace> find_nearest(const ContactScene& scene, std::span<const std::uint32_t> node_faces,
+                                      std::uint32_t row, double size_share, const HoldsPlace& holds) {
   const ContactFaces& faces = scene.surface.faces();
-  std::vector<Tie> ties;
+  std::optional<NearPlace> best;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t face : node_faces) {
+    const std::uint32_t pair = scene.rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface);
+    if (pair == PairRules::none || !scene.rules[pair].is_active || !holds(scene.rules.of_node(pair, row)))
+      continue;
+    const double tolerance = tolerance_of(*scene.rules[pair].pair, scene.surface.bound(face), size_share);
+    const auto foot = find_foot(scene, row, face, tolerance);
+    if (!foot || std::abs(foot->gap) + foot->beyond >= nearest) continue;
+    nearest = std::abs(foot->gap) + foot->beyond;
+    best = {row, face, pair, true, tolerance};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<NearPlace> find_near_places(const ContactScene& scene, const PairLists& face_partners,
+                                        const PairLists& node_faces, double size_share,
+                                        const HoldsPlace& holds) {
+  const ContactFaces& faces = scene.surface.faces();
+  std::vector<NearPlace> places;
   for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
     for (const std::uint32_t second : face_partners.of(first)) {
-      if (!is_tied(scene, faces.faces[first].surface, faces.faces[second].surface)) continue;
-      const SurfacePair& pair =
-          *scene.rules[scene.rules.find(faces.faces[first].surface, faces.faces[second].surface)].pair;
-      const double tolerance = tolerance_of(pair, scene.surface.bound(first), size_share);
-      if (auto tie = make_face_tie(scene, first, second, tolerance)) ties.push_back(*tie);
+      const std::uint32_t pair = scene.rules.find(faces.faces[first].surface, faces.faces[second].surface);
+      if (pair == PairRules::none || !scene.rules[pair].is_active) continue;
+      if (!holds(scene.rules.of_faces(pair, first, second))) continue;
+      const double tolerance = tolerance_of(*scene.rules[pair].pair, scene.surface.bound(first), size_share);
+      places.push_back({first, second, pair, false, tolerance});
     }
   }
   for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    std::optional<double> nearest;
-    std::uint32_t best = 0;
-    double best_tolerance = 0.0;
-    for (const std::uint32_t face : node_faces.of(row)) {
-      if (!is_tied(scene, faces.surface_nodes[row].surface, faces.faces[face].surface)) continue;
-      const SurfacePair& pair =
-          *scene.rules[scene.rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface)].pair;
-      const double tolerance = tolerance_of(pair, scene.surface.bound(face), size_share);
-      const auto foot = find_foot(scene, row, face, tolerance);
-      if (!foot) continue;
-      const double distance = std::abs(foot->gap) + foot->beyond;
-      if (nearest && distance >= *nearest) continue;
-      nearest = distance;
-      best = face;
-      best_tolerance = tolerance;
-    }
-    if (!nearest) continue;
-    if (auto tie = make_node_tie(scene, row, best, best_tolerance)) ties.push_back(*tie);
+    if (const auto nearest = find_nearest(scene, node_faces.of(row), row, size_share, holds))
+      places.push_back(*nearest);
+  }
+  return places;
+}
+
+std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_partners,
+                           const PairLists& node_faces, double size_share, const HoldsPlace& holds) {
+  std::vector<Tie> ties;
+  for (const NearPlace& place : find_near_places(scene, face_partners, node_faces, size_share, holds)) {
+    const auto tie = place.is_node ? make_node_tie(scene, place.first, place.second, place.tolerance)
+                                   : make_face_tie(scene, place.first, place.second, place.tolerance);
+    if (tie) ties.push_back(*tie);
   }
   return ties;
 }

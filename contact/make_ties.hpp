@@ -1,21 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "contact/contact_scene.hpp"
+#include "contact/node_face.hpp"
 #include "contact/pair_lists.hpp"
 #include "contact/ties.hpp"
 
 namespace contactsim {
 
-/// Ties the faces and nodes of tied pairs that are near each other, over a gap or an overlap: by the pair's
-/// capture tolerance, else its normal tolerance, else a share of the face's size. A node is tied to the
-/// nearest face that it stands over. In the order of the candidates.
+/// Whether a rule asks for something to hold its places.
+using HoldsPlace = std::function<bool(const PairRule&)>;
+
+/// Two faces that may be, or a node and a face that are near enough to be held together.
+struct NearPlace {
+  std::uint32_t first = 0;   ///< face, or surface node
+  std::uint32_t second = 0;  ///< face
+  std::uint32_t pair = 0;
+  bool is_node = false;
+  double tolerance = 0.0;  ///< of the gap either way [length]
+};
+
+/// The candidates of active pairs that something holds, over a gap or an overlap: by the pair's capture
+/// tolerance, else its normal tolerance, else a share of the face's size. Of a node the nearest face that it
+/// stands over; faces need not overlap within the tolerance yet. In the order of the candidates.
 ///   face_partners, node_faces  candidates of a search
 ///   size_share                 of the square root of a face's area [1]
+std::vector<NearPlace> find_near_places(const ContactScene& scene, const PairLists& face_partners,
+                                        const PairLists& node_faces, double size_share,
+                                        const HoldsPlace& holds);
+
+/// Whether a rule ties what is near: TIED MODEL.
+inline bool is_tied(const PairRule& rule) { return rule.law == ContactLaw::tied; }
+
+/// Ties the near places, such as those of tied pairs.
 std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_partners,
-                           const PairLists& node_faces, double size_share);
+                           const PairLists& node_faces, double size_share, const HoldsPlace& holds = is_tied);
+
+/// What ties and bonds of two faces, or of a surface node and a face, have in common.
+HeldPlace place_of_faces(const ContactScene& scene, std::uint32_t first, std::uint32_t second);
+HeldPlace place_of_node(const ContactScene& scene, std::uint32_t row, std::uint32_t face);
+
+/// Where a surface node stands over a face; nothing when it does not, or the gap is beyond the tolerance.
+std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
+                                   double tolerance);
 
 /// Ties two faces as they are now; nothing when they do not overlap.
 std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first, std::uint32_t second,

@@ -6,6 +6,7 @@
 
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
+#include "contact/gap_pull.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
 
@@ -54,6 +55,14 @@ struct NodeFaceContacts::Hits {
   auto end() { return hits.begin() + static_cast<std::ptrdiff_t>(n); }
 };
 
+Eigen::Vector3d NodeFaceContacts::Memory::elastic(const Eigen::Vector3d& normal) const {
+  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
+  for (const Touch& touch : touches) {
+    if (touch.normal.cast<double>().dot(normal) > same_wall) elastic = touch.elastic;
+  }
+  return elastic;
+}
+
 /// What is known of a node, the faces that it is near to, and the touches of this step so far.
 struct NodeFaceContacts::Work {
   Memory memory;
@@ -81,15 +90,19 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
   for (const std::uint32_t face : candidates_.of(row)) look_at(scene, row, face, work.memory, work.hits);
   if (work.hits.n > 1) choose(scene, work.memory, work.hits);
   for (const Hit& hit : work.hits) {
-    if (scene.dt == 0.0 && hit.point.gap > 0.0) continue;
+    const PairRule& rule = scene.rules.of_node(hit.pair, row);
+    if (scene.dt == 0.0 && hit.point.gap > 0.0 && !rule.acts_apart()) continue;
     records.push_back(make_record(scene, row, hit));
     ContactRecord& record = records.back();
+    if (rule.acts_apart()) {
+      record.elastic = work.memory.elastic(record.normal);
+      pull_node(*rule.place, make_push(scene, row, hit, record), scene.is_frozen, record);
+    }
     if (!record.touches()) continue;
-    if (const double friction = scene.rules[hit.pair].friction; friction > 0.0) {
-      for (const Touch& touch : work.memory.touches) {
-        if (touch.normal.cast<double>().dot(record.normal) > same_wall) record.elastic = touch.elastic;
-      }
-      add_friction(hit.penalty.stiffness * record.area, friction, scene.is_frozen, record);
+    if (rule.friction > 0.0) {
+      record.elastic = work.memory.elastic(record.normal);
+      add_friction(hit.penalty.stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
+                   record);
     }
     work.touches.push_back({row, record.normal.cast<float>(), record.elastic});
   }
@@ -104,18 +117,18 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const Eigen::Vector3f closing = bound.velocity() - scene.surface.v(node.node).cast<float>();
   const double closed = above_zero(closing.dot(bound.normal())) * scene.dt;
   // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
-  const double reach = scene.dt > 0.0 ? steps_ahead * closed : bound.radius();
   Hit hit;
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
-  const PairRule& rule = scene.rules[hit.pair];
+  const PairRule& rule = scene.rules.of_node(hit.pair, row);
+  const double reach = std::max(rule.reach, scene.dt > 0.0 ? steps_ahead * closed : bound.radius());
   const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.twist() - bound.height_of(x));
   if (!may_stand_over(x, bound, reach, deepest, beyond + behind) || has_corner(face, node.node)) return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
-  if (rule.law == ContactLaw::glued && scene.glued.holds_node(row, hit.pair)) return;
+  if (rule.law != ContactLaw::sliding && scene.glued.holds_node(row, hit.pair)) return;
   const MovingFace moving = scene.surface.face(face_index);
   const auto point = project_onto_face(moving.x, moving.is_triangle, x);
   if (!point) return;
@@ -222,12 +235,18 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   record.second = {face.corners, corner_weights(hit.point.xi, hit.point.eta, face.is_triangle())};
   record.normal = hit.point.normal;
   record.gap = hit.point.gap;
-  const double area =
-      hit.share * rule.pair->node_share() * scene.surface.area_against(node, hit.point.normal);
+  push_node(make_push(scene, row, hit, record), record);
+  return record;
+}
+
+NodePush NodeFaceContacts::make_push(const ContactScene& scene, std::uint32_t row, const Hit& hit,
+                                     const ContactRecord& record) const {
+  const SurfaceNode& node = faces_.surface_nodes[row];
+  const SurfacePair& pair = *scene.rules[hit.pair].pair;
+  const double area = hit.share * pair.node_share() * scene.surface.area_against(node, hit.point.normal);
   const MovingFace moving = scene.surface.face(hit.face);
   const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
-  push_node({hit.penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);
-  return record;
+  return {hit.penalty, pair.damping_fraction, area, relative, scene.dt};
 }
 
 }  // namespace contactsim

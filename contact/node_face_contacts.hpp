@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/contact_place.hpp"
 #include "contact/contact_scene.hpp"
 #include "contact/pair_lists.hpp"
 
@@ -48,6 +49,8 @@ class NodeFaceContacts {
       return std::ranges::any_of(
           touches, [&](const Touch& touch) { return touch.normal.cast<double>().dot(normal) > 0.5; });
     }
+    /// The slip that was held against a face that looks almost the same way [length].
+    Eigen::Vector3d elastic(const Eigen::Vector3d& normal) const;
   };
   struct Hit;
   struct Hits;
@@ -69,6 +72,8 @@ class NodeFaceContacts {
   static std::size_t share_edge(Hits& hits);
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;
   ContactRecord make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;
+  NodePush make_push(const ContactScene& scene, std::uint32_t row, const Hit& hit,
+                     const ContactRecord& record) const;
 
   const ContactFaces& faces_;
   PairLists candidates_;

@@ -5,6 +5,7 @@
 
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
+#include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
 
 namespace contactsim {
@@ -32,12 +33,12 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
                          std::vector<ContactRecord>& records) {
   for (std::size_t row = begin; row < end; ++row) {
     Place& place = places_[row];
-    const PairRule& rule = scene.rules[place.pair];
+    const PairRule& rule = scene.rules.of_node(place.pair, place.node);
     const SurfaceNode& node = faces_.surface_nodes[place.node];
     const double gap = (scene.surface.x(node.node) - place.origin).dot(place.normal);
     const Eigen::Vector3d velocity = scene.surface.v(node.node);
     const double speed = velocity.dot(place.normal);
-    if (!rule.is_active || gap > std::max(0.0, -steps_ahead * scene.dt * speed)) {
+    if (!rule.is_active || gap > std::max(rule.reach, -steps_ahead * scene.dt * speed)) {
       if (!scene.is_frozen) place.elastic.setZero();
       continue;
     }
@@ -51,10 +52,16 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.normal = place.normal;
     record.gap = gap;
     const double area = scene.surface.area_against(node, place.normal);
-    push_node({penalty, rule.pair->damping_fraction, area, velocity, scene.dt}, record);
+    const NodePush push{penalty, rule.pair->damping_fraction, area, velocity, scene.dt};
+    push_node(push, record);
+    if (rule.acts_apart()) {
+      record.elastic = place.elastic;
+      pull_node(*rule.place, push, scene.is_frozen, record);
+      if (!scene.is_frozen) place.elastic = record.elastic;
+    }
     if (!record.touches() || rule.friction == 0.0) continue;
     record.elastic = place.elastic;
-    add_friction(penalty.stiffness * area, rule.friction, scene.is_frozen, record);
+    add_friction(penalty.stiffness * area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
     if (!scene.is_frozen) place.elastic = record.elastic;
   }
 }

@@ -9,16 +9,6 @@ namespace {
 
 using Corners8 = Eigen::Matrix<double, 8, 1>;
 
-/// Axes that turn with a face: a diagonal, at right angles to it, the normal.
-Eigen::Matrix3d axes_of(const FaceCorners& x) {
-  Eigen::Matrix3d axes;
-  const Eigen::Vector3d normal = area_vector(x).normalized(), diagonal = x.col(2) - x.col(0);
-  axes.col(0) = (diagonal - normal.dot(diagonal) * normal).normalized();
-  axes.col(1) = normal.cross(axes.col(0));
-  axes.col(2) = normal;
-  return axes;
-}
-
 /// Adds a spring between a point of the first side and one of the second.
 ///   weights  of the corners: those of the first side, minus those of the second
 ///   offset   between the points, in axes of the second face [length]
@@ -60,6 +50,20 @@ Eigen::Matrix<double, 3, 4> couple(const Eigen::Matrix<double, 3, 4>& x, const E
 
 }  // namespace
 
+Eigen::Matrix3d axes_of(const FaceCorners& x) {
+  Eigen::Matrix3d axes;
+  const Eigen::Vector3d normal = area_vector(x).normalized(), diagonal = x.col(2) - x.col(0);
+  axes.col(0) = (diagonal - normal.dot(diagonal) * normal).normalized();
+  axes.col(1) = normal.cross(axes.col(0));
+  axes.col(2) = normal;
+  return axes;
+}
+
+void balance(const TieVectors& arms, TieVectors& forces) {
+  forces.col(7) -= forces.rowwise().sum();
+  forces.rightCols<4>() -= couple(arms.rightCols<4>(), moment(arms, forces));
+}
+
 bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,
                Tie& tie) {
   const auto found = find_face_face_points(first, second);
@@ -98,8 +102,7 @@ TieForces find_tie_forces(const Tie& tie, const TieVectors& x) {
   found.forces = rest - pull;
   found.stored = (0.5 * pull - rest).cwiseProduct(arms).sum() + tie.rest_energy;
   // Products of a large stiffness cancel to small forces with an error, which must not push the whole.
-  found.forces.col(7) -= found.forces.rowwise().sum();
-  found.forces.rightCols<4>() -= couple(arms.rightCols<4>(), moment(arms, found.forces));
+  balance(arms, found.forces);
   found.normal = axes.col(2);
   return found;
 }

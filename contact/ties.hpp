@@ -13,30 +13,42 @@ namespace contactsim {
 /// Vectors of the corners of two sides [3 x 8]: those of the first, then those of the second.
 using TieVectors = Eigen::Matrix<double, 3, 8>;
 
-/// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between
-/// their corners, so that a tie of faces passes uniform stress and keeps what gap there was.
-struct Tie {
+/// A face, or a node, that something holds to a face.
+struct HeldPlace {
   std::uint32_t pair = 0;
   bool is_swapped = false;                          ///< the first side is of the pair's second surface
   std::uint32_t first_place = 0, second_place = 0;  ///< face or surface node; face
   bool is_node = false;                             ///< the first side is a node
   std::array<std::uint32_t, 8> nodes{};             ///< contact nodes of the corners
-  Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();  ///< [force/length]
   Eigen::Matrix<double, 8, 1> springs =
-      Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of them [force/length]
+      Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of the springs [force/length]
+  double area = 0.0;                        ///< [length^2]
+};
+
+/// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between
+/// their corners, so that a tie of faces passes uniform stress and keeps what gap there was.
+struct Tie : HeldPlace {
+  Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();  ///< [force/length]
   TieVectors rest =
       TieVectors::Zero();    ///< forces that hold the gaps open, in axes of the second face [force]
   double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed; of a glued place also what
                              ///< it held before [energy]
-  double area = 0.0;         ///< [length^2]
 };
 
-/// The forces of a tie on its corners; all 0 of one that does not act.
+/// The forces of what holds a place on its corners; all 0 of a tie that does not act.
 struct TieForces {
-  TieVectors forces;       ///< [force]
-  Eigen::Vector3d normal;  ///< of the second side, unit [1]
-  double stored = 0.0;     ///< in the springs [energy]
+  TieVectors forces;        ///< [force]
+  Eigen::Vector3d normal;   ///< of the second side, unit [1]
+  double stored = 0.0;      ///< in the springs [energy]
+  double dissipated = 0.0;  ///< in the step, by damage and failure [energy]
 };
+
+/// Axes that turn with a face: a diagonal, at right angles to it, the normal.
+Eigen::Matrix3d axes_of(const FaceCorners& x);
+
+/// Adds forces to those of the second side so that neither force nor moment is left over.
+///   arms  of the corners, from any point near [length]
+void balance(const TieVectors& arms, TieVectors& forces);
 
 /// Ties all points of two faces whose gap is at most the tolerance either way. Returns whether there are any.
 ///   tie  nodes and places are set, the rest is filled in

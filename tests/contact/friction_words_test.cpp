@@ -30,31 +30,23 @@ TEST_CASE("laws are described in words", "[contact][friction]") {
   CHECK(describe_law(CohesiveZone{}) == "cohesive zone");
 }
 
-TEST_CASE("a run takes four laws and refuses the others once per interaction", "[contact][friction]") {
-  Diagnostics fine, wrong;
-  refuse_laws(std::vector<SurfacePair>{pair_with(Frictionless{}, 1), pair_with(ConstantFriction{0.1}, 2),
-                                       pair_with(Tied{}, 3), pair_with(Glued{}, 4)},
-              std::vector<ContactSurface>(2), fine);
-  CHECK(fine.empty());
-  refuse_laws(std::vector<SurfacePair>{pair_with(Adhesion{}, 3), pair_with(Adhesion{}, 3),
-                                       pair_with(HybridFriction{}, 9)},
-              std::vector<ContactSurface>(2), wrong);
-  CHECK(messages(wrong) ==
-        "c.i:3:1: error: the friction model 'adhesion' is not supported in a run yet; frictionless, constant "
-        "friction, tied and glued are\n"
-        "c.i:9:1: error: the friction model 'hybrid' is not supported in a run yet; frictionless, constant "
-        "friction, tied and glued are\n");
-}
-
-TEST_CASE("nothing is tied or glued to a plane", "[contact][friction]") {
+TEST_CASE("nothing is held to a plane", "[contact][friction]") {
   std::vector<ContactSurface> surfaces(1);
   surfaces[0].name = "floor";
   surfaces[0].analytic_planes = {0};
-  Diagnostics fine, wrong;
-  refuse_laws(std::vector<SurfacePair>{pair_with(ConstantFriction{0.1}, 2)}, surfaces, fine);
-  CHECK(fine.empty());
-  refuse_laws(std::vector<SurfacePair>{pair_with(Tied{}, 3), pair_with(Glued{}, 4)}, surfaces, wrong);
-  CHECK(messages(wrong) ==
-        "c.i:3:1: error: 'floor' and 'floor' cannot be tied: one is an analytic plane; planes only push\n"
-        "c.i:4:1: error: 'floor' and 'floor' cannot be glued: one is an analytic plane; planes only push\n");
+  const auto refused = [&](const FrictionLaw& law) {
+    Diagnostics found;
+    refuse_laws(std::vector<SurfacePair>{pair_with(law, 3)}, surfaces, {}, found);
+    return messages(found);
+  };
+  CHECK(refused(ConstantFriction{0.1}).empty());
+  CHECK(refused(PressureVelocityFriction{}).empty());
+  const std::string cannot = "c.i:3:1: error: 'floor' and 'floor' cannot be ",
+                    why = ": one is an analytic plane; nothing is held to planes\n";
+  CHECK(refused(Tied{}) == cannot + "tied" + why);
+  CHECK(refused(Glued{}) == cannot + "glued" + why);
+  CHECK(refused(SurfaceWeld{}) == cannot + "surface weld" + why);
+  HybridFriction hybrid;
+  hybrid.initially_far = DeckName{"tied", {}};
+  CHECK(refused(hybrid) == cannot + "hybrid" + why);
 }

@@ -21,15 +21,18 @@ std::string general_contact(const std::string& more, const std::string& surfaces
   return surfaces + "begin interaction defaults\ngeneral contact = on\n" + more + "end\n";
 }
 
-ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given)
+ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, const std::string& defined,
+                             std::vector<TimeSteppingBlock> periods)
     : mesh(builder.build()),
       region(given),
+      functions(parse_definitions(defined).functions),
+      blocks(std::move(periods)),
       definition(checked(test::make_model(mesh, region))),
       model(make_model_of(mesh)),
       x(mesh.coordinates()),
       v(Eigen::Matrix3Xd::Zero(3, x.cols())),
       forces(Eigen::Matrix3Xd::Zero(3, x.cols())),
-      contact({*region.contact, definition, model, {}}) {}
+      contact({*region.contact, definition, model, blocks, functions}) {}
 
 Region ContactBodies::with_contact(const std::string& lines) {
   Region region;

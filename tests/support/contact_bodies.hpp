@@ -19,14 +19,19 @@ std::string general_contact(const std::string& more = "",
 class ContactBodies {
  public:
   /// Throws std::logic_error when the deck has errors.
-  ContactBodies(const MeshBuilder& builder, const std::string& contact_lines)
-      : ContactBodies(builder, with_contact(contact_lines)) {}
-  ContactBodies(const MeshBuilder& builder, const Region& region);
+  ///   function_lines  outside procedures, of functions that friction models name
+  ContactBodies(const MeshBuilder& builder, const std::string& contact_lines,
+                const std::string& function_lines = "", std::vector<TimeSteppingBlock> periods = {})
+      : ContactBodies(builder, with_contact(contact_lines), function_lines, std::move(periods)) {}
+  ContactBodies(const MeshBuilder& builder, const Region& region, const std::string& function_lines = "",
+                std::vector<TimeSteppingBlock> periods = {});
   ContactBodies(const ContactBodies&) = delete;
   ContactBodies& operator=(const ContactBodies&) = delete;
 
   Mesh mesh;
   Region region;
+  std::vector<FunctionDefinition> functions;
+  std::vector<TimeSteppingBlock> blocks;
   Modelled definition;
   Model model;
   Eigen::Matrix3Xd x, v, forces;  ///< forces: those asked for last

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/bonds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace contactsim {
+
+bool bond_faces(const MovingFace& first, const MovingFace& second, double tolerance, Bond& bond) {
+  const auto found = find_face_face_points(first, second);
+  if (!found) return false;
+  const OverlapPoints& points = found->points;
+  for (int b = 0; b < points.n_batches; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const double area = points.weight[k](lane), gap = found->gap[k](lane);
+      if (!(area > 0.0) || !(std::abs(gap) <= tolerance)) continue;
+      bond.weights_1 += area * corner_weights(points.xi_1[k](lane), points.eta_1[k](lane), first.is_triangle);
+      bond.weights_2 +=
+          area * corner_weights(points.xi_2[k](lane), points.eta_2[k](lane), second.is_triangle);
+      bond.area += area;
+    }
+  }
+  if (bond.area == 0.0) return false;
+  bond.weights_1 /= bond.area;
+  bond.weights_2 /= bond.area;
+  bond.rest = axes_of(second.x).transpose() * (first.x * bond.weights_1 - second.x * bond.weights_2);
+  return true;
+}
+
+TieForces step_bond(const Hold& hold, const TieVectors& x, bool is_frozen, Bond& bond) {
+  const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
+  const Eigen::Vector3d origin = x.col(0);
+  const TieVectors arms = x.colwise() - origin;
+  const Eigen::Vector3d between = arms.leftCols<4>() * bond.weights_1 - arms.rightCols<4>() * bond.weights_2;
+  const Eigen::Vector3d moved = axes.transpose() * between - bond.rest;
+  BondHistory history = bond.history;
+  const BondAnswer found = answer(hold, {moved.z(), moved.head<2>()}, bond.share, bond.penalty, history);
+  if (!is_frozen) {
+    bond.history = history;
+    bond.has_failed = found.fails;
+  }
+  const Eigen::Vector3d pull =
+      axes * Eigen::Vector3d(found.tangential.x(), found.tangential.y(), found.normal);
+  TieForces forces;
+  forces.forces << -pull * bond.weights_1.transpose(), pull * bond.weights_2.transpose();
+  balance(arms, forces.forces);
+  forces.normal = axes.col(2);
+  forces.stored = found.stored;
+  forces.dissipated = found.dissipated;
+  return forces;
+}
+
+FadingPlace make_fading(const HeldPlace& place, const TieForces& at_failure, const TieVectors& x,
+                        std::int64_t n_steps) {
+  FadingPlace fading;
+  static_cast<HeldPlace&>(fading) = place;
+  fading.forces = axes_of(x.rightCols<4>()).transpose() * at_failure.forces;
+  fading.stored = at_failure.stored;
+  fading.n_steps = n_steps;
+  return fading;
+}
+
+TieForces find_fading_forces(const FadingPlace& place, const TieVectors& x) {
+  const double left = 1.0 - static_cast<double>(place.n_done) / static_cast<double>(place.n_steps);
+  const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
+  const Eigen::Vector3d origin = x.col(0);
+  TieForces found;
+  found.forces = left * (axes * place.forces);
+  balance(x.colwise() - origin, found.forces);
+  found.normal = axes.col(2);
+  found.stored = left * place.stored;
+  return found;
+}
+
+double weld_envelope(const WeldHold& weld, const HeldPlace& place, const TieForces& forces) {
+  const Eigen::Vector3d on_first = forces.forces.leftCols<4>().rowwise().sum();
+  const double along = forces.normal.dot(on_first), size = weld.is_per_area ? place.area : 1.0;
+  const double normal = std::max(-along, 0.0) / (weld.normal_capacity * size);
+  const double tangential = (on_first - along * forces.normal).norm() / (weld.tangential_capacity * size);
+  return normal * normal + tangential * tangential;
+}
+
+}  // namespace contactsim

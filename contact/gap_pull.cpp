@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/gap_pull.hpp"
+
+#include <algorithm>
+
+#include "contact/friction.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// What a law does at some area before a gap.
+struct Pull {
+  double force = 0.0;      ///< towards each other [force]
+  double potential = 0.0;  ///< [energy]
+};
+
+Pull pull_at(const PlaceLaw& law, double gap, double area) {
+  if (!law.pull || gap > law.pull->last()) return {};
+  const double apart = std::max(gap, 0.0);
+  return {gap >= 0.0 ? law.pull->at(gap) * area : 0.0,
+          (law.pull->integral(apart) - law.pull->integral(law.pull->last())) * area};
+}
+
+/// Adds the force along the surface of a junction.
+///   stiffness  of the tangential spring [force/length]
+///   area       at gaps below the cutoff [length^2]
+///   velocity   of the first side along the second [length/time]
+void add_junction(const RateLimit& law, double stiffness, double area, const Eigen::Vector3d& velocity,
+                  bool is_frozen, ContactRecord& record) {
+  const double speed = (velocity - record.normal.dot(velocity) * record.normal).norm();
+  const double limit = std::max(law.scale * law.traction.evaluate(speed), 0.0) * area;
+  add_friction(stiffness, limit, is_frozen, record);
+}
+
+/// Sums over the points of two faces that feel a law.
+struct FaceSums {
+  double force = 0.0, work = 0.0, potential = 0.0;
+  double area = 0.0, area_apart = 0.0, area_held = 0.0;
+  double weight = 0.0;
+  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
+};
+
+void add_point(const PlaceLaw& law, const FaceFacePoints& found, std::size_t k, int lane, FaceSums& sums) {
+  const double area = found.points.weight[k](lane), gap = found.gap[k](lane);
+  const Pull pull = pull_at(law, gap, area);
+  sums.force += pull.force;
+  sums.work += pull.force * gap;
+  sums.potential += pull.potential;
+  sums.area += area;
+  if (gap > 0.0) sums.area_apart += area;
+  const bool is_held = law.rate_limit && gap < law.rate_limit->cutoff;
+  if (is_held) sums.area_held += area;
+}
+
+Eigen::Vector4d weights_of(const FaceFacePoints& found, std::size_t k, int lane, bool is_first,
+                           bool is_triangle) {
+  const OverlapPoints& p = found.points;
+  return is_first ? corner_weights(p.xi_1[k](lane), p.eta_1[k](lane), is_triangle)
+                  : corner_weights(p.xi_2[k](lane), p.eta_2[k](lane), is_triangle);
+}
+
+}  // namespace
+
+void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, ContactRecord& record) {
+  if (record.gap >= law.reach()) return;
+  const Pull pull = pull_at(law, record.gap, push.area);
+  record.is_held_apart = true;
+  record.beyond_spring = pull.potential;
+  if (record.gap >= 0.0) {
+    record.area = push.area;
+    record.force = -pull.force;
+    record.beyond_spring -= 0.5 * pull.force * record.gap;
+  }
+  if (law.pull) record.stiffness += law.pull->steepest() * push.area;
+  if (!law.rate_limit || record.gap >= law.rate_limit->cutoff) return;
+  record.slip = push.velocity * push.dt;
+  add_junction(*law.rate_limit, push.penalty.stiffness * push.area, push.area, push.velocity, is_frozen,
+               record);
+}
+
+bool pull_faces(const PlaceLaw& law, const FacePush& push, bool is_frozen, ContactRecord& record) {
+  const auto found = find_face_face_points(push.first, push.second);
+  if (!found) return false;
+  FaceSums sums;
+  for (int b = 0; b < found->points.n_batches; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const double area = found->points.weight[k](lane), gap = found->gap[k](lane);
+      if (!(area > 0.0) || gap >= law.reach() || gap < -push.penalty.depth) continue;
+      add_point(law, *found, k, lane, sums);
+      // One place has one centre of force. What acts along the surface acts at the middle of the area.
+      const double weight = law.rate_limit ? area : pull_at(law, gap, area).force;
+      sums.weight += weight;
+      sums.weights_1 += weight * weights_of(*found, k, lane, true, push.first.is_triangle);
+      sums.weights_2 += weight * weights_of(*found, k, lane, false, push.second.is_triangle);
+    }
+  }
+  if (!(sums.area > 0.0)) return false;
+  record.normal = found->plane.normal;
+  if (sums.weight != 0.0) {
+    record.first.weights = sums.weights_1 / sums.weight;
+    record.second.weights = sums.weights_2 / sums.weight;
+  }
+  record.force = -sums.force;
+  record.gap = sums.force != 0.0 ? sums.work / sums.force : 0.0;
+  record.area = sums.area_apart;
+  record.is_held_apart = true;
+  record.beyond_spring = sums.potential - 0.5 * sums.work;
+  if (law.pull) record.stiffness = law.pull->steepest() * sums.area;
+  if (!law.rate_limit || sums.area_held == 0.0) return true;
+  const Eigen::Vector3d velocity =
+      push.first.v * record.first.weights - push.second.v * record.second.weights;
+  record.slip = velocity * push.dt;
+  const double spring = push.penalty.stiffness * sums.area_held;
+  record.stiffness += spring;
+  add_junction(*law.rate_limit, spring, sums.area_held, velocity, is_frozen, record);
+  return true;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/bonds.hpp"
+#include "contact/contact_scene.hpp"
+#include "contact/contact_sums.hpp"
+#include "contact/pair_lists.hpp"
+
+namespace contactsim {
+
+/// What may be near each other.
+struct NearCandidates {
+  const PairLists& face_partners;
+  const PairLists& node_faces;
+  double size_share = 0.0;  ///< automatic tolerance over the square root of a face's area [1]
+};
+
+/// All that holds places together: ties of tied, glued and welded pairs, bonds of spring welds, cohesive
+/// zones and threaded joints, and what fades once a weld or a bond has failed. A weld that has failed leaves
+/// its place to contact at once.
+class HeldPlaces {
+ public:
+  /// Ties and bonds what is near: of all pairs, or of those whose model has just changed; the latter lose
+  /// what they had.
+  void begin(const ContactScene& scene, const NearCandidates& candidates, GluedPlaces& glued);
+  void renew(const ContactScene& scene, const NearCandidates& candidates, GluedPlaces& glued);
+  /// Ties what has touched under a GLUED MODEL, from the next step on, as deep as it is now. What its springs
+  /// hold stays in them: the tie has no way to give it back.
+  void glue(const ContactScene& scene, const ContactRecord& record, GluedPlaces& glued);
+
+  /// Takes a step: adds all forces, ends what has failed.
+  void step(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums);
+  /// The forces of the last step, in the order of at(); all 0 of pairs that do not act.
+  void find_forces(const ContactScene& scene, std::vector<TieForces>& forces);
+
+  std::span<const Tie> ties() const { return ties_; }
+  std::span<const Bond> bonds() const { return bonds_; }
+  std::span<const FadingPlace> fading() const { return fading_; }
+  std::size_t size() const { return ties_.size() + bonds_.size() + fading_.size(); }
+  /// Ties first, then bonds, then what fades.
+  const HeldPlace& operator[](std::size_t i) const;
+
+ private:
+  void make(const ContactScene& scene, const NearCandidates& candidates, bool only_changed,
+            GluedPlaces& glued);
+  void step_fading(const ContactScene& scene, ContactSums& sums);
+  void step_ties(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums);
+  void step_bonds(const ContactScene& scene, ContactSums& sums);
+
+  std::vector<Tie> ties_;
+  std::vector<Bond> bonds_;
+  std::vector<FadingPlace> fading_;
+};
+
+/// Marks the faces and nodes of HYBRID pairs that are close to the other side.
+void mark_close_places(const ContactScene& scene, const NearCandidates& candidates, PairRules& rules);
+
+}  // namespace contactsim

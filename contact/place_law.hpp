@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "contact/law_curve.hpp"
+#include "core/conditions/active_times.hpp"
+#include "core/definition/friction.hpp"
+#include "core/functions/function.hpp"
+
+/// Friction models, ready for the loops over places of contact. A model is made of up to three parts: what
+/// limits the force along the surface, what pulls across a gap, and what holds places together from the
+/// start.
+namespace contactsim {
+
+/// How the sides of a pair hold each other, as far as the loops over places need to know. welded: ties that
+/// can fail; what none holds slides.
+enum class ContactLaw : std::uint8_t { sliding, glued, tied, welded };
+
+/// Tangential traction of a junction, at most g(slip rate), at gaps below the cutoff.
+struct RateLimit {
+  Function traction;    ///< of the slip rate
+  double scale = 1.0;   ///< of the function [1]
+  double cutoff = 0.0;  ///< [length]
+};
+
+/// The forces of a spring weld; it fails at the envelope of displacements.
+struct SpringHold {
+  LawCurve normal, tangential;  ///< displacement [length] to force [force]
+  double exponent = 2.0;        ///< [1]
+};
+
+/// The tractions of a threaded joint; it fails at the envelope of tractions.
+struct ThreadHold {
+  LawCurve normal, tangential;     ///< displacement [length] to traction [force/length^2]
+  std::optional<Function> by_gap;  ///< factor of the tangential traction [1]
+  double by_gap_scale = 1.0;
+  double normal_capacity = 0.0, tangential_capacity = 0.0;  ///< [force/length^2]
+  double exponent = 2.0;                                    ///< [1]
+};
+
+/// A cohesive zone. Source: Tvergaard and Hutchinson, J. Mech. Phys. Solids 41 (1993) 1119-1135; unloading to
+/// the origin as in Camacho and Ortiz, Int. J. Solids Struct. 33 (1996) 2899-2938.
+struct CohesiveHold {
+  LawCurve traction;                                        ///< lambda [1] to traction [force/length^2]
+  double critical_normal = 0.0, critical_tangential = 0.0;  ///< [length]
+};
+
+/// A tie that fails at an envelope of its force, or of its traction.
+struct WeldHold {
+  bool is_per_area = false;
+  double normal_capacity = 0.0, tangential_capacity = 0.0;  ///< [force] or [force/length^2]
+};
+
+using Hold = std::variant<SpringHold, ThreadHold, CohesiveHold, WeldHold>;
+
+/// A friction model that is more than frictionless, constant friction, tied or glued.
+struct PlaceLaw {
+  ContactLaw law = ContactLaw::sliding;
+  double friction = 0.0;  ///< Coulomb's coefficient; 1 where `pressure_velocity` is the limit [1]
+  std::optional<PressureVelocityFriction> pressure_velocity;
+  std::optional<RateLimit> rate_limit;
+  std::optional<LawCurve> pull;   ///< gap [length] to traction [force/length^2], up to its last abscissa
+  std::optional<Hold> hold;       ///< of what is near at the start
+  std::int64_t decay_cycles = 1;  ///< steps over which what holds fades once it has failed
+
+  /// Gaps up to this one feel the law [length].
+  double reach() const;
+  bool is_weld() const { return hold && std::holds_alternative<WeldHold>(*hold); }
+  /// The largest tangential force of a place that touches [force].
+  ///   force  normal, >= 0
+  ///   area   [length^2]
+  ///   speed  slip rate, >= 0 [length/time]
+  double slip_limit(double force, double area, double speed) const;
+};
+
+/// The friction model of a pair: one, one by whether a place was close at the start, or one by period.
+struct PairLaw {
+  struct Period {
+    ActiveTimes times;
+    std::shared_ptr<const PlaceLaw> law;
+  };
+  std::shared_ptr<const PlaceLaw> law;  ///< HYBRID: where the sides were close at the start
+  std::shared_ptr<const PlaceLaw> far;  ///< HYBRID: elsewhere; else null
+  std::vector<Period> periods;          ///< TIME VARIANT; frictionless in none of them
+
+  bool is_variant() const { return !periods.empty(); }
+};
+
+}  // namespace contactsim
