@@ -22,6 +22,7 @@ struct ContactRecord {
   std::uint32_t first_place = 0;   ///< face, or surface node
   std::uint32_t second_place = 0;  ///< face
   bool is_swapped = false;         ///< the first side is of the pair's second surface
+  bool is_held_apart = false;      ///< a law acts on it whether it touches or not
   RecordSide first, second;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
   double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]
@@ -34,7 +35,6 @@ struct ContactRecord {
   double dissipated = 0.0;                         ///< by friction in the step [energy]
   double damped = 0.0;                             ///< by contact damping in the step [energy]
   double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
-  bool is_held_apart = false;                      ///< a law acts on it across its gap
 
   bool touches() const { return force != 0.0 || is_held_apart; }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }

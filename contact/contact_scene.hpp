@@ -26,10 +26,10 @@ struct PairRule {
   double reach = 0.0;     ///< gaps up to this one feel the law [length]
   const PlaceLaw* place = nullptr;  ///< of models that are more than the above
   std::uint32_t far = not_hybrid;   ///< rule of the places that were far at the start
+  bool is_active = true;            ///< now
+  bool has_changed = false;         ///< has another model than before, by its period
   ActiveTimes times;
-  bool is_active = true;     ///< now
-  bool has_changed = false;  ///< has another model than before, by its period
-  PairLaw model;
+  PairLaw model;                  ///< that the above are of
   const PlaceLaw* now = nullptr;  ///< the model of this period, of a TIME VARIANT one
 
   static constexpr std::uint32_t not_hybrid = 0xffffffff;
@@ -38,9 +38,7 @@ struct PairRule {
   bool acts_apart() const { return place != nullptr && (place->pull || place->rate_limit); }
   /// Whether the pair has ties and never anything else.
   bool only_ties() const { return law == ContactLaw::tied && far == not_hybrid && !model.is_variant(); }
-  /// The largest tangential force of a place that touches.
-  ///   force  normal [force]
-  ///   slip   in the step, of which the normal part is left out [length]
+  /// The largest tangential force of a place that touches, by its force, area and slip of the step [force].
   double slip_limit(const ContactRecord& record, double dt) const;
   /// Goes over to a model.
   void take(const PlaceLaw& taken);

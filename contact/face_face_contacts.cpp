@@ -67,9 +67,9 @@ void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
       const std::uint32_t second = candidates_.partners[k];
       const std::uint32_t pair = scene.rules.find(faces_.faces[first].surface, faces_.faces[second].surface);
-      find_one(scene, {first, second, pair, k}, records);
-      if (scene.rules.of_faces(pair, first, second).acts_apart())
-        pull_one(scene, {first, second, pair, k}, records);
+      const Candidate candidate{first, second, pair, k, scene.rules.of_faces(pair, first, second)};
+      find_one(scene, candidate, records);
+      if (candidate.rule.acts_apart()) pull_one(scene, candidate, records);
     }
   }
 }
@@ -79,7 +79,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
   const double closed = above_zero((b.velocity() - a.velocity()).dot(b.normal())) * scene.dt;
   const double reach = steps_ahead * closed;
-  const PairRule& rule = scene.rules.of_faces(candidate.pair, candidate.first, candidate.second);
+  const PairRule& rule = candidate.rule;
   const bool did_touch = touched_[candidate.place] != 0;
   if (!scene.is_frozen) touched_[candidate.place] = 0;
   if (!may_touch(a, b, reach) || !rule.is_active || rule.law == ContactLaw::tied) return;
@@ -126,7 +126,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
 
 void FaceFaceContacts::pull_one(const ContactScene& scene, const Candidate& candidate,
                                 std::vector<ContactRecord>& records) {
-  const PairRule& rule = scene.rules.of_faces(candidate.pair, candidate.first, candidate.second);
+  const PairRule& rule = candidate.rule;
   const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
   const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
   ContactRecord record;

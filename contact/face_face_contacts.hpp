@@ -37,6 +37,7 @@ class FaceFaceContacts {
   struct Candidate {
     std::uint32_t first, second, pair;
     std::size_t place;  ///< in candidates_
+    const PairRule& rule;
   };
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
   /// Adds what a law does across the gap, or beside the penalty.

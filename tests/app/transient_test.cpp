@@ -100,10 +100,11 @@ TEST_CASE("what a run does not act on yet is refused at its line", "[app][transi
   CHECK(code == 2);
   CHECK_THAT(err, Contains("a.i:") && Contains("element death is not supported in a run yet"));
   const PulledBar contact(
-      "begin contact definition\nskin all blocks = on\nbegin hybrid model h\nend\n"
-      "begin interaction defaults\nself contact = on\nfriction model = h\nend\nend\n");
+      "begin contact definition\nskin all blocks = on\nbegin surface weld model h\nnormal capacity = 1\n"
+      "tangential capacity = 1\nfailed model = tied\nend\nbegin interaction defaults\nself contact = "
+      "on\nfriction model = h\nend\nend\n");
   const auto touched = contact.run({"a.i"});
   CHECK(touched.exit_code == 2);
-  CHECK_THAT(touched.err, Contains("the friction model 'hybrid' is not supported in a run yet"));
+  CHECK_THAT(touched.err, Contains("a.i:") && Contains("the FAILED MODEL 'tied' holds what has just failed"));
   CHECK_THAT(touched.out, Contains("\nContact surfaces\n"));
 }
