@@ -60,6 +60,25 @@ Eigen::Vector4d weights_of(const FaceFacePoints& found, std::size_t k, int lane,
                   : corner_weights(p.xi_2[k](lane), p.eta_2[k](lane), is_triangle);
 }
 
+/// Sums over the points that are near enough and not of another wall.
+FaceSums sum_points(const PlaceLaw& law, const FacePush& push, const FaceFacePoints& points) {
+  FaceSums sums;
+  for (int b = 0; b < points.points.n_batches; ++b) {
+    const auto k = static_cast<std::size_t>(b);
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const double area = points.points.weight[k](lane), gap = points.gap[k](lane);
+      if (!(area > 0.0) || gap >= law.reach() || gap < -push.penalty.depth) continue;
+      add_point(law, points, k, lane, sums);
+      // One place has one centre of force. What acts along the surface acts at the middle of the area.
+      const double weight = law.rate_limit ? area : pull_at(law, gap, area).force;
+      sums.weight += weight;
+      sums.weights_1 += weight * weights_of(points, k, lane, true, push.first.is_triangle);
+      sums.weights_2 += weight * weights_of(points, k, lane, false, push.second.is_triangle);
+    }
+  }
+  return sums;
+}
+
 }  // namespace
 
 void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, ContactRecord& record) {
@@ -82,20 +101,7 @@ void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, Contac
 bool pull_faces(const PlaceLaw& law, const FacePush& push, bool is_frozen, ContactRecord& record) {
   const auto found = find_face_face_points(push.first, push.second);
   if (!found) return false;
-  FaceSums sums;
-  for (int b = 0; b < found->points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      const double area = found->points.weight[k](lane), gap = found->gap[k](lane);
-      if (!(area > 0.0) || gap >= law.reach() || gap < -push.penalty.depth) continue;
-      add_point(law, *found, k, lane, sums);
-      // One place has one centre of force. What acts along the surface acts at the middle of the area.
-      const double weight = law.rate_limit ? area : pull_at(law, gap, area).force;
-      sums.weight += weight;
-      sums.weights_1 += weight * weights_of(*found, k, lane, true, push.first.is_triangle);
-      sums.weights_2 += weight * weights_of(*found, k, lane, false, push.second.is_triangle);
-    }
-  }
+  const FaceSums sums = sum_points(law, push, *found);
   if (!(sums.area > 0.0)) return false;
   record.normal = found->plane.normal;
   if (sums.weight != 0.0) {
