@@ -9,18 +9,12 @@ namespace contactsim {
 bool bond_faces(const MovingFace& first, const MovingFace& second, double tolerance, Bond& bond) {
   const auto found = find_face_face_points(first, second);
   if (!found) return false;
-  const OverlapPoints& points = found->points;
-  for (int b = 0; b < points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      const double area = points.weight[k](lane), gap = found->gap[k](lane);
-      if (!(area > 0.0) || !(std::abs(gap) <= tolerance)) continue;
-      bond.weights_1 += area * corner_weights(points.xi_1[k](lane), points.eta_1[k](lane), first.is_triangle);
-      bond.weights_2 +=
-          area * corner_weights(points.xi_2[k](lane), points.eta_2[k](lane), second.is_triangle);
-      bond.area += area;
-    }
-  }
+  found->visit_near(tolerance, [&bond](double area, double, const Eigen::Vector4d& weights_1,
+                                       const Eigen::Vector4d& weights_2) {
+    bond.weights_1 += area * weights_1;
+    bond.weights_2 += area * weights_2;
+    bond.area += area;
+  });
   if (bond.area == 0.0) return false;
   bond.weights_1 /= bond.area;
   bond.weights_2 /= bond.area;

@@ -163,7 +163,11 @@ std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, con
   auto pair = project_pair(first, second);
   if (!pair || !boxes_meet(pair->first, pair->second)) return std::nullopt;
   make_maps(first, second, *pair);
-  FaceFacePoints found{pair->plane, find_overlap(pair->first, pair->map_1, pair->second, pair->map_2), {}};
+  FaceFacePoints found{pair->plane,
+                       find_overlap(pair->first, pair->map_1, pair->second, pair->map_2),
+                       {},
+                       first.is_triangle,
+                       second.is_triangle};
   if (!(found.points.area > 0.0)) return std::nullopt;
   const auto z1 = component(pair->map_1, 2), z2 = component(pair->map_2, 2);
   for (int b = 0; b < found.points.n_batches; ++b) {

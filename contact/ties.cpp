@@ -70,19 +70,11 @@ bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffne
   if (!found) return false;
   const Eigen::Matrix3d axes = axes_of(second.x);
   const Eigen::Vector3d along = axes.transpose() * found->plane.normal;
-  const OverlapPoints& points = found->points;
-  for (int b = 0; b < points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      const double area = points.weight[k](lane), gap = found->gap[k](lane);
-      if (!(area > 0.0) || !(std::abs(gap) <= tolerance)) continue;
-      const Corners8 weights =
-          join(corner_weights(points.xi_1[k](lane), points.eta_1[k](lane), first.is_triangle),
-               corner_weights(points.xi_2[k](lane), points.eta_2[k](lane), second.is_triangle));
-      add_spring(weights, stiffness * area, gap * along, tie);
-      tie.area += area;
-    }
-  }
+  found->visit_near(tolerance, [&](double area, double gap, const Eigen::Vector4d& weights_1,
+                                   const Eigen::Vector4d& weights_2) {
+    add_spring(join(weights_1, weights_2), stiffness * area, gap * along, tie);
+    tie.area += area;
+  });
   return tie.area > 0.0;
 }
 

@@ -12,6 +12,16 @@ namespace {
 
 const std::string rub = "begin constant friction model rub\nfriction coefficient = 0.3\nend\n";
 
+/// Bodies that a cohesive zone holds together: it is strongest halfway to its critical gaps.
+struct CohesiveBodies : ContactBodies {
+  explicit CohesiveBodies(const std::string& formulation)
+      : ContactBodies(law_mesh(0.0),
+                      law_deck("begin cohesive zone model m\ntraction displacement function = zone\n"
+                               "critical normal gap = 0.1\ncritical tangential gap = 0.2\nend\n",
+                               formulation),
+                      line_function("zone", "0 0\n0.5 10\n1 0\n")) {}
+};
+
 /// No net force and no net moment, of forces that are there.
 void check_balance(const ContactBodies& bodies) {
   CHECK(bodies.force_size() > 0.1);
@@ -23,12 +33,7 @@ void check_balance(const ContactBodies& bodies) {
 
 TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks for good",
           "[contact][held_places]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes);
-  ContactBodies bodies(law_mesh(0.0),
-                       law_deck("begin cohesive zone model m\ntraction displacement function = zone\n"
-                                "critical normal gap = 0.1\ncritical tangential gap = 0.2\nend\n",
-                                formulation),
-                       line_function("zone", "0 0\n0.5 10\n1 0\n"));
+  CohesiveBodies bodies(GENERATE(std::string(), by_nodes));
   bodies.ask();
   CHECK(bodies.forces.norm() < 1e-10);
   CHECK(force_after(bodies, {0, 0, 0.02}).z() == Approx(-4.0));   // lambda 0.2
@@ -48,12 +53,7 @@ TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks f
 }
 
 TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps", "[contact][held_places]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes);
-  ContactBodies bodies(law_mesh(0.0),
-                       law_deck("begin cohesive zone model m\ntraction displacement function = zone\n"
-                                "critical normal gap = 0.1\ncritical tangential gap = 0.2\nend\n",
-                                formulation),
-                       line_function("zone", "0 0\n0.5 10\n1 0\n"));
+  CohesiveBodies bodies(GENERATE(std::string(), by_nodes));
   bodies.ask();
   // Slip 0.06: lambda 0.3, traction 6, along the surface 6 x 0.1 / 0.2.
   Vector3d force = force_after(bodies, {0, 0.06, 0});
