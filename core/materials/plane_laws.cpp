@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 
 #include "core/materials/laws.hpp"
 
@@ -40,6 +41,16 @@ struct PlaneConsistency {
     return ((trial / least_flow - 1.0) / std::min(a, b)).max(0.0);
   }
 
+  /// Zero where the step is elastic; nothing where all of it is.
+  std::optional<Lanes> solve() const {
+    const Lanes trial = (sum_part + difference_part).sqrt();
+    const Lanes start = hardening.at(eqps, Lanes::Zero(), dt).value;
+    // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
+    if (dt == 0.0 || (trial <= start).all()) return std::nullopt;
+    return solve(trial, start);
+  }
+
+ private:
   /// Zero where the step is elastic. Newton's steps that leave the bracket are replaced by halving it.
   Lanes solve(const Lanes& trial, const Lanes& start) const {
     constexpr double tolerance = 1e-12;  // of the trial stress
@@ -88,10 +99,9 @@ void PlasticLaw<Hardening>::update_fibre(const FibreStep& step, FibreLanes& stre
                                                 2.0 * moduli.shear + kinematic,
                                                 eqps,
                                                 step.dt};
-  const Lanes trial = (consistency.sum_part + consistency.difference_part).sqrt();
-  const Lanes start = hardening.at(eqps, Lanes::Zero(), step.dt).value;
-  if (step.dt == 0.0 || (trial <= start).all()) return;
-  const Lanes flow = consistency.solve(trial, start);
+  const auto flows = consistency.solve();
+  if (!flows) return;
+  const Lanes& flow = *flows;
   const Lanes per_shear = 1.0 / (1.0 + consistency.b * flow);
   const FibreLanes end{relative[0] / (1.0 + consistency.a * flow), relative[1] * per_shear,
                        relative[2] * per_shear};
@@ -131,12 +141,9 @@ void PlasticLaw<Hardening>::update_plane(const PlaneStep& step, PlaneLanes& stre
                                                 2.0 * plane.shear + kinematic,
                                                 eqps,
                                                 step.dt};
-  const Lanes trial = (consistency.sum_part + consistency.difference_part).sqrt();
-  const Lanes start = hardening.at(eqps, Lanes::Zero(), step.dt).value;
-  // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
-  if (step.dt == 0.0 || (trial <= start).all()) return;
-
-  const Lanes flow = consistency.solve(trial, start);
+  const auto flows = consistency.solve();
+  if (!flows) return;
+  const Lanes& flow = *flows;
   const Lanes new_sum = sum / (1.0 + consistency.a * flow);
   const Lanes per_flow = 1.0 / (1.0 + consistency.b * flow), new_difference = difference * per_flow;
   const PlaneLanes end{0.5 * (new_sum + new_difference), 0.5 * (new_sum - new_difference),

@@ -10,6 +10,13 @@ namespace contactsim::test {
 
 namespace {
 
+/// Where component ij of the stress at a point stands in the element's state.
+std::size_t stress_place(const StateLayout& layout, std::size_t point, Eigen::Index i, Eigen::Index j) {
+  return point * layout.point_size + symmetric_place[i][j];
+}
+
+}  // namespace
+
 Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates,
                       const std::vector<std::uint32_t>& nodes) {
   MeshParts parts;
@@ -25,13 +32,6 @@ Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates,
   parts.blocks.push_back(std::move(block));
   return Mesh(std::move(parts));
 }
-
-/// Where component ij of the stress at a point stands in the element's state.
-std::size_t stress_place(const StateLayout& layout, std::size_t point, Eigen::Index i, Eigen::Index j) {
-  return point * layout.point_size + symmetric_place[i][j];
-}
-
-}  // namespace
 
 Eigen::Matrix3Xd regular_element(Shape shape) {
   Eigen::Matrix3Xd x(3, topology(shape).n_nodes);

@@ -30,6 +30,11 @@ SolidProperties undamped_elastic();
 /// "HEX8 mean_quadrature".
 std::string name_of(const SolidElement& row);
 
+/// A mesh of one element over these coordinates.
+///   nodes  of the element by columns of the coordinates, when they are not 0, 1, 2...
+Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates,
+                      const std::vector<std::uint32_t>& nodes = {});
+
 /// One solid element that a test moves as it likes.
 struct LoneElement {
   SolidBlock block;

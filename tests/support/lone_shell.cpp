@@ -18,20 +18,6 @@ Eigen::Matrix3Xd summed(const NodeSums& sums, const std::vector<NodeVector>& par
 
 }  // namespace
 
-Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates) {
-  MeshParts parts;
-  parts.path = "one element";
-  parts.coordinates = coordinates;
-  ElementBlock block;
-  block.id = 1;
-  block.shape = shape;
-  block.nodes_per_element = topology(shape).n_nodes;
-  block.n_elements = 1;
-  for (std::uint32_t node = 0; node < topology(shape).n_nodes; ++node) block.nodes.push_back({node});
-  parts.blocks.push_back(std::move(block));
-  return Mesh(std::move(parts));
-}
-
 Eigen::Matrix3Xd regular_shell(Shape shape) {
   Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, topology(shape).n_nodes);
   if (x.cols() == 3) {

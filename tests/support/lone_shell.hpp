@@ -13,9 +13,6 @@ Eigen::Matrix3Xd regular_shell(Shape shape);
 /// Three layers of Gauss.
 ShellSettings gauss_layers(std::int64_t n_layers = 3);
 
-/// A mesh of one element over these nodes.
-Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates);
-
 /// One shell, or another element whose nodes may turn, that a test moves as it likes.
 struct LoneShell {
   SolidBlock block;
