@@ -35,7 +35,7 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact.surfaces, *setup.model.mesh)),
+      faces_(make_contact_faces(setup.contact, *setup.model.mesh)),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
@@ -145,13 +145,17 @@ void ContactForce::add_places(const ContactScene& scene) {
 /// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
 /// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
 /// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
+/// Points of lofts that hang on one node add up there.
 double ContactForce::largest_eigenvalue() {
   const auto nodes = sums_.nodes();
+  node_rates_.assign(nodes.size(), 0.0);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    node_rates_[faces_.first_alike[i]] += nodes[i][3] / faces_.mass[i];
   std::vector<double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
   for (const SurfaceNode& node : faces_.surface_nodes) {
     double& rate = of_surface[node.surface];
-    rate = std::max(rate, nodes[node.node][3] / faces_.mass[node.node]);
+    rate = std::max(rate, node_rates_[faces_.first_alike[node.node]]);
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
@@ -160,6 +164,26 @@ double ContactForce::largest_eigenvalue() {
       largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);
   }
   return largest;
+}
+
+void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
+  const auto nodes = sums_.nodes();
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  // Several points of lofts may hang on one node of the mesh.
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]).setZero();
+#pragma omp parallel for schedule(static) num_threads(threads_for(n_mesh_points))
+  for (std::size_t i = 0; i < n_mesh_points; ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
+    forces.col(faces_.mesh_nodes[i]) += nodes[i].head<3>();
+}
+
+void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
+  moments.setZero();
+  const auto on_points = sums_.nodes().subspan(faces_.n_mesh_points());
+  for (std::size_t i = 0; i < on_points.size(); ++i) {
+    const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
+    moments.col(faces_.loft.node(i)) += arm.cross(on_points[i].head<3>());
+  }
 }
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
@@ -178,9 +202,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   }
   sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
-  const auto nodes = sums_.nodes();
-#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.size()))
-  for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  write_forces(forces);
   note_histories(motion);
   ForceReport report;
   report.friction_work = sums_.dissipated();

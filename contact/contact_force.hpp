@@ -22,7 +22,7 @@ namespace contactsim {
 /// What contact is made of in a run.
 struct ContactSetup {
   const ContactDefinition& definition;
-  const ContactModel& contact;  ///< its surfaces are of solids, of nodes and analytic
+  const ContactModel& contact;
   const Model& model;
   std::span<const TimeSteppingBlock> blocks;           ///< the periods of the procedure
   std::span<const FunctionDefinition> functions = {};  ///< that friction models name
@@ -44,6 +44,8 @@ class ContactForce final : public ForceTerm {
 
   /// Throws SolveError when a node is nowhere.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  /// Of the forces on lofts about the nodes of the mesh that they hang on.
+  void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
   const ContactFaces& faces() const { return faces_; }
   const ContactSearch& search() const { return search_; }
@@ -74,6 +76,7 @@ class ContactForce final : public ForceTerm {
   bool glues(const ContactRecord& record) const;
   NearCandidates near_candidates() const;
   void add_places(const ContactScene& scene);
+  void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
   void note_histories(const Motion& motion);
 
@@ -93,6 +96,7 @@ class ContactForce final : public ForceTerm {
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
+  std::vector<double> node_rates_;     // scratch, [n_contact_nodes]
   ContactStep step_share_;
   bool has_begun_ = false;
 };

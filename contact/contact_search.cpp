@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "core/mesh/face_geometry.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -54,6 +53,7 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     : faces_(faces),
       mesh_(mesh),
       rules_(rules),
+      joined_(faces, mesh),
       is_once_(search.global_search_once),
       node_margin_(faces.n_nodes(), std::numeric_limits<float>::infinity()) {
   for (const PairRule& rule : rules.rules()) {
@@ -61,10 +61,13 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
   }
+  MovingSurface start(faces);
+  const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  start.move_nodes({0.0, 0.0, mesh.coordinates(), at_rest});
   face_margin_.reserve(faces.faces.size());
   for (const ContactFace& face : faces.faces) {
     face_margin_.push_back(
-        static_cast<float>(dash.search_length_scaling * std::sqrt(area_vector(mesh, face.side).norm())));
+        static_cast<float>(dash.search_length_scaling * std::sqrt(start.area(face).norm())));
     for (const std::uint32_t corner : face.corners)
       node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
   }
@@ -190,7 +193,8 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   if (pair == PairRules::none) return false;
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
-  return a.side.element() != b.side.element() && !a.shares_node(b);
+  if (a.side.element() == b.side.element() || faces_.share_node(a, b)) return false;
+  return !joined_.are_joined(first, second);
 }
 
 bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
@@ -202,7 +206,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   if (of.formulation != ConstraintFormulation::node_face) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;
   if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
-  return !has_element_of(node.node, face);
+  return !has_element_of(node.node, face) && !joined_.are_joined(node, index);
 }
 
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {

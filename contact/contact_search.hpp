@@ -6,6 +6,7 @@
 
 #include "contact/broad_phase.hpp"
 #include "contact/contact_scene.hpp"
+#include "contact/joined_faces.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -53,6 +54,7 @@ class ContactSearch {
   const ContactFaces& faces_;
   const Mesh& mesh_;
   const PairRules& rules_;
+  JoinedFaces joined_;
   bool is_once_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   std::vector<double> reach_;                                // [n_surfaces] of the models [length]
