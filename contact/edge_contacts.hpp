@@ -31,17 +31,26 @@ class EdgeContacts {
             std::vector<ContactRecord>& records);
 
  private:
-  /// Slip that is held at the one or two places of a pair [length].
-  using Elastic = std::array<Eigen::Vector3d, 2>;
+  /// What is known of a pair from the last step.
+  struct Memory {
+    /// Slip that is held at its one or two places [length].
+    std::array<Eigen::Vector3d, 2> elastic{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    bool touched = false;
+  };
+  struct Pair {
+    const ContactEdge &first, &second;
+    const PairRule& rule;
+    const Memory& memory;
+  };
 
   void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
                 std::vector<ContactRecord>& records);
-  ContactRecord make_record(const ContactScene& scene, const ContactEdge& first, const ContactEdge& second,
-                            const EdgePlace& place) const;
+  /// The record of a place; without stiffness when the edges are not near.
+  static ContactRecord make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place);
 
   const ContactFaces& faces_;
   PairLists candidates_, next_;
-  std::vector<Elastic> elastic_;  // [n_candidates]
+  std::vector<Memory> memory_;  // [n_candidates]
 };
 
 }  // namespace contactsim
