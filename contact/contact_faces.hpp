@@ -57,6 +57,7 @@ struct ContactEdge {
   double width = 0.0;   ///< of the strip that touches another edge [length]
   Backing backing;
   std::array<std::uint32_t, 2> faces{no_face, no_face};  ///< of sharp edges
+  bool is_feature = false;                               ///< a sharp edge that meets other sharp ones
 
   bool is_sharp() const { return faces[0] != no_face; }
   bool is_particle() const { return nodes[0] == nodes[1]; }

@@ -245,6 +245,7 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   if (pair == PairRules::none || rules_[pair].only_ties()) return false;
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
+  if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
   const auto is_of_b = [&](std::uint32_t node) {
     const std::uint32_t alike = faces_.first_alike[node];
     return alike == faces_.first_alike[b.nodes[0]] || alike == faces_.first_alike[b.nodes[1]];

@@ -35,6 +35,35 @@ Eigen::Vector3d velocity_at(const MovingSurface& surface, const RecordSide& side
 
 }  // namespace
 
+EdgeContacts::EdgeContacts(const ContactFaces& faces) : faces_(faces) {
+  if (faces.edges.empty()) return;
+  edges_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
+    for (std::uint32_t i = 0; i < faces.edges.size(); ++i) {
+      const ContactEdge& edge = faces.edges[i];
+      if (edge.is_sharp() || edge.is_particle()) continue;
+      for (const std::uint32_t node : edge.nodes) take(faces.first_alike[node], i);
+    }
+  });
+}
+
+bool EdgeContacts::owns(const ContactScene& scene, std::uint32_t index, double share, const EdgePlace& place,
+                        const Eigen::Vector3d& way) const {
+  constexpr double alike = 1e-6;  // cosine of directions that count as square to the way
+  const ContactEdge& edge = faces_.edges[index];
+  if (edge.is_sharp() || edge.is_particle() || (share > 0.0 && share < 1.0) || place.length > 0.0)
+    return true;
+  const std::uint32_t node = faces_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
+  for (const std::uint32_t other : edges_of_node_.of(node)) {
+    const ContactEdge& next = faces_.edges[other];
+    if (other == index || next.surface != edge.surface) continue;
+    const bool is_first = faces_.first_alike[next.nodes[0]] == node;
+    const Eigen::Vector3d along = scene.surface.x(next.nodes[is_first ? 1 : 0]) - scene.surface.x(node);
+    const double cosine = along.dot(way) / (along.norm() * way.norm());
+    if (cosine > alike || (cosine > -alike && (place.is_parallel || other < index))) return false;
+  }
+  return true;
+}
+
 void EdgeContacts::take_candidates() {
   memory_ = carry_over<Memory>(candidates_, memory_, next_, {});
   candidates_ = std::exchange(next_, {});
@@ -59,7 +88,12 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
   const bool is_on = rule.is_active && rule.law != ContactLaw::tied;
   for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
-    ContactRecord record = make_record(scene, {first, second, rule, before}, places.get()[i]);
+    const EdgePlace& place = places.get()[i];
+    const Eigen::Vector3d way =
+        point_at(scene.surface, second, place.t) - point_at(scene.surface, first, place.s);
+    if (!owns(scene, first_edge, place.s, place, way) || !owns(scene, second_edge, place.t, place, -way))
+      continue;
+    ContactRecord record = make_record(scene, {first, second, rule, before}, place);
     if (record.stiffness == 0.0) continue;
     record.pair = pair;
     record.first_place = first_edge;

@@ -16,7 +16,7 @@ namespace contactsim {
 class EdgeContacts {
  public:
   /// The faces must outlive this.
-  explicit EdgeContacts(const ContactFaces& faces) : faces_(faces) {}
+  explicit EdgeContacts(const ContactFaces& faces);
 
   /// Room for the next candidates: rows of edges with others of greater number. take_candidates() follows.
   PairLists& next_candidates() { return next_; }
@@ -45,11 +45,17 @@ class EdgeContacts {
 
   void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
                 std::vector<ContactRecord>& records);
+  /// Whether a place of an edge is its own: at a node that several have, only the edge that is nearest there
+  /// has it, the first of them if they are alike.
+  ///   way  to the other edge [length]
+  bool owns(const ContactScene& scene, std::uint32_t edge, double share, const EdgePlace& place,
+            const Eigen::Vector3d& way) const;
   /// The record of a place; without stiffness when the edges are not near.
   static ContactRecord make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place);
 
   const ContactFaces& faces_;
   PairLists candidates_, next_;
+  PairLists edges_of_node_;     // [n_contact_nodes] round ones, by first_alike
   std::vector<Memory> memory_;  // [n_candidates]
 };
 

@@ -16,7 +16,11 @@ namespace {
 constexpr double parallel = 0.03;
 
 /// A direction counts as between two normals when it is this far from both [1]: nearer to one, faces meet.
-constexpr double between = 0.1;
+/// Lines may be that far beyond.
+constexpr double well_between = 0.1, just_between = -0.02;
+
+/// What is sharp to beams and trusses, if the deck does not say [degrees].
+constexpr double usual_angle = 30.0;
 
 /// Width of the strip along a sharp edge that touches another one, over the size of its face.
 constexpr double strip = 0.25;
@@ -61,13 +65,14 @@ ContactEdge make_edge(const MovingSurface& start, const FaceEdge& one, const Fac
   return edge;
 }
 
-/// Whether a direction away from a sharp edge is well between the normals of its faces.
-bool is_between(const MovingSurface& surface, const ContactEdge& edge, const Eigen::Vector3d& direction) {
+/// Whether a direction away from a sharp edge is between the normals of its faces.
+bool is_between(const MovingSurface& surface, const ContactEdge& edge, const Eigen::Vector3d& direction,
+                double least) {
   const auto& faces = surface.faces().faces;
   const Eigen::Vector3d a = surface.area(faces[edge.faces[0]]).normalized();
   const Eigen::Vector3d b = surface.area(faces[edge.faces[1]]).normalized();
   const double cosine = a.dot(b);
-  return direction.dot(a - cosine * b) > between && direction.dot(b - cosine * a) > between;
+  return direction.dot(a - cosine * b) > least && direction.dot(b - cosine * a) > least;
 }
 
 bool is_inside(double share) { return share > 0.0 && share < 1.0; }
@@ -80,8 +85,10 @@ std::optional<EdgeGap> gap_of_sharp(const MovingSurface& surface, const ContactE
   const double square = normal.squaredNorm();
   if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
   normal /= std::sqrt(square);
-  if (!is_between(surface, second, normal)) normal = -normal;
-  if (!is_between(surface, second, normal) || !is_between(surface, first, -normal)) return std::nullopt;
+  if (!is_between(surface, second, normal, well_between)) normal = -normal;
+  if (!is_between(surface, second, normal, well_between) ||
+      !is_between(surface, first, -normal, well_between))
+    return std::nullopt;
   return EdgeGap{normal, apart.dot(normal)};
 }
 
@@ -89,15 +96,18 @@ std::optional<EdgeGap> gap_of_sharp(const MovingSurface& surface, const ContactE
 
 void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
                   const Mesh& mesh, ContactFaces& faces) {
-  std::vector<double> angle(surfaces.size(), std::numeric_limits<double>::infinity());
-  std::vector<std::uint8_t> meets(surfaces.size(), 1);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto is_line = [](const ContactEdge& edge) { return !edge.is_particle(); };
+  const bool has_lines = std::ranges::any_of(faces.edges, is_line);
+  std::vector<double> angle(surfaces.size(), has_lines ? usual_angle : infinite);
+  std::vector<std::uint8_t> meets(surfaces.size(), 1), is_feature(surfaces.size(), 0);
   visit_surface_options(options, surfaces, [&](std::size_t i, const SurfaceOptions& of) {
-    if (of.feature_angle) angle[i] = *of.feature_angle * std::numbers::pi / 180.0;
+    if (of.feature_angle) angle[i] = *of.feature_angle, is_feature[i] = 1;
     if (of.has_edge_contact) meets[i] = *of.has_edge_contact ? 1 : 0;
   });
   std::erase_if(faces.edges, [&](const ContactEdge& edge) { return meets[edge.surface] == 0; });
   for (std::size_t i = 0; i < angle.size(); ++i) {
-    if (meets[i] == 0) angle[i] = std::numeric_limits<double>::infinity();
+    if (meets[i] == 0) angle[i] = infinite;
   }
   if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
   MovingSurface start(faces);
@@ -108,16 +118,19 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
     const FaceEdge &one = edges[i], &other = edges[i + 1];
     if (std::tie(one.low, one.high) != std::tie(other.low, other.high)) continue;
     const ContactFace &a = faces.faces[one.face], &b = faces.faces[other.face];
-    if (is_sharp(start, a, b, angle[a.surface])) faces.edges.push_back(make_edge(start, one, other));
+    if (!is_sharp(start, a, b, angle[a.surface] * std::numbers::pi / 180.0)) continue;
+    faces.edges.push_back(make_edge(start, one, other));
+    faces.edges.back().is_feature = is_feature[a.surface] != 0;
   }
+}
+
+Eigen::Vector3d point_at(const MovingSurface& surface, const ContactEdge& edge, double share) {
+  return (1.0 - share) * surface.x(edge.nodes[0]) + share * surface.x(edge.nodes[1]);
 }
 
 std::optional<EdgeGap> find_edge_gap(const MovingSurface& surface, const ContactEdge& first,
                                      const ContactEdge& second, const EdgePlace& place, double depth) {
-  const auto at = [&](const ContactEdge& edge, double share) -> Eigen::Vector3d {
-    return (1.0 - share) * surface.x(edge.nodes[0]) + share * surface.x(edge.nodes[1]);
-  };
-  const Eigen::Vector3d apart = at(first, place.s) - at(second, place.t);
+  const Eigen::Vector3d apart = point_at(surface, first, place.s) - point_at(surface, second, place.t);
   if (first.is_sharp() || second.is_sharp()) {
     if (!is_inside(place.s) || !is_inside(place.t)) return std::nullopt;
   }
@@ -128,8 +141,8 @@ std::optional<EdgeGap> find_edge_gap(const MovingSurface& surface, const Contact
   const double distance = apart.norm();
   if (distance == 0.0) return std::nullopt;
   const EdgeGap found{apart / distance, distance - first.radius - second.radius};
-  if (first.is_sharp() && !is_between(surface, first, -found.normal)) return std::nullopt;
-  if (second.is_sharp() && !is_between(surface, second, found.normal)) return std::nullopt;
+  if (first.is_sharp() && !is_between(surface, first, -found.normal, just_between)) return std::nullopt;
+  if (second.is_sharp() && !is_between(surface, second, found.normal, just_between)) return std::nullopt;
   return found;
 }
 

@@ -324,3 +324,44 @@ TEST_CASE("a side set of a shell touches on its side only, and without thickness
   CHECK((bodies.force_on(1).z() > 0.0) == (side == 1));
   CHECK(bodies.net_moment().norm() <= 1e-12 * bodies.force_size());
 }
+
+TEST_CASE("rods that cross at nodes push as hard as between them", "[contact][lofted]") {
+  const auto force = [](double x, double y, bool is_parallel) {
+    MeshBuilder b;
+    add_rod(b, {.id = 1, .cells = 8, .from = {-4, 0, 0}, .to = {4, 0, 0}});
+    const Eigen::Vector3d way = is_parallel ? Eigen::Vector3d(4, 0, 0) : Eigen::Vector3d(0, 4, 0);
+    const Eigen::Vector3d middle(x, y, 0.19);
+    add_rod(b, {.id = 2, .cells = 8, .from = middle - way, .to = middle + way});
+    ContactBodies bodies(b, general_contact());
+    bodies.ask();
+    return bodies.force_on(1).z();
+  };
+  const double between = force(0.5, 0.5, false);
+  REQUIRE(between > 0.0);
+  CHECK(force(0, 0.5, false) == Approx(between));
+  CHECK(force(0.5, 1, false) == Approx(between));
+  CHECK(force(0, 0, false) == Approx(between));
+  CHECK(force(0.001, 0.001, false) == Approx(between));
+  CHECK(force(-0.001, 0.001, false) == Approx(between));
+  // Widths are 0.2. The elements at the ends have softer penalties: their last nodes have half the mass.
+  const double along = force(0, 0, true);
+  CHECK(along == Approx(8.0 / 0.2 * between).epsilon(0.15));
+  CHECK(force(1e-12, 0, true) == Approx(along));
+  CHECK(force(0.5, 0, true) == Approx(7.5 / 8.0 * along).epsilon(0.02));
+}
+
+TEST_CASE("a beam rests on the rims of a plate that is narrower than its elements", "[contact][lofted]") {
+  MeshBuilder b;
+  SECTION("of shells") {
+    add_plate(b, {.id = 1, .cells = {2, 2}, .origin = {-0.5, -1, -0.1}, .v = {0, 2, 0}}, 0.2);
+  }
+  SECTION("of a solid") {
+    b.add_hexes({.id = 1, .cells = {2, 2, 1}, .origin = {-0.5, -1, -1}, .size = {1, 2, 1}});
+  }
+  add_rod(b, {.id = 2, .cells = 1, .from = {-2, 0.1, 0.09}, .to = {2, 0.1, 0.09}});
+  ContactBodies bodies(b, general_contact());
+  bodies.ask();
+  CHECK(bodies.force_on(1).z() > 0.0);
+  CHECK(bodies.force_on(1).head<2>().norm() < 1e-9 * bodies.force_on(1).z());
+  CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
