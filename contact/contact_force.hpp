@@ -59,6 +59,10 @@ class ContactForce final : public ForceTerm {
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
   ///   motion  of that step
   void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
+
+  /// Saves or restores all that contact remembers between two steps.
+  ///   motion  of the step before
+  void archive(const Motion& motion, StateArchive& saved);
   std::span<const Tie> ties() const { return held_.ties(); }
   /// All that holds places together, in the order of their forces.
   const HeldPlaces& held() const { return held_; }
@@ -67,6 +71,7 @@ class ContactForce final : public ForceTerm {
 
  private:
   void begin(const Motion& motion);
+  void archive_faces(StateArchive& saved);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>

@@ -33,6 +33,8 @@ class ContactSearch {
   /// is nowhere.
   void find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates);
 
+  void archive(StateArchive& saved);
+
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
