@@ -31,6 +31,12 @@ void RunContact::write_debug_files(const State& state) {
   if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_, state));
 }
 
+void RunContact::add_suffix(const std::string& suffix) {
+  for (std::string* path : {&debug_.facets, &debug_.places}) {
+    if (!path->empty()) *path += suffix;
+  }
+}
+
 std::string RunContact::start_report(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
   return format_contact_start(force_, contact_);

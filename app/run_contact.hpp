@@ -26,6 +26,9 @@ class RunContact {
   std::vector<std::string> paths() const { return debug_.paths(); }
   void write_debug_files(const State& state);
 
+  /// Gives the names of these files an end.
+  void add_suffix(const std::string& suffix);
+
   /// What the log says once the first forces are known. Ties that tie nothing are a warning.
   std::string start_report(Diagnostics& warnings) const;
   /// What the pairs did and the search took, for the log.

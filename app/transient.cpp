@@ -12,13 +12,18 @@
 #include "app/refusals.hpp"
 #include "app/run_contact.hpp"
 #include "app/run_report.hpp"
+#include "app/run_restart.hpp"
+#include "app/stop_signal.hpp"
 #include "app/timed_force.hpp"
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
+#include "core/digest.hpp"
 #include "core/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
+#include "core/mesh/mesh_digest.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"
+#include "core/state_archive.hpp"
 #include "io/exodus_variables.hpp"
 #include "io/outputs.hpp"
 
@@ -44,25 +49,27 @@ struct Setup {
   TimeStepControl control;
 };
 
-/// What pushes the nodes besides the elements.
-struct RunForces {
+/// What a run has besides its region.
+struct RunParts {
   ForceTerm& external;
   RunContact* contact;  ///< null without contact
+  Outputs& outputs;
+  RunRestart& restart;
 };
 
 /// A region on its way from start to end.
 class Run {
  public:
-  Run(const RunInput& input, const Setup& setup, Outputs& outputs, RunForces forces, Log& log,
-      Diagnostics& warnings)
+  Run(const RunInput& input, const Setup& setup, RunParts parts, Log& log, Diagnostics& warnings)
       : model_(setup.model),
         control_(setup.control),
         state_(make_state(input.mesh.coordinates(), model_.blocks, control_.start_time())),
-        outputs_(outputs),
+        outputs_(parts.outputs),
+        restart_(parts.restart),
         internal_(model_, state_),
         timed_internal_(internal_),
-        timed_external_(forces.external),
-        contact_(forces.contact),
+        timed_external_(parts.external),
+        contact_(parts.contact),
         log_(log),
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
@@ -73,29 +80,28 @@ class Run {
   }
 
   ExitCode go() {
-    const double begun = clock_seconds();
     ExitCode code = ExitCode::done;
     try {
-      const StepReport at_start = start(model_, terms(), control_, state_);
-      const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
-      log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) +
-                 step_heading());
-      warn_of_user_step(at_start);
-      look_for_end();
-      tell(is_over());
+      if (restart_.earlier() != nullptr) {
+        go_on(*restart_.earlier());
+      } else {
+        begin();
+      }
       while (!is_over()) step();
-      if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
+      finish();
     } catch (const SolveError& error) {
       progress_.wipe();
       log_.write_error(fmt::format("error: step {}, {}", state_.step, error.what()));
       tell(true);
       code = ExitCode::solve;
     }
-    const double whole = clock_seconds() - begun;
+    if (stopped_by_) code = ExitCode::stopped;
+    const double whole = clock_seconds() - begun_;
     if (contact_ != nullptr) {
       log_.write(contact_->report());
       contact_->write_debug_files(state_);
     }
+    log_.write(restart_.report());
     write_wall_times(whole);
     return code;
   }
@@ -104,14 +110,72 @@ class Run {
   ForceTerms terms() {
     return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
   }
-  bool is_over() const { return end_ || control_.is_over(state_.time, state_.dt); }
+  bool is_over() const { return end_ || stopped_by_ || control_.is_over(state_.time, state_.dt); }
+
+  void begin() {
+    const StepReport at_start = start(model_, terms(), control_, state_);
+    const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
+    log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) + step_heading());
+    warn_of_user_step(at_start);
+    look_for_end();
+    tell(false);
+    restart_.begin(state_);
+  }
+
+  void go_on(const SavedState& earlier) {
+    StateArchive saved(earlier);
+    archive(saved);
+    restart_.forget_earlier();
+    outputs_.go_on(state_);
+    restart_.begin(state_);
+    log_.write(format_paths(outputs_.paths()) + step_heading());
+  }
 
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
     look_for_end();
-    tell(is_over());
+    stopped_by_ = signals_.find_end();
+    tell(false);
+    store(false);
     progress_.show(state_.time);
+  }
+
+  void finish() {
+    // A run that goes on from here must not know that this one ended: the state comes first.
+    store(true);
+    tell(true);
+    if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
+    if (stopped_by_) log_.write_error(fmt::format("stopped by {} after step {}", *stopped_by_, state_.step));
+  }
+
+  /// All of the run that has a memory.
+  void archive(StateArchive& saved) {
+    saved.expect("run/mesh", digest_of(*model_.mesh), "mesh");
+    saved.expect("run/n_blocks", model_.blocks.size(), "blocks");
+    for (const SolidBlock& block : model_.blocks)
+      saved.expect("run/materials/" + std::to_string(block.mesh_block + 1), digest_of(block.material),
+                   "materials");
+    saved.expect("run/has_contact", contact_ != nullptr ? 1 : 0, "contact");
+    contactsim::archive(state_, saved);
+    if (contact_ != nullptr)
+      contact_->force().archive({state_.time, state_.dt, state_.coordinates, state_.velocity}, saved);
+    outputs_.archive(saved);
+  }
+
+  /// Writes a restart file when one is due.
+  void store(bool is_last) {
+    const double begun = clock_seconds();
+    const bool is_wanted = signals_.take_restart_wish() || stopped_by_;
+    const bool is_due = restart_.is_due({state_.step, state_.time, is_last}, begun - begun_);
+    if ((is_due || is_wanted) && restart_.is_there()) {
+      restart_.write(state_, [&] {
+        StateArchive saved;
+        archive(saved);
+        return saved.take();
+      });
+    }
+    output_seconds_ += clock_seconds() - begun;
   }
 
   void look_for_end() {
@@ -126,9 +190,10 @@ class Run {
     const double begun = clock_seconds();
     outputs_.write(state_, is_last);
     const auto& parameters = control_.periods()[control_.period_at(state_.time)].parameters;
-    if (is_last || state_.step % parameters.step_interval == 0) {
+    if ((is_last || state_.step % parameters.step_interval == 0) && last_line_ != state_.step) {
       progress_.wipe();
       log_.write(format_step(state_));
+      last_line_ = state_.step;
     }
     output_seconds_ += clock_seconds() - begun;
   }
@@ -168,6 +233,8 @@ class Run {
   const TimeStepControl& control_;
   State state_;
   Outputs& outputs_;
+  RunRestart& restart_;
+  StopSignals signals_;
   InternalForce internal_;
   TimedForce timed_internal_, timed_external_;
   RunContact* contact_;  // null without contact
@@ -175,10 +242,13 @@ class Run {
   Log& log_;
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
+  double begun_ = clock_seconds();
   double output_seconds_ = 0.0;
-  bool is_for_overlap_only_ = false;  // the deck wants no steps
+  std::optional<std::int64_t> last_line_;  // of the log, its step
+  bool is_for_overlap_only_ = false;       // the deck wants no steps
   bool has_warned_ = false;
-  std::optional<std::string> end_;  // why the run ends before its termination time
+  std::optional<std::string> end_;         // why the run ends before its termination time
+  std::optional<std::string> stopped_by_;  // a signal
 };
 
 void stop_on_errors(const Diagnostics& diagnostics) {
@@ -265,12 +335,17 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   if (input.contact != nullptr) contact.emplace(input, setup.model);
   RunContact* const of_run = contact ? &*contact : nullptr;
   Outputs outputs(scope, setup.model, output_settings(input, of_run, log));
+  RunRestart restart(input, warnings);
   stop_on_errors(warnings);
+  restart.find_state(outputs.paths(), log, warnings);
+  outputs.add_suffix(restart.suffix());
+  if (of_run != nullptr) of_run->add_suffix(restart.suffix());
   std::vector<std::string> paths = outputs.paths();
   if (of_run != nullptr) std::ranges::copy(of_run->paths(), std::back_inserter(paths));
   check_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
-  return Run(input, setup, outputs, {setup.external, of_run}, log, warnings).go();
+  if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
+  return Run(input, setup, {setup.external, of_run, outputs, restart}, log, warnings).go();
 }
 
 }  // namespace contactsim

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 namespace contactsim {
 
@@ -28,5 +29,12 @@ class Digest {
   std::uint64_t begun_ = 0;    // bytes that do not yet fill a word
   std::uint64_t n_bytes_ = 0;  // in all
 };
+
+/// The fingerprint of a text.
+inline std::uint64_t digest_of(std::string_view text) {
+  Digest digest;
+  digest.add_values(std::span<const char>(text));
+  return digest.value();
+}
 
 }  // namespace contactsim

@@ -63,6 +63,8 @@ class StateArchive {
   explicit StateArchive(const SavedState& from) : from_(&from) {}
 
   bool restores() const { return from_ != nullptr; }
+  /// Whether an array can be given: when saving always.
+  bool has(const std::string& name) const { return !restores() || from_->find(name) != nullptr; }
   /// What has been saved. Arrays given to fixed() and list() must stay as they are while it is used.
   SavedState take() { return std::move(saved_); }
 

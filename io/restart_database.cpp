@@ -32,7 +32,7 @@ bool is_of(std::string_view database, std::string_view file) {
 
 bool is_later(const StoredState& one, const StoredState& other) {
   const auto key = [](const StoredState& state) {
-    return std::tuple(-state.head.run, -state.head.step, std::string_view(state.path));
+    return std::tuple(-state.head.begun, -state.head.run, -state.head.step, std::string_view(state.path));
   };
   return key(one) < key(other);
 }

@@ -26,8 +26,8 @@ struct StoredState {
   RestartHead head;
 };
 
-/// The states of a database whose heads can be read, of all runs, the latest run first and in a run the
-/// latest step first.
+/// The states of a database whose heads can be read, the latest first: of what began last the latest run, and
+/// of that the latest step.
 ///   unusable  gains what is wrong with the others
 std::vector<StoredState> find_stored_states(const std::string& database, std::vector<std::string>& unusable);
 

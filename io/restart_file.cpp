@@ -68,9 +68,9 @@ class Descriptor {
 HeadBytes make_head(const RestartHead& head, std::uint64_t n_bytes, std::uint64_t checksum) {
   HeadBytes bytes{};
   fmt::format_to_n(bytes.data(), bytes.size(),
-                   "{}{}{:0{}x}\nbytes {}\nprogram {}\nrun {}\nstep {}\ntime {:.17g}\n", first_line,
-                   checksum_word, checksum, checksum_length, n_bytes, CONTACTSIM_VERSION, head.run, head.step,
-                   head.time);
+                   "{}{}{:0{}x}\nbytes {}\nprogram {}\nbegun {}\nrun {}\nstep {}\ntime {:.17g}\n", first_line,
+                   checksum_word, checksum, checksum_length, n_bytes, CONTACTSIM_VERSION, head.begun,
+                   head.run, head.step, head.time);
   return bytes;
 }
 
@@ -89,7 +89,7 @@ ReadHead read_head(const Descriptor& file, const std::string& path) {
   std::istringstream words(text.substr(first_line.size()));
   std::string word;
   words >> word >> std::hex >> read.checksum >> std::dec >> word >> read.n_bytes >> word >> word >> word >>
-      read.head.run >> word >> read.head.step >> word >> read.head.time;
+      read.head.begun >> word >> read.head.run >> word >> read.head.step >> word >> read.head.time;
   if (!words) throw FileError(path, "is damaged: its head cannot be read");
   std::fill_n(read.bytes.begin() + checksum_place, checksum_length, '0');
   return read;
