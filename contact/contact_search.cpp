@@ -93,7 +93,7 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
 }
 
 void ContactSearch::archive(StateArchive& saved) {
-  saved.numbers("contact/search", n_searches_, searched_from_);
+  saved.numbers("contact/search/last", n_searches_, searched_from_);
   saved.list("contact/search/searched_at", searched_at_);
   contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
   contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);

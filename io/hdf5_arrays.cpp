@@ -127,7 +127,8 @@ void write_hdf5(const std::string& path, const std::string& named, std::size_t h
   be_quiet();
   errno = 0;
   const auto fail = [&] {
-    throw FileError(named, fmt::format("cannot be written ({})", std::generic_category().message(errno)));
+    const std::string why = errno != 0 ? std::generic_category().message(errno) : "HDF5 refuses";
+    throw FileError(named, fmt::format("cannot be written ({})", why));
   };
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_userblock(creation.id(), head_size);
