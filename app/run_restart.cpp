@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "app/counted.hpp"
+#include "app/timed_force.hpp"
 
 namespace contactsim {
 
@@ -75,7 +76,7 @@ std::vector<StoredState> RunRestart::stored_states(Diagnostics& warnings) const 
 
 void RunRestart::check_overwriting() const {
   std::vector<std::string> unusable;
-  if (overwrites_ || !is_there()) return;
+  if (overwrites_ || !times_) return;
   const std::vector<StoredState> states = find_stored_states(output_, unusable);
   if (!states.empty()) throw FileError(states.front().path, "exists, and the deck says OVERWRITE = OFF");
 }
@@ -122,20 +123,24 @@ std::optional<StepTarget> RunRestart::step_target() const {
 }
 
 void RunRestart::begin(const State& state) {
+  clock_begun_ = clock_seconds();
   if (times_) times_->is_due({state.step, state.time, false});
   if (wall_times_) wall_times_->is_due({state.step, 0.0, false});
 }
 
-bool RunRestart::is_due(const RunMoment& now, double wall_seconds) {
-  if (!times_) return false;
-  const bool by_time = times_->is_due(now);
-  return (wall_times_ && wall_times_->is_due({now.step, wall_seconds, false})) || by_time;
+bool RunRestart::is_due(const State& state, bool is_last) {
+  const bool by_time = times_->is_due({state.step, state.time, is_last});
+  if (!wall_times_) return by_time;
+  return wall_times_->is_due({state.step, clock_seconds() - clock_begun_, false}) || by_time;
 }
 
-void RunRestart::write(const State& state, const std::function<SavedState()>& make) {
-  if (last_step_ == state.step) return;
+void RunRestart::store(const RunMemory& memory, bool is_last, bool is_wanted) {
+  const State& state = memory.state;
+  if (!times_ || (!is_due(state, is_last) && !is_wanted) || last_step_ == state.step) return;
   last_path_ = restart_path(output_, run_, slots_.take());
-  write_restart_file(last_path_, {begun_, run_, state.step, state.time}, make());
+  StateArchive saved;
+  archive(memory, saved);
+  write_restart_file(last_path_, {begun_, run_, state.step, state.time}, saved.take());
   last_step_ = state.step;
   ++n_written_;
 }

@@ -2,16 +2,15 @@
 #pragma once
 
 #include <ctime>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/log.hpp"
+#include "app/run_memory.hpp"
 #include "app/transient.hpp"
 #include "core/output/output_times.hpp"
 #include "core/saved_state.hpp"
-#include "core/state.hpp"
 #include "core/time_step.hpp"
 #include "io/restart_database.hpp"
 
@@ -36,31 +35,29 @@ class RunRestart {
   /// What files of this run have at the end of their names.
   std::string suffix() const { return run_suffix(run_); }
 
-  bool is_there() const { return times_.has_value(); }
   /// The time at which it wants a step to end, if it does.
   std::optional<StepTarget> step_target() const;
   /// The run begins with a state that needs no file.
   void begin(const State& state);
-  /// Whether the state has to be written; asked once for each.
-  ///   wall_seconds  since the start of the run
-  bool is_due(const RunMoment& now, double wall_seconds);
-  /// Writes a state unless it was the last that was written. Throws FileError.
-  ///   make  gathers all that has a memory
-  void write(const State& state, const std::function<SavedState()>& make);
+  /// Writes a state when it is due, or wanted, and was not written yet. Throws FileError.
+  ///   is_last  the run ends with it
+  void store(const RunMemory& memory, bool is_last, bool is_wanted);
   /// What was written, for the log; "" when there was nothing to write.
   std::string report() const;
 
  private:
   std::vector<StoredState> stored_states(Diagnostics& warnings) const;
   void check_overwriting() const;
+  bool is_due(const State& state, bool is_last);
   void choose_run(const std::vector<std::string>& outputs);
 
-  std::string input_, output_;  // databases
-  std::optional<double> time_;  // of the state to go on from [time]
-  bool goes_on_ = false;        // if there is a state
-  bool is_optional_ = false;    // that there is one
-  bool overwrites_ = true;      // states of other runs from the start
-  std::optional<OutputTimes> times_, wall_times_;
+  std::string input_, output_;                     // databases
+  std::optional<double> time_;                     // of the state to go on from [time]
+  bool goes_on_ = false;                           // if there is a state
+  bool is_optional_ = false;                       // that there is one
+  bool overwrites_ = true;                         // states of other runs from the start
+  std::optional<OutputTimes> times_, wall_times_;  // absent: nothing is stored
+  double clock_begun_ = 0.0;                       // [s]
   RestartSlots slots_{0, std::nullopt};
   std::int64_t begun_ = std::time(nullptr), run_ = 1;
   std::optional<SavedState> earlier_;

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "app/file_clashes.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_contact.hpp"
+#include "app/run_outputs.hpp"
 #include "app/run_report.hpp"
 #include "app/run_restart.hpp"
 #include "app/stop_signal.hpp"
@@ -18,25 +17,15 @@
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
-#include "core/digest.hpp"
 #include "core/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
-#include "core/mesh/mesh_digest.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"
-#include "core/state_archive.hpp"
 #include "io/exodus_variables.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {
 
 namespace {
-
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(std::move(line));
-  return lines;
-}
 
 /// An energy that appears or vanishes is worth a warning when it is this share of the largest.
 constexpr double worrying_error = 0.01;
@@ -110,6 +99,7 @@ class Run {
   ForceTerms terms() {
     return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
   }
+  RunMemory memory() { return {model_, state_, contact_, outputs_}; }
   bool is_over() const { return end_ || stopped_by_ || control_.is_over(state_.time, state_.dt); }
 
   void begin() {
@@ -124,7 +114,7 @@ class Run {
 
   void go_on(const SavedState& earlier) {
     StateArchive saved(earlier);
-    archive(saved);
+    archive(memory(), saved);
     restart_.forget_earlier();
     outputs_.go_on(state_);
     restart_.begin(state_);
@@ -149,32 +139,9 @@ class Run {
     if (stopped_by_) log_.write_error(fmt::format("stopped by {} after step {}", *stopped_by_, state_.step));
   }
 
-  /// All of the run that has a memory.
-  void archive(StateArchive& saved) {
-    saved.expect("run/mesh", digest_of(*model_.mesh), "mesh");
-    saved.expect("run/n_blocks", model_.blocks.size(), "blocks");
-    for (const SolidBlock& block : model_.blocks)
-      saved.expect("run/materials/" + std::to_string(block.mesh_block + 1), digest_of(block.material),
-                   "materials");
-    saved.expect("run/has_contact", contact_ != nullptr ? 1 : 0, "contact");
-    contactsim::archive(state_, saved);
-    if (contact_ != nullptr)
-      contact_->force().archive({state_.time, state_.dt, state_.coordinates, state_.velocity}, saved);
-    outputs_.archive(saved);
-  }
-
-  /// Writes a restart file when one is due.
   void store(bool is_last) {
     const double begun = clock_seconds();
-    const bool is_wanted = signals_.take_restart_wish() || stopped_by_;
-    const bool is_due = restart_.is_due({state_.step, state_.time, is_last}, begun - begun_);
-    if ((is_due || is_wanted) && restart_.is_there()) {
-      restart_.write(state_, [&] {
-        StateArchive saved;
-        archive(saved);
-        return saved.take();
-      });
-    }
+    restart_.store(memory(), is_last, stopped_by_.has_value() || signals_.take_restart_wish());
     output_seconds_ += clock_seconds() - begun;
   }
 
@@ -295,28 +262,6 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   return {std::move(model), std::move(external), std::move(initial), std::move(control)};
 }
 
-/// No output may overwrite what the run reads, or the log.
-void check_paths(const RunInput& input, const std::vector<std::string>& paths) {
-  std::vector<RunFile> kept = files_read(input.options);
-  kept.push_back({input.mesh.path(), "the mesh"});
-  kept.push_back({log_path(input.options), "the log"});
-  for (const std::string& path : paths) {
-    const RunFile file{path, "the output file " + path};
-    const std::string clash = find_file_clash(kept, {&file, 1});
-    if (!clash.empty()) throw FileError(path, clash);
-  }
-}
-
-OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& log) {
-  OutputSettings settings;
-  settings.results_path = input.options.results;
-  settings.command_line = input.options.command_line;
-  settings.deck_lines = lines_of(input.definition.text);
-  if (contact != nullptr) contact->add_to(settings);
-  settings.log = [&log](std::string_view text) { log.write(text); };
-  return settings;
-}
-
 }  // namespace
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
@@ -342,7 +287,7 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   if (of_run != nullptr) of_run->add_suffix(restart.suffix());
   std::vector<std::string> paths = outputs.paths();
   if (of_run != nullptr) std::ranges::copy(of_run->paths(), std::back_inserter(paths));
-  check_paths(input, paths);
+  check_output_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
   if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
   return Run(input, setup, {setup.external, of_run, outputs, restart}, log, warnings).go();

@@ -2,7 +2,6 @@
 #include "core/digest.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 namespace contactsim {
@@ -13,8 +12,8 @@ constexpr std::size_t word_size = sizeof(std::uint64_t);
 
 std::uint64_t mix(std::uint64_t mixed, std::uint64_t word) {
   constexpr std::uint64_t odd = 0x9e3779b97f4a7c15u;  // 2^64 over the golden ratio
-  // A product moves bits up only; the rotation brings them down again.
-  return std::rotl((mixed ^ word) * odd, 29);
+  mixed = (mixed ^ word) * odd;
+  return mixed ^ (mixed >> 32);  // a product moves bits up only
 }
 
 }  // namespace

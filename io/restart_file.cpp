@@ -77,7 +77,8 @@ HeadBytes make_head(const RestartHead& head, std::uint64_t n_bytes, std::uint64_
 /// What a file's head says, its checksum set to 0.
 struct ReadHead {
   RestartHead head;
-  std::uint64_t n_bytes = 0, checksum = 0;
+  std::uint64_t n_bytes = 0;
+  std::string checksum;  // as it is written
   HeadBytes bytes{};
 };
 
@@ -88,8 +89,8 @@ ReadHead read_head(const Descriptor& file, const std::string& path) {
   if (n < head_size || !text.starts_with(first_line)) throw FileError(path, "is no restart file");
   std::istringstream words(text.substr(first_line.size()));
   std::string word;
-  words >> word >> std::hex >> read.checksum >> std::dec >> word >> read.n_bytes >> word >> word >> word >>
-      read.head.begun >> word >> read.head.run >> word >> read.head.step >> word >> read.head.time;
+  words >> word >> read.checksum >> word >> read.n_bytes >> word >> word >> word >> read.head.begun >> word >>
+      read.head.run >> word >> read.head.step >> word >> read.head.time;
   if (!words) throw FileError(path, "is damaged: its head cannot be read");
   std::fill_n(read.bytes.begin() + checksum_place, checksum_length, '0');
   return read;
@@ -170,7 +171,8 @@ SavedState read_restart_file(const std::string& path) {
   const auto [checksum, n_bytes] = sum_up(read.bytes, file);
   if (n_bytes != read.n_bytes)
     throw FileError(path, fmt::format("is damaged: it has {} of {} bytes", n_bytes, read.n_bytes));
-  if (checksum != read.checksum) throw FileError(path, "is damaged: its checksum is wrong");
+  if (fmt::format("{:0{}x}", checksum, checksum_length) != read.checksum)
+    throw FileError(path, "is damaged: its checksum is wrong");
   return read_hdf5(path);
 }
 
