@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace contactsim {
 
 namespace {
@@ -33,21 +31,6 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
   for (const MassProperties& properties : region.mass_properties) {
     diagnostics.add_warning("mass-properties", properties.name.location,
                             "mass properties are not reported yet; the log has the mass of every block");
-  }
-}
-
-void refuse_lofts(const ContactSurfaces& surfaces, const Mesh& mesh, Diagnostics& diagnostics) {
-  const auto is_of_shell = [&](ElementSide face) {
-    return topology(mesh.blocks()[mesh.block_of(face.element())].shape).family == Family::shell;
-  };
-  for (const ContactSurface& surface : surfaces.surfaces) {
-    if (surface.lofted_elements.empty() && std::ranges::none_of(surface.faces, is_of_shell)) continue;
-    diagnostics.add_error(
-        surface.location,
-        fmt::format(
-            "the surface '{}' has shells, lines or particles: their contact is not supported in a run yet",
-            surface.name),
-        "--check resolves it");
   }
 }
 

@@ -19,8 +19,11 @@ void archive(const RunMemory& memory, StateArchive& saved) {
   }
   saved.expect("run/has_contact", memory.contact != nullptr ? 1 : 0, "contact");
   archive(state, saved);
-  if (memory.contact != nullptr)
-    memory.contact->force().archive({state.time, state.dt, state.coordinates, state.velocity}, saved);
+  if (memory.contact != nullptr) {
+    Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+    if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
+    memory.contact->force().archive(motion, saved);
+  }
   memory.outputs.archive(saved);
 }
 

@@ -8,6 +8,7 @@
 #include "contact/penalty.hpp"
 #include "core/digest.hpp"
 #include "core/errors.hpp"
+#include "core/least_mass.hpp"
 #include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
@@ -37,15 +38,16 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact.surfaces, *setup.model.mesh)),
+      faces_(make_contact_faces(setup.contact, *setup.model.mesh)),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
       search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
       face_face_(faces_, rules_.has_friction()),
       node_face_(faces_),
+      edges_(faces_),
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
-      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
+      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {
   add_backing(setup.model, faces_);
@@ -55,6 +57,10 @@ void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();
   search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
   face_face_.take_candidates();
+  if (!faces_.edges.empty()) {
+    search_.find_edges(surface_, motion, edges_.next_candidates());
+    edges_.take_candidates();
+  }
   surface_.watch(faces_with_candidates());
 }
 
@@ -103,11 +109,13 @@ void ContactForce::archive_faces(StateArchive& saved) {
   digest.add_values(std::span<const std::uint32_t>(faces_.mesh_nodes));
   digest.add_values(std::span<const std::uint32_t>(faces_.first_face));
   digest.add_values(std::span<const std::uint32_t>(faces_.first_node));
+  for (const ContactEdge& edge : faces_.edges) digest.add_values(std::span<const std::uint32_t>(edge.nodes));
   saved.expect("contact/surfaces", digest.value(), "contact surfaces");
   saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
   const auto visit = [](auto& item, RowNumbers& row) { row(item.backing.stiffness); };
   saved.fixed_rows("contact/faces/stiffness", faces_.faces, visit);
   saved.fixed_rows("contact/nodes/stiffness", faces_.surface_nodes, visit);
+  saved.fixed_rows("contact/edges/stiffness", faces_.edges, visit);
 }
 
 void ContactForce::archive(const Motion& motion, StateArchive& saved) {
@@ -117,6 +125,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   search_.archive(saved);
   face_face_.archive(saved);
   node_face_.archive(saved);
+  edges_.archive(saved);
   planes_.archive(saved);
   held_.archive(saved);
   sums_.archive(saved);
@@ -157,6 +166,7 @@ void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, c
 
 /// Whether a place that touches is glued then.
 bool ContactForce::glues(const ContactRecord& record) const {
+  if (record.is_of_edges) return false;
   const PairRule& rule = record.first.is_node()
                              ? rules_.of_node(record.pair, record.first_place)
                              : rules_.of_faces(record.pair, record.first_place, record.second_place);
@@ -175,6 +185,7 @@ void ContactForce::add_places(const ContactScene& scene) {
     face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.step(scene, glued_, sums_);
   sums_.end_step();
@@ -185,13 +196,17 @@ void ContactForce::add_places(const ContactScene& scene) {
 /// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
 /// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
 /// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
+/// Points of lofts that hang on one node add up there.
 double ContactForce::largest_eigenvalue() {
   const auto nodes = sums_.nodes();
+  node_rates_.assign(nodes.size(), 0.0);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    node_rates_[faces_.first_alike[i]] += nodes[i][3] / faces_.mass[i];
   std::vector<double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
   for (const SurfaceNode& node : faces_.surface_nodes) {
     double& rate = of_surface[node.surface];
-    rate = std::max(rate, nodes[node.node][3] / faces_.mass[node.node]);
+    rate = std::max(rate, node_rates_[faces_.first_alike[node.node]]);
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
@@ -200,6 +215,33 @@ double ContactForce::largest_eigenvalue() {
       largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);
   }
   return largest;
+}
+
+void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
+  const auto nodes = sums_.nodes();
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  // Several points of lofts may hang on one node of the mesh.
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]).setZero();
+#pragma omp parallel for schedule(static) num_threads(threads_for(n_mesh_points))
+  for (std::size_t i = 0; i < n_mesh_points; ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
+    forces.col(faces_.mesh_nodes[i]) += nodes[i].head<3>();
+}
+
+void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
+  moments.setZero();
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  const auto on_points = sums_.nodes().subspan(n_mesh_points);
+  for (std::size_t i = 0; i < on_points.size(); ++i) {
+    const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
+    moments.col(faces_.loft.node(i)) += arm.cross(on_points[i].head<3>());
+  }
+  // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
+  const auto of_balls = sums_.moments();
+  for (std::size_t i = 0; i < of_balls.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[i]);
+    if (setup_.model.inertia(0, node) > least_mass) moments.col(node) += of_balls[i];
+  }
 }
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
@@ -218,9 +260,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   }
   sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
-  const auto nodes = sums_.nodes();
-#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.size()))
-  for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  write_forces(forces);
   note_histories(motion);
   ForceReport report;
   report.friction_work = sums_.dissipated();
@@ -262,6 +302,7 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   const auto take = [&](const ContactRecord& record) { places.push_back(record); };
   visit_places(face_face_, scene, take);
   visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.find_forces(scene, ties);
 }

@@ -8,6 +8,7 @@
 #include "contact/contact_model.hpp"
 #include "contact/contact_search.hpp"
 #include "contact/contact_sums.hpp"
+#include "contact/edge_contacts.hpp"
 #include "contact/face_face_contacts.hpp"
 #include "contact/held_places.hpp"
 #include "contact/node_face_contacts.hpp"
@@ -22,7 +23,7 @@ namespace contactsim {
 /// What contact is made of in a run.
 struct ContactSetup {
   const ContactDefinition& definition;
-  const ContactModel& contact;  ///< its surfaces are of solids, of nodes and analytic
+  const ContactModel& contact;
   const Model& model;
   std::span<const TimeSteppingBlock> blocks;           ///< the periods of the procedure
   std::span<const FunctionDefinition> functions = {};  ///< that friction models name
@@ -44,6 +45,8 @@ class ContactForce final : public ForceTerm {
 
   /// Throws SolveError when a node is nowhere.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  /// Of the forces on lofts about the nodes of the mesh that they hang on.
+  void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
   const ContactFaces& faces() const { return faces_; }
   const ContactSearch& search() const { return search_; }
@@ -53,7 +56,7 @@ class ContactForce final : public ForceTerm {
   const ContactStep& step_share() const { return step_share_; }
   std::size_t n_candidates() const {
     return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() +
-           planes_.n_rows();
+           edges_.candidates().partners.size() + planes_.n_rows();
   }
 
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
@@ -79,6 +82,7 @@ class ContactForce final : public ForceTerm {
   bool glues(const ContactRecord& record) const;
   NearCandidates near_candidates() const;
   void add_places(const ContactScene& scene);
+  void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
   void note_histories(const Motion& motion);
 
@@ -91,6 +95,7 @@ class ContactForce final : public ForceTerm {
   ContactSearch search_;
   FaceFaceContacts face_face_;
   NodeFaceContacts node_face_;
+  EdgeContacts edges_;
   PlaneContacts planes_;
   HeldPlaces held_;
   ContactSums sums_;
@@ -98,6 +103,7 @@ class ContactForce final : public ForceTerm {
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
+  std::vector<double> node_rates_;     // scratch, [n_contact_nodes]
   ContactStep step_share_;
   bool has_begun_ = false;
 };

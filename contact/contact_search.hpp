@@ -6,6 +6,7 @@
 
 #include "contact/broad_phase.hpp"
 #include "contact/contact_scene.hpp"
+#include "contact/joined_faces.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -35,9 +36,14 @@ class ContactSearch {
 
   void archive(StateArchive& saved);
 
+  /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
+  ///   partners  [n_edges] edges of greater number
+  void find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners);
+
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
+  const BroadPhaseCounts& edge_counts() const { return edges_phase_.counts(); }
 
  private:
   /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
@@ -49,12 +55,15 @@ class ContactSearch {
   Box node_box(const MovingSurface& surface, std::uint32_t row, double dt) const;
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
+  Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt) const;
+  bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
   void keep_first_partners(ContactCandidates candidates);
 
   const ContactFaces& faces_;
   const Mesh& mesh_;
   const PairRules& rules_;
+  JoinedFaces joined_;
   bool is_once_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   std::vector<double> reach_;                                // [n_surfaces] of the models [length]
@@ -63,7 +72,7 @@ class ContactSearch {
   Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]
   std::vector<Eigen::Vector3f>
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
-  BroadPhase faces_phase_, nodes_phase_;
+  BroadPhase faces_phase_, nodes_phase_, edges_phase_;
   PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners
   std::uint64_t n_searches_ = 0;
 };

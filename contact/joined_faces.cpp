@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/joined_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/node_face.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Distance of a point from a face; beyond its edges that from its nearest corner at most [length].
+double distance_of_point(const Eigen::Vector3d& point, const FaceCorners& face) {
+  double least = (face.colwise() - point).colwise().norm().minCoeff();
+  const auto foot = project_onto_face(face, face.col(2) == face.col(3), point);
+  return foot ? std::min(least, std::hypot(foot->gap, foot->beyond)) : least;
+}
+
+double distance(const FaceCorners& a, const FaceCorners& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < 4; ++k)
+    least = std::min({least, distance_of_point(a.col(k), b), distance_of_point(b.col(k), a)});
+  return least;
+}
+
+double radius(const FaceCorners& face) { return (face.colwise() - face.col(0)).colwise().norm().maxCoeff(); }
+
+}  // namespace
+
+JoinedFaces::JoinedFaces(const ContactFaces& faces, const Mesh& mesh) : faces_(faces) {
+  if (faces.loft.size() == 0 && faces.edges.empty()) return;
+  pieces_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
+    const auto n_pieces = static_cast<std::uint32_t>(faces.faces.size() + faces.edges.size());
+    for (std::uint32_t i = 0; i < n_pieces; ++i) {
+      for (const std::uint32_t node : piece(i).nodes) take(node, i);
+    }
+  });
+  x_.resize(3, static_cast<Eigen::Index>(faces.n_nodes()));
+  for (Eigen::Index i = 0; i < x_.cols(); ++i)
+    x_.col(i) = mesh.coordinates().col(faces.mesh_nodes[static_cast<std::size_t>(i)]);
+}
+
+JoinedFaces::Piece JoinedFaces::piece(std::uint32_t index) const {
+  const std::size_t n_faces = faces_.faces.size();
+  return index < n_faces ? piece_of(faces_.faces[index]) : piece_of(faces_.edges[index - n_faces]);
+}
+
+JoinedFaces::Piece JoinedFaces::piece_of(const ContactEdge& edge) const {
+  const std::uint32_t a = faces_.first_alike[edge.nodes[0]], b = faces_.first_alike[edge.nodes[1]];
+  return {{a, b, b, b}, edge.radius};
+}
+
+double JoinedFaces::reach_of(std::uint32_t node) const {
+  const std::size_t first = faces_.n_mesh_points();
+  return node < first ? 0.0 : faces_.loft.distance(node - first);
+}
+
+JoinedFaces::Piece JoinedFaces::piece_of(const ContactFace& face) const {
+  Piece piece;
+  for (std::size_t k = 0; k < 4; ++k) {
+    piece.nodes[k] = faces_.first_alike[face.corners[k]];
+    piece.reach = std::max(piece.reach, reach_of(face.corners[k]));
+  }
+  return piece;
+}
+
+JoinedFaces::Piece JoinedFaces::piece_of(const SurfaceNode& node) const {
+  Piece piece;
+  piece.nodes.fill(faces_.first_alike[node.node]);
+  piece.reach = std::max<double>(reach_of(node.node), node.radius);
+  return piece;
+}
+
+FaceCorners JoinedFaces::corners(const Piece& piece) const {
+  FaceCorners corners;
+  for (Eigen::Index k = 0; k < 4; ++k) corners.col(k) = x_.col(piece.nodes[static_cast<std::size_t>(k)]);
+  return corners;
+}
+
+bool JoinedFaces::are_joined(std::uint32_t first, std::uint32_t second) const {
+  if (pieces_of_node_.n_rows() == 0) return false;
+  return are_joined(piece_of(faces_.faces[first]), piece_of(faces_.faces[second]));
+}
+
+bool JoinedFaces::are_joined(const SurfaceNode& node, std::uint32_t face) const {
+  if (pieces_of_node_.n_rows() == 0) return false;
+  return are_joined(piece_of(node), piece_of(faces_.faces[face]));
+}
+
+bool JoinedFaces::are_joined(const ContactEdge& first, const ContactEdge& second) const {
+  return are_joined(piece_of(first), piece_of(second));
+}
+
+bool JoinedFaces::are_joined(const Piece& a, const Piece& b) const {
+  const double reach = a.reach + b.reach;
+  const FaceCorners at_a = corners(a), at_b = corners(b);
+  if (reach == 0.0 || distance(at_a, at_b) > reach) return false;
+  const double farthest = radius(at_a) + reach + radius(at_b);
+  std::vector<std::uint32_t> seen(a.nodes.begin(), a.nodes.end());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (const std::uint32_t neighbour : pieces_of_node_.of(seen[i])) {
+      for (const std::uint32_t node : piece(neighbour).nodes) {
+        if (std::ranges::find(b.nodes, node) != b.nodes.end()) return true;
+        const bool is_near = (x_.col(node) - at_a.col(0)).norm() <= farthest;
+        if (is_near && std::ranges::find(seen, node) == seen.end()) seen.push_back(node);
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace contactsim
