@@ -42,6 +42,7 @@ class RunRestart {
   /// Writes a state when it is due, or wanted, and was not written yet. Throws FileError.
   ///   is_last  the run ends with it
   void store(const RunMemory& memory, bool is_last, bool is_wanted);
+  bool stores() const { return times_.has_value(); }
   /// What was written, for the log; "" when there was nothing to write.
   std::string report() const;
 

@@ -142,7 +142,7 @@ class Run {
   void store(bool is_last) {
     const double begun = clock_seconds();
     restart_.store(memory(), is_last, stopped_by_.has_value() || signals_.take_restart_wish());
-    output_seconds_ += clock_seconds() - begun;
+    restart_seconds_ += clock_seconds() - begun;
   }
 
   void look_for_end() {
@@ -185,11 +185,13 @@ class Run {
 
   void write_wall_times(double whole) {
     const double contact = timed_contact_ ? timed_contact_->seconds() : 0.0;
-    const double known = timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_;
+    const double known =
+        timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ + restart_seconds_;
     std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
                                 {"loads", timed_external_.seconds()},
                                 {"nodes", whole - known},
                                 {"log and files", output_seconds_}};
+    if (restart_.stores()) parts.push_back({"restart files", restart_seconds_});
     if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
     for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
@@ -210,7 +212,7 @@ class Run {
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
   double begun_ = clock_seconds();
-  double output_seconds_ = 0.0;
+  double output_seconds_ = 0.0, restart_seconds_ = 0.0;
   std::optional<std::int64_t> last_line_;  // of the log, its step
   bool is_for_overlap_only_ = false;       // the deck wants no steps
   bool has_warned_ = false;

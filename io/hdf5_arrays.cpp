@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/hdf5_arrays.hpp"
 
-#include <fmt/format.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <array>
-#include <cerrno>
+#include <new>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "core/errors.hpp"
@@ -22,14 +21,16 @@ class Handle {
   using Close = herr_t (*)(hid_t);
 
   Handle(hid_t id, Close closer) : id_(id), close_(closer) {}
-  ~Handle() { close(); }
+  ~Handle() {
+    if (is_open()) close_(id_);
+  }
   Handle(const Handle&) = delete;
   Handle& operator=(const Handle&) = delete;
 
   bool is_open() const { return id_ >= 0; }
   hid_t id() const { return id_; }
-  /// Returns whether it could be closed.
-  bool close() { return !is_open() || close_(std::exchange(id_, -1)) >= 0; }
+  /// Leaves the closing to others.
+  hid_t release() { return std::exchange(id_, -1); }
 
  private:
   hid_t id_;
@@ -52,13 +53,13 @@ hid_t file_type(SavedType type) {
   return types[static_cast<std::size_t>(type)];
 }
 
-bool write_array(const Handle& file, const SavedArray& array) {
+bool write_array(hid_t file, const SavedArray& array) {
   const hsize_t count = array.count();
   const Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   if (!space.is_open() || !links.is_open()) return false;
   if (H5Pset_create_intermediate_group(links.id(), 1) < 0) return false;
-  const Handle set(H5Dcreate2(file.id(), array.name.c_str(), file_type(array.type), space.id(), links.id(),
+  const Handle set(H5Dcreate2(file, array.name.c_str(), file_type(array.type), space.id(), links.id(),
                               H5P_DEFAULT, H5P_DEFAULT),
                    H5Dclose);
   if (!set.is_open()) return false;
@@ -66,11 +67,14 @@ bool write_array(const Handle& file, const SavedArray& array) {
          H5Dwrite(set.id(), memory_type(array.type), H5S_ALL, H5S_ALL, H5P_DEFAULT, array.bytes.data()) >= 0;
 }
 
-bool write_arrays(Handle& file, const SavedState& state) {
-  for (const SavedArray& array : state.arrays()) {
-    if (!write_array(file, array)) return false;
-  }
-  return H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
+/// Where a file in memory is; empty when HDF5 has no more memory.
+std::span<std::byte> bytes_of(hid_t file) {
+  if (H5Fflush(file, H5F_SCOPE_GLOBAL) < 0) return {};
+  hsize_t size = 0;
+  std::byte** memory = nullptr;
+  if (H5Fget_filesize(file, &size) < 0) return {};
+  if (H5Fget_vfd_handle(file, H5P_DEFAULT, reinterpret_cast<void**>(&memory)) < 0) return {};
+  return {*memory, static_cast<std::size_t>(size)};
 }
 
 /// What the numbers of a data set are, in the file's order of SavedType.
@@ -122,21 +126,20 @@ bool read_group(const Handle& group, const std::string& prefix, SavedState& stat
 
 }  // namespace
 
-void write_hdf5(const std::string& path, const std::string& named, std::size_t head_size,
-                const SavedState& state) {
+Hdf5Image::Hdf5Image(std::size_t head_size, const SavedState& state) {
   be_quiet();
-  errno = 0;
-  const auto fail = [&] {
-    const std::string why = errno != 0 ? std::generic_category().message(errno) : "HDF5 refuses";
-    throw FileError(named, fmt::format("cannot be written ({})", why));
-  };
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+  constexpr std::size_t growth = 4096;  // the size is a multiple of it
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_userblock(creation.id(), head_size);
-  Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT), H5Fclose);
-  if (!file.is_open()) fail();
-  if (!write_arrays(file, state)) fail();
-  if (!file.close()) fail();
+  H5Pset_fapl_core(access.id(), growth, /*backing_store=*/0);
+  Handle file(H5Fcreate("state in memory", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+  const auto write = [&](const SavedArray& array) { return write_array(file.id(), array); };
+  if (file.is_open() && std::ranges::all_of(state.arrays(), write)) bytes_ = bytes_of(file.id());
+  if (bytes_.empty()) throw std::bad_alloc();
+  file_ = file.release();
 }
+
+Hdf5Image::~Hdf5Image() { H5Fclose(file_); }
 
 SavedState read_hdf5(const std::string& path) {
   be_quiet();

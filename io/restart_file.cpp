@@ -36,7 +36,9 @@ constexpr std::size_t checksum_length = 16;
 class Descriptor {
  public:
   Descriptor(const std::string& path, std::string named, int flags)
-      : named_(std::move(named)), id_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {
+      : named_(std::move(named)),
+        is_written_((flags & O_WRONLY) != 0),
+        id_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {
     if (id_ < 0) fail(errno);
   }
   ~Descriptor() { ::close(id_); }
@@ -45,7 +47,8 @@ class Descriptor {
 
   int id() const { return id_; }
   [[noreturn]] void fail(int error) const {
-    throw FileError(named_, fmt::format("cannot be used ({})", std::generic_category().message(error)));
+    throw FileError(named_, fmt::format("cannot be {} ({})", is_written_ ? "written" : "read",
+                                        std::generic_category().message(error)));
   }
   /// Fills the bytes as far as the file goes, and says how many there were.
   std::size_t read(std::span<char> bytes) const {
@@ -62,6 +65,7 @@ class Descriptor {
 
  private:
   std::string named_;
+  bool is_written_;
   int id_;
 };
 
@@ -72,6 +76,18 @@ HeadBytes make_head(const RestartHead& head, std::uint64_t n_bytes, std::uint64_
                    checksum_word, checksum, checksum_length, n_bytes, CONTACTSIM_VERSION, head.begun,
                    head.run, head.step, head.time);
   return bytes;
+}
+
+/// Puts the head in front of what HDF5 has written.
+void seal(const RestartHead& head, std::span<std::byte> bytes) {
+  const auto put_head = [&](std::uint64_t checksum) {
+    const HeadBytes text = make_head(head, bytes.size(), checksum);
+    std::ranges::copy(std::as_bytes(std::span(text)), bytes.begin());
+  };
+  put_head(0);
+  Digest digest;
+  digest.add(bytes);
+  put_head(digest.value());
 }
 
 /// What a file's head says, its checksum set to 0.
@@ -109,28 +125,15 @@ std::pair<std::uint64_t, std::uint64_t> sum_up(const HeadBytes& head, const Desc
   return {digest.value(), n_bytes};
 }
 
-/// HDF5 is not at its best on a full disk: whether there is room has to be known before.
-void check_room(const std::string& path, const std::string& named, const SavedState& state) {
-  off_t n_bytes = head_size;
-  constexpr off_t around_array = 1024;  // what HDF5 needs besides, rather too much
-  for (const SavedArray& array : state.arrays())
-    n_bytes += static_cast<off_t>(array.bytes.size()) + around_array;
+/// Writes a whole file and sees it to the disk.
+void write_file(const std::string& path, const std::string& named, std::span<const std::byte> bytes) {
   const Descriptor file(path, named, O_WRONLY | O_CREAT | O_TRUNC);
-  const bool is_refused = fallocate(file.id(), 0, 0, n_bytes) != 0;
-  if (is_refused && (errno == ENOSPC || errno == EFBIG || errno == EDQUOT))
-    throw FileError(named, fmt::format("cannot be written ({})", std::generic_category().message(errno)));
-}
-
-/// Puts the head in front of what HDF5 has written and sees everything to the disk.
-void seal(const std::string& path, const std::string& named, const RestartHead& head) {
-  const Descriptor file(path, named, O_RDWR);
-  const off_t end = lseek(file.id(), 0, SEEK_END);
-  if (lseek(file.id(), head_size, SEEK_SET) < 0) file.fail(errno);
-  const auto n_bytes = static_cast<std::uint64_t>(end);
-  const std::uint64_t checksum = sum_up(make_head(head, n_bytes, 0), file).first;
-  const HeadBytes bytes = make_head(head, n_bytes, checksum);
-  if (pwrite(file.id(), bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    file.fail(errno);
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(file.id(), bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) file.fail(errno);
+    bytes = bytes.subspan(static_cast<std::size_t>(n));
+  }
   if (fsync(file.id()) != 0) file.fail(errno);
 }
 
@@ -148,10 +151,10 @@ void sync_folder_of(const std::string& path) {
 void write_restart_file(const std::string& path, const RestartHead& head, const SavedState& state) {
   const OutputPlace place(path);
   if (!place.is_regular()) throw FileError(path, "cannot be written (it is not a regular file)");
+  Hdf5Image image(head_size, state);
+  seal(head, image.bytes());
   try {
-    check_room(place.unfinished(), path, state);
-    write_hdf5(place.unfinished(), path, head_size, state);
-    seal(place.unfinished(), path, head);
+    write_file(place.unfinished(), path, image.bytes());
   } catch (...) {
     place.discard();
     throw;
