@@ -9,7 +9,8 @@ namespace contactsim {
 namespace {
 
 constexpr const char* footer =
-    "Exit codes: 0 done, 1 a bug in contactsim, 2 deck or command line, 3 mesh or other file, 4 solution.\n"
+    "Exit codes: 0 done, 1 a bug in contactsim, 2 deck or command line, 3 mesh or other file, 4 solution,\n"
+    "            5 stopped by a signal after a whole step.\n"
     "Examples:   contactsim plate.i plate.g -o plate.e\n"
     "            contactsim plate.i plate.g --check --surfaces plate_surfaces.exo";
 

@@ -32,10 +32,6 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
     diagnostics.add_warning("mass-properties", properties.name.location,
                             "mass properties are not reported yet; the log has the mass of every block");
   }
-  for (const RestartData& restart : region.restart_data) {
-    diagnostics.add_warning("restart-not-written", restart.name.location,
-                            "restart files are not supported yet: none is read or written");
-  }
 }
 
 }  // namespace contactsim

@@ -16,13 +16,6 @@ namespace {
 /// Energy that contact makes is worth a warning when it is this share of the largest term.
 constexpr double worrying_share = 0.02;
 
-/// In the springs of all pairs now [energy].
-double stored_energy(const ContactForce& force) {
-  double stored = 0.0;
-  for (const PairStep& pair : force.pair_steps()) stored += pair.stored;
-  return stored;
-}
-
 }  // namespace
 
 RunContact::RunContact(const RunInput& input, const Model& model)
@@ -47,8 +40,14 @@ void RunContact::write_debug_files(const State& state) {
   if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_, state));
 }
 
+void RunContact::add_suffix(const std::string& suffix) {
+  for (std::string* path : {&debug_.facets, &debug_.places}) {
+    if (!path->empty()) *path += suffix;
+  }
+}
+
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
-  const double stored = stored_energy(force_) - stored_at_start_;
+  const double stored = force_.stored() - force_.stored_at_start();
   const double made = stored + energies.friction + energies.contact_damping - energies.contact;
   if (made <= worrying_share * energies.largest) return;
   warnings.add_warning(
@@ -59,8 +58,7 @@ void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings)
       "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
 }
 
-std::string RunContact::start_report(Diagnostics& warnings) {
-  stored_at_start_ = stored_energy(force_);
+std::string RunContact::start_report(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
   return format_contact_start(force_, contact_);
 }

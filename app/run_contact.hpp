@@ -26,8 +26,11 @@ class RunContact {
   std::vector<std::string> paths() const { return debug_.paths(); }
   void write_debug_files(const State& state);
 
+  /// Gives the names of these files an end.
+  void add_suffix(const std::string& suffix);
+
   /// What the log says once the first forces are known. Ties that tie nothing are a warning.
-  std::string start_report(Diagnostics& warnings);
+  std::string start_report(Diagnostics& warnings) const;
   /// Warns when contact has given out energy that nothing had put into it.
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   /// What the pairs did and the search took, for the log.
@@ -39,7 +42,6 @@ class RunContact {
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;
-  double stored_at_start_ = 0.0;  // in overlaps of the mesh as it was [energy]
 };
 
 }  // namespace contactsim

@@ -5,13 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "app/file_clashes.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_contact.hpp"
+#include "app/run_outputs.hpp"
 #include "app/run_report.hpp"
+#include "app/run_restart.hpp"
+#include "app/stop_signal.hpp"
 #include "app/timed_force.hpp"
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
@@ -26,13 +27,6 @@ namespace contactsim {
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(std::move(line));
-  return lines;
-}
-
 /// An energy that appears or vanishes is worth a warning when it is this share of the largest.
 constexpr double worrying_error = 0.01;
 
@@ -44,25 +38,27 @@ struct Setup {
   TimeStepControl control;
 };
 
-/// What pushes the nodes besides the elements.
-struct RunForces {
+/// What a run has besides its region.
+struct RunParts {
   ForceTerm& external;
   RunContact* contact;  ///< null without contact
+  Outputs& outputs;
+  RunRestart& restart;
 };
 
 /// A region on its way from start to end.
 class Run {
  public:
-  Run(const RunInput& input, const Setup& setup, Outputs& outputs, RunForces forces, Log& log,
-      Diagnostics& warnings)
+  Run(const RunInput& input, const Setup& setup, RunParts parts, Log& log, Diagnostics& warnings)
       : model_(setup.model),
         control_(setup.control),
         state_(make_state(input.mesh.coordinates(), model_.blocks, control_.start_time())),
-        outputs_(outputs),
+        outputs_(parts.outputs),
+        restart_(parts.restart),
         internal_(model_, state_),
         timed_internal_(internal_),
-        timed_external_(forces.external),
-        contact_(forces.contact),
+        timed_external_(parts.external),
+        contact_(parts.contact),
         log_(log),
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
@@ -73,30 +69,29 @@ class Run {
   }
 
   ExitCode go() {
-    const double begun = clock_seconds();
     ExitCode code = ExitCode::done;
     try {
-      const StepReport at_start = start(model_, terms(), control_, state_);
-      const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
-      log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) +
-                 step_heading());
-      warn_of_user_step(at_start);
-      look_for_end();
-      tell(is_over());
+      if (restart_.earlier() != nullptr) {
+        go_on(*restart_.earlier());
+      } else {
+        begin();
+      }
       while (!is_over()) step();
-      if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
+      finish();
     } catch (const SolveError& error) {
       progress_.wipe();
       log_.write_error(fmt::format("error: step {}, {}", state_.step, error.what()));
       tell(true);
       code = ExitCode::solve;
     }
-    const double whole = clock_seconds() - begun;
+    if (stopped_by_) code = ExitCode::stopped;
+    const double whole = clock_seconds() - begun_;
     if (contact_ != nullptr) {
       contact_->warn_of_energy(state_.energies, warnings_);
       log_.write(contact_->report());
       contact_->write_debug_files(state_);
     }
+    log_.write(restart_.report());
     write_wall_times(whole);
     return code;
   }
@@ -105,14 +100,50 @@ class Run {
   ForceTerms terms() {
     return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
   }
-  bool is_over() const { return end_ || control_.is_over(state_.time, state_.dt); }
+  RunMemory memory() { return {model_, state_, contact_, outputs_}; }
+  bool is_over() const { return end_ || stopped_by_ || control_.is_over(state_.time, state_.dt); }
+
+  void begin() {
+    const StepReport at_start = start(model_, terms(), control_, state_);
+    const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
+    log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) + step_heading());
+    warn_of_user_step(at_start);
+    look_for_end();
+    tell(false);
+    restart_.begin(state_);
+  }
+
+  void go_on(const SavedState& earlier) {
+    StateArchive saved(earlier);
+    archive(memory(), saved);
+    restart_.forget_earlier();
+    outputs_.go_on(state_);
+    restart_.begin(state_);
+    log_.write(format_paths(outputs_.paths()) + step_heading());
+  }
 
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
     look_for_end();
-    tell(is_over());
+    stopped_by_ = signals_.find_end();
+    tell(false);
+    store(false);
     progress_.show(state_.time);
+  }
+
+  void finish() {
+    // A run that goes on from here must not know that this one ended: the state comes first.
+    store(true);
+    tell(true);
+    if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
+    if (stopped_by_) log_.write_error(fmt::format("stopped by {} after step {}", *stopped_by_, state_.step));
+  }
+
+  void store(bool is_last) {
+    const double begun = clock_seconds();
+    restart_.store(memory(), is_last, stopped_by_.has_value() || signals_.take_restart_wish());
+    restart_seconds_ += clock_seconds() - begun;
   }
 
   void look_for_end() {
@@ -127,9 +158,10 @@ class Run {
     const double begun = clock_seconds();
     outputs_.write(state_, is_last);
     const auto& parameters = control_.periods()[control_.period_at(state_.time)].parameters;
-    if (is_last || state_.step % parameters.step_interval == 0) {
+    if ((is_last || state_.step % parameters.step_interval == 0) && last_line_ != state_.step) {
       progress_.wipe();
       log_.write(format_step(state_));
+      last_line_ = state_.step;
     }
     output_seconds_ += clock_seconds() - begun;
   }
@@ -154,11 +186,13 @@ class Run {
 
   void write_wall_times(double whole) {
     const double contact = timed_contact_ ? timed_contact_->seconds() : 0.0;
-    const double known = timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_;
+    const double known =
+        timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ + restart_seconds_;
     std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
                                 {"loads", timed_external_.seconds()},
                                 {"nodes", whole - known},
                                 {"log and files", output_seconds_}};
+    if (restart_.stores()) parts.push_back({"restart files", restart_seconds_});
     if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
     for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
@@ -169,6 +203,8 @@ class Run {
   const TimeStepControl& control_;
   State state_;
   Outputs& outputs_;
+  RunRestart& restart_;
+  StopSignals signals_;
   InternalForce internal_;
   TimedForce timed_internal_, timed_external_;
   RunContact* contact_;  // null without contact
@@ -176,10 +212,13 @@ class Run {
   Log& log_;
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
-  double output_seconds_ = 0.0;
-  bool is_for_overlap_only_ = false;  // the deck wants no steps
+  double begun_ = clock_seconds();
+  double output_seconds_ = 0.0, restart_seconds_ = 0.0;
+  std::optional<std::int64_t> last_line_;  // of the log, its step
+  bool is_for_overlap_only_ = false;       // the deck wants no steps
   bool has_warned_ = false;
-  std::optional<std::string> end_;  // why the run ends before its termination time
+  std::optional<std::string> end_;         // why the run ends before its termination time
+  std::optional<std::string> stopped_by_;  // a signal
 };
 
 void stop_on_errors(const Diagnostics& diagnostics) {
@@ -226,28 +265,6 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   return {std::move(model), std::move(external), std::move(initial), std::move(control)};
 }
 
-/// No output may overwrite what the run reads, or the log.
-void check_paths(const RunInput& input, const std::vector<std::string>& paths) {
-  std::vector<RunFile> kept = files_read(input.options);
-  kept.push_back({input.mesh.path(), "the mesh"});
-  kept.push_back({log_path(input.options), "the log"});
-  for (const std::string& path : paths) {
-    const RunFile file{path, "the output file " + path};
-    const std::string clash = find_file_clash(kept, {&file, 1});
-    if (!clash.empty()) throw FileError(path, clash);
-  }
-}
-
-OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& log) {
-  OutputSettings settings;
-  settings.results_path = input.options.results;
-  settings.command_line = input.options.command_line;
-  settings.deck_lines = lines_of(input.definition.text);
-  if (contact != nullptr) contact->add_to(settings);
-  settings.log = [&log](std::string_view text) { log.write(text); };
-  return settings;
-}
-
 }  // namespace
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
@@ -265,12 +282,17 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   if (input.contact != nullptr) contact.emplace(input, setup.model);
   RunContact* const of_run = contact ? &*contact : nullptr;
   Outputs outputs(scope, setup.model, output_settings(input, of_run, log));
+  RunRestart restart(input, warnings);
   stop_on_errors(warnings);
+  restart.find_state(outputs.paths(), log, warnings);
+  outputs.add_suffix(restart.suffix());
+  if (of_run != nullptr) of_run->add_suffix(restart.suffix());
   std::vector<std::string> paths = outputs.paths();
   if (of_run != nullptr) std::ranges::copy(of_run->paths(), std::back_inserter(paths));
-  check_paths(input, paths);
+  check_output_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
-  return Run(input, setup, outputs, {setup.external, of_run}, log, warnings).go();
+  if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
+  return Run(input, setup, {setup.external, of_run, outputs, restart}, log, warnings).go();
 }
 
 }  // namespace contactsim

@@ -54,6 +54,9 @@ class ContactForce final : public ForceTerm {
   std::span<const PairStep> pair_steps() const { return sums_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return sums_.friction(); }
   const ContactStep& step_share() const { return step_share_; }
+  /// In the springs of all pairs, of the last step and of the first one, in the mesh's own overlaps [energy].
+  double stored() const;
+  double stored_at_start() const { return stored_at_start_; }
   std::size_t n_candidates() const {
     return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() +
            edges_.candidates().partners.size() + planes_.n_rows();
@@ -62,6 +65,10 @@ class ContactForce final : public ForceTerm {
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
   ///   motion  of that step
   void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
+
+  /// Saves or restores all that contact remembers between two steps.
+  ///   motion  of the step before
+  void archive(const Motion& motion, StateArchive& saved);
   std::span<const Tie> ties() const { return held_.ties(); }
   /// All that holds places together, in the order of their forces.
   const HeldPlaces& held() const { return held_; }
@@ -70,6 +77,7 @@ class ContactForce final : public ForceTerm {
 
  private:
   void begin(const Motion& motion);
+  void archive_faces(StateArchive& saved);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
@@ -100,6 +108,7 @@ class ContactForce final : public ForceTerm {
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
   std::vector<double> node_rates_;     // scratch, [n_contact_nodes]
   ContactStep step_share_;
+  double stored_at_start_ = 0.0;
   bool has_begun_ = false;
 };
 

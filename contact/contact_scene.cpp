@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/state_archive.hpp"
+
 namespace contactsim {
 
 PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
@@ -93,6 +95,16 @@ double PairRules::largest_reach(std::uint32_t pair) const {
   double reach = 0.0;
   visit_models(rules_[pair].model, [&](const PlaceLaw& law) { reach = std::max(reach, law.reach()); });
   return reach;
+}
+
+void PairRules::archive(StateArchive& saved) {
+  saved.set("contact/close_faces", close_faces_);
+  saved.set("contact/close_nodes", close_nodes_);
+}
+
+void GluedPlaces::archive(StateArchive& saved) {
+  saved.set("contact/glued_faces", faces_);
+  saved.set("contact/glued_nodes", nodes_);
 }
 
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {

@@ -14,6 +14,8 @@
 
 namespace contactsim {
 
+class StateArchive;
+
 /// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
 /// threads.
 inline constexpr std::size_t rows_per_chunk = 256;
@@ -83,6 +85,8 @@ class PairRules {
     return table_[surface * n_surfaces_ + other];
   }
   bool has_friction() const;
+  /// Saves or restores what is close at the start; then activate() has to be called.
+  void archive(StateArchive& saved);
 
  private:
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }
@@ -109,6 +113,7 @@ class GluedPlaces {
   void remove(bool is_node, std::uint32_t a, std::uint32_t b) {
     (is_node ? nodes_ : faces_).erase(key(a, b));
   }
+  void archive(StateArchive& saved);
 
  private:
   static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/errors.hpp"
+#include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -94,6 +95,13 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     double& widest = widest_margin_[faces.faces[i].surface];
     widest = std::max<double>(widest, face_margin_[i]);
   }
+}
+
+void ContactSearch::archive(StateArchive& saved) {
+  saved.numbers("contact/search/last", n_searches_, searched_from_);
+  saved.list("contact/search/searched_at", searched_at_);
+  contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
+  contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
 }
 
 bool ContactSearch::is_due(const MovingSurface& surface) const {

@@ -34,6 +34,8 @@ class ContactSearch {
   /// is nowhere.
   void find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates);
 
+  void archive(StateArchive& saved);
+
   /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
   ///   partners  [n_edges] edges of greater number
   void find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners);

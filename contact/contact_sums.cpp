@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/state_archive.hpp"
+
 namespace contactsim {
 
 ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction, bool has_moments)
@@ -11,6 +13,12 @@ ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_fric
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
       slips_(has_friction ? n_nodes : 0, NodeVector::Zero()) {}
+
+void ContactSums::archive(StateArchive& saved) {
+  saved.fixed_rows("contact/nodes/friction", friction_, [](NodeFriction& node, RowNumbers& row) {
+    row(node.slip, node.slip_length, node.energy, node.last_slip);
+  });
+}
 
 void ContactSums::begin_step() {
   dissipated_ = damped_ = 0.0;

@@ -11,6 +11,8 @@
 
 namespace contactsim {
 
+class StateArchive;
+
 /// What a pair of surfaces does in a step.
 struct PairStep {
   Eigen::Vector3d force =
@@ -53,6 +55,9 @@ class ContactSums {
   std::span<const NodeFriction> friction() const { return friction_; }
   double dissipated() const { return dissipated_; }
   double damped() const { return damped_; }
+
+  /// Saves or restores what has been added up since the start.
+  void archive(StateArchive& saved);
 
  private:
   void add_moment(const RecordSide& side, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);

@@ -8,6 +8,7 @@
 #include "contact/friction.hpp"
 #include "contact/penalty.hpp"
 #include "contact/sharp_edges.hpp"
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -84,6 +85,12 @@ void EdgeContacts::begin_step() {
 
 void EdgeContacts::note(const ContactRecord& record) {
   if (record.touches()) is_touched_[record.first_place] = is_touched_[record.second_place] = 1;
+}
+
+void EdgeContacts::archive(StateArchive& saved) {
+  contactsim::archive("contact/edge_pairs", candidates_, saved);
+  saved.rows("contact/edge_pairs/elastic_slip", elastic_, [](Elastic& slip, RowNumbers& row) { row(slip); });
+  saved.list("contact/edges/was_touched", is_touched_);
 }
 
 void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,

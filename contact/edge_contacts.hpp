@@ -35,6 +35,8 @@ class EdgeContacts {
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
 
+  void archive(StateArchive& saved);
+
  private:
   /// Slip that is held at the one or two places of a pair [length].
   using Elastic = std::array<Eigen::Vector3d, 2>;

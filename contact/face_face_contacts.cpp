@@ -9,6 +9,7 @@
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -46,6 +47,15 @@ void FaceFaceContacts::note(const ContactRecord& record) {
   const Eigen::Vector4d area(0.0, 0.0, 0.0, record.area);
   next_means_[record.first_place] += share + area;
   next_means_[record.second_place] += area - share;
+}
+
+void FaceFaceContacts::archive(StateArchive& saved) {
+  contactsim::archive("contact/face_pairs", candidates_, saved);
+  saved.list("contact/face_pairs/touched", touched_);
+  saved.list("contact/face_pairs/elastic_slip", elastic_);
+  // What is known of faces between steps; begin_step() makes it that of the last one.
+  saved.list("contact/faces/mean_slip", next_means_);
+  saved.list("contact/faces/was_pushed", is_pushed_);
 }
 
 void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,

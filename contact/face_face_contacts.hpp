@@ -33,6 +33,8 @@ class FaceFaceContacts {
   /// Adds a record to what is known of its faces. Records come in order.
   void note(const ContactRecord& record);
 
+  void archive(StateArchive& saved);
+
  private:
   struct Candidate {
     std::uint32_t first, second, pair;

@@ -6,6 +6,7 @@
 
 #include "contact/make_ties.hpp"
 #include "contact/penalty.hpp"
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -59,6 +60,28 @@ std::optional<Bond> make_bond(const ContactScene& scene, const NearPlace& near) 
   return bond;
 }
 
+void visit_place(HeldPlace& place, RowNumbers& row) {
+  row(place.pair, place.is_swapped, place.first_place, place.second_place, place.is_node, place.nodes,
+      place.springs, place.area);
+}
+
+void visit_tie(Tie& tie, RowNumbers& row) {
+  visit_place(tie, row);
+  row(tie.stiffness, tie.rest, tie.rest_energy);
+}
+
+void visit_bond(Bond& bond, RowNumbers& row) {
+  visit_place(bond, row);
+  BondHistory& history = bond.history;
+  row(bond.weights_1, bond.weights_2, bond.rest, bond.share, bond.penalty, bond.has_failed, history.worst,
+      history.worst_traction, history.tangential_energy, history.gap_factor);
+}
+
+void visit_fading(FadingPlace& place, RowNumbers& row) {
+  visit_place(place, row);
+  row(place.forces, place.stored, place.n_steps, place.n_done);
+}
+
 bool is_bonded(const PairRule& rule) {
   return rule.place != nullptr && rule.place->hold && !rule.place->is_weld();
 }
@@ -80,6 +103,12 @@ const HeldPlace& HeldPlaces::operator[](std::size_t i) const {
   i -= ties_.size();
   if (i < bonds_.size()) return bonds_[i];
   return fading_[i - bonds_.size()];
+}
+
+void HeldPlaces::archive(StateArchive& saved) {
+  saved.rows("contact/ties", ties_, visit_tie);
+  saved.rows("contact/bonds", bonds_, visit_bond);
+  saved.rows("contact/fading", fading_, visit_fading);
 }
 
 void HeldPlaces::begin(const ContactScene& scene, const NearCandidates& candidates, GluedPlaces& glued) {

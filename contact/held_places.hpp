@@ -43,6 +43,8 @@ class HeldPlaces {
   /// Ties first, then bonds, then what fades.
   const HeldPlace& operator[](std::size_t i) const;
 
+  void archive(StateArchive& saved);
+
  private:
   void make(const ContactScene& scene, const NearCandidates& candidates, bool only_changed,
             GluedPlaces& glued);

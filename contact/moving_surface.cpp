@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -35,6 +36,12 @@ void MovingSurface::move_nodes(const Motion& motion) {
 void MovingSurface::step(const Motion& motion) {
   if (faces_.loft.size() > 0 && arms_.cols() > 0 && motion.angular_velocity != nullptr) turn_arms(motion);
   move_nodes(motion);
+}
+
+void MovingSurface::archive(StateArchive& saved) {
+  if (faces_.loft.size() == 0) return;
+  arms_.resize(3, static_cast<Eigen::Index>(faces_.loft.size()));
+  saved.fixed("contact/loft/arms", std::span(arms_.data(), static_cast<std::size_t>(arms_.size())));
 }
 
 void MovingSurface::turn_arms(const Motion& motion) {

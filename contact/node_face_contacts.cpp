@@ -9,6 +9,7 @@
 #include "contact/gap_pull.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -68,6 +69,17 @@ struct NodeFaceContacts::Work {
   Hits hits;
   std::vector<Touch> touches;
 };
+
+void NodeFaceContacts::archive(StateArchive& saved) {
+  contactsim::archive("contact/node_pairs", candidates_, saved);
+  std::vector<Touch> all;
+  for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
+  saved.rows("contact/node_pairs/touches", all,
+             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.normal, touch.elastic); });
+  if (!saved.restores()) return;
+  for (std::vector<Touch>& chunk : touches_) chunk.clear();
+  for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
+}
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {

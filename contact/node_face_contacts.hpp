@@ -31,6 +31,8 @@ class NodeFaceContacts {
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
 
+  void archive(StateArchive& saved);
+
  private:
   static constexpr std::size_t most_walls = 3;
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -78,6 +79,11 @@ void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLis
   for (int i = 0; i < n; ++i) place_pairs(parts, share(n_rows, i, n), lists);
 #pragma omp parallel for schedule(static, 1) num_threads(n)
   for (int i = 0; i < n; ++i) sort_rows(share(n_rows, i, n), lists);
+}
+
+void archive(const std::string& name, PairLists& lists, StateArchive& saved) {
+  saved.list(name + "/begin", lists.begin);
+  saved.list(name + "/partners", lists.partners);
 }
 
 }  // namespace contactsim

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace contactsim {
+
+class StateArchive;
 
 /// Pairs row by row: those of row i are partners[begin[i]] to partners[begin[i + 1] - 1], ascending.
 struct PairLists {
@@ -19,6 +22,9 @@ struct PairLists {
     return std::span(partners).subspan(begin[row], begin[row + 1] - begin[row]);
   }
 };
+
+/// Saves or restores lists.
+void archive(const std::string& name, PairLists& lists, StateArchive& saved);
 
 /// Two boxes that may meet.
 struct RowPartner {

@@ -7,6 +7,7 @@
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -27,6 +28,11 @@ PlaneContacts::PlaneContacts(const ContactFaces& faces, const ContactSurfaces& s
 void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, const AnalyticPlane& plane) {
   for (std::uint32_t node = faces_.first_node[surface]; node < faces_.first_node[surface + 1]; ++node)
     places_.push_back({node, pair, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
+}
+
+void PlaneContacts::archive(StateArchive& saved) {
+  saved.fixed_rows("contact/planes/elastic_slip", places_,
+                   [](Place& place, RowNumbers& row) { row(place.elastic); });
 }
 
 void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,

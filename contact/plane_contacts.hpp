@@ -22,6 +22,8 @@ class PlaneContacts {
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
 
+  void archive(StateArchive& saved);
+
  private:
   /// A node and a plane.
   struct Place {

@@ -12,7 +12,7 @@
 namespace contactsim {
 
 /// How the program ends; scripts read it.
-enum class ExitCode { done = 0, our_bug = 1, deck = 2, file = 3, solve = 4 };
+enum class ExitCode { done = 0, our_bug = 1, deck = 2, file = 3, solve = 4, stopped = 5 };
 
 /// The deck (or the command line) is wrong. Carries every problem that was found.
 class DeckError : public std::runtime_error {

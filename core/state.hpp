@@ -11,6 +11,8 @@
 
 namespace contactsim {
 
+class StateArchive;
+
 /// The forces on the nodes, each as it acts on them: mass x acceleration = internal + external + contact
 /// + reaction [3 x n_nodes] [force].
 struct NodalForces {
@@ -73,5 +75,9 @@ struct State {
 /// The state of a mesh at rest: nothing is known yet of forces, energies and step sizes.
 ///   blocks  of the model
 State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const SolidBlock> blocks, double time);
+
+/// Saves a state between two steps, or restores it; what every step works out anew is left out.
+///   state  when it is restored, that of the start of the same model
+void archive(State& state, StateArchive& saved);
 
 }  // namespace contactsim

@@ -143,6 +143,13 @@ std::vector<std::string> Outputs::paths() const {
   return paths;
 }
 
+void Outputs::add_suffix(const std::string& suffix) {
+  for (ExodusJob& job : exodus_) job.path += suffix;
+  for (HeartbeatJob& job : heartbeats_) {
+    if (!job.path.empty() && !job.appends) job.path += suffix;
+  }
+}
+
 std::vector<StepTarget> Outputs::step_targets() const {
   std::vector<StepTarget> targets;
   const auto add = [&](const OutputTimes& times) {

@@ -52,6 +52,13 @@ class Outputs {
   /// The times at which outputs with a TIMESTEP ADJUSTMENT INTERVAL want steps to end.
   std::vector<StepTarget> step_targets() const;
 
+  /// Gives the names of all files an end; heartbeats that append go on with theirs. Precedes write().
+  void add_suffix(const std::string& suffix);
+  /// Passes over what an earlier run has written up to a state.
+  void go_on(const State& state) { find_due({state.step, state.time, false}); }
+  /// Saves or restores what user variables hold.
+  void archive(StateArchive& saved) { user_outputs_.archive(saved); }
+
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/output/stored_variable.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -31,6 +35,13 @@ std::span<double> StoredValues::at(const EntityRange& range) {
 
 std::span<const double> StoredValues::at(const EntityRange& range) const {
   return std::span(values_[range.block]).subspan(range.first * n_components_, range.count * n_components_);
+}
+
+void StoredValues::archive(const std::string& name, StateArchive& saved) {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    const std::string part = fmt::format("{}/{}", name, i + 1);
+    if (saved.has(part)) saved.fixed(part, std::span(values_[i]));
+  }
 }
 
 const RunVariable& add_stored_variable(RunVariables& variables, RunVariable variable,

@@ -9,6 +9,8 @@
 
 namespace contactsim {
 
+class StateArchive;
+
 /// The values of a variable that the deck makes, kept from one computation to the next.
 class StoredValues {
  public:
@@ -20,6 +22,8 @@ class StoredValues {
   /// The values of a range, [count x n_components].
   std::span<double> at(const EntityRange& range);
   std::span<const double> at(const EntityRange& range) const;
+  /// Saves or restores them; a variable that was not saved keeps what it has.
+  void archive(const std::string& name, StateArchive& saved);
 
  private:
   std::size_t n_components_;

@@ -93,7 +93,7 @@ class UserOutputMaker {
   // Storage of a variable; one that the deck has made before goes on. Null when that has another size.
   Storage store(const DeckName& name, FieldLocation location, FieldShape shape, std::vector<double> initial,
                 std::vector<std::uint8_t> in_blocks = {}) {
-    Storage& storage = stored_[{location, fold(name.text)}];
+    Storage& storage = outputs_.stored_[fmt::format("{}_{}", static_cast<int>(location), fold(name.text))];
     if (storage != nullptr) {
       if (storage->n_components() == initial.size()) return storage;
       warn(name, fmt::format("{} has {} numbers, and {} are computed", name.text, storage->n_components(),
@@ -218,11 +218,16 @@ class UserOutputMaker {
   UserOutputs& outputs_;
   const UserOutput* output_ = nullptr;
   ConditionLabel label_;
-  std::map<std::pair<FieldLocation, std::string>, Storage> stored_;
 };
 
 UserOutputs::UserOutputs(const ConditionScope& scope, RunVariables& variables) {
   UserOutputMaker(scope, variables, *this).make();
+}
+
+void UserOutputs::archive(StateArchive& saved) {
+  for (const auto& [name, values] : stored_) {
+    if (values != nullptr) values->archive("user_variables/" + name, saved);
+  }
 }
 
 void UserOutputs::compute(const OutputMoment& moment, bool are_needed) {

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
-#include "core/output/run_variables.hpp"
+#include "core/output/stored_variable.hpp"
 
 namespace contactsim {
 
@@ -24,6 +27,9 @@ class UserOutputs {
   /// needed the others. Each is computed once a step, however often it is asked for.
   void compute(const OutputMoment& moment, bool are_needed);
 
+  /// Saves or restores the values, whether the deck says USE WITH RESTART or not.
+  void archive(StateArchive& saved);
+
  private:
   friend class UserOutputMaker;
   struct Computation {
@@ -31,7 +37,8 @@ class UserOutputs {
     std::function<void(const OutputMoment&)> run;
   };
   std::vector<Computation> computations_;
-  std::optional<std::int64_t> last_step_, last_needed_step_;  // for which it was done
+  std::map<std::string, std::shared_ptr<StoredValues>> stored_;  // by location and name
+  std::optional<std::int64_t> last_step_, last_needed_step_;     // for which it was done
 };
 
 }  // namespace contactsim

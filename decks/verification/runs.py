@@ -128,17 +128,40 @@ class Bench:
 
     def run(self, deck, mesh, /, **variables):
         """Runs <deck>.i on a mesh, with Aprepro variables; a run that fails ends everything."""
-        self.n_runs += 1
-        folder = self.folder / str(self.n_runs)
-        folder.mkdir()
+        folder, command = self.prepare(deck, mesh, **variables)
+        return Run(folder, deck, self.execute(folder, command))
+
+    def prepare(self, deck, mesh, /, **variables):
+        """The folder and the command of a run."""
+        folder = self._new_folder()
         for included in HERE.glob("*.inc"):
             shutil.copy(included, folder)
         mesh.write(folder / f"{deck}.g")
-        path = HERE / f"{deck}.i"
-        command = [self.program, str(path if path.exists() else HERE.parent / path.name), "--threads", str(self.threads)]
-        for name, value in variables.items():
-            command += ["-D", f"{name}={value!r}" if isinstance(value, float) else f"{name}={value}"]
+        return folder, self._command(deck, self.threads, variables)
+
+    def copy(self, run, deck, /, threads, **variables):
+        """The same in a copy of the folder of a run."""
+        folder = self._new_folder()
+        shutil.copytree(run.folder, folder, dirs_exist_ok=True)
+        return folder, self._command(deck, threads, variables)
+
+    @staticmethod
+    def execute(folder, command):
+        """Returns what the run prints."""
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
-        return Run(folder, deck, done.stdout)
+        return done.stdout
+
+    def _new_folder(self):
+        self.n_runs += 1
+        folder = self.folder / str(self.n_runs)
+        folder.mkdir()
+        return folder
+
+    def _command(self, deck, threads, variables):
+        path = HERE / f"{deck}.i"
+        command = [self.program, str(path if path.exists() else HERE.parent / path.name), "--threads", str(threads)]
+        for name, value in variables.items():
+            command += ["-D", f"{name}={value!r}" if isinstance(value, float) else f"{name}={value}"]
+        return command

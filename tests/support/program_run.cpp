@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <stdexcept>
 
@@ -98,6 +99,16 @@ ProgramOutput ProgramDirectory::run(const std::vector<std::string>& arguments) c
   const Redirection to{path(""), captured_.file("out"), captured_.file("err")};
   const int exit_code = wait_for(start(arguments, to));
   return {exit_code, read_bytes(to.out), read_bytes(to.err)};
+}
+
+ProgramOutput ProgramDirectory::run_and_signal(const std::vector<std::string>& arguments,
+                                               const std::string& file, int signal) const {
+  const Redirection to{path(""), captured_.file("out"), captured_.file("err")};
+  const pid_t process = start(arguments, to);
+  while (!has(file) && kill(process, 0) == 0) usleep(2000);
+  kill(process, signal);
+  const int code = wait_for(process);
+  return {code, read_bytes(to.out), read_bytes(to.err)};
 }
 
 ProgramOutput ProgramDirectory::run_on_terminal(const std::vector<std::string>& arguments) const {

@@ -32,6 +32,9 @@ class ProgramDirectory {
 
   /// Runs the program with standard output and error going to files, as they do in scripts.
   ProgramOutput run(const std::vector<std::string>& arguments) const;
+  /// The same; once there is a file of a name the program gets a signal.
+  ProgramOutput run_and_signal(const std::vector<std::string>& arguments, const std::string& file,
+                               int signal) const;
   /// The same with standard error on a terminal.
   ProgramOutput run_on_terminal(const std::vector<std::string>& arguments) const;
   /// The same with standard output going to a device that is full.

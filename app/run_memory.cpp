@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run_memory.hpp"
+
+#include <fmt/format.h>
+
+#include "core/digest.hpp"
+#include "core/mesh/mesh_digest.hpp"
+
+namespace contactsim {
+
+void archive(const RunMemory& memory, StateArchive& saved) {
+  const Model& model = memory.model;
+  State& state = memory.state;
+  saved.expect("run/mesh", digest_of(*model.mesh), "nodes or elements");
+  saved.expect("run/n_blocks", model.blocks.size(), "blocks");
+  for (const SolidBlock& block : model.blocks) {
+    const std::string name = fmt::format("run/materials/{}", block.mesh_block + 1);
+    saved.expect(name, digest_of(block.material), "materials");
+  }
+  saved.expect("run/has_contact", memory.contact != nullptr ? 1 : 0, "contact");
+  archive(state, saved);
+  if (memory.contact != nullptr) {
+    Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+    if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
+    memory.contact->force().archive(motion, saved);
+  }
+  memory.outputs.archive(saved);
+}
+
+}  // namespace contactsim

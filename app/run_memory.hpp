@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "app/run_contact.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+#include "core/state_archive.hpp"
+#include "io/outputs.hpp"
+
+namespace contactsim {
+
+/// All of a run that changes from step to step and that the next step builds on.
+struct RunMemory {
+  const Model& model;
+  State& state;
+  RunContact* contact;  ///< null without contact
+  Outputs& outputs;
+};
+
+/// Saves it, or restores it in a run of the same mesh, materials and contact. Throws FileError when the saved
+/// one is of another run.
+void archive(const RunMemory& memory, StateArchive& saved);
+
+}  // namespace contactsim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace contactsim {
+
+/// What the system may ask of a run while it lasts: to end after the step (SIGTERM, SIGINT) or to write a
+/// restart file (SIGUSR1). Who asks a second time to end ends the process. There is one of these at a time.
+class StopSignals {
+ public:
+  /// From now on signals are noted, until the end of this.
+  StopSignals();
+  ~StopSignals();
+  StopSignals(const StopSignals&) = delete;
+  StopSignals& operator=(const StopSignals&) = delete;
+
+  /// The name of the signal that ends the run, if one came.
+  std::optional<std::string> find_end() const;
+  /// Whether a restart file was asked for since the last call.
+  bool take_restart_wish();
+};
+
+}  // namespace contactsim
