@@ -51,7 +51,7 @@ def balances(runs, is_free=False, has_plane=False, has_friction=False, tolerance
     """
     checks = [at_most("energy balance", max(map(energy_share, runs)), tolerance)]
     forces = [run.nodal("force_contact") for run in runs]
-    moments = [np.cross(run.nodal("coordinates"), f) for run, f in zip(runs, forces)]
+    moments = [np.cross(run.nodal("coordinates"), f) + run.nodal("moment_contact") for run, f in zip(runs, forces)]
     if not has_plane:
         checks.append(at_most("net contact force", max(map(net_share, forces)), 1e-12))
     if not has_plane and not has_friction:

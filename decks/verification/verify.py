@@ -19,6 +19,7 @@ sys.path.insert(0, str(HERE.parent))
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
+import cases_lofted  # noqa: E402, F401
 import cases_rigid  # noqa: E402, F401
 import cases_rods  # noqa: E402, F401
 import cases_shells  # noqa: E402, F401
