@@ -11,12 +11,12 @@ from runs import Check, at_most
 BOTH = ("face_face", "node_face")
 
 
-def sheet_over_block(is_turned, n_block):
+def sheet_over_block(is_turned, side, n):
     mesh = MeshMaker(lambda x, y, z: (-x, y, z)) if is_turned else MeshMaker()
     mesh.shells("sheet", (-0.5, -0.5, 0.05), (1, 1), (5, 5), 0.1)
     mesh.new_body()
     mesh.place = lambda x, y, z: (x, y, z)
-    mesh.hexes("block", (-0.75, -0.75, -0.5), (1.5, 1.5, 0.5), (n_block, n_block, 1))
+    mesh.hexes("block", (-0.5 * side, -0.5 * side, -0.5), (side, side, 0.5), (n, n, 1))
     return mesh
 
 
@@ -24,8 +24,8 @@ def sheet_over_block(is_turned, n_block):
 def shell_on_block(bench):
     checks, runs = [], []
     weight = 7800 * 0.1 * 9.81
-    for is_turned, form, n_block in ((False, "face_face", 6), (True, "face_face", 6), (False, "node_face", 1)):
-        run = bench.run("shell_on_block", sheet_over_block(is_turned, n_block), form=form)
+    for is_turned, form, block in ((False, "face_face", (1.5, 6)), (True, "face_face", (1.5, 6)), (False, "node_face", (1, 5))):
+        run = bench.run("shell_on_block", sheet_over_block(is_turned, *block), form=form)
         runs.append(run)
         late = run["Time"] > 0.12
         height = np.mean(run["height"][late])

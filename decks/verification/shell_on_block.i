@@ -2,8 +2,8 @@
 #
 # Shows the lofted side of a shell: its middle comes to rest half its thickness above the block, less the depth
 # rho g t / k that its weight takes with a penalty of k per area. Expected: the height within 1 % of t, the depth within 1 %,
-# whichever way the shell's normal points. With NODE_FACE the block has no nodes under the shell: they would count for the
-# areas around them, of which those at its edge stick out.
+# whichever way the shell's normal points. With NODE_FACE the block is as wide as the shell: each side's nodes
+# count for half of the areas around them, whatever of these lies beyond the other's edge.
 #
 # {ifndef(form)}
 # {form = "face_face"}
