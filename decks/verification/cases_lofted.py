@@ -5,8 +5,10 @@ import math
 import numpy as np
 
 from cases import balances, case
+from cases_rods import moved_along, rod_checks, turned
 from mesh_maker import MeshMaker
 from runs import Check, at_most
+from shapes import add_quarter_ball, near_zero
 
 BOTH = ("face_face", "node_face")
 
@@ -34,3 +36,104 @@ def shell_on_block(bench):
                    Check(f"{label}: depth [m]", weight / 3e7, 0.05 - height, 0.01),
                    Check(f"{label}: weight [N]", weight, np.mean(run["force"][late]), 0.001)]
     return checks + balances(runs)
+
+
+def on_planes(mesh, prefix, nodes):
+    """Node sets of the given nodes (from 0) on the symmetry planes x = 0 and y = 0."""
+    points = np.array(mesh.points)
+    for name, axis in (("on_x", 0), ("on_y", 1)):
+        mesh.node_sets.append((prefix + name, [n + 1 for n in nodes if abs(points[n, axis]) < 1e-9]))
+
+
+def ball_over_plate(side, thickness, n, slope, n_plate):
+    """The quarter x, y > 0 of a ball over that of a plate, small elements where they meet."""
+    mesh = MeshMaker(lambda x, y, z: (0.5 * side * near_zero(x, 0.5), 0.5 * side * near_zero(y, 0.5), z))
+    mesh.shells("plate", (0, 0, 0), (1, 1), (n_plate, n_plate), thickness)
+    mesh.node_set("rim", lambda x, y, z: max(x, y) > 1 - 1e-9)
+    on_planes(mesh, "plate_", range(len(mesh.points)))
+    add_quarter_ball(mesh, "ball", 0.01 + 0.5 * thickness + 1e-9, 0.01, False, n, slope)
+    on_planes(mesh, "", range(len(mesh.points)))
+    return mesh
+
+
+def sheets_in_line(n_a, n_b, across_a, across_b, gap=0.0):
+    """Two strips of shells, each 0.1 x 0.01, one end against the other's."""
+    mesh = MeshMaker()
+    mesh.shells("rod_a", (0, 0, 0), (0.1, 0.01), (n_a, across_a), 0.01)
+    mesh.new_body()
+    mesh.shells("rod_b", (0.1 + gap, 0, 0), (0.1, 0.01), (n_b, across_b), 0.01)
+    return mesh
+
+
+@case()
+def shells_edge_on_edge(bench):
+    checks, runs = [], []
+    for label, cells, form in (("alike", (50, 50, 1, 1), "face_face"), ("unmatched", (50, 77, 2, 3), "face_face"),
+                               ("alike, node_face", (50, 50, 1, 1), "node_face")):
+        runs.append(bench.run("two_rods", sheets_in_line(*cells), form=form, thickness=0.01))
+        checks += rod_checks(label, runs[-1])
+    return checks + balances(runs, is_free=True)
+
+
+def block_over_sheet(thickness):
+    mesh = MeshMaker()
+    mesh.hexes("block", (0, 0, 1e-4), (5e-3, 5e-3, 5e-3), (4, 4, 4))
+    mesh.new_body()
+    mesh.shells("plate", (-2e-3, -2e-3, -0.5 * thickness), (9e-3, 9e-3), (9, 9), thickness)
+    return mesh
+
+
+@case()
+def fast_plate(bench):
+    """Thrown at, and flying; at the higher speed it moves by more than half its thickness in a step."""
+    checks, runs = [], []
+    for form in BOTH:
+        for label, t, kind in (("thrown at", 5e-4, {}), ("flying", 5e-4, dict(flier="plate", target="block", speed=300)),
+                               ("faster", 2.5e-4, dict(flier="plate", target="block", speed=900))):
+            run = bench.run("fast_block", block_over_sheet(t), form=form, thickness=t, **kind)
+            runs.append(run)
+            place, under = run.nodal("coordinates")[..., 2], run.nodes_of(2)
+            under = under[np.all(np.abs(run.start[under, :2] - 2.5e-3) < 2.5e-3, axis=1)]
+            gap = np.min(place[:, run.nodes_of(1)], axis=1) - np.max(place[:, under], axis=1)
+            checks.append(at_most(f"{form}, {label}: depth over the plate's thickness", max(0.0, 0.5 - np.min(gap) / t), 0.5))
+    return checks + balances(runs)
+
+
+def contacts(run):
+    """First and last times of contacts that nothing of less than 5 us parts."""
+    on = run["Time"][run["force"] > 0]
+    parted = np.flatnonzero(np.diff(on) > 5e-6)
+    return list(zip(on[np.concatenate([[0], parted + 1])], on[np.concatenate([parted, [-1]])]))
+
+
+def impact_checks(label, run, expected, tolerance):
+    """expected: impulse, largest force, velocity of the rebound of the whole ball."""
+    times, force, ball = run["Time"], 4 * run["force"], run.nodes_of(2)
+    impulse = np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(times))
+    back = np.average(run.nodal("velocity")[-1, ball, 2], weights=run.nodal("mass")[0, ball])
+    return [Check(f"{label}: impulse [N s]", expected[0], impulse, tolerance),
+            Check(f"{label}: largest force [N]", expected[1], np.max(force), 0.1),
+            Check(f"{label}: speed of the rebound [m/s]", expected[2], back, 0.05, 1.0)]
+
+
+@case(refined=[8, 12])
+def ball_on_plate(bench, n=8):
+    run = bench.run("ball_on_plate", ball_over_plate(0.2, 0.008, n, 2 / n, 20))
+    on = contacts(run)
+    return [*impact_checks("8 mm", run, (0.054730, 1385.5, 0.6644), 0.03),
+            Check("8 mm: contacts", 1, len(on), 0.0), Check("8 mm: duration [s]", 73.2e-6, on[-1][1] - on[0][0], 0.1),
+            *balances([run])]
+
+
+@case(is_long=True)
+def ball_on_thin_plate(bench):
+    thick = bench.run("ball_on_plate", ball_over_plate(0.2, 0.008, 12, 0.17, 20), end_time=300e-6)
+    thin = bench.run("ball_on_plate", ball_over_plate(0.3, 0.002, 12, 0.17, 30), side=0.3, thickness=0.002, end_time=460e-6)
+    on = contacts(thin)
+    checks = [*impact_checks("8 mm", thick, (0.054730, 1385.5, 0.6644), 0.03),
+              Check("8 mm: way of the plate's middle [m]", 22.09e-6, -np.min(thick["middle"]), 0.1),
+              *impact_checks("2 mm", thin, (0.0335, 333.2, 0.020), 0.05), Check("2 mm: contacts", 2, len(on), 0.0)]
+    for name, expected, reached in zip(("end of the first", "start of the second", "end of the second"),
+                                       (332e-6, 386e-6, 441e-6), (on[0][1], on[-1][0], on[-1][1])):
+        checks.append(Check(f"2 mm: {name} contact [s]", expected, reached, 0.05))
+    return checks + balances([thick, thin])

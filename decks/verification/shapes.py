@@ -69,15 +69,16 @@ def near_zero(t, slope):
     return t * (slope + (1 - slope) * t * t)
 
 
-def add_quarter_ball(mesh, name, level, radius, pole_up, n=16):
-    """The quarter x, y > 0 of a ball around (0, 0, level), with small elements at its upper or lower pole."""
+def add_quarter_ball(mesh, name, level, radius, pole_up, n=16, slope=0.4):
+    """The quarter x, y > 0 of a ball around (0, 0, level), with small elements at its upper or lower pole: those of an even
+    mesh times the slope."""
     mesh.new_body()
     ball = on_ball(np.array((0.0, 0.0, level)), radius)
 
     def place(u, v, w):
-        u, v = (near_zero(t, 0.4) if t < 1 else t for t in (u, v))
+        u, v = (near_zero(t, slope) if t < 1 else t for t in (u, v))
         if (w > 0) == pole_up and abs(w) > 1:
-            w = math.copysign(2 - near_zero(2 - abs(w), 0.4), w)
+            w = math.copysign(2 - near_zero(2 - abs(w), slope), w)
         return ball(u, v, w)
     mesh.place = place
     few = n // 4
