@@ -137,3 +137,35 @@ def ball_on_thin_plate(bench):
                                        (332e-6, 386e-6, 441e-6), (on[0][1], on[-1][0], on[-1][1])):
         checks.append(Check(f"2 mm: {name} contact [s]", expected, reached, 0.05))
     return checks + balances([thick, thin])
+
+
+def stack(n_lower, n_sheet, n_upper, overhang=0.1):
+    """Blocks of 0.2 x 0.2 x 0.1 and a sheet of 0.02 between them that sticks out."""
+    mesh = MeshMaker()
+    mesh.hexes("lower", (-0.1, -0.1, -0.11), (0.2, 0.2, 0.1), (n_lower, n_lower, 4))
+    mesh.new_body()
+    side = 0.2 + 2 * overhang
+    mesh.shells("sheet", (-0.5 * side, -0.5 * side, 0), (side, side), (n_sheet, n_sheet), 0.02)
+    mesh.new_body()
+    mesh.hexes("upper", (-0.1, -0.1, 0.01), (0.2, 0.2, 0.1), (n_upper, n_upper, 4))
+    mesh.node_set("bottom", lambda x, y, z: z < -0.109)
+    mesh.node_set("top", lambda x, y, z: z > 0.109)
+    return mesh
+
+
+@case()
+def pinched_shell(bench):
+    checks, runs = [], []
+    for form, mesh in (("face_face", stack(4, 7, 5)), ("node_face", stack(4, 4, 4, 0.0))):
+        run = bench.run("pinched_shell", mesh, form=form)
+        runs.append(run)
+        late, force = run["Time"] > 2e-3, 0.04 * 2e-5 / (0.2 / 200e9 + 2 / 1e13)
+        sheet = run.nodes_of(2)
+        left, moment = [np.max(np.linalg.norm(run.nodal(name)[-1, sheet], axis=1)) for name in ("force_contact", "moment_contact")]
+        moved = np.max(np.abs(run.nodal("displacement")[-1, sheet]))
+        checks += [Check(f"{form}: force above [N]", force, np.mean(run["force"][late]), 0.001),
+                   Check(f"{form}: force below [N]", -force, np.mean(run["force_below"][late]), 0.001),
+                   at_most(f"{form}: largest force on a node of the shell over that", left / force, 1e-3),
+                   at_most(f"{form}: largest moment on a node of the shell over force times thickness", moment / force / 0.02, 1e-3),
+                   at_most(f"{form}: displacement of the shell over that of the ends", moved / 1e-5, 1e-3)]
+    return checks + balances(runs)
