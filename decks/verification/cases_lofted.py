@@ -169,3 +169,54 @@ def pinched_shell(bench):
                    at_most(f"{form}: largest moment on a node of the shell over force times thickness", moment / force / 0.02, 1e-3),
                    at_most(f"{form}: displacement of the shell over that of the ends", moved / 1e-5, 1e-3)]
     return checks + balances(runs)
+
+
+def add_box(mesh, name, side, n, thickness, place=lambda p: p, has_lid=True):
+    """The walls of a cube around the origin; `place` maps its coordinates."""
+    mesh.new_body()
+    for axis in range(3):
+        for sign in (-1, 1):
+            if (axis, sign) == (2, 1) and not has_lid:
+                continue
+
+            def wall(u, v, _, axis=axis, sign=sign):
+                spot = np.zeros(3)
+                spot[axis], spot[(axis + 1) % 3], spot[(axis + 2) % 3] = sign, *((u, v) if sign > 0 else (v, u))
+                return tuple(place(0.5 * side * spot))
+            mesh.place = wall
+            mesh.shells(name, (-1, -1, 0), (2, 2), (n, n), thickness)
+
+
+def tilted_box_over_block(n):
+    mesh = MeshMaker()
+    mesh.hexes("block", (-0.08, -0.08, -0.04), (0.16, 0.16, 0.04), (7, 7, 2))
+    turn = turned(20, 0) @ np.array([[1, 0, 0], [0, *turned(35, 0)[0, :2]], [0, *turned(35, 0)[1, :2]]]) @ turned(0, 40)
+    lowest = np.max(np.abs(turn[2]).sum()) * 0.05
+    add_box(mesh, "box", 0.1, n, 2e-3, lambda p: turn @ p + (0.005, 0.003, lowest + 3e-3))
+    return mesh
+
+
+def angular_momentum(run):
+    """[steps x 3], the turning of the nodes included."""
+    orbit = run.nodal("mass")[..., None] * np.cross(run.nodal("coordinates"), run.nodal("velocity"))
+    spin = run.nodal("rotational_mass")[..., None] * run.nodal("rotational_velocity")
+    return np.sum(orbit + spin, axis=1)
+
+
+@case()
+def shell_box(bench):
+    checks, runs = [], []
+    matrix = turned(30, 20)
+    for form in BOTH:
+        run = bench.run("shell_box", tilted_box_over_block(6), form=form)
+        mesh = tilted_box_over_block(6)
+        mesh.transform(matrix)
+        again = bench.run("shell_box", mesh, form=form, **{f"v{c}": float(v) for c, v in zip("xyz", matrix @ (0, 0, -20))})
+        change = again.nodal("displacement")[-1] - run.nodal("displacement")[-1] @ matrix.T
+        momentum, box = angular_momentum(run), run.nodes_of(2)
+        scale = np.max(np.sum(run.nodal("mass")[0, box])) * 20 * 0.05
+        runs += [run, again]
+        checks += [at_most(f"{form}: change of angular momentum", np.max(np.linalg.norm(momentum - momentum[0], axis=1)) / scale, 1e-3),
+                   at_most(f"{form}: turned by 30 and 20 degrees: change of displacements",
+                           np.max(np.abs(change)) / np.max(np.abs(run.nodal("displacement")[-1])), 1e-6)]
+    return checks + balances(runs, is_free=True)
