@@ -39,8 +39,19 @@ struct ContactFace {
 struct SurfaceNode {
   std::uint32_t node = 0;  ///< contact node
   std::uint32_t surface = 0;
-  ElementSide side;   ///< a face that has it
-  double area = 0.0;  ///< its share of the surface at the start [length^2]
+  ElementSide side;     ///< a face that has it; side 1 of a line or particle
+  float radius = 0.0f;  ///< of the ball around a line's or particle's node [length]
+  double area = 0.0;    ///< its share of the surface at the start; of a ball its cross-section [length^2]
+  Backing backing;
+};
+
+/// A line between two nodes that meets other lines: all that is within the radius of a beam's or truss's
+/// axis, or of a particle's one node.
+struct ContactEdge {
+  std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
+  std::uint32_t surface = 0;
+  ElementSide side;     ///< side 1 of the element
+  double radius = 0.0;  ///< [length]
   Backing backing;
 };
 
@@ -53,6 +64,7 @@ struct ContactFaces {
   std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
   std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
   std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
+  std::vector<ContactEdge> edges;          ///< by surface, lines before particles
   std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
   std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
   std::vector<double> mass;                ///< [n_contact_nodes] [mass]

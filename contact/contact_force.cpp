@@ -7,6 +7,7 @@
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
 #include "core/errors.hpp"
+#include "core/least_mass.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -42,8 +43,9 @@ ContactForce::ContactForce(const ContactSetup& setup)
       search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
       face_face_(faces_, rules_.has_friction()),
       node_face_(faces_),
+      edges_(faces_),
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
-      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
+      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {
   add_backing(setup.model, faces_);
@@ -53,6 +55,10 @@ void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();
   search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
   face_face_.take_candidates();
+  if (!faces_.edges.empty()) {
+    search_.find_edges(surface_, motion, edges_.next_candidates());
+    edges_.take_candidates();
+  }
   surface_.watch(faces_with_candidates());
 }
 
@@ -117,6 +123,7 @@ void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, c
 
 /// Whether a place that touches is glued then.
 bool ContactForce::glues(const ContactRecord& record) const {
+  if (record.is_of_edges) return false;
   const PairRule& rule = record.first.is_node()
                              ? rules_.of_node(record.pair, record.first_place)
                              : rules_.of_faces(record.pair, record.first_place, record.second_place);
@@ -135,6 +142,7 @@ void ContactForce::add_places(const ContactScene& scene) {
     face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.step(scene, glued_, sums_);
   sums_.end_step();
@@ -179,10 +187,17 @@ void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
 
 void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
   moments.setZero();
-  const auto on_points = sums_.nodes().subspan(faces_.n_mesh_points());
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  const auto on_points = sums_.nodes().subspan(n_mesh_points);
   for (std::size_t i = 0; i < on_points.size(); ++i) {
     const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
     moments.col(faces_.loft.node(i)) += arm.cross(on_points[i].head<3>());
+  }
+  // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
+  const auto of_balls = sums_.moments();
+  for (std::size_t i = 0; i < of_balls.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[i]);
+    if (setup_.model.inertia(0, node) > least_mass) moments.col(node) += of_balls[i];
   }
 }
 
@@ -244,6 +259,7 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   const auto take = [&](const ContactRecord& record) { places.push_back(record); };
   visit_places(face_face_, scene, take);
   visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.find_forces(scene, ties);
 }

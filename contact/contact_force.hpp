@@ -8,6 +8,7 @@
 #include "contact/contact_model.hpp"
 #include "contact/contact_search.hpp"
 #include "contact/contact_sums.hpp"
+#include "contact/edge_contacts.hpp"
 #include "contact/face_face_contacts.hpp"
 #include "contact/held_places.hpp"
 #include "contact/node_face_contacts.hpp"
@@ -55,7 +56,7 @@ class ContactForce final : public ForceTerm {
   const ContactStep& step_share() const { return step_share_; }
   std::size_t n_candidates() const {
     return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() +
-           planes_.n_rows();
+           edges_.candidates().partners.size() + planes_.n_rows();
   }
 
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
@@ -89,6 +90,7 @@ class ContactForce final : public ForceTerm {
   ContactSearch search_;
   FaceFaceContacts face_face_;
   NodeFaceContacts node_face_;
+  EdgeContacts edges_;
   PlaneContacts planes_;
   HeldPlaces held_;
   ContactSums sums_;

@@ -27,7 +27,8 @@ ArmKey key_of(NodeIndex node, const LoftArm& arm, std::span<const TurnedShell> s
 
 std::array<std::uint32_t, 4> corners_of(const Mesh& mesh, ElementIndex element) {
   const auto nodes = mesh.element_nodes(element);
-  const std::size_t n = static_cast<std::size_t>(topology(mesh.blocks()[mesh.block_of(element)].shape).n_corners);
+  const std::size_t n =
+      static_cast<std::size_t>(topology(mesh.blocks()[mesh.block_of(element)].shape).n_corners);
   return {nodes[0].value, nodes[1].value, nodes[2].value, nodes[n - 1].value};
 }
 

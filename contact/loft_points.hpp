@@ -35,11 +35,11 @@ class LoftPoints {
   void find_arms(const Eigen::Matrix3Xd& coordinates, Eigen::Matrix3Xd& areas, Eigen::Matrix3Xd& arms) const;
 
  private:
-  std::vector<std::uint32_t> point_of_vertex_;              // [n_vertices]
-  std::vector<std::uint32_t> nodes_;                        // [n_points]
-  std::vector<LoftArm> arms_;                               // [n_points]
-  std::vector<TurnedShell> arm_shells_;                     // of the arms
-  std::vector<std::array<std::uint32_t, 4>> shell_nodes_;   // [n_shells]; a triangle repeats its last
+  std::vector<std::uint32_t> point_of_vertex_;             // [n_vertices]
+  std::vector<std::uint32_t> nodes_;                       // [n_points]
+  std::vector<LoftArm> arms_;                              // [n_points]
+  std::vector<TurnedShell> arm_shells_;                    // of the arms
+  std::vector<std::array<std::uint32_t, 4>> shell_nodes_;  // [n_shells]; a triangle repeats its last
 };
 
 }  // namespace contactsim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "contact/contact_scene.hpp"
+#include "contact/edge_edge.hpp"
+#include "contact/pair_lists.hpp"
+
+namespace contactsim {
+
+/// The pairs of edges that may touch, and the slip that friction holds at each. Both edges have equal weight.
+/// Ties and laws that pull do not act between edges.
+class EdgeContacts {
+ public:
+  /// The faces must outlive this.
+  explicit EdgeContacts(const ContactFaces& faces) : faces_(faces) {}
+
+  /// Room for the next candidates: rows of edges with others of greater number. take_candidates() follows.
+  PairLists& next_candidates() { return next_; }
+  /// Goes over to the next candidates, with what is remembered of pairs that are in both.
+  void take_candidates();
+
+  const PairLists& candidates() const { return candidates_; }
+  std::size_t n_rows() const { return candidates_.n_rows(); }
+
+  /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
+  void find(const ContactScene& scene, std::size_t begin, std::size_t end,
+            std::vector<ContactRecord>& records);
+
+ private:
+  /// Slip that is held at the one or two places of a pair [length].
+  using Elastic = std::array<Eigen::Vector3d, 2>;
+
+  void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
+                std::vector<ContactRecord>& records);
+  ContactRecord make_record(const ContactScene& scene, const ContactEdge& first, const ContactEdge& second,
+                            const EdgePlace& place) const;
+
+  const ContactFaces& faces_;
+  PairLists candidates_, next_;
+  std::vector<Elastic> elastic_;  // [n_candidates]
+};
+
+}  // namespace contactsim
