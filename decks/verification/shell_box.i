@@ -3,7 +3,7 @@
 # Shows edges and corners of folded shells against a solid: the box turns over a corner and leaves again, its walls stay
 # outside the block, all momentum and all angular momentum, that of the nodes' own turning included, are kept, and a box and
 # a block turned as a whole do the same. The direction of flight is (-D vx, vy, vz).
-# Expected: angular momentum within 1e-3 (elements of shells keep it so well), turned motion within 1e-6.
+# Expected: angular momentum within 1e-10, turned motion within 1e-6.
 #
 # {ifndef(form)}
 # {form = "face_face"}
