@@ -266,3 +266,53 @@ def pipe_whip(bench):
         one, other = [flattening(run, block, block - 1) for run in runs]
         checks.append(Check(f"node_face: flattening of the {name} pipe, as with face_face", one, other, 0.05))
     return checks + balances(runs, tolerance=0.03)
+
+
+def crossed_rods_mesh(radii, angle=90, gap=1e-4, cells=(11, 11), kind="BEAM2"):
+    """Rods half a metre long, one above the other; an odd number of cells has them cross between nodes."""
+    mesh = MeshMaker()
+    level, way = sum(radii) + gap, 0.25 * np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle)), 0])
+    mesh.lines("flier", (-0.25, 0, level), (0.25, 0, level), cells[0], kind)
+    mesh.new_body()
+    mesh.lines("target", tuple(-way), tuple(way), cells[1], kind)
+    return mesh
+
+
+def angular_change(run, scale):
+    momentum = angular_momentum(run)
+    return np.max(np.linalg.norm(momentum - momentum[0], axis=1)) / scale
+
+
+@case()
+def crossed_rods(bench):
+    checks, runs = [], []
+    for label, radii, mesh, variables in (
+            ("at 90 degrees", (0.01, 0.015), {}, {}), ("at 60 degrees", (0.01, 0.015), dict(angle=60), {}),
+            ("at a node", (0.01, 0.015), dict(cells=(10, 11)), {}), ("alike", (0.01, 0.01), {}, dict(va=-0.5, vb=0.5)),
+            ("trusses", (0.01, 0.015), dict(kind="TRUSS"), dict(element="truss")),
+            ("turning", (0.01, 0.015), {}, dict(vb=1, turning=500))):
+        run = bench.run("crossed_rods", crossed_rods_mesh(radii, **mesh), ra=radii[0], rb=radii[1], **variables)
+        runs.append(run)
+        first = np.flatnonzero(run["force"])[0]
+        apart = run["height"][first] - run["height_below"][first]
+        left = run["contact_energy"][-1] - run["friction_energy"][-1]
+        checks += [Check(f"{label}: distance of the axes at first touch [m]", sum(radii), apart, 0.01 * radii[0], 1.0),
+                   at_most(f"{label}: energy left in contact", left / run["kinetic_energy"][0], 0.02)]
+        if label == "alike":
+            one, other = [run.nodal("displacement")[:, run.nodes_of(b)] for b in (1, 2)]
+            image = other[..., [1, 0, 2]] * (1, 1, -1)
+            checks.append(at_most(f"{label}: one less the other's image", np.max(np.abs(one - image)) / np.max(np.abs(one)), 1e-9))
+        if label != "turning":
+            scale = np.sum(run.nodal("mass")[0, run.nodes_of(1)]) * sum(radii)
+            checks.append(at_most(f"{label}: change of angular momentum", angular_change(run, scale), 1e-9))
+    return checks + balances(runs[:-1], is_free=True) + balances(runs[-1:], is_free=True, has_friction=True)
+
+
+@case()
+def rods_at_nodes(bench):
+    checks, force = [], 1e9 * 0.02 ** 2 * 1e-4
+    for label, cells in (("between nodes", (11, 11)), ("one at a node", (10, 11)), ("both at nodes", (10, 10))):
+        mesh = crossed_rods_mesh((0.01, 0.015), gap=-1e-4, cells=cells)
+        run = bench.run("crossed_rods", mesh, penalty=1e9, va=0, end_time=1e-5)
+        checks.append(Check(f"{label}: force [N]", force, run["force"][0], 1e-9, known_miss=3.1))
+    return checks
