@@ -316,3 +316,28 @@ def rods_at_nodes(bench):
         run = bench.run("crossed_rods", mesh, penalty=1e9, va=0, end_time=1e-5)
         checks.append(Check(f"{label}: force [N]", force, run["force"][0], 1e-9, known_miss=3.1))
     return checks
+
+
+def two_balls(radius):
+    mesh = MeshMaker()
+    mesh.particles("flier", [(0, 0, 0)])
+    mesh.particles("target", [(0.01 + radius + 1e-3, 0, 0)])
+    return mesh
+
+
+@case()
+def two_particles(bench):
+    checks, runs = [], []
+    for radius in (0.01, 0.02):
+        run = bench.run("two_particles", two_balls(radius), rb=radius)
+        runs.append(run)
+        one, other = [7800 * 4 / 3 * math.pi * r ** 3 for r in (0.01, radius)]
+        times, on = run["Time"], np.flatnonzero(run["force"])
+        label = f"radii of 10 and {1e3 * radius:.0f} mm"
+        checks += [Check(f"{label}: mass [kg]", one + other, np.sum(run.nodal("mass")[0]), 1e-9),
+                   Check(f"{label}: distance at first touch [m]", 0.01 + radius, (run["x_target"] - run["x_flier"])[on[0]], 1e-4, 1.0),
+                   Check(f"{label}: time in contact [s]", math.pi * math.sqrt(one * other / (one + other) / (1e9 * 0.02 ** 2)),
+                         times[on[-1]] - times[on[0]], 0.01),
+                   Check(f"{label}: velocity of the striking one [m/s]", (one - other) / (one + other), run["v_flier"][-1], 0.01, 1.0),
+                   Check(f"{label}: velocity of the struck one [m/s]", 2 * one / (one + other), run["v_target"][-1], 0.01)]
+    return checks + balances(runs, is_free=True)
