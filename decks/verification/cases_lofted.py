@@ -341,3 +341,28 @@ def two_particles(bench):
                    Check(f"{label}: velocity of the striking one [m/s]", (one - other) / (one + other), run["v_flier"][-1], 0.01, 1.0),
                    Check(f"{label}: velocity of the struck one [m/s]", 2 * one / (one + other), run["v_target"][-1], 0.01)]
     return checks + balances(runs, is_free=True)
+
+
+def balls_in_box():
+    """Balls of 10 mm nowhere touching in a box of 50 mm inside, 80 mm wide outside of its middle planes by a wall of 2 mm."""
+    mesh, chance = MeshMaker(), np.random.default_rng(4)
+    cells = [np.array([i % 4, i // 4 % 4, i // 16]) for i in range(64)]
+    mesh.particles("grains", [0.0065 + 0.0122 * cell + (0, 0, 0.003 * cell[2]) + chance.uniform(-3e-4, 3e-4, 3) for cell in cells])
+    add_box(mesh, "box", 0.052, 6, 2e-3, lambda p: p + (0.025, 0.025, 0.025), has_lid=False)
+    return mesh
+
+
+@case()
+def box_of_particles(bench):
+    run = bench.run("box_of_particles", balls_in_box())
+    grains = run.nodes_of(1)
+    place, mass = run.nodal("coordinates")[:, grains], run.nodal("mass")[0, grains]
+    inside = [np.max(0.005 - place[..., 2]), np.max(0.005 - place[..., :2]), np.max(place[..., :2]) - 0.045]
+    potential = 9810 * np.sum(mass * place[..., 2], axis=1)
+    columns = [np.interp(run.times, run["Time"], run[c]) for c in ("kinetic_energy", "internal_energy", "contact_energy",
+                                                                  "friction_energy", "contact_damping_energy")]
+    stored = potential + columns[0] + columns[1] + columns[2] - columns[3] - columns[4]
+    weight, late = 9810 * 64 * 1000 * 4 / 3 * math.pi * 0.005 ** 3, run["Time"] > 15e-3
+    return [at_most("depth in floor and walls over the radius", max(inside) / 5e-3, 0.1),
+            at_most("largest rise of the energy over all", np.max(np.diff(stored)) / potential[0], 1e-3),
+            Check("weight on the floor [N]", weight, np.mean(run["force"][late]), 0.02), *balances([run], has_friction=True)]
