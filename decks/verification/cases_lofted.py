@@ -366,3 +366,29 @@ def box_of_particles(bench):
     return [at_most("depth in floor and walls over the radius", max(inside) / 5e-3, 0.1),
             at_most("largest rise of the energy over all", np.max(np.diff(stored)) / potential[0], 1e-3),
             Check("weight on the floor [N]", weight, np.mean(run["force"][late]), 0.02), *balances([run], has_friction=True)]
+
+
+def strip_over_cylinder(n):
+    """A strip with 5 n x n cells over the upper two thirds of a cylinder across its middle."""
+    mesh = MeshMaker()
+    mesh.shells("strip", (0, -50, 0), (500, 100), (5 * n, n), 2.5)
+    mesh.node_set("root", lambda x, y, z: x == 0)
+    mesh.new_body()
+    mesh.place = lambda a, y, _: (250 + 39.5 * math.sin(a), y, -41.25 + 39.5 * math.cos(a))
+    mesh.shells("cylinder", (-2 * math.pi / 3, -60, 0), (4 * math.pi / 3, 120), (48, 7), 1.0)
+    return mesh
+
+
+@case(is_long=True)
+def strip_on_cylinder(bench):
+    checks, runs = [], []
+    for form in BOTH:
+        run = bench.run("strip_on_cylinder", strip_over_cylinder(8), form=form)
+        runs.append(run)
+        nodes = run.nodes_of(1)
+        at, moved = run.start[nodes], run.nodal("displacement")[:, nodes]
+        image = np.lexsort(np.round(at * (1, -1, 1), 6).T)[np.argsort(np.lexsort(np.round(at, 6).T))]
+        change = moved - moved[:, image] * (1, -1, 1)
+        checks += [at_most(f"{form}: one half of the width less the other's image", np.max(np.abs(change)) / np.max(np.abs(moved)), 1e-6),
+                   at_most(f"{form}: depth over the thickness", -np.min(run.nodal("contact_normal_gap")) / 2.5, 0.1)]
+    return checks + balances(runs)
