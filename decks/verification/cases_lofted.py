@@ -8,7 +8,7 @@ from cases import balances, case
 from cases_rods import moved_along, rod_checks, turned
 from mesh_maker import MeshMaker
 from runs import Check, at_most
-from shapes import add_quarter_ball, near_zero
+from shapes import add_ball, add_quarter_ball, near_zero
 
 BOTH = ("face_face", "node_face")
 
@@ -36,6 +36,17 @@ def shell_on_block(bench):
                    Check(f"{label}: depth [m]", weight / 3e7, 0.05 - height, 0.01),
                    Check(f"{label}: weight [N]", weight, np.mean(run["force"][late]), 0.001)]
     return checks + balances(runs)
+
+
+@case()
+def sliding_shell(bench):
+    checks, runs = [], []
+    for form in BOTH:
+        run = bench.run("shell_on_block", sheet_over_block(False, 1.5, 6), form=form, speed=1, end_time=0.3)
+        runs.append(run)
+        checks += [Check(f"{form}: way to the stop [m]", 1 / 9.81, run["way"][-1], 0.01),
+                   Check(f"{form}: energy lost to friction [J]", 390, run["friction_energy"][-1], 0.01)]
+    return checks + balances(runs, has_friction=True)
 
 
 def on_planes(mesh, prefix, nodes):
@@ -363,7 +374,11 @@ def box_of_particles(bench):
                                                                   "friction_energy", "contact_damping_energy")]
     stored = potential + columns[0] + columns[1] + columns[2] - columns[3] - columns[4]
     weight, late = 9810 * 64 * 1000 * 4 / 3 * math.pi * 0.005 ** 3, run["Time"] > 15e-3
-    return [at_most("depth in floor and walls over the radius", max(inside) / 5e-3, 0.1),
+    bench.threads = 2
+    again = bench.run("box_of_particles", balls_in_box())
+    change = np.max(np.abs(again.nodal("displacement") - run.nodal("displacement")))
+    return [at_most("change with two threads in place of one", change, 0.0),
+            at_most("depth in floor and walls over the radius", max(inside) / 5e-3, 0.1),
             at_most("largest rise of the energy over all", np.max(np.diff(stored)) / potential[0], 1e-3),
             Check("weight on the floor [N]", weight, np.mean(run["force"][late]), 0.02), *balances([run], has_friction=True)]
 
@@ -392,3 +407,30 @@ def strip_on_cylinder(bench):
         checks += [at_most(f"{form}: one half of the width less the other's image", np.max(np.abs(change)) / np.max(np.abs(moved)), 1e-6),
                    at_most(f"{form}: depth over the thickness", -np.min(run.nodal("contact_normal_gap")) / 2.5, 0.1)]
     return checks + balances(runs)
+
+
+def balls_under_press(n):
+    """Five layers of 25 balls, one of them left out, in a box 51 mm wide inside, and a plate over them."""
+    mesh = MeshMaker()
+    for i in range(124):
+        add_ball(mesh, (5.4 + 10.05 * (i % 5), 5.4 + 10.05 * (i // 5 % 5), 5.05 + 10.05 * (i // 25)), 5.0, n, "balls")
+    add_box(mesh, "box", 53, 8, 2.0, lambda p: p + (25.5, 25.5, 25.5), has_lid=False)
+    points = np.array(mesh.points)
+    mesh.node_sets.append(("floor", [i + 1 for i, p in enumerate(points) if abs(p[2] + 1) < 1e-9]))
+    mesh.new_body()
+    mesh.place = lambda x, y, z: (x, y, z)
+    mesh.shells("press", (0.5, 0.5, 51.5), (50, 50), (8, 8), 2.0)
+    return mesh
+
+
+@case(is_long=True)
+def lead_balls(bench):
+    run = bench.run("lead_balls", balls_under_press(2))
+    balls = run.nodes_of(1)
+    place = run.nodal("coordinates")[:, balls]
+    outside = max(np.max(-place), np.max(place[..., :2]) - 51)
+    filled = np.sum(run.nodal("mass")[0, balls]) / 11.34e-9 / (51 ** 2 * np.max(place[-1, :, 2]))
+    return [at_most("way of the farthest node of a ball past the wall's inner side over its thickness", outside / 2.0, 0.5),
+            at_most("room below the press that is not filled", 1 - filled, 0.35),
+            at_most("depth over an element's size", -np.min(run.nodal("contact_normal_gap")) / 2.0, 0.5),
+            *balances([run], has_friction=True, tolerance=0.05)]

@@ -21,17 +21,17 @@ def on_ball(centre, radius):
     return place
 
 
-def add_ball(mesh, centre, radius, n):
-    """A core of n x n x n elements under six caps of n layers."""
+def add_ball(mesh, centre, radius, n, block=None):
+    """A core of n x n x n elements under six caps of n layers, each a block of its own unless one is named."""
     mesh.new_body()
     mesh.place = on_ball(np.array(centre), radius)
-    mesh.hexes("core", (-1, -1, -1), (2, 2, 2), (n, n, n))
+    mesh.hexes(block or "core", (-1, -1, -1), (2, 2, 2), (n, n, n))
     for name, axis, side in (("east", 0, 1), ("west", 0, -2), ("north", 1, 1), ("south", 1, -2), ("top", 2, 1), ("bottom", 2, -2)):
         origin, size = [-1, -1, -1], [2, 2, 2]
         origin[axis], size[axis] = side, 1
         cells = [n, n, n]
         cells[axis] = max(2, n // 2)
-        mesh.hexes(name, tuple(origin), tuple(size), tuple(cells))
+        mesh.hexes(block or name, tuple(origin), tuple(size), tuple(cells))
 
 
 def add_ring(mesh, name, centre, inner, outer, width, cells):

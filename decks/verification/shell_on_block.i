@@ -5,10 +5,16 @@
 # whichever way the shell's normal points. With NODE_FACE the block is as wide as the shell: each side's nodes
 # count for half of the areas around them, whatever of these lies beyond the other's edge.
 #
+# -D speed=v throws it along x over the block, with friction of 0.5 at its lower side: it stops after v^2 / (2 mu g), within
+# 1 %, and all its energy is lost to friction.
+#
 # {ifndef(form)}
 # {form = "face_face"}
 # {endif}
-# {frame = 5e-3}
+# {ifndef(speed)}
+# {speed = 0} {end_time = 0.15}
+# {endif}
+# {frame = end_time / 30}
 begin sierra shell on block
   begin material steel
     density = 7800
@@ -44,7 +50,7 @@ begin sierra shell on block
           step interval = 5000
         end
       end
-      termination time = 0.15
+      termination time = {end_time}
     end
 
     begin presto region bodies
@@ -60,12 +66,26 @@ begin sierra shell on block
         gravitational constant = -9.81
       end
 
+{if(speed != 0)}
+      begin initial velocity
+        block = sheet
+        component = x
+        magnitude = {speed}
+      end
+{endif}
+
       begin contact definition
         skin all blocks = on
+        begin constant friction model rub
+          friction coefficient = 0.5
+        end
         begin interaction defaults
           general contact = on
           constraint formulation = {form}
           penalty stiffness = 3e7
+{if(speed != 0)}
+          friction model = rub
+{endif}
           contact damping fraction = 0.3
         end
       end
@@ -74,10 +94,11 @@ begin sierra shell on block
         block = sheet
         compute global force as sum of nodal force_contact(z)
         compute global height as average of nodal coordinates(z)
+        compute global way as average of nodal displacement(x)
       end
       begin heartbeat output
         stream name = %B.csv
-        global force height
+        global force height way
         {include("energies.inc")}
       end
       {include("results.inc")}
