@@ -6,6 +6,7 @@
 
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
+#include "contact/sharp_edges.hpp"
 #include "core/errors.hpp"
 #include "core/least_mass.hpp"
 #include "core/threads.hpp"
@@ -19,6 +20,12 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   for (const SurfacePair& pair : setup.contact.pairs)
     times.push_back(make_active_times(pair.periods, setup.blocks));
   return times;
+}
+
+ContactFaces make_faces(const ContactSetup& setup) {
+  ContactFaces faces = make_contact_faces(setup.contact, *setup.model.mesh);
+  choose_edges(setup.definition.surface_options, setup.contact.surfaces.surfaces, *setup.model.mesh, faces);
+  return faces;
 }
 
 /// The pairs with their friction models. That these are right has been checked before.
@@ -36,7 +43,7 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact, *setup.model.mesh)),
+      faces_(make_faces(setup)),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
