@@ -356,7 +356,7 @@ def rods_at_nodes(bench):
     for label, cells in (("between nodes", (11, 11)), ("one at a node", (10, 11)), ("both at nodes", (10, 10))):
         mesh = crossed_rods_mesh((0.01, 0.015), gap=-1e-4, cells=cells)
         run = bench.run("crossed_rods", mesh, penalty=1e9, va=0, end_time=1e-5)
-        checks.append(Check(f"{label}: force [N]", force, run["force"][0], 1e-9, known_miss=3.1))
+        checks.append(Check(f"{label}: force [N]", force, run["force"][0], 1e-9))
     return checks
 
 
