@@ -310,11 +310,11 @@ def pipe_whip(bench):
     return checks + balances(runs, tolerance=0.03)
 
 
-def crossed_rods_mesh(radii, angle=90, gap=1e-4, cells=(11, 11), kind="BEAM2"):
+def crossed_rods_mesh(radii, angle=90, gap=1e-4, cells=(11, 11), kind="BEAM2", shift=0.0):
     """Rods half a metre long, one above the other; an odd number of cells has them cross between nodes."""
     mesh = MeshMaker()
     level, way = sum(radii) + gap, 0.25 * np.array([math.cos(math.radians(angle)), math.sin(math.radians(angle)), 0])
-    mesh.lines("flier", (-0.25, 0, level), (0.25, 0, level), cells[0], kind)
+    mesh.lines("flier", (shift - 0.25, 0, level), (shift + 0.25, 0, level), cells[0], kind)
     mesh.new_body()
     mesh.lines("target", tuple(-way), tuple(way), cells[1], kind)
     return mesh
@@ -353,10 +353,11 @@ def crossed_rods(bench):
 @case()
 def rods_at_nodes(bench):
     checks, force = [], 1e9 * 0.02 ** 2 * 1e-4
-    for label, cells in (("between nodes", (11, 11)), ("one at a node", (10, 11)), ("both at nodes", (10, 10))):
-        mesh = crossed_rods_mesh((0.01, 0.015), gap=-1e-4, cells=cells)
+    for label, cells, shift in (("between nodes", (11, 11), 0.0), ("one at a node", (10, 11), 0.0), ("both at nodes", (10, 10), 0.0),
+                                ("the lower at a node", (10, 10), 0.02), ("both nearly at nodes", (10, 10), 1e-3)):
+        mesh = crossed_rods_mesh((0.01, 0.015), gap=-1e-4, cells=cells, shift=shift)
         run = bench.run("crossed_rods", mesh, penalty=1e9, va=0, end_time=1e-5)
-        checks.append(Check(f"{label}: force [N]", force, run["force"][0], 1e-9))
+        checks.append(Check(f"{label}: force [N]", force, run["force"][0], 1e-9, known_miss=1.1))
     return checks
 
 
