@@ -264,6 +264,41 @@ def shell_box(bench):
     return checks + balances(runs, is_free=True)
 
 
+def hairpin_sheet(n_leg, n_bend, thickness):
+    """Two legs of length 4, their middles apart by 2, and the half circle that joins them."""
+    def place(s, z, _):
+        if s < 4:
+            return s, -1.0, z
+        if s > 4 + math.pi:
+            return 8 + math.pi - s, 1.0, z
+        return 4 + math.cos(s - 4 - math.pi / 2), math.sin(s - 4 - math.pi / 2), z
+
+    mesh = MeshMaker(place)
+    mesh.shells("strip", (0, 0, 0), (4, 1), (n_leg, 2), thickness)
+    mesh.shells("strip", (4, 0, 0), (math.pi, 1), (n_bend, 2), thickness)
+    mesh.shells("strip", (4 + math.pi, 0, 0), (4, 1), (n_leg, 2), thickness)
+    mesh.node_set("lower", lambda s, z, _: s < 4)
+    mesh.node_set("upper", lambda s, z, _: s > 4 + math.pi)
+    return mesh
+
+
+def least_way_between_ends(run):
+    end = run.start[:, 0] == 0
+    upper, lower = [end & (np.sign(run.start[:, 1]) == side) for side in (1, -1)]
+    place = run.nodal("coordinates")[..., 1]
+    return np.min(np.min(place[:, upper], axis=1) - np.max(place[:, lower], axis=1))
+
+
+@case()
+def folding_sheet(bench):
+    runs = [bench.run("folding_strip", hairpin_sheet(24, 12, 0.3), form=form, thickness=0.3) for form in BOTH]
+    off = bench.run("folding_strip", hairpin_sheet(24, 12, 0.3), self="off", thickness=0.3)
+    checks = [at_most(f"{form}: depth over the thickness", 1 - least_way_between_ends(run) / 0.3, 0.33)
+              for form, run in zip(BOTH, runs)]
+    checks.append(at_most("legs that do not cross without contact", float(least_way_between_ends(off) > 0), 0))
+    return checks + balances(runs, is_free=True)
+
+
 def crossed_pipes(n_around, n_along):
     """Halves x > 0 of a pipe along x, whole around, and of one along y over it, half around; smaller cells where they meet."""
     radius = 0.5 * (6.625 - 0.432)
