@@ -1,7 +1,7 @@
 # A ball of steel, R = 10 mm, falls at 1 m/s on the middle of a square plate of shells on simple supports; a quarter (SI).
 #
-# Shows impact on a shell whose bending takes up the blow. The ball's modulus is half of steel's: the surface of a shell gives
-# no way under the ball, so that all of Hertz's approach has to be the ball's.
+# Shows impact on a shell whose bending takes up the blow. The ball's modulus is half of steel's: the surface of a shell
+# does not give way under the ball, so that all of Hertz's approach has to be the ball's.
 # -D side, -D thickness: 200 x 200 x 8 mm by default (Karas' case); 300 x 300 x 2 mm is so thin that the ball is hit again by
 # the plate that swings back.
 # Expected, from the plate's first few thousand vibrations by Kirchhoff with Hertz's law between: impulse within 3 %

@@ -8,6 +8,7 @@ import numpy as np
 from runs import at_most
 
 CASES = {}
+FORMULATIONS = ("face_face", "node_face")
 
 
 @dataclass
@@ -41,6 +42,13 @@ def momentum_share(run):
     momentum = run.nodal("mass")[..., None] * run.nodal("velocity")
     change = np.linalg.norm(np.sum(momentum, axis=1) - np.sum(momentum[0], axis=0), axis=1)
     return np.max(change) / np.max(np.sum(np.linalg.norm(momentum, axis=2), axis=1))
+
+
+def angular_momentum(run):
+    """[steps x 3], the turning of the nodes included."""
+    orbit = run.nodal("mass")[..., None] * np.cross(run.nodal("coordinates"), run.nodal("velocity"))
+    spin = run.nodal("rotational_mass")[..., None] * run.nodal("rotational_velocity")
+    return np.sum(orbit + spin, axis=1)
 
 
 def balances(runs, is_free=False, has_plane=False, has_friction=False, tolerance=0.01):

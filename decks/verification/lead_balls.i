@@ -1,5 +1,5 @@
-# 124 balls of lead, 10 mm wide, in an open steel box of shells are crushed by a rigid plate at 10 m/s until they fill most of
-# the room below it (mm, N, MPa, t, s; after the Sierra/SM manual, appendix A).
+# 124 balls of lead, 10 mm wide, in an open steel box of shells are crushed by a rigid plate at 10 m/s until they fill most
+# of the room below it (mm, N, MPa, t, s; after the Sierra/SM manual, appendix A).
 #
 # Shows many soft bodies under large plastic strains in contact with shells and with themselves: the run goes through to the
 # end, with two thirds of the room filled (-D end_time=3e-3: nine tenths), no ball leaves the box, skins are in each other by

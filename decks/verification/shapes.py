@@ -88,3 +88,19 @@ def add_quarter_ball(mesh, name, level, radius, pole_up, n=16, slope=0.4):
     mesh.hexes(name, (0, 1, -1), (1, 1, 2), (n, few, 2 * few))
     mesh.hexes(name, (0, 0, 1), (1, 1, 1), (n, n, upper))
     mesh.hexes(name, (0, 0, -2), (1, 1, 1), (n, n, lower))
+
+
+def add_box(mesh, name, side, n, thickness, place=lambda p: p, has_lid=True):
+    """The walls of a cube around the origin; `place` maps its coordinates."""
+    mesh.new_body()
+    for axis in range(3):
+        for sign in (-1, 1):
+            if (axis, sign) == (2, 1) and not has_lid:
+                continue
+
+            def wall(u, v, _, axis=axis, sign=sign):
+                spot = np.zeros(3)
+                spot[axis], spot[(axis + 1) % 3], spot[(axis + 2) % 3] = sign, *((u, v) if sign > 0 else (v, u))
+                return tuple(place(0.5 * side * spot))
+            mesh.place = wall
+            mesh.shells(name, (-1, -1, 0), (2, 2), (n, n), thickness)

@@ -1,11 +1,11 @@
 # A sheet of shells is tied to a block, or to another sheet, with meshes that do not match, and the two turn as one about a
 # skew axis (SI).
 #
-# Shows a tie at the side of a shell, half its thickness off its nodes: nothing is strained but by the turning, the sheet stays
-# where it is on the block, angular momentum stays, and the tie neither takes nor makes energy.
+# Shows a tie at the side of a shell, half its thickness off its nodes: nothing is strained but by the turning, the sheet
+# stays where it is on the block, angular momentum stays, and the tie neither takes nor makes energy.
 # Expected: sheet and block no farther apart than at the start by 1e-3 of the thickness, energy of contact below 1e-5 of the
-# kinetic energy. It misses that on a block with FACE_FACE: what a force on a skin does to the turning of its node is not what
-# moves the skin, which stands off along the normals of the shells around, and a vibration grows from it.
+# kinetic energy. It misses that on a block with FACE_FACE: what a force on a skin does to the turning of its node is not
+# what moves the skin, which stands off along the normals of the shells around, and a vibration grows from it.
 #
 # {ifndef(form)}
 # {form = "face_face"}

@@ -1,8 +1,8 @@
 # Two particles of steel meet head on, the second one at rest (SI; radii 10 and 10 or 20 mm).
 #
-# Shows particles as balls on a penalty: the contact begins when the centres are as far apart as the sum of the radii, lasts
-# pi sqrt(m / K) with m = m1 m2 / (m1 + m2) and K = k (2 r)^2 of the smaller radius, and the velocities are those of an elastic
-# hit, (m1 - m2) / (m1 + m2) v and 2 m1 / (m1 + m2) v. With friction nothing turns. Expected within 1 %.
+# Shows particles as balls on a penalty: the contact begins when the centres are as far apart as the sum of the radii,
+# lasts pi sqrt(m / K) with m = m1 m2 / (m1 + m2) and K = k (2 r)^2 of the smaller radius, and the velocities are those of an
+# elastic hit, (m1 - m2) / (m1 + m2) v and 2 m1 / (m1 + m2) v, friction or not. Expected within 1 %.
 #
 # {ifndef(rb)}
 # {rb = 0.01}

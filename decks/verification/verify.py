@@ -16,12 +16,14 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # decks/ may be read-only
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
+import cases_crash  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
 import cases_lofted  # noqa: E402, F401
 import cases_rigid  # noqa: E402, F401
 import cases_rods  # noqa: E402, F401
+import cases_round  # noqa: E402, F401
 import cases_shells  # noqa: E402, F401
 import cases_static  # noqa: E402, F401
 import cases_unit  # noqa: E402, F401
