@@ -166,3 +166,32 @@ def lead_balls(bench):
             at_most("room below the press that is not filled", 1 - filled, 0.35),
             at_most("depth over an element's size", -np.min(run.nodal("contact_normal_gap")) / 2.0, 0.5),
             *balances([run], has_friction=True, tolerance=0.05)]
+
+
+def tube_between_plates(n_side, n_along):
+    """A square tube with a dent of half a wall in two of its sides near the upper end, a plate at either end."""
+    def place(u, z, _):
+        side, along = int(u) % 4, 50 * (u - int(u)) - 25
+        dent = 0.75 * math.cos(math.pi * along / 50) * math.exp(-((z - 135) / 10) ** 2)
+        dent *= -1 if side % 2 == 0 else 1
+        return [(along, -25 - dent, z), (25 + dent, along, z), (-along, 25 + dent, z), (-25 - dent, -along, z)][side]
+
+    mesh = MeshMaker(place)
+    mesh.shells("tube", (0, 0, 0), (4, 150), (4 * n_side, n_along), 1.5)
+    for name, level in (("floor", -0.76), ("press", 150.76)):
+        mesh.new_body()
+        mesh.place = lambda x, y, z: (x, y, z)
+        mesh.shells(name, (-50, -50, level), (100, 100), (8, 8), 1.5)
+    return mesh
+
+
+@case(is_long=True)
+def shell_tube(bench):
+    run = bench.run("shell_tube", tube_between_plates(10, 30))
+    force, times = run["force"], run["Time"]
+    crushing = times > 2e-4
+    mean = np.sum(force[crushing][1:] * np.diff(times[crushing])) / (times[-1] - 2e-4)
+    print(mean, np.max(force))
+    return [Check("mean force [N]", 13.06 * 300 * 1.5 ** (5 / 3) * 50 ** (1 / 3), mean, 0.15),
+            at_most("depth over the wall", -np.min(run.nodal("contact_normal_gap")) / 1.5, 0.2),
+            *balances([run], has_friction=True)]
