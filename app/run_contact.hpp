@@ -27,7 +27,9 @@ class RunContact {
   void write_debug_files(const State& state);
 
   /// What the log says once the first forces are known. Ties that tie nothing are a warning.
-  std::string start_report(Diagnostics& warnings) const;
+  std::string start_report(Diagnostics& warnings);
+  /// Warns when contact has given out energy that nothing had put into it.
+  void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   /// What the pairs did and the search took, for the log.
   std::string report() const;
 
@@ -37,6 +39,7 @@ class RunContact {
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;
+  double stored_at_start_ = 0.0;  // in overlaps of the mesh as it was [energy]
 };
 
 }  // namespace contactsim

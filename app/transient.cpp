@@ -93,6 +93,7 @@ class Run {
     }
     const double whole = clock_seconds() - begun;
     if (contact_ != nullptr) {
+      contact_->warn_of_energy(state_.energies, warnings_);
       log_.write(contact_->report());
       contact_->write_debug_files(state_);
     }

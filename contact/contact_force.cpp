@@ -210,7 +210,7 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   if (!has_begun_) forces.setZero();  // later on only contact nodes ever have another value
-  surface_.move_nodes(motion);
+  surface_.step(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (!has_begun_) {
     begin(motion);

@@ -138,16 +138,20 @@ TEST_CASE("plates that turn carry their skins along", "[contact][lofted]") {
   ContactBodies bodies(two_plates(), general_contact());
   bodies.ask();
   bodies.turning.row(0).setConstant(0.25);
-  bodies.dt = 0.0;
-  bodies.ask();
   MovingSurface surface(bodies.contact.faces());
-  surface.move_nodes(bodies.motion());
+  surface.step(bodies.motion());
   const auto first = static_cast<std::uint32_t>(bodies.contact.faces().n_mesh_points());
   REQUIRE(surface.arms().cols() == 2 * (9 + 16));
   CHECK(surface.arms().colwise().norm().isApproxToConstant(1.0));
   // Turning about x, what stands up goes along -y.
   const double height = surface.arms()(2, 0);
   CHECK((surface.v(first) - Eigen::Vector3d(0, -0.25 * height, 0)).norm() < 1e-12);
+  bodies.dt = 2.0;
+  surface.step(bodies.motion());
+  const Eigen::Vector3d turned(0, -std::sin(0.5) * height, std::cos(0.5) * height);
+  CHECK((surface.arms().col(0) - turned).norm() < 1e-12);
+  surface.move_nodes(bodies.motion());
+  CHECK((surface.arms().col(0) - turned).norm() < 1e-12);
 }
 
 TEST_CASE("crossed beams touch when their axes are as far apart as both radii", "[contact][lofted]") {
