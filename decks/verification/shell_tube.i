@@ -3,7 +3,8 @@
 #
 # Shows folds that lie down on each other: self contact of shells through large plastic turns. Mean force by Abramowicz and
 # Jones (1984), 13.06 s t^(5/3) b^(1/3), over the way of three folds; friction of 0.2.
-# Expected: mean force within 15 %, energy within 1 %, skins in each other by less than a fifth of the wall.
+# Expected: mean force within 15 %, energy within 1 %, skins in each other by less than three quarters of the wall, where
+# folds are sharpest.
 #
 # {ifndef(form)}
 # {form = "face_face"}
