@@ -145,7 +145,8 @@ def pinched_shell(bench):
         runs.append(run)
         late, force = run["Time"] > 2e-3, 0.04 * 2e-5 / (0.2 / 200e9 + 2 / 1e13)
         sheet = run.nodes_of(2)
-        left, moment = [np.max(np.linalg.norm(run.nodal(f"{name}_contact")[-1, sheet], axis=1)) for name in ("force", "moment")]
+        left, moment = [np.max(np.linalg.norm(run.nodal(name)[-1, sheet], axis=1))
+                        for name in ("force_contact", "moment_contact")]
         moved = np.max(np.abs(run.nodal("displacement")[-1, sheet]))
         checks += [Check(f"{form}: force above [N]", force, np.mean(run["force"][late]), 0.001),
                    Check(f"{form}: force below [N]", -force, np.mean(run["force_below"][late]), 0.001),

@@ -1,5 +1,5 @@
-# A square tube of shells, 50 mm wide, 1.5 mm thick, 150 mm long, stands on a rigid plate and is crushed from above by another
-# one at 20 m/s (mm, N, MPa, t, s; J2 perfectly plastic, 300 MPa).
+# A square tube of shells, 50 mm wide, 1.5 mm thick, 150 mm long, stands on a rigid plate and is crushed from above by
+# another one at 20 m/s (mm, N, MPa, t, s; J2 perfectly plastic, 300 MPa).
 #
 # Shows folds that lie down on each other: self contact of shells through large plastic turns. Mean force by Abramowicz and
 # Jones (1984), 13.06 s t^(5/3) b^(1/3), over the way of three folds; friction of 0.2.

@@ -64,7 +64,7 @@ def write_table(program):
         lines += [f"| {name} | {check.row()} |" for check in run_case(program, name)]
     lines += ["", "## Refined meshes", "",
               "The first quantities of a case by its number of elements: along bars, over the beam's thickness, through the",
-              "wall, across the core of the rod.", "", "| case | elements | quantity | expected | reached | error |",
+              "wall, across the core of the rod or ball.", "", "| case | elements | quantity | expected | reached | error |",
               "| --- | --- | --- | --- | --- | --- |"]
     for name, case in CASES.items():
         for refinement in case.refined:
