@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Beams, trusses and particles in contact: round bodies."""
+"""Beams, trusses, particles and sharp edges in contact."""
 import math
 
 import numpy as np
 
-from cases import angular_momentum, balances, case
+from cases import FORMULATIONS, angular_momentum, balances, case
 from mesh_maker import MeshMaker
 from runs import Check, at_most
 from shapes import add_box
@@ -115,3 +115,29 @@ def box_of_particles(bench):
             at_most("depth in floor and walls over the radius", max(inside) / 5e-3, 0.1),
             at_most("largest rise of the energy over all", np.max(np.diff(stored)) / potential[0], 1e-3),
             Check("weight on the floor [N]", weight, np.mean(run["force"][late]), 0.02), *balances([run], has_friction=True)]
+
+
+def edge_over_edge():
+    """Bricks of 0.1 x 0.1 x 0.2 on their edges, 1 mm apart; the lower edge runs along x, the upper one along y."""
+    root, mesh = math.sqrt(0.5), MeshMaker()
+    about_x = np.array([[1, 0, 0], [0, root, -root], [0, root, root]])
+    about_y = np.array([[root, 0, root], [0, 1, 0], [-root, 0, root]])
+    mesh.place = lambda *p: tuple(about_x @ p + (0, 0, -0.1 * root))
+    mesh.hexes("target", (-0.1, -0.05, -0.05), (0.2, 0.1, 0.1), (4, 3, 3))
+    mesh.new_body()
+    mesh.place = lambda *p: tuple(about_y @ p + (0.003, 0.002, 0.1 * root + 1e-3))
+    mesh.hexes("flier", (-0.05, -0.1, -0.05), (0.1, 0.2, 0.1), (3, 5, 3))
+    return mesh
+
+
+@case()
+def crossed_edges(bench):
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        run = bench.run("crossed_edges", edge_over_edge(), form=form)
+        runs.append(run)
+        first = run["Time"][np.flatnonzero(run["contact_energy"])[0]]
+        checks += [Check(f"{form}: first touch [s]", 1e-4, first, 0.05),
+                   at_most(f"{form}: energy left in contact",
+                           abs(run["contact_energy"][-1]) / run["kinetic_energy"][0], 0.01)]
+    return checks + balances(runs, is_free=True)
