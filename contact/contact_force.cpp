@@ -149,7 +149,11 @@ void ContactForce::add_places(const ContactScene& scene) {
     face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
-  visit_places(edges_, scene, take);
+  edges_.begin_step();
+  visit_places(edges_, scene, [&](const ContactRecord& record) {
+    take(record);
+    edges_.note(record);
+  });
   visit_places(planes_, scene, take);
   held_.step(scene, glued_, sums_);
   sums_.end_step();
