@@ -19,8 +19,10 @@ std::uint32_t position_of(const std::vector<std::uint32_t>& mesh_nodes, NodeInde
   return static_cast<std::uint32_t>(found - mesh_nodes.begin());
 }
 
-std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const Mesh& mesh) {
+std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const Mesh& mesh,
+                                         std::span<const FreeNode> free_nodes) {
   std::vector<std::uint8_t> is_used(mesh.n_nodes(), 0);
+  for (const FreeNode& free : free_nodes) is_used[free.node.value] = 1;
   for (const ContactSurface& surface : surfaces.surfaces) {
     for (const ElementSide face : surface.faces) {
       for (const NodeIndex node : mesh.side_nodes(face)) is_used[node.value] = 1;
@@ -134,6 +136,25 @@ void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh
   }
 }
 
+/// Free nodes of a surface, among its nodes.
+void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position, const Mesh& mesh,
+                    ContactFaces& made) {
+  const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
+  for (const FreeNode& free : free_nodes) {
+    if (free.surface != position) continue;
+    SurfaceNode own;
+    own.node = position_of(made.mesh_nodes, free.node);
+    own.surface = position;
+    own.side = free.side;
+    const auto corners = mesh.side_nodes(free.side);
+    own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
+    own.backing.thickness = thickness_behind(mesh, free.side);
+    own.is_free = true;
+    made.surface_nodes.push_back(own);
+  }
+  std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
+}
+
 /// What blocks are made of.
 class Materials {
  public:
@@ -169,15 +190,17 @@ bool ContactFace::shares_node(const ContactFace& other) const {
   return false;
 }
 
-ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh) {
+ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh,
+                                std::span<const FreeNode> free_nodes) {
   ContactFaces made;
-  made.mesh_nodes = collect_nodes(surfaces, mesh);
+  made.mesh_nodes = collect_nodes(surfaces, mesh, free_nodes);
   made.first_face.push_back(0);
   made.first_node.push_back(0);
   std::vector<SurfaceNode> by_node(mesh.n_nodes());
   for (std::uint32_t s = 0; s < surfaces.surfaces.size(); ++s) {
     add_faces(surfaces.surfaces[s], s, mesh, made);
     add_nodes(surfaces.surfaces[s], s, mesh, by_node, made);
+    if (!free_nodes.empty()) add_free_nodes(free_nodes, s, mesh, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }

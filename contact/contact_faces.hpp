@@ -42,6 +42,14 @@ struct SurfaceNode {
   ElementSide side;   ///< a face that has it
   double area = 0.0;  ///< its share of the surface at the start [length^2]
   Backing backing;
+  bool is_free = false;  ///< all its elements are dead: it is a mass of its own that meets faces
+};
+
+/// A node that has stayed in contact though all its elements are dead.
+struct FreeNode {
+  NodeIndex node;
+  std::uint32_t surface = 0;  ///< that had it
+  ElementSide side;           ///< of a dead element: what it stands for in area and backing
 };
 
 /// The faces and nodes of all contact surfaces, with nodes numbered for contact alone, ascending as in the
@@ -64,7 +72,9 @@ double thickness_behind(const Mesh& mesh, ElementSide side);
 /// Numbers the faces and nodes of the surfaces of solids, with the thickness of the elements behind them.
 /// Lofted elements are left out, and so are nodes of node sets that no outside face of the mesh has: they lie
 /// behind it.
-ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh);
+///   free_nodes  ascending, on top of the nodes of the surfaces
+ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh,
+                                std::span<const FreeNode> free_nodes = {});
 
 /// Adds masses, and stiffness and mass per area behind faces and nodes.
 ///   model  its blocks hold every element with a contact face

@@ -55,27 +55,34 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
       mesh_(mesh),
       rules_(rules),
       is_once_(search.global_search_once),
-      node_margin_(faces.n_nodes(), std::numeric_limits<float>::infinity()) {
+      length_scaling_(dash.search_length_scaling) {
   for (const PairRule& rule : rules.rules()) {
     const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
   }
+  set_margins();
+}
+
+void ContactSearch::set_margins() {
+  const ContactFaces& faces = faces_;
+  node_margin_.assign(faces.n_nodes(), std::numeric_limits<float>::infinity());
+  face_margin_.clear();
   face_margin_.reserve(faces.faces.size());
   for (const ContactFace& face : faces.faces) {
     face_margin_.push_back(
-        static_cast<float>(dash.search_length_scaling * std::sqrt(area_vector(mesh, face.side).norm())));
+        static_cast<float>(length_scaling_ * std::sqrt(area_vector(mesh_, face.side).norm())));
     for (const std::uint32_t corner : face.corners)
       node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
   }
   for (const SurfaceNode& node : faces.surface_nodes)
-    node_margin_[node.node] = std::min(node_margin_[node.node],
-                                       static_cast<float>(dash.search_length_scaling * std::sqrt(node.area)));
+    node_margin_[node.node] =
+        std::min(node_margin_[node.node], static_cast<float>(length_scaling_ * std::sqrt(node.area)));
   const std::size_t n_surfaces = faces.first_face.size() - 1;
   reach_.assign(n_surfaces, 0.0);
-  for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
-    for (const std::uint32_t surface : {rules[i].pair->first, rules[i].pair->second})
-      reach_[surface] = std::max(reach_[surface], rules.largest_reach(i));
+  for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
+    for (const std::uint32_t surface : {rules_[i].pair->first, rules_[i].pair->second})
+      reach_[surface] = std::max(reach_[surface], rules_.largest_reach(i));
   }
   widest_margin_.assign(n_surfaces, 0.0);
   narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
@@ -89,6 +96,15 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     double& widest = widest_margin_[faces.faces[i].surface];
     widest = std::max<double>(widest, face_margin_[i]);
   }
+}
+
+void ContactSearch::renumber(const ContactRenumbering& places) {
+  set_margins();
+  has_free_nodes_ = std::ranges::any_of(faces_.surface_nodes, &SurfaceNode::is_free);
+  const auto nothing = [](std::size_t) {};
+  first_face_partners_ =
+      carried(first_face_partners_, places.faces, places.faces, places.n_faces_after, nothing);
+  first_node_faces_ = carried(first_node_faces_, places.rows, places.faces, places.n_rows_after, nothing);
 }
 
 bool ContactSearch::is_due(const MovingSurface& surface) const {
@@ -145,7 +161,7 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
     faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
                             candidates.face_partners);
   }
-  if (has_node_pairs_) {
+  if (has_node_pairs_ || has_free_nodes_) {
     const auto n_rows = static_cast<std::uint32_t>(faces_.surface_nodes.size());
     const auto box_of = [&](std::uint32_t row) { return node_box(surface, row, motion.dt); };
     if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(faces_.surface_nodes[*bad].node);
@@ -199,7 +215,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   const std::uint32_t pair = rules_.find(node.surface, face.surface);
   if (pair == PairRules::none) return false;
   const SurfacePair& of = *rules_[pair].pair;
-  if (of.formulation != ConstraintFormulation::node_face) return false;
+  if (of.formulation != ConstraintFormulation::node_face && !node.is_free) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;
   if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   return !has_element_of(node.node, face);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/broad_phase.hpp"
+#include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
@@ -26,6 +27,10 @@ class ContactSearch {
   ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
                 const SearchOptions& search, const DashOptions& dash);
 
+  /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
+  /// has to follow.
+  void renumber(const ContactRenumbering& places);
+
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const MovingSurface& surface) const;
 
@@ -38,6 +43,7 @@ class ContactSearch {
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
 
  private:
+  void set_margins();
   /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
   std::vector<double> used_margins(const MovingSurface& surface) const;
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
@@ -54,7 +60,9 @@ class ContactSearch {
   const Mesh& mesh_;
   const PairRules& rules_;
   bool is_once_;
+  double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
+  bool has_free_nodes_ = false;
   std::vector<double> reach_;                                // [n_surfaces] of the models [length]
   std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
   std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]

@@ -6,10 +6,20 @@
 namespace contactsim {
 
 ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction)
-    : nodes_(n_nodes, NodeVector::Zero()),
+    : has_friction_(has_friction),
+      nodes_(n_nodes, NodeVector::Zero()),
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
       slips_(has_friction ? n_nodes : 0, NodeVector::Zero()) {}
+
+void ContactSums::renumber(const ContactRenumbering& places) {
+  carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), nodes_);
+  carry(places.nodes, places.n_nodes_after, NodeFriction{}, friction_);
+  carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), slips_);
+  nodes_.resize(places.n_nodes_after, NodeVector::Zero());
+  friction_.resize(has_friction_ ? places.n_nodes_after : 0);
+  slips_.resize(has_friction_ ? places.n_nodes_after : 0, NodeVector::Zero());
+}
 
 void ContactSums::begin_step() {
   dissipated_ = damped_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include "contact/contact_faces.hpp"
 #include "contact/contact_record.hpp"
+#include "contact/contact_renumbering.hpp"
 #include "contact/ties.hpp"
 #include "core/elements/gather.hpp"
 
@@ -37,6 +38,8 @@ class ContactSums {
  public:
   ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction);
 
+  /// Goes over to other nodes. What friction did at nodes that are gone is forgotten.
+  void renumber(const ContactRenumbering& places);
   void begin_step();
   void add(const ContactRecord& record);
   void add(const HeldPlace& place, const TieForces& forces);
@@ -54,6 +57,7 @@ class ContactSums {
  private:
   void add_slip(const RecordSide& side, const Eigen::Vector3d& slip, const ContactRecord& record);
 
+  bool has_friction_;
   std::vector<NodeVector> nodes_;
   std::vector<PairStep> pairs_;
   std::vector<NodeFriction> friction_;

@@ -29,6 +29,23 @@ void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, const 
     places_.push_back({node, pair, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
 }
 
+void PlaneContacts::take_over(const PlaneContacts& before, const ContactRenumbering& places) {
+  // Both stand in the order of pairs, planes and nodes.
+  auto now = places_.begin();
+  for (const Place& old : before.places_) {
+    const std::uint32_t node = places.rows[old.node];
+    if (node == ContactRenumbering::gone) continue;
+    const auto is_same = [&](const Place& place) {
+      return place.node == node && place.pair == old.pair && place.normal == old.normal &&
+             place.origin == old.origin;
+    };
+    const auto found = std::find_if(now, places_.end(), is_same);
+    if (found == places_.end()) continue;
+    found->elastic = old.elastic;
+    now = found + 1;
+  }
+}
+
 void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                          std::vector<ContactRecord>& records) {
   for (std::size_t row = begin; row < end; ++row) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
 #include "core/definition/contact_surfaces.hpp"
 
@@ -17,6 +18,9 @@ class PlaneContacts {
                 std::span<const AnalyticPlane> planes, const PairRules& rules);
 
   std::size_t n_rows() const { return places_.size(); }
+
+  /// Takes over what earlier contacts with planes remember of nodes that are still there.
+  void take_over(const PlaneContacts& before, const ContactRenumbering& places);
 
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,

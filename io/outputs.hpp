@@ -26,6 +26,7 @@ struct OutputSettings {
   TextSink log;                         ///< for heartbeats to cout, cerr, log, ...
   std::vector<RunVariable> variables;   ///< of contact, besides those of every run
   std::vector<SideSet> side_sets;       ///< that results files hold besides those of the mesh
+  bool always_computes = false;         ///< someone reads what the deck computes after every step
   std::function<std::time_t()> clock = [] { return std::time(nullptr); };
 };
 
@@ -51,6 +52,9 @@ class Outputs {
 
   /// The times at which outputs with a TIMESTEP ADJUSTMENT INTERVAL want steps to end.
   std::vector<StepTarget> step_targets() const;
+
+  /// All that can be written, for who reads variables too.
+  const RunVariables& variables() const { return variables_; }
 
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;
