@@ -40,16 +40,15 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
 }
 
 void refuse_lofts(const ContactSurfaces& surfaces, const Mesh& mesh, Diagnostics& diagnostics) {
-  const auto is_of_shell = [&](ElementSide face) {
-    return topology(mesh.blocks()[mesh.block_of(face.element())].shape).family == Family::shell;
+  const auto is_of_shell = [&](ElementIndex element) {
+    return topology(mesh.blocks()[mesh.block_of(element)].shape).family == Family::shell;
   };
   for (const ContactSurface& surface : surfaces.surfaces) {
-    if (surface.lofted_elements.empty() && std::ranges::none_of(surface.faces, is_of_shell)) continue;
+    if (std::ranges::all_of(surface.lofted_elements, is_of_shell)) continue;
     diagnostics.add_error(
         surface.location,
-        fmt::format(
-            "the surface '{}' has shells, lines or particles: their contact is not supported in a run yet",
-            surface.name),
+        fmt::format("the surface '{}' has lines or particles: their contact is not supported in a run yet",
+                    surface.name),
         "--check resolves it");
   }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "contact/sort_once.hpp"
 #include "core/mesh/element_checks.hpp"
@@ -14,9 +15,10 @@ namespace contactsim {
 namespace {
 
 /// Position of a mesh node among the contact nodes.
-std::uint32_t position_of(const std::vector<std::uint32_t>& mesh_nodes, NodeIndex node) {
-  const auto found = std::lower_bound(mesh_nodes.begin(), mesh_nodes.end(), node.value);
-  return static_cast<std::uint32_t>(found - mesh_nodes.begin());
+std::uint32_t position_of(const ContactFaces& faces, NodeIndex node) {
+  const auto begin = faces.mesh_nodes.begin();
+  const auto end = begin + static_cast<std::ptrdiff_t>(faces.n_mesh_points());
+  return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
 }
 
 std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const Mesh& mesh,
@@ -105,7 +107,7 @@ void add_faces(const ContactSurface& surface, std::uint32_t position, const Mesh
   for (const ElementSide side : surface.faces) {
     ContactFace face;
     const auto corners = mesh.side_nodes(side);
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = position_of(made.mesh_nodes, corners[k]);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = position_of(made, corners[k]);
     face.surface = position;
     face.side = side;
     face.backing.thickness = thickness_behind(mesh, side);
@@ -129,7 +131,7 @@ void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh
   for (const NodeIndex node : nodes) {
     SurfaceNode own = by_node[node.value];
     if (!(own.area > 0.0)) continue;
-    own.node = position_of(made.mesh_nodes, node);
+    own.node = position_of(made, node);
     own.surface = position;
     own.backing.thickness /= own.area;
     made.surface_nodes.push_back(own);
@@ -143,7 +145,7 @@ void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position
   for (const FreeNode& free : free_nodes) {
     if (free.surface != position) continue;
     SurfaceNode own;
-    own.node = position_of(made.mesh_nodes, free.node);
+    own.node = position_of(made, free.node);
     own.surface = position;
     own.side = free.side;
     const auto corners = mesh.side_nodes(free.side);
@@ -155,6 +157,50 @@ void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position
   std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
 }
 
+/// Facets of bricks, surface by surface.
+std::vector<std::vector<std::uint32_t>> brick_facets(const ContactModel& contact) {
+  std::vector<std::vector<std::uint32_t>> of_surface(contact.surfaces.surfaces.size());
+  for (std::uint32_t i = 0; i < contact.loft.facets.size(); ++i) {
+    if (contact.loft.facets[i].part != LoftPart::prism) of_surface[contact.surface_of_facet[i]].push_back(i);
+  }
+  return of_surface;
+}
+
+/// The facets of a surface's bricks, and their corners as nodes.
+void add_bricks(const LoftGeometry& loft, std::span<const std::uint32_t> facets, std::uint32_t position,
+                ContactFaces& made) {
+  const auto first = static_cast<std::uint32_t>(made.n_mesh_points());
+  std::map<std::uint32_t, SurfaceNode> nodes;
+  for (const std::uint32_t index : facets) {
+    const LoftFacet& facet = loft.facets[index];
+    ContactFace face;
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = first + made.loft.of_vertex(facet.vertices[k]);
+    face.surface = position;
+    face.side = ElementSide(facet.element, facet.side);
+    face.backing.thickness = made.loft.thickness(face.corners[0] - first);
+    const std::size_t n = face.is_triangle() ? 3 : 4;
+    for (std::size_t k = 0; k < n; ++k) {
+      SurfaceNode& node = nodes[face.corners[k]];
+      node.area += facet_area(loft, facet) / static_cast<double>(n);
+      node.node = face.corners[k];
+      node.surface = position;
+      node.side = face.side;
+      node.backing.thickness = made.loft.thickness(face.corners[k] - first);
+    }
+    made.faces.push_back(face);
+  }
+  for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
+}
+
+void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactFaces& made) {
+  made.loft = LoftPoints(contact.loft, mesh);
+  for (std::size_t i = 0; i < made.loft.size(); ++i) made.mesh_nodes.push_back(made.loft.node(i));
+  made.first_alike.resize(made.n_nodes());
+  std::map<std::uint32_t, std::uint32_t> of_mesh;
+  for (std::uint32_t i = 0; i < made.n_nodes(); ++i)
+    made.first_alike[i] = of_mesh.try_emplace(made.mesh_nodes[i], i).first->second;
+}
+
 /// What blocks are made of.
 class Materials {
  public:
@@ -163,12 +209,21 @@ class Materials {
   }
 
   void add(ElementSide side, Backing& backing) const {
-    const SolidProperties& properties = of_block_[model_.mesh->block_of(side.element())]->properties;
-    backing.stiffness = penalty_over_element * moduli_of(properties.law).bulk / backing.thickness;
-    backing.mass_per_area = 0.5 * properties.density * backing.thickness;
+    const SolidBlock& block = *of_block_[model_.mesh->block_of(side.element())];
+    const SolidProperties& properties = block.properties;
+    const bool is_shell = !block.thickness.empty();
+    const double thickness = is_shell ? thickness_of(block, side.element()) : backing.thickness;
+    backing.stiffness = penalty_over_element * moduli_of(properties.law).bulk / thickness;
+    // Half of a solid moves with its face, all of a shell.
+    backing.mass_per_area = (is_shell ? 1.0 : 0.5) * properties.density * thickness;
   }
 
  private:
+  static double thickness_of(const SolidBlock& block, ElementIndex element) {
+    const std::size_t i = element.value - block.first_element.value;
+    return block.thickness[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
+  }
+
   const Model& model_;
   std::vector<const SolidBlock*> of_block_;
 };
@@ -177,30 +232,33 @@ class Materials {
 
 double thickness_behind(const Mesh& mesh, ElementSide side) {
   const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
-  const double volume = solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape);
-  return volume / area_vector(mesh, side).norm();
+  const double area = area_vector(mesh, side).norm();
+  if (shape.family == Family::shell) return std::sqrt(area);
+  return solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape) / area;
 }
 
-bool ContactFace::shares_node(const ContactFace& other) const {
-  for (const std::uint32_t node : corners) {
-    if (node == other.corners[0] || node == other.corners[1] || node == other.corners[2] ||
-        node == other.corners[3])
-      return true;
-  }
-  return false;
+bool ContactFaces::share_node(const ContactFace& a, const ContactFace& b) const {
+  return std::ranges::any_of(a.corners, [&](std::uint32_t own) {
+    return std::ranges::any_of(b.corners,
+                               [&](std::uint32_t other) { return first_alike[own] == first_alike[other]; });
+  });
 }
 
-ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh,
+ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
                                 std::span<const FreeNode> free_nodes) {
+  const auto& surfaces = contact.surfaces.surfaces;
   ContactFaces made;
-  made.mesh_nodes = collect_nodes(surfaces, mesh, free_nodes);
+  made.mesh_nodes = collect_nodes(contact.surfaces, mesh, free_nodes);
+  add_loft_points(contact, mesh, made);
+  const auto facets = brick_facets(contact);
   made.first_face.push_back(0);
   made.first_node.push_back(0);
   std::vector<SurfaceNode> by_node(mesh.n_nodes());
-  for (std::uint32_t s = 0; s < surfaces.surfaces.size(); ++s) {
-    add_faces(surfaces.surfaces[s], s, mesh, made);
-    add_nodes(surfaces.surfaces[s], s, mesh, by_node, made);
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+    add_faces(surfaces[s], s, mesh, made);
+    add_nodes(surfaces[s], s, mesh, by_node, made);
     if (!free_nodes.empty()) add_free_nodes(free_nodes, s, mesh, made);
+    add_bricks(contact.loft, facets[s], s, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }
@@ -213,8 +271,15 @@ ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mes
 void add_backing(const Model& model, ContactFaces& faces) {
   faces.mass.clear();
   faces.mass.reserve(faces.n_nodes());
-  for (const std::uint32_t node : faces.mesh_nodes)
-    faces.mass.push_back(model.mass(0, static_cast<Eigen::Index>(node)));
+  for (std::size_t i = 0; i < faces.n_nodes(); ++i) {
+    const auto node = static_cast<Eigen::Index>(faces.mesh_nodes[i]);
+    double mass = model.mass(0, node);
+    if (i >= faces.n_mesh_points() && model.inertia.cols() > 0) {
+      const double arm = faces.loft.distance(i - faces.n_mesh_points());
+      mass = 1.0 / (1.0 / mass + arm * arm / model.inertia(0, node));
+    }
+    faces.mass.push_back(mass);
+  }
   const Materials materials(model);
   for (ContactFace& face : faces.faces) materials.add(face.side, face.backing);
   for (SurfaceNode& node : faces.surface_nodes) materials.add(node.side, node.backing);

@@ -6,7 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_surface.hpp"
+#include "contact/contact_model.hpp"
+#include "contact/loft_points.hpp"
 #include "contact/pair_lists.hpp"
 #include "core/model.hpp"
 
@@ -32,7 +33,6 @@ struct ContactFace {
   Backing backing;
 
   bool is_triangle() const { return corners[2] == corners[3]; }
-  bool shares_node(const ContactFace& other) const;
 };
 
 /// A node of a contact surface that meets faces as a node.
@@ -52,10 +52,13 @@ struct FreeNode {
   ElementSide side;           ///< of a dead element: what it stands for in area and backing
 };
 
-/// The faces and nodes of all contact surfaces, with nodes numbered for contact alone, ascending as in the
-/// mesh. Const between deaths of elements.
+/// The faces and nodes of all contact surfaces, with nodes numbered for contact alone: first nodes of the
+/// mesh, ascending as there, then points of lofts, which hang on nodes of the mesh. Const between deaths of
+/// elements.
 struct ContactFaces {
-  std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh
+  std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh; of lofts what they hang on
+  LoftPoints loft;                         ///< the last of the contact nodes
+  std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
   std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
   std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
   std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
@@ -64,19 +67,25 @@ struct ContactFaces {
   PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
+  /// Contact nodes that are nodes of the mesh; those of lofts follow.
+  std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
+  bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }
+  /// Whether two faces hang on a common node of the mesh.
+  bool share_node(const ContactFace& a, const ContactFace& b) const;
 };
 
-/// Thickness of the solid behind a face: its volume over the face's area [length].
+/// Thickness of the solid behind a face: its volume over the face's area. Behind the face of a shell, whose
+/// own thickness its side sets do not have, the square root of the area [length].
 double thickness_behind(const Mesh& mesh, ElementSide side);
 
-/// Numbers the faces and nodes of the surfaces of solids, with the thickness of the elements behind them.
-/// Lofted elements are left out, and so are nodes of node sets that no outside face of the mesh has: they lie
-/// behind it.
+/// Numbers the faces and nodes of the surfaces, with the thickness of the elements behind them. Nodes of node
+/// sets that no outside face of the mesh has are left out: they lie behind it.
 ///   free_nodes  ascending, on top of the nodes of the surfaces
-ContactFaces make_contact_faces(const ContactSurfaces& surfaces, const Mesh& mesh,
+ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
                                 std::span<const FreeNode> free_nodes = {});
 
-/// Adds masses, and stiffness and mass per area behind faces and nodes.
+/// Adds masses, and stiffness and mass per area behind faces and nodes. Of a loft's point it is the least
+/// mass that a force on it may find: that of its node, less because its node turns.
 ///   model  its blocks hold every element with a contact face
 void add_backing(const Model& model, ContactFaces& faces);
 

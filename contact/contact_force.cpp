@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
@@ -35,7 +37,7 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact.surfaces, *setup.model.mesh)),
+      faces_(make_contact_faces(setup.contact, *setup.model.mesh)),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
@@ -54,6 +56,7 @@ void ContactForce::find_candidates(const Motion& motion) {
   search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
   face_face_.take_candidates();
   surface_.watch(faces_with_candidates());
+  has_new_surfaces_ = false;
 }
 
 /// Faces of which something has to be known until the next search. A node looks at its own faces, too.
@@ -86,6 +89,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
 /// The first time that forces are asked for: only now the elements' stable step is known.
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
+  start_step_ = motion.stable_step;
   limit_stiffness(surface_, motion.stable_step, faces_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
@@ -145,13 +149,17 @@ void ContactForce::add_places(const ContactScene& scene) {
 /// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
 /// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
 /// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
+/// Points of lofts that hang on one node add up there.
 double ContactForce::largest_eigenvalue() {
   const auto nodes = sums_.nodes();
+  node_rates_.assign(nodes.size(), 0.0);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    node_rates_[faces_.first_alike[i]] += nodes[i][3] / faces_.mass[i];
   std::vector<double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
   for (const SurfaceNode& node : faces_.surface_nodes) {
     double& rate = of_surface[node.surface];
-    rate = std::max(rate, nodes[node.node][3] / faces_.mass[node.node]);
+    rate = std::max(rate, node_rates_[faces_.first_alike[node.node]]);
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
@@ -162,8 +170,29 @@ double ContactForce::largest_eigenvalue() {
   return largest;
 }
 
+void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
+  const auto nodes = sums_.nodes();
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  // Several points of lofts may hang on one node of the mesh.
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]).setZero();
+#pragma omp parallel for schedule(static) num_threads(threads_for(n_mesh_points))
+  for (std::size_t i = 0; i < n_mesh_points; ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
+    forces.col(faces_.mesh_nodes[i]) += nodes[i].head<3>();
+}
+
+void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
+  moments.setZero();
+  const auto on_points = sums_.nodes().subspan(faces_.n_mesh_points());
+  for (std::size_t i = 0; i < on_points.size(); ++i) {
+    const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
+    moments.col(faces_.loft.node(i)) += arm.cross(on_points[i].head<3>());
+  }
+}
+
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   if (!has_begun_) forces.setZero();  // later on only contact nodes ever have another value
+  for (const std::uint32_t node : std::exchange(left_, {})) forces.col(node).setZero();
   surface_.move_nodes(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (!has_begun_) {
@@ -171,16 +200,14 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   } else if (rules_.have_changed()) {
     find_candidates(motion);
     held_.renew({surface_, rules_, glued_, motion.dt}, near_candidates(), glued_);
-  } else if (search_.is_due(surface_)) {
+  } else if (has_new_surfaces_ || search_.is_due(surface_)) {
     find_candidates(motion);
   } else {
     surface_.bound_watched();
   }
   sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
-  const auto nodes = sums_.nodes();
-#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.size()))
-  for (std::size_t i = 0; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
+  write_forces(forces);
   note_histories(motion);
   ForceReport report;
   report.friction_work = sums_.dissipated();
@@ -195,6 +222,51 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     step_share_.share = std::max(step_share_.share, 1.0 - report.stable_step / motion.stable_step);
   }
   return report;
+}
+
+void ContactForce::renumber(const ContactRenumbering& places) {
+  rules_.renumber(places);
+  glued_.renumber(places);
+  search_.renumber(places);
+  face_face_.renumber(places);
+  node_face_.renumber(places);
+  planes_.renumber(setup_.contact.surfaces, setup_.contact.planes, rules_, places);
+  held_.renumber(places);
+  sums_.renumber(places);
+}
+
+void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes) {
+  const Mesh& mesh = *setup_.model.mesh;
+  const ContactFaces before = std::exchange(faces_, make_contact_faces(setup_.contact, mesh, free_nodes));
+  add_backing(setup_.model, faces_);
+  MovingSurface start(faces_);
+  const Eigen::Matrix3Xd& any_velocity = mesh.coordinates();
+  start.move_nodes({0.0, 0.0, mesh.coordinates(), any_velocity});
+  limit_stiffness(start, start_step_, faces_);
+  const ContactRenumbering places = contactsim::renumber(before, faces_);
+  std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
+                              std::span(faces_.mesh_nodes).first(faces_.n_mesh_points()),
+                              std::back_inserter(left_));
+  left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
+               before.mesh_nodes.end());
+  renumber(places);
+  surface_.move_nodes(motion);
+  surface_.bound_all();
+  surface_.watch(faces_with_candidates());
+  has_new_surfaces_ = true;
+  forget_stored(motion);
+}
+
+/// What springs stored that are gone is not given back.
+void ContactForce::forget_stored(const Motion& motion) {
+  std::vector<ContactRecord> places;
+  std::vector<TieForces> ties;
+  find_places(motion, places, ties);
+  std::fill(stored_.begin(), stored_.end(), 0.0);
+  for (const ContactRecord& place : places) {
+    if (place.touches()) stored_[place.pair] += place.stored();
+  }
+  for (std::size_t i = 0; i < ties.size(); ++i) stored_[held_[i].pair] += ties[i].stored;
 }
 
 void ContactForce::note_histories(const Motion& motion) {

@@ -22,7 +22,7 @@ namespace contactsim {
 /// What contact is made of in a run.
 struct ContactSetup {
   const ContactDefinition& definition;
-  const ContactModel& contact;  ///< its surfaces are of solids, of nodes and analytic
+  const ContactModel& contact;
   const Model& model;
   std::span<const TimeSteppingBlock> blocks;           ///< the periods of the procedure
   std::span<const FunctionDefinition> functions = {};  ///< that friction models name
@@ -44,6 +44,15 @@ class ContactForce final : public ForceTerm {
 
   /// Throws SolveError when a node is nowhere.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  /// Of the forces on lofts about the nodes of the mesh that they hang on.
+  void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
+
+  /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
+  /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
+  /// is gone is over; the energy that it stored is lost.
+  ///   motion      of the last step
+  ///   free_nodes  ascending, that stay though their elements are dead
+  void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes);
 
   const ContactFaces& faces() const { return faces_; }
   const ContactSearch& search() const { return search_; }
@@ -67,6 +76,8 @@ class ContactForce final : public ForceTerm {
 
  private:
   void begin(const Motion& motion);
+  void renumber(const ContactRenumbering& places);
+  void forget_stored(const Motion& motion);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
@@ -74,6 +85,7 @@ class ContactForce final : public ForceTerm {
   bool glues(const ContactRecord& record) const;
   NearCandidates near_candidates() const;
   void add_places(const ContactScene& scene);
+  void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
   void note_histories(const Motion& motion);
 
@@ -93,8 +105,12 @@ class ContactForce final : public ForceTerm {
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
+  std::vector<double> node_rates_;     // scratch, [n_contact_nodes]
   ContactStep step_share_;
   bool has_begun_ = false;
+  double start_step_ = 0.0;          // stable step of the elements at the start [time]
+  bool has_new_surfaces_ = false;    // a search has to follow
+  std::vector<std::uint32_t> left_;  // nodes of the mesh that have just left contact
 };
 
 }  // namespace contactsim

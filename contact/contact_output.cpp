@@ -18,6 +18,7 @@ std::vector<double> find_rest_status(const ContactModel& contact, const Mesh& me
   std::vector<std::uint8_t> is_in(mesh.blocks().size(), 0);
   for (const ContactSurface& surface : contact.surfaces.surfaces) {
     for (const ElementSide face : surface.faces) is_in[mesh.block_of(face.element())] = 1;
+    for (const ElementIndex element : surface.lofted_elements) is_in[mesh.block_of(element)] = 1;
     for (const NodeIndex node : surface.nodes) status[node.value] = 0.5;
   }
   for (std::size_t b = 0; b < is_in.size(); ++b) {
@@ -33,6 +34,13 @@ void add(const ContactTotal& part, ContactTotal& sum) {
   sum.centre += part.centre;
   sum.normal_sum += part.normal_sum;
   sum.area += part.area;
+}
+
+/// The points of lofts that hang on one node: the one that has slid farthest says how far, energies add up.
+void add(const NodeFriction& point, NodeFriction& sum) {
+  const double energy = sum.energy + point.energy;
+  if (point.slip_length > sum.slip_length) sum = point;
+  sum.energy = energy;
 }
 
 /// The same on the other side.
@@ -55,9 +63,10 @@ ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, c
 void ContactOutput::begin() {
   rest_status_ = find_rest_status(contact_, *model_.mesh);
   contact_node_.assign(model_.mesh->n_nodes(), no_contact);
-  const auto& mesh_nodes = force_.faces().mesh_nodes;
-  for (std::uint32_t i = 0; i < mesh_nodes.size(); ++i) contact_node_[mesh_nodes[i]] = i;
-  nodes_.resize(mesh_nodes.size());
+  const ContactFaces& faces = force_.faces();
+  for (std::uint32_t i = 0; i < faces.n_nodes(); ++i)
+    contact_node_[faces.mesh_nodes[i]] = faces.first_alike[i];
+  nodes_.resize(faces.n_nodes());
 }
 
 std::vector<RunVariable> ContactOutput::variables() {
@@ -113,17 +122,22 @@ void ContactOutput::look_at(const State& state) {
   if (state.step == step_) return;
   if (step_ < 0) begin();
   step_ = state.step;
-  const Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+  Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
   force_.find_places(motion, places_, ties_);
   const auto friction = force_.node_friction();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    nodes_[i] = {};
-    nodes_[i].status = 0.5;
-    if (friction.empty()) continue;
-    nodes_[i].friction = friction[i];
-    nodes_[i].slip_rate = state.dt > 0.0 ? friction[i].last_slip.norm() / state.dt : 0.0;
+  const auto& first_alike = force_.faces().first_alike;
+  for (NodeContact& node : nodes_) {
+    node = {};
+    node.status = 0.5;
   }
-  for (const SurfaceNode& node : force_.faces().surface_nodes) nodes_[node.node].surface_area += node.area;
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    NodeContact& node = nodes_[first_alike[i]];
+    add(friction[i], node.friction);
+    node.slip_rate = state.dt > 0.0 ? node.friction.last_slip.norm() / state.dt : 0.0;
+  }
+  for (const SurfaceNode& node : force_.faces().surface_nodes)
+    nodes_[first_alike[node.node]].surface_area += node.area;
   std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
   std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
   for (const ContactRecord& place : places_) add_place(place);
@@ -158,7 +172,7 @@ void ContactOutput::add_to_nodes(const ContactRecord& record, const RecordSide& 
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
     if (weight == 0.0) continue;
-    NodeContact& node = nodes_[side.nodes[k]];
+    NodeContact& node = nodes_[force_.faces().first_alike[side.nodes[k]]];
     const bool is_first_place = node.interaction == 0.0;
     node.interaction = record.pair + 1.0;
     if (is_first_place || record.gap < node.gap) {
@@ -182,7 +196,7 @@ void ContactOutput::add_tie(const HeldPlace& tie, const TieForces& forces) {
     const bool is_first = k < 4;
     const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4),
                                 tie.nodes.begin() + static_cast<int>(k), tie.nodes[k]);
-    NodeContact& node = nodes_[tie.nodes[k]];
+    NodeContact& node = nodes_[force_.faces().first_alike[tie.nodes[k]]];
     const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
     node.status = 1.0;
     node.interaction = tie.pair + 1.0;

@@ -1,28 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/contact_renumbering.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace contactsim {
 
 namespace {
 
-/// Positions in one ascending list of what stands in another; `less` compares two items of either.
-template <class T, class Less>
-void match(std::span<const T> before, std::span<const T> after, std::uint32_t first_after, const Less& less,
+constexpr std::uint32_t gone = ContactRenumbering::gone;
+
+/// Positions in one ascending list of what stands in another.
+///   begin, end  of both in their arrays
+template <class Key>
+void match(std::span<const Key> before, std::span<const Key> after, std::uint32_t first_after,
            std::vector<std::uint32_t>& places) {
   std::size_t j = 0;
-  for (const T& item : before) {
-    while (j < after.size() && less(after[j], item)) ++j;
-    const bool is_there = j < after.size() && !less(item, after[j]);
-    places.push_back(is_there ? first_after + static_cast<std::uint32_t>(j) : ContactRenumbering::gone);
+  for (const Key& key : before) {
+    while (j < after.size() && after[j] < key) ++j;
+    const bool is_there = j < after.size() && after[j] == key;
+    // Facets of one side have the same key, and are as many before and after.
+    places.push_back(is_there ? first_after + static_cast<std::uint32_t>(j++) : gone);
   }
 }
 
-/// The part of a surface in a list.
-template <class T>
-std::span<const T> part(const std::vector<T>& list, const std::vector<std::uint32_t>& first, std::size_t s) {
-  return std::span(list).subspan(first[s], first[s + 1] - first[s]);
+/// What tells a face of a surface from its others. Those of lofts follow the others.
+using FaceKey = std::pair<bool, ElementSide>;
+
+std::vector<FaceKey> face_keys(const ContactFaces& faces, std::size_t surface) {
+  std::vector<FaceKey> keys;
+  for (std::uint32_t f = faces.first_face[surface]; f < faces.first_face[surface + 1]; ++f)
+    keys.emplace_back(faces.is_lofted(faces.faces[f]), faces.faces[f].side);
+  return keys;
+}
+
+/// Nodes of the mesh are the same by their numbers there, points of lofts by the faces that have them.
+void match_nodes(const ContactFaces& before, const ContactFaces& after, ContactRenumbering& places) {
+  match<std::uint32_t>(std::span(before.mesh_nodes).first(before.n_mesh_points()),
+                       std::span(after.mesh_nodes).first(after.n_mesh_points()), 0, places.nodes);
+  places.nodes.resize(before.n_nodes(), gone);
+  for (std::size_t f = 0; f < before.faces.size(); ++f) {
+    if (places.faces[f] == gone || !before.is_lofted(before.faces[f])) continue;
+    const ContactFace& face = after.faces[places.faces[f]];
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::uint32_t& place = places.nodes[before.faces[f].corners[k]];
+      if (place == gone) place = face.corners[k];
+    }
+  }
+}
+
+void match_rows(const ContactFaces& before, const ContactFaces& after, ContactRenumbering& places) {
+  for (const SurfaceNode& row : before.surface_nodes) {
+    const auto first = after.surface_nodes.begin();
+    const auto begin = first + after.first_node[row.surface], end = first + after.first_node[row.surface + 1];
+    const std::uint32_t node = places.nodes[row.node];
+    const auto found = std::ranges::lower_bound(begin, end, node, std::less<>(),
+                                                [](const SurfaceNode& n) { return n.node; });
+    const bool is_there = node != gone && found != end && found->node == node;
+    places.rows.push_back(is_there ? static_cast<std::uint32_t>(found - first) : gone);
+  }
 }
 
 }  // namespace
@@ -32,19 +69,36 @@ ContactRenumbering renumber(const ContactFaces& before, const ContactFaces& afte
   places.n_faces_after = after.faces.size();
   places.n_rows_after = after.surface_nodes.size();
   places.n_nodes_after = after.n_nodes();
-  match<std::uint32_t>(before.mesh_nodes, after.mesh_nodes, 0, std::less<>(), places.nodes);
-  const auto by_side = [](const ContactFace& a, const ContactFace& b) { return a.side < b.side; };
   for (std::size_t s = 0; s + 1 < before.first_face.size(); ++s) {
-    match(part(before.faces, before.first_face, s), part(after.faces, after.first_face, s),
-          after.first_face[s], by_side, places.faces);
-    std::vector<std::uint32_t> nodes_before, nodes_after;
-    for (const SurfaceNode& node : part(before.surface_nodes, before.first_node, s))
-      nodes_before.push_back(before.mesh_nodes[node.node]);
-    for (const SurfaceNode& node : part(after.surface_nodes, after.first_node, s))
-      nodes_after.push_back(after.mesh_nodes[node.node]);
-    match<std::uint32_t>(nodes_before, nodes_after, after.first_node[s], std::less<>(), places.rows);
+    const auto keys = face_keys(before, s), keys_after = face_keys(after, s);
+    match<FaceKey>(keys, keys_after, after.first_face[s], places.faces);
   }
+  match_nodes(before, after, places);
+  match_rows(before, after, places);
   return places;
+}
+
+PairLists carried(const PairLists& lists, std::span<const std::uint32_t> rows,
+                  std::span<const std::uint32_t> partners, std::size_t n_rows_after,
+                  std::vector<std::size_t>& before) {
+  constexpr std::size_t none = SIZE_MAX;
+  std::vector<std::size_t> old_rows(n_rows_after, none);
+  for (std::size_t row = 0; row < lists.n_rows(); ++row) {
+    if (rows[row] != gone) old_rows[rows[row]] = row;
+  }
+  PairLists after;
+  before.clear();
+  for (const std::size_t row : old_rows) {
+    const std::size_t end = row == none ? 0 : lists.begin[row + 1];
+    for (std::size_t k = row == none ? 0 : lists.begin[row]; k < end; ++k) {
+      const std::uint32_t partner = partners[lists.partners[k]];
+      if (partner == gone) continue;
+      after.partners.push_back(partner);
+      before.push_back(k);
+    }
+    after.begin.push_back(static_cast<std::uint32_t>(after.partners.size()));
+  }
+  return after;
 }
 
 }  // namespace contactsim

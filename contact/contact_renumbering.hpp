@@ -11,7 +11,8 @@ namespace contactsim {
 
 /// Where contact faces, surface nodes and contact nodes are after surfaces have changed, by where they were.
 /// A face is the same when its element's side and its surface are, a surface node when its node and surface
-/// are. What is still there keeps its order.
+/// are. Faces that are still there keep their order; nodes and
+/// rows do too, but for those of lofts.
 struct ContactRenumbering {
   static constexpr std::uint32_t gone = UINT32_MAX;
 
@@ -36,25 +37,11 @@ void carry(std::span<const std::uint32_t> places, std::size_t n_after, const T& 
   values = std::move(carried);
 }
 
-/// Lists with the rows and partners that are still there; visit(place before) tells which they were, in
-/// order.
-template <class Visit>
+/// Lists with the rows and partners that are still there.
+///   rows, partners  [n before] of ContactRenumbering; those of the partners ascend
+///   before          gets which pair each one was; [n_pairs after]
 PairLists carried(const PairLists& lists, std::span<const std::uint32_t> rows,
-                  std::span<const std::uint32_t> partners, std::size_t n_rows_after, const Visit& visit) {
-  PairLists after;
-  after.begin.assign(n_rows_after + 1, 0);
-  for (std::size_t row = 0; row < lists.n_rows(); ++row) {
-    if (rows[row] == ContactRenumbering::gone) continue;
-    for (std::size_t k = lists.begin[row]; k < lists.begin[row + 1]; ++k) {
-      const std::uint32_t partner = partners[lists.partners[k]];
-      if (partner == ContactRenumbering::gone) continue;
-      ++after.begin[rows[row] + 1];
-      after.partners.push_back(partner);
-      visit(k);
-    }
-  }
-  for (std::size_t i = 0; i < n_rows_after; ++i) after.begin[i + 1] += after.begin[i];
-  return after;
-}
+                  std::span<const std::uint32_t> partners, std::size_t n_rows_after,
+                  std::vector<std::size_t>& before);
 
 }  // namespace contactsim

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "core/mesh/face_geometry.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -54,6 +53,7 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     : faces_(faces),
       mesh_(mesh),
       rules_(rules),
+      joined_(faces, mesh),
       is_once_(search.global_search_once),
       length_scaling_(dash.search_length_scaling) {
   for (const PairRule& rule : rules.rules()) {
@@ -68,16 +68,23 @@ void ContactSearch::set_margins() {
   const ContactFaces& faces = faces_;
   node_margin_.assign(faces.n_nodes(), std::numeric_limits<float>::infinity());
   face_margin_.clear();
-  face_margin_.reserve(faces.faces.size());
-  for (const ContactFace& face : faces.faces) {
-    face_margin_.push_back(
-        static_cast<float>(length_scaling_ * std::sqrt(area_vector(mesh_, face.side).norm())));
+  MovingSurface start(faces_);
+  const Eigen::Matrix3Xd& any_velocity = mesh_.coordinates();
+  start.move_nodes({0.0, 0.0, mesh_.coordinates(), any_velocity});
+  face_margin_.reserve(faces_.faces.size());
+  for (const ContactFace& face : faces_.faces) {
+    face_margin_.push_back(static_cast<float>(length_scaling_ * std::sqrt(start.area(face).norm())));
     for (const std::uint32_t corner : face.corners)
       node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
   }
   for (const SurfaceNode& node : faces.surface_nodes)
     node_margin_[node.node] =
         std::min(node_margin_[node.node], static_cast<float>(length_scaling_ * std::sqrt(node.area)));
+  set_surface_margins();
+}
+
+void ContactSearch::set_surface_margins() {
+  const ContactFaces& faces = faces_;
   const std::size_t n_surfaces = faces.first_face.size() - 1;
   reach_.assign(n_surfaces, 0.0);
   for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
@@ -99,12 +106,13 @@ void ContactSearch::set_margins() {
 }
 
 void ContactSearch::renumber(const ContactRenumbering& places) {
+  joined_.renew(mesh_);
   set_margins();
   has_free_nodes_ = std::ranges::any_of(faces_.surface_nodes, &SurfaceNode::is_free);
-  const auto nothing = [](std::size_t) {};
+  std::vector<std::size_t> before;
   first_face_partners_ =
-      carried(first_face_partners_, places.faces, places.faces, places.n_faces_after, nothing);
-  first_node_faces_ = carried(first_node_faces_, places.rows, places.faces, places.n_rows_after, nothing);
+      carried(first_face_partners_, places.faces, places.faces, places.n_faces_after, before);
+  first_node_faces_ = carried(first_node_faces_, places.rows, places.faces, places.n_rows_after, before);
 }
 
 bool ContactSearch::is_due(const MovingSurface& surface) const {
@@ -206,7 +214,8 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   if (pair == PairRules::none) return false;
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
-  return a.side.element() != b.side.element() && !a.shares_node(b);
+  if (a.side.element() == b.side.element() || faces_.share_node(a, b)) return false;
+  return !joined_.are_joined(first, second);
 }
 
 bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
@@ -218,7 +227,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   if (of.formulation != ConstraintFormulation::node_face && !node.is_free) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;
   if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
-  return !has_element_of(node.node, face);
+  return !has_element_of(node.node, face) && !joined_.are_joined(node, index);
 }
 
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {

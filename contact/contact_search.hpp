@@ -7,6 +7,7 @@
 #include "contact/broad_phase.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
+#include "contact/joined_faces.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -44,6 +45,7 @@ class ContactSearch {
 
  private:
   void set_margins();
+  void set_surface_margins();
   /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
   std::vector<double> used_margins(const MovingSurface& surface) const;
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
@@ -59,6 +61,7 @@ class ContactSearch {
   const ContactFaces& faces_;
   const Mesh& mesh_;
   const PairRules& rules_;
+  JoinedFaces joined_;
   bool is_once_;
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;

@@ -40,12 +40,14 @@ void FaceFaceContacts::take_candidates() {
 }
 
 void FaceFaceContacts::renumber(const ContactRenumbering& places) {
+  std::vector<std::size_t> before;
+  candidates_ = carried(candidates_, places.faces, places.faces, places.n_faces_after, before);
   std::vector<std::uint8_t> touched;
   std::vector<Eigen::Vector3d> elastic;
-  candidates_ = carried(candidates_, places.faces, places.faces, places.n_faces_after, [&](std::size_t old) {
+  for (const std::size_t old : before) {
     touched.push_back(touched_[old]);
     if (has_friction_) elastic.push_back(elastic_[old]);
-  });
+  }
   touched_ = std::move(touched);
   elastic_ = std::move(elastic);
   const Eigen::Vector4d no_slip = Eigen::Vector4d::Zero();

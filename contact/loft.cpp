@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/shell_loft.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {
@@ -46,6 +45,7 @@ class LoftBuilder {
     loft_.vertices.resize(3, static_cast<Eigen::Index>(points_.size()));
     for (std::size_t i = 0; i < points_.size(); ++i)
       loft_.vertices.col(static_cast<Eigen::Index>(i)) = points_[i];
+    loft_.shells = std::move(shells_);
     return std::move(loft_);
   }
 
@@ -54,9 +54,10 @@ class LoftBuilder {
     return topology(mesh_.blocks()[mesh_.block_of(element)].shape).family;
   }
 
-  std::uint32_t add_vertex(NodeIndex node, const Eigen::Vector3d& offset) {
+  std::uint32_t add_vertex(NodeIndex node, const Eigen::Vector3d& offset, const LoftArm& arm = {}) {
     points_.emplace_back(coordinates_.col(node.value) + offset);
     loft_.node_of_vertex.push_back(node);
+    loft_.arms.push_back(arm);
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
 
@@ -92,9 +93,15 @@ void LoftBuilder::add_brick(ElementIndex element, const LoftSize& size) {
   const std::size_t n = nodes.size();
   std::array<std::uint32_t, 4> top{}, bottom{};
   for (std::size_t i = 0; i < n; ++i) {
-    const Eigen::Vector3d normal = neighbours_->corner_normal(shell, static_cast<int>(i));
-    top[i] = add_vertex(nodes[i], normal * (size.thickness * size.lofting_factor));
-    bottom[i] = add_vertex(nodes[i], normal * (-size.thickness * (1.0 - size.lofting_factor)));
+    const auto around = neighbours_->around(shell, static_cast<int>(i));
+    const Eigen::Vector3d normal = neighbours_->mean_normal(around);
+    LoftArm arm{static_cast<std::uint32_t>(loft_.arm_shells.size()),
+                static_cast<std::uint32_t>(around.size()), size.thickness * size.lofting_factor,
+                size.thickness};
+    loft_.arm_shells.insert(loft_.arm_shells.end(), around.begin(), around.end());
+    top[i] = add_vertex(nodes[i], normal * arm.height, arm);
+    arm.height = -size.thickness * (1.0 - size.lofting_factor);
+    bottom[i] = add_vertex(nodes[i], normal * arm.height, arm);
   }
   loft_.facets.push_back({element, LoftPart::top, 1, {top[0], top[1], top[2], top[n - 1]}});
   loft_.facets.push_back(

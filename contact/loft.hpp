@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/shell_loft.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -29,6 +30,13 @@ struct LoftFacet {
   std::array<std::uint32_t, 4> vertices{};
 };
 
+/// How a vertex of a brick stands off its node: along the mean normal of some shells.
+struct LoftArm {
+  std::uint32_t first = 0, count = 0;  ///< in LoftGeometry::arm_shells; none at vertices of prisms
+  double height = 0.0;                 ///< along the normal, negative below the shell [length]
+  double thickness = 0.0;              ///< of the shell [length]
+};
+
 /// The sphere around a particle.
 struct LoftSphere {
   ElementIndex element;
@@ -41,6 +49,9 @@ struct LoftSphere {
 struct LoftGeometry {
   Eigen::Matrix3Xd vertices;              ///< 3 x n_vertices [length]
   std::vector<NodeIndex> node_of_vertex;  ///< [n_vertices]
+  std::vector<LoftArm> arms;              ///< [n_vertices]
+  std::vector<TurnedShell> arm_shells;    ///< their shells
+  std::vector<ElementIndex> shells;       ///< that are lofted, ascending
   std::vector<LoftFacet> facets;          ///< by element, then side
   std::vector<LoftSphere> spheres;        ///< by element
 };

@@ -27,6 +27,22 @@ void MovingSurface::move_nodes(const Motion& motion) {
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_nodes()))
   for (Eigen::Index i = 0; i < n_nodes; ++i)
     x_.col(i) = motion.coordinates.col(faces_.mesh_nodes[static_cast<std::size_t>(i)]);
+  if (faces_.loft.size() > 0) move_lofts(motion);
+}
+
+void MovingSurface::move_lofts(const Motion& motion) {
+  faces_.loft.find_arms(motion.coordinates, shell_areas_, arms_);
+  const Eigen::Index n_points = arms_.cols();
+  x_.rightCols(n_points) += arms_;
+  loft_velocity_.resize(3, n_points);
+#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.loft.size()))
+  for (Eigen::Index i = 0; i < n_points; ++i) {
+    const Eigen::Index node = faces_.loft.node(static_cast<std::size_t>(i));
+    loft_velocity_.col(i) = motion.velocity.col(node);
+    if (motion.angular_velocity == nullptr) continue;
+    const Eigen::Vector3d turning = motion.angular_velocity->col(node);
+    loft_velocity_.col(i) += turning.cross(arms_.col(i));
+  }
 }
 
 void MovingSurface::bound_all() {
@@ -62,7 +78,7 @@ MovingFace MovingSurface::face(std::uint32_t index) const {
 
 Eigen::Vector3d MovingSurface::corner_area(std::uint32_t index) const {
   const ContactFace& face = faces_.faces[index];
-  return area_vector(corners(face)) / (face.is_triangle() ? 3.0 : 4.0);
+  return area(face) / (face.is_triangle() ? 3.0 : 4.0);
 }
 
 double MovingSurface::area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const {

@@ -27,10 +27,18 @@ class MovingSurface {
 
   const ContactFaces& faces() const { return faces_; }
   auto x(std::uint32_t node) const { return x_.col(node); }
-  auto v(std::uint32_t node) const { return velocity_->col(faces_.mesh_nodes[node]); }
+  Eigen::Map<const Eigen::Vector3d> v(std::uint32_t node) const {
+    const std::size_t n_mesh_points = faces_.n_mesh_points();
+    return Eigen::Map<const Eigen::Vector3d>(
+        node < n_mesh_points ? velocity_->data() + 3 * std::size_t{faces_.mesh_nodes[node]}
+                             : loft_velocity_.data() + 3 * (node - n_mesh_points));
+  }
+  /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
+  const Eigen::Matrix3Xd& arms() const { return arms_; }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
   MovingFace face(std::uint32_t face) const;
-  /// Share of a face's area vector that each of its corners has [length^2].
+  /// The area vector of a face, and the share of it that each corner has [length^2].
+  Eigen::Vector3d area(const ContactFace& face) const { return area_vector(corners(face)); }
   Eigen::Vector3d corner_area(std::uint32_t face) const;
   /// How much of its surface a node has as seen against a normal: the sides of an edge do not count for what
   /// its top touches. At least a hundredth of its share of the area at the start, which is that of nodes
@@ -45,7 +53,11 @@ class MovingSurface {
 
   const ContactFaces& faces_;
   std::vector<std::uint32_t> watched_;
+  void move_lofts(const Motion& motion);
+
   Eigen::Matrix3Xd x_;                          // of the contact nodes [length]
+  Eigen::Matrix3Xd arms_, loft_velocity_;       // of the points of lofts [length] [length/time]
+  Eigen::Matrix3Xd shell_areas_;                // scratch
   const Eigen::Matrix3Xd* velocity_ = nullptr;  // of the mesh's nodes [length/time]
   std::vector<FaceBound> bounds_;               // [n_faces]
 };

@@ -71,7 +71,8 @@ struct NodeFaceContacts::Work {
 };
 
 void NodeFaceContacts::renumber(const ContactRenumbering& places) {
-  candidates_ = carried(candidates_, places.rows, places.faces, places.n_rows_after, [](std::size_t) {});
+  std::vector<std::size_t> before;
+  candidates_ = carried(candidates_, places.rows, places.faces, places.n_rows_after, before);
   std::vector<std::vector<Touch>> touches(places.n_rows_after / rows_per_chunk + 1);
   for (const std::vector<Touch>& chunk : touches_) {
     for (Touch touch : chunk) {
@@ -79,6 +80,7 @@ void NodeFaceContacts::renumber(const ContactRenumbering& places) {
       if (touch.row != ContactRenumbering::gone) touches[touch.row / rows_per_chunk].push_back(touch);
     }
   }
+  for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
   touches_ = std::move(touches);
 }
 

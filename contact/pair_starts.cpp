@@ -86,7 +86,7 @@ void add_planes(const ContactModel& model, const MovingSurface& surface, std::ve
 std::vector<PairStart> find_pair_starts(const ContactModel& model, const Mesh& mesh,
                                         const DashOptions& dash) {
   std::vector<PairStart> starts(model.pairs.size());
-  const ContactFaces faces = make_contact_faces(model.surfaces, mesh);
+  const ContactFaces faces = make_contact_faces(model, mesh);
   const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()),
                         model.surfaces.surfaces.size());
   MovingSurface surface(faces);

@@ -44,18 +44,24 @@ std::span<const NodeIndex> ShellNeighbours::corners(std::uint32_t shell) const {
   return mesh_.element_nodes(element).first(shape.n_corners);
 }
 
-Eigen::Vector3d ShellNeighbours::corner_normal(std::uint32_t shell, int corner) const {
+std::vector<TurnedShell> ShellNeighbours::around(std::uint32_t shell, int corner) const {
   const NodeIndex node = corners(shell)[static_cast<std::size_t>(corner)];
-  Eigen::Vector3d own = area_vectors_[shell].normalized();
+  const Eigen::Vector3d own = area_vectors_[shell].normalized();
   const auto first = std::lower_bound(shells_of_node_.begin(), shells_of_node_.end(), std::pair(node, 0u));
   const auto last = std::upper_bound(first, shells_of_node_.end(), std::pair(node, UINT32_MAX));
-  if (last - first > max_smooth_shells) return own;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  if (last - first > max_smooth_shells) return {{shell, false}};
+  std::vector<TurnedShell> around;
   for (auto entry = first; entry != last; ++entry) {
-    const Eigen::Vector3d& other = area_vectors_[entry->second];
-    const double cosine = own.dot(other.normalized());
-    if (std::abs(cosine) > smooth_cosine) sum += cosine > 0.0 ? other : Eigen::Vector3d(-other);
+    const double cosine = own.dot(area_vectors_[entry->second].normalized());
+    if (std::abs(cosine) > smooth_cosine) around.push_back({entry->second, cosine < 0.0});
   }
+  return around;
+}
+
+Eigen::Vector3d ShellNeighbours::mean_normal(std::span<const TurnedShell> around) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const TurnedShell& one : around)
+    sum += one.is_turned ? Eigen::Vector3d(-area_vectors_[one.shell]) : area_vectors_[one.shell];
   return sum.normalized();
 }
 

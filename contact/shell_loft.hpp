@@ -11,6 +11,13 @@
 
 namespace contactsim {
 
+/// A shell around a node, as another one there sees it.
+struct TurnedShell {
+  std::uint32_t shell = 0;  ///< position among the lofted shells
+  bool is_turned = false;   ///< its normal is on the other side
+  auto operator<=>(const TurnedShell&) const = default;
+};
+
 /// What the shells of a loft share with one another: nodes, for common normals, and edges.
 class ShellNeighbours {
  public:
@@ -18,11 +25,14 @@ class ShellNeighbours {
   ShellNeighbours(const Mesh& mesh, const Eigen::Matrix3Xd& coordinates,
                   std::span<const ElementIndex> shells);
 
-  /// Unit normal at a corner of a shell: mean of the shells around the node that lie within 60 degrees of
-  /// this one, each weighted by its area and turned to this one's side. Where more than 256 shells meet in a
-  /// node, the normal of this one alone. Zero for a shell without area.
+  /// The shells around the node of a corner that share their normal with this one: those within 60 degrees
+  /// of it, ascending. Where more than 256 shells meet in a node, this one alone.
   ///   shell  position in `shells`
-  Eigen::Vector3d corner_normal(std::uint32_t shell, int corner) const;
+  std::vector<TurnedShell> around(std::uint32_t shell, int corner) const;
+
+  /// Unit normal of shells that share it: their mean, each weighted by its area and turned to the side of the
+  /// one that was asked for. Zero for shells without area.
+  Eigen::Vector3d mean_normal(std::span<const TurnedShell> around) const;
 
   /// Whether no other shell has the edge from the corner to the next one. False for corners on one node.
   bool is_perimeter(std::uint32_t shell, int corner) const;

@@ -83,10 +83,10 @@ TEST_CASE("a node knows the faces that have it", "[contact][contact_faces]") {
     const auto fast = faces.faces_of_node.of(node);
     CHECK(std::vector<std::uint32_t>(fast.begin(), fast.end()) == slow);
   }
-  CHECK(faces.faces[0].shares_node(faces.faces[1]));
-  CHECK(faces.faces[0].shares_node(faces.faces[4]));
-  CHECK(!faces.faces[0].shares_node(faces.faces[2]));
-  CHECK(!faces.faces[0].shares_node(faces.faces[9]));
+  CHECK(faces.share_node(faces.faces[0], faces.faces[1]));
+  CHECK(faces.share_node(faces.faces[0], faces.faces[4]));
+  CHECK(!faces.share_node(faces.faces[0], faces.faces[2]));
+  CHECK(!faces.share_node(faces.faces[0], faces.faces[9]));
 }
 
 TEST_CASE("nodes of a set that no outside face has are left out", "[contact][contact_faces]") {
@@ -101,7 +101,7 @@ TEST_CASE("nodes of a set that no outside face has are left out", "[contact][con
 
 TEST_CASE("what stands behind faces is as stiff and as heavy as its material", "[contact][contact_faces]") {
   const ContactBodies bodies(plate_and_tet(), general_contact("", surfaces));
-  ContactFaces faces = make_contact_faces(bodies.definition.surfaces, bodies.mesh);
+  ContactFaces faces = make_contact_faces(bodies.definition, bodies.mesh);
   add_backing(bodies.model, faces);
   CHECK(faces.faces[0].backing.mass_per_area == Approx(0.5 * 0.5));
   CHECK(faces.faces[0].backing.stiffness == Approx(penalty_over_element / 0.5));

@@ -15,6 +15,22 @@ const Modelled& checked(const Modelled& made) {
   return made;
 }
 
+SolidBlock make_block(const Mesh& mesh, std::uint32_t index) {
+  SolidProperties properties;
+  properties.law = ElasticLaw{{1.0, 0.5}};
+  properties.density = 1.0;
+  const ElementBlock& block = mesh.blocks()[index];
+  const Family family = topology(block.shape).family;
+  if (family == Family::solid)
+    return make_solid_block(mesh, index, *find_solid_element(block.shape, "mean_quadrature"), properties);
+  const std::vector<double> sizes(block.n_elements, block.attributes.at(0));
+  if (family == Family::shell) {
+    const SolidElement& shell = *find_shell_element(block.shape, "bt_shell");
+    return make_shell_block(mesh, index, shell, properties, {}, sizes);
+  }
+  return make_line_block(mesh, index, *find_line_element(block.shape, "beam"), properties, {}, sizes);
+}
+
 }  // namespace
 
 std::string general_contact(const std::string& more, const std::string& surfaces) {
@@ -32,6 +48,8 @@ ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, co
       x(mesh.coordinates()),
       v(Eigen::Matrix3Xd::Zero(3, x.cols())),
       forces(Eigen::Matrix3Xd::Zero(3, x.cols())),
+      turning(v),
+      moments(model.inertia),
       contact({*region.contact, definition, model, blocks, functions}) {}
 
 Region ContactBodies::with_contact(const std::string& lines) {
@@ -40,17 +58,18 @@ Region ContactBodies::with_contact(const std::string& lines) {
   return region;
 }
 
+ForceReport ContactBodies::ask() {
+  const ForceReport report = contact.set_forces(motion(), forces);
+  if (moments.cols() > 0) contact.set_moments(motion(), moments);
+  return report;
+}
+
 Model ContactBodies::make_model_of(const Mesh& mesh) {
   Model model;
   model.mesh = &mesh;
-  SolidProperties properties;
-  properties.law = ElasticLaw{{1.0, 0.5}};
-  properties.density = 1.0;
-  for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) {
-    const SolidElement* element = find_solid_element(mesh.blocks()[b].shape, "mean_quadrature");
-    model.blocks.push_back(make_solid_block(mesh, b, *element, properties));
-  }
+  for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) model.blocks.push_back(make_block(mesh, b));
   model.mass = lumped_mass(mesh, model.blocks);
+  model.inertia = lumped_inertia(mesh, model.blocks);
   return model;
 }
 
@@ -86,6 +105,7 @@ Eigen::Vector3d ContactBodies::force_on(std::size_t block) const {
 Eigen::Vector3d ContactBodies::net_moment() const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (Eigen::Index i = 0; i < x.cols(); ++i) sum += x.col(i).cross(forces.col(i));
+  if (moments.cols() > 0) sum += moments.rowwise().sum();
   return sum;
 }
 
@@ -93,7 +113,7 @@ ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contac
     : mesh(builder.build()),
       definition(parse_contact(contact_lines)),
       model(checked(test::make_model(mesh, contact_lines))),
-      faces(make_contact_faces(model.surfaces, mesh)),
+      faces(make_contact_faces(model, mesh)),
       rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
       surface(faces),
       x(mesh.coordinates()),

@@ -15,7 +15,8 @@ std::string general_contact(const std::string& more = "",
                             const std::string& surfaces = "skin all blocks = on\n");
 
 /// Bodies of a mesh with a contact definition, moved by a test. Their material has bulk modulus 1, shear
-/// modulus 0.5 and density 1; contact is told that the elements' stable step is 1.
+/// modulus 0.5 and density 1; shells are as thick as the mesh's first attribute says, lines have it as area
+/// and particles as radius. Contact is told that the elements' stable step is 1.
 class ContactBodies {
  public:
   /// Throws std::logic_error when the deck has errors.
@@ -35,12 +36,14 @@ class ContactBodies {
   Modelled definition;
   Model model;
   Eigen::Matrix3Xd x, v, forces;  ///< forces: those asked for last
+  Eigen::Matrix3Xd turning;       ///< angular velocity of the nodes
+  Eigen::Matrix3Xd moments;       ///< that go with the forces; 3 x 0 when no node turns
   double time = 0.0, dt = 0.0;
   ContactForce contact;
 
-  Motion motion() const { return {time, dt, x, v, 1.0}; }
-  /// Asks for the forces where the nodes are.
-  ForceReport ask() { return contact.set_forces(motion(), forces); }
+  Motion motion() const { return {time, dt, x, v, 1.0, moments.cols() > 0 ? &turning : nullptr}; }
+  /// Asks for the forces, and the moments, where the nodes are.
+  ForceReport ask();
   /// Moves the nodes by their velocities, then asks.
   ForceReport step(double size);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/contact_faces.hpp"
+#include "contact/face_map.hpp"
+
+namespace contactsim {
+
+/// Which faces of lofts overlap others only because the mesh joins them: at folds, corners and T-junctions
+/// skins lie in each other from the start, farther than the elements that share a node when shells are
+/// thicker than long. Such faces never touch.
+class JoinedFaces {
+ public:
+  /// The faces must outlive this.
+  JoinedFaces(const ContactFaces& faces, const Mesh& mesh) : faces_(faces) { renew(mesh); }
+  /// Takes over that the faces have changed.
+  void renew(const Mesh& mesh);
+
+  /// Whether one of two faces is of a loft, their shells or solids lay within the thickness of their lofts of
+  /// each other at the start, and faces join them that lie no farther away.
+  bool are_joined(std::uint32_t first, std::uint32_t second) const;
+  /// The same of a surface node and a face.
+  bool are_joined(const SurfaceNode& node, std::uint32_t face) const;
+
+ private:
+  /// Contact nodes, first_alike, with the distance that their lofts stand off.
+  struct Piece {
+    std::array<std::uint32_t, 4> nodes{};
+    double reach = 0.0;  ///< [length]
+  };
+  Piece piece_of(const ContactFace& face) const;
+  Piece piece_of(const SurfaceNode& node) const;
+  double reach_of(std::uint32_t node) const;
+  bool are_joined(const Piece& a, const Piece& b) const;
+  FaceCorners corners(const Piece& piece) const;
+
+  const ContactFaces& faces_;
+  Eigen::Matrix3Xd x_;  // 3 x n_contact_nodes at the start, of lofts the nodes that they hang on [length]
+  PairLists faces_of_node_;  // [n_contact_nodes] by first_alike; empty without lofts
+};
+
+}  // namespace contactsim
