@@ -11,11 +11,13 @@
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_contact.hpp"
+#include "app/run_death.hpp"
 #include "app/run_report.hpp"
 #include "app/timed_force.hpp"
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
+#include "core/death/death_sets.hpp"
 #include "core/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"
@@ -42,18 +44,20 @@ struct Setup {
   ExternalForce external;
   InitialState initial;
   TimeStepControl control;
+  std::vector<std::vector<ElementIndex>> death_sets;  ///< as Region::element_deaths
 };
 
-/// What pushes the nodes besides the elements.
-struct RunForces {
+/// What a run has besides its elements.
+struct RunParts {
   ForceTerm& external;
   RunContact* contact;  ///< null without contact
+  RunDeath* death;      ///< null when nothing can die
 };
 
 /// A region on its way from start to end.
 class Run {
  public:
-  Run(const RunInput& input, const Setup& setup, Outputs& outputs, RunForces forces, Log& log,
+  Run(const RunInput& input, const Setup& setup, Outputs& outputs, RunParts parts, Log& log,
       Diagnostics& warnings)
       : model_(setup.model),
         control_(setup.control),
@@ -61,11 +65,13 @@ class Run {
         outputs_(outputs),
         internal_(model_, state_),
         timed_internal_(internal_),
-        timed_external_(forces.external),
-        contact_(forces.contact),
+        timed_external_(parts.external),
+        contact_(parts.contact),
+        death_(parts.death),
         log_(log),
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
+    if (death_ != nullptr) death_->begin(state_);
     if (contact_ == nullptr) return;
     is_for_overlap_only_ = input.region.contact->overlap_removal.is_all_there_is;
     timed_contact_.emplace(contact_->force());
@@ -81,8 +87,7 @@ class Run {
       log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) +
                  step_heading());
       warn_of_user_step(at_start);
-      look_for_end();
-      tell(is_over());
+      end_step();
       while (!is_over()) step();
       if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
     } catch (const SolveError& error) {
@@ -92,6 +97,7 @@ class Run {
       code = ExitCode::solve;
     }
     const double whole = clock_seconds() - begun;
+    if (death_ != nullptr) log_.write(death_->report(state_));
     if (contact_ != nullptr) {
       log_.write(contact_->report());
       contact_->write_debug_files(state_);
@@ -109,9 +115,21 @@ class Run {
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
-    look_for_end();
-    tell(is_over());
+    end_step();
     progress_.show(state_.time);
+  }
+
+  /// Whoever looks at a state, once each.
+  void end_step() {
+    look_for_end();
+    if (death_ != nullptr) bury();
+    tell(is_over());
+  }
+
+  void bury() {
+    const double begun = clock_seconds();
+    death_->step(state_);
+    death_seconds_ += clock_seconds() - begun;
   }
 
   void look_for_end() {
@@ -153,11 +171,13 @@ class Run {
 
   void write_wall_times(double whole) {
     const double contact = timed_contact_ ? timed_contact_->seconds() : 0.0;
-    const double known = timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_;
+    const double known =
+        timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ + death_seconds_;
     std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
                                 {"loads", timed_external_.seconds()},
                                 {"nodes", whole - known},
                                 {"log and files", output_seconds_}};
+    if (death_ != nullptr) parts.push_back({"element death", death_seconds_});
     if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
     for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
@@ -171,11 +191,12 @@ class Run {
   InternalForce internal_;
   TimedForce timed_internal_, timed_external_;
   RunContact* contact_;  // null without contact
+  RunDeath* death_;      // null when nothing can die
   std::optional<TimedForce> timed_contact_;
   Log& log_;
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
-  double output_seconds_ = 0.0;
+  double output_seconds_ = 0.0, death_seconds_ = 0.0;
   bool is_for_overlap_only_ = false;  // the deck wants no steps
   bool has_warned_ = false;
   std::optional<std::string> end_;  // why the run ends before its termination time
@@ -221,8 +242,10 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
   InitialState initial = make_initial_state(scope, model.blocks);
   set_rigid_velocities(scope, model.rigid, initial.velocity);
+  auto death_sets = find_death_sets(scope, model);
   stop_on_errors(warnings);
-  return {std::move(model), std::move(external), std::move(initial), std::move(control)};
+  return {std::move(model), std::move(external), std::move(initial), std::move(control),
+          std::move(death_sets)};
 }
 
 /// No output may overwrite what the run reads, or the log.
@@ -241,6 +264,7 @@ OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& 
   OutputSettings settings;
   settings.results_path = input.options.results;
   settings.command_line = input.options.command_line;
+  settings.always_computes = !input.region.element_deaths.empty();
   settings.deck_lines = lines_of(input.definition.text);
   if (contact != nullptr) contact->add_to(settings);
   settings.log = [&log](std::string_view text) { log.write(text); };
@@ -265,12 +289,16 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   if (input.contact != nullptr) contact.emplace(input, setup.model);
   RunContact* const of_run = contact ? &*contact : nullptr;
   Outputs outputs(scope, setup.model, output_settings(input, of_run, log));
+  std::optional<RunDeath> death;
+  if (!input.region.element_deaths.empty())
+    death.emplace(scope, setup.death_sets, outputs.variables(), DeathParts{setup.external, of_run, log});
   stop_on_errors(warnings);
   std::vector<std::string> paths = outputs.paths();
   if (of_run != nullptr) std::ranges::copy(of_run->paths(), std::back_inserter(paths));
   check_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
-  return Run(input, setup, outputs, {setup.external, of_run}, log, warnings).go();
+  const RunParts parts{setup.external, of_run, death ? &*death : nullptr};
+  return Run(input, setup, outputs, parts, log, warnings).go();
 }
 
 }  // namespace contactsim

@@ -67,6 +67,7 @@ void Ownership::add(const SurfaceRequest& request) {
     made.kind = request.kind;
     made.command = request.command;
     made.location = location;
+    made.may_gain_faces = request.kind == SurfaceKind::face && !request.blocks.empty();
   };
   add_surface(request.name, request.location);
   for (const SubsetRequest& subset : request.subsets) add_surface(subset.name, subset.location);
