@@ -6,7 +6,7 @@
 # end the block stands two layers lower, within a twentieth of a layer; momentum and energy balance.
 #
 # {ifndef(erosion)}
-# {erosion = "on"}
+# {erosion = "on"} {frame = 0.02}
 # {endif}
 begin sierra eroded layers
   begin material stiff
@@ -75,7 +75,6 @@ begin sierra eroded layers
       end
       begin heartbeat output
         stream name = %B.csv
-        at time 0 increment = 0.002
         global force level
         {include("energies.inc")}
       end
