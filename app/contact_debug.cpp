@@ -25,29 +25,32 @@ std::string format_places_csv(ContactForce& force, const ContactModel& contact, 
                               const State& state) {
   std::vector<ContactRecord> places;
   std::vector<TieForces> ties;
-  force.find_places({state.time, state.dt, state.coordinates, state.velocity}, places, ties);
+  Motion motion{state.time, state.dt, state.coordinates, state.velocity};
+  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
+  force.find_places(motion, places, ties);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(
       out,
       "first,second,first_element,first_side,first_node,second_element,second_side,gap,area,normal_force,"
       "tangential_x,tangential_y,tangential_z\n");
-  const auto face_of = [&](std::uint32_t face) {
-    const ElementSide side = force.faces().faces[face].side;
+  const auto face_of = [&](std::uint32_t face, bool is_edge) {
+    const ElementSide side = is_edge ? force.faces().edges[face].side : force.faces().faces[face].side;
     return fmt::format("{},{}", mesh.element_id(side.element()), side.side());
   };
   const auto& surfaces = contact.surfaces.surfaces;
   for (const ContactRecord& place : places) {
     const SurfacePair& pair = contact.pairs[place.pair];
-    const bool is_node = place.first.is_node();
+    const bool is_node = place.first.is_node() && !place.is_of_edges;
     const bool is_rigid = place.second.weights.isZero(0.0);
     const std::int64_t node = mesh.node_id({force.faces().mesh_nodes[place.first.nodes[0]]});
     fmt::format_to(out, "{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
                    surfaces[place.is_swapped ? pair.second : pair.first].name,
                    surfaces[place.is_swapped ? pair.first : pair.second].name,
-                   is_node ? "," : face_of(place.first_place), is_node ? fmt::to_string(node) : "",
-                   is_rigid ? "," : face_of(place.second_place), place.gap, place.area, place.force,
-                   place.tangential[0], place.tangential[1], place.tangential[2]);
+                   is_node ? "," : face_of(place.first_place, place.is_of_edges),
+                   is_node ? fmt::to_string(node) : "",
+                   is_rigid ? "," : face_of(place.second_place, place.is_of_edges), place.gap, place.area,
+                   place.force, place.tangential[0], place.tangential[1], place.tangential[2]);
   }
   return fmt::to_string(text);
 }

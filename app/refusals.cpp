@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace contactsim {
 
 namespace {
@@ -36,20 +34,6 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
   for (const RestartData& restart : region.restart_data) {
     diagnostics.add_warning("restart-not-written", restart.name.location,
                             "restart files are not supported yet: none is read or written");
-  }
-}
-
-void refuse_lofts(const ContactSurfaces& surfaces, const Mesh& mesh, Diagnostics& diagnostics) {
-  const auto is_of_shell = [&](ElementIndex element) {
-    return topology(mesh.blocks()[mesh.block_of(element)].shape).family == Family::shell;
-  };
-  for (const ContactSurface& surface : surfaces.surfaces) {
-    if (std::ranges::all_of(surface.lofted_elements, is_of_shell)) continue;
-    diagnostics.add_error(
-        surface.location,
-        fmt::format("the surface '{}' has lines or particles: their contact is not supported in a run yet",
-                    surface.name),
-        "--check resolves it");
   }
 }
 

@@ -28,7 +28,9 @@ void RunContact::add_to(OutputSettings& settings) {
   }
 }
 
-void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes) {
+void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes,
+                               bool makes_new_edges) {
+  makes_new_edges_ = makes_new_edges;
   Diagnostics told;  // when the model was made
   ClaimRules rules(find_surface_requests(input_.definition, input_.region, mesh_, told), mesh_,
                    input_.region.contact->subdomain);
@@ -47,7 +49,7 @@ std::vector<SurfaceChange> RunContact::bury(const State& state, std::span<const 
   free_nodes_->add(dead, alive);
   Motion motion{state.time, state.dt, state.coordinates, state.velocity};
   if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-  force_.take_surfaces(motion, free_nodes_->nodes());
+  force_.take_surfaces(motion, free_nodes_->nodes(), makes_new_edges_);
   output_.renew();
   return changes;
 }

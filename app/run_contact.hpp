@@ -26,8 +26,9 @@ class RunContact {
 
   /// From now on surfaces follow deaths.
   ///   faces   must outlive this
-  ///   erodes  [n_elements] 1 of elements whose nodes leave contact with them
-  void follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes);
+  ///   erodes           [n_elements] 1 of elements whose nodes leave contact with them
+  ///   makes_new_edges  whether edges that deaths expose become edges of contact
+  void follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes, bool makes_new_edges);
   /// Takes deaths over into the surfaces. Returns what has changed in each [n_surfaces].
   ///   dead   elements that have just died, ascending
   ///   alive  [n_elements] 0 of all dead elements
@@ -56,6 +57,7 @@ class RunContact {
   ContactDebugFiles debug_;
   std::optional<LivingSurfaces> living_;  // only when elements may die
   std::optional<FreeNodes> free_nodes_;
+  bool makes_new_edges_ = true;
 };
 
 }  // namespace contactsim

@@ -52,7 +52,9 @@ RunDeath::RunDeath(const ConditionScope& scope, std::span<const std::vector<Elem
       told_at_(scope.start_time()),
       n_may_die_(count_members(scope.mesh, sets)) {
   for (const ElementDeath& death : definitions_) detail_ = std::max(detail_, death.log);
-  if (parts_.contact != nullptr) parts_.contact->follow_deaths(faces_, find_eroding(scope, sets));
+  const bool makes_new_edges = std::ranges::all_of(definitions_, &ElementDeath::makes_new_edges);
+  if (parts_.contact != nullptr)
+    parts_.contact->follow_deaths(faces_, find_eroding(scope, sets), makes_new_edges);
 }
 
 void RunDeath::begin(State& state) {

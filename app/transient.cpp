@@ -279,7 +279,6 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
     const LawScope laws{input.region.contact->friction_models, input.definition.functions,
                         input.procedure.time_control->blocks};
     refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, laws, warnings);
-    refuse_lofts(input.contact->surfaces, input.mesh, warnings);
   }
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "contact/sort_once.hpp"
 #include "core/mesh/element_checks.hpp"
@@ -21,16 +22,20 @@ std::uint32_t position_of(const ContactFaces& faces, NodeIndex node) {
   return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
 }
 
-std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const Mesh& mesh,
+std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
                                          std::span<const FreeNode> free_nodes) {
   std::vector<std::uint8_t> is_used(mesh.n_nodes(), 0);
   for (const FreeNode& free : free_nodes) is_used[free.node.value] = 1;
-  for (const ContactSurface& surface : surfaces.surfaces) {
+  for (const ContactSurface& surface : contact.surfaces.surfaces) {
     for (const ElementSide face : surface.faces) {
       for (const NodeIndex node : mesh.side_nodes(face)) is_used[node.value] = 1;
     }
     for (const NodeIndex node : surface.nodes) is_used[node.value] = 1;
   }
+  for (const LoftRod& rod : contact.loft.rods) {
+    for (const NodeIndex node : mesh.element_nodes(rod.element).first(2)) is_used[node.value] = 1;
+  }
+  for (const LoftSphere& sphere : contact.loft.spheres) is_used[sphere.centre.value] = 1;
   std::vector<std::uint32_t> nodes;
   nodes.reserve(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
   for (std::uint32_t node = 0; node < mesh.n_nodes(); ++node) {
@@ -40,19 +45,12 @@ std::vector<std::uint32_t> collect_nodes(const ContactSurfaces& surfaces, const 
 }
 
 PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_nodes) {
-  PairLists lists;
-  lists.begin.assign(n_nodes + 1, 0);
-  const auto n_corners = [](const ContactFace& face) { return face.is_triangle() ? 3u : 4u; };
-  for (const ContactFace& face : faces) {
-    for (unsigned k = 0; k < n_corners(face); ++k) ++lists.begin[face.corners[k] + 1];
-  }
-  for (std::size_t i = 0; i < n_nodes; ++i) lists.begin[i + 1] += lists.begin[i];
-  lists.partners.resize(lists.begin.back());
-  std::vector<std::uint32_t> next(lists.begin.begin(), lists.begin.end() - 1);
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
-    for (unsigned k = 0; k < n_corners(faces[f]); ++k) lists.partners[next[faces[f].corners[k]]++] = f;
-  }
-  return lists;
+  return list_by_row(n_nodes, [&](const auto& take) {
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      const std::size_t n = faces[f].is_triangle() ? 3 : 4;
+      for (std::size_t k = 0; k < n; ++k) take(faces[f].corners[k], f);
+    }
+  });
 }
 
 /// Adds to the nodes of faces that are wanted their shares of area and of thickness times area behind it.
@@ -192,6 +190,56 @@ void add_bricks(const LoftGeometry& loft, std::span<const std::uint32_t> facets,
   for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
 }
 
+/// The rods of a surface, and balls around their ends: a node has the smaller radius of its neighbours.
+void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t position, ContactFaces& made) {
+  std::map<std::uint32_t, SurfaceNode> nodes;
+  for (std::size_t i = 0; i < contact.loft.rods.size(); ++i) {
+    if (contact.surface_of_rod[i] != position) continue;
+    const LoftRod& rod = contact.loft.rods[i];
+    const auto ends = mesh.element_nodes(rod.element).first(2);
+    const auto& x = mesh.coordinates();
+    const double length = (x.col(ends[1].value) - x.col(ends[0].value)).norm();
+    ContactEdge edge;
+    edge.surface = position;
+    edge.side = ElementSide(rod.element, 1);
+    edge.radius = rod.radius;
+    edge.width = 2.0 * rod.radius;
+    edge.backing.thickness = 0.5 * std::numbers::pi * rod.radius;  // section over width
+    for (std::size_t k = 0; k < 2; ++k) {
+      edge.nodes[k] = position_of(made, ends[k]);
+      const auto [found, is_new] = nodes.try_emplace(edge.nodes[k]);
+      SurfaceNode& node = found->second;
+      const auto radius = static_cast<float>(rod.radius);
+      node.radius = is_new ? radius : std::min(node.radius, radius);
+      node.area += rod.radius * length;
+      node.node = edge.nodes[k];
+      node.surface = position;
+      node.side = edge.side;
+      node.backing.thickness = edge.backing.thickness;
+    }
+    made.edges.push_back(edge);
+  }
+  for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
+}
+
+/// The particles of a surface.
+void add_balls(const ContactModel& contact, std::uint32_t position, ContactFaces& made) {
+  for (std::size_t i = 0; i < contact.loft.spheres.size(); ++i) {
+    if (contact.surface_of_sphere[i] != position) continue;
+    const LoftSphere& sphere = contact.loft.spheres[i];
+    SurfaceNode node;
+    node.node = position_of(made, sphere.centre);
+    node.surface = position;
+    node.side = ElementSide(sphere.element, 1);
+    node.radius = static_cast<float>(sphere.radius);
+    node.area = std::numbers::pi * sphere.radius * sphere.radius;
+    node.backing.thickness = 4.0 / 3.0 * sphere.radius;  // volume over cross-section
+    made.surface_nodes.push_back(node);
+    made.edges.push_back(
+        {{node.node, node.node}, position, node.side, sphere.radius, 2.0 * sphere.radius, node.backing});
+  }
+}
+
 void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactFaces& made) {
   made.loft = LoftPoints(contact.loft, mesh);
   for (std::size_t i = 0; i < made.loft.size(); ++i) made.mesh_nodes.push_back(made.loft.node(i));
@@ -248,7 +296,7 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
                                 std::span<const FreeNode> free_nodes) {
   const auto& surfaces = contact.surfaces.surfaces;
   ContactFaces made;
-  made.mesh_nodes = collect_nodes(contact.surfaces, mesh, free_nodes);
+  made.mesh_nodes = collect_nodes(contact, mesh, free_nodes);
   add_loft_points(contact, mesh, made);
   const auto facets = brick_facets(contact);
   made.first_face.push_back(0);
@@ -259,6 +307,8 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
     add_nodes(surfaces[s], s, mesh, by_node, made);
     if (!free_nodes.empty()) add_free_nodes(free_nodes, s, mesh, made);
     add_bricks(contact.loft, facets[s], s, made);
+    add_rods(contact, mesh, s, made);
+    add_balls(contact, s, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }
@@ -283,6 +333,7 @@ void add_backing(const Model& model, ContactFaces& faces) {
   const Materials materials(model);
   for (ContactFace& face : faces.faces) materials.add(face.side, face.backing);
   for (SurfaceNode& node : faces.surface_nodes) materials.add(node.side, node.backing);
+  for (ContactEdge& edge : faces.edges) materials.add(edge.side, edge.backing);
 }
 
 }  // namespace contactsim

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
 #include "core/errors.hpp"
+#include "core/least_mass.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -37,15 +37,16 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact, *setup.model.mesh)),
+      faces_(make_faces({})),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
       search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
       face_face_(faces_, rules_.has_friction()),
       node_face_(faces_),
+      edges_(faces_),
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
-      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction()),
+      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {
   add_backing(setup.model, faces_);
@@ -55,6 +56,10 @@ void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();
   search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
   face_face_.take_candidates();
+  if (!faces_.edges.empty()) {
+    search_.find_edges(surface_, motion, edges_.next_candidates());
+    edges_.take_candidates();
+  }
   surface_.watch(faces_with_candidates());
   has_new_surfaces_ = false;
 }
@@ -121,6 +126,7 @@ void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, c
 
 /// Whether a place that touches is glued then.
 bool ContactForce::glues(const ContactRecord& record) const {
+  if (record.is_of_edges) return false;
   const PairRule& rule = record.first.is_node()
                              ? rules_.of_node(record.pair, record.first_place)
                              : rules_.of_faces(record.pair, record.first_place, record.second_place);
@@ -139,6 +145,7 @@ void ContactForce::add_places(const ContactScene& scene) {
     face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.step(scene, glued_, sums_);
   sums_.end_step();
@@ -183,10 +190,17 @@ void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
 
 void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
   moments.setZero();
-  const auto on_points = sums_.nodes().subspan(faces_.n_mesh_points());
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  const auto on_points = sums_.nodes().subspan(n_mesh_points);
   for (std::size_t i = 0; i < on_points.size(); ++i) {
     const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
     moments.col(faces_.loft.node(i)) += arm.cross(on_points[i].head<3>());
+  }
+  // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
+  const auto of_balls = sums_.moments();
+  for (std::size_t i = 0; i < of_balls.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[i]);
+    if (setup_.model.inertia(0, node) > least_mass) moments.col(node) += of_balls[i];
   }
 }
 
@@ -224,51 +238,6 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   return report;
 }
 
-void ContactForce::renumber(const ContactRenumbering& places) {
-  rules_.renumber(places);
-  glued_.renumber(places);
-  search_.renumber(places);
-  face_face_.renumber(places);
-  node_face_.renumber(places);
-  planes_.renumber(setup_.contact.surfaces, setup_.contact.planes, rules_, places);
-  held_.renumber(places);
-  sums_.renumber(places);
-}
-
-void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes) {
-  const Mesh& mesh = *setup_.model.mesh;
-  const ContactFaces before = std::exchange(faces_, make_contact_faces(setup_.contact, mesh, free_nodes));
-  add_backing(setup_.model, faces_);
-  MovingSurface start(faces_);
-  const Eigen::Matrix3Xd& any_velocity = mesh.coordinates();
-  start.move_nodes({0.0, 0.0, mesh.coordinates(), any_velocity});
-  limit_stiffness(start, start_step_, faces_);
-  const ContactRenumbering places = contactsim::renumber(before, faces_);
-  std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
-                              std::span(faces_.mesh_nodes).first(faces_.n_mesh_points()),
-                              std::back_inserter(left_));
-  left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
-               before.mesh_nodes.end());
-  renumber(places);
-  surface_.move_nodes(motion);
-  surface_.bound_all();
-  surface_.watch(faces_with_candidates());
-  has_new_surfaces_ = true;
-  forget_stored(motion);
-}
-
-/// What springs stored that are gone is not given back.
-void ContactForce::forget_stored(const Motion& motion) {
-  std::vector<ContactRecord> places;
-  std::vector<TieForces> ties;
-  find_places(motion, places, ties);
-  std::fill(stored_.begin(), stored_.end(), 0.0);
-  for (const ContactRecord& place : places) {
-    if (place.touches()) stored_[place.pair] += place.stored();
-  }
-  for (std::size_t i = 0; i < ties.size(); ++i) stored_[held_[i].pair] += ties[i].stored;
-}
-
 void ContactForce::note_histories(const Motion& motion) {
   const auto steps = sums_.pairs();
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -294,6 +263,7 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   const auto take = [&](const ContactRecord& record) { places.push_back(record); };
   visit_places(face_face_, scene, take);
   visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.find_forces(scene, ties);
 }

@@ -8,6 +8,7 @@
 #include "contact/contact_model.hpp"
 #include "contact/contact_search.hpp"
 #include "contact/contact_sums.hpp"
+#include "contact/edge_contacts.hpp"
 #include "contact/face_face_contacts.hpp"
 #include "contact/held_places.hpp"
 #include "contact/node_face_contacts.hpp"
@@ -51,8 +52,9 @@ class ContactForce final : public ForceTerm {
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
   /// is gone is over; the energy that it stored is lost.
   ///   motion      of the last step
-  ///   free_nodes  ascending, that stay though their elements are dead
-  void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes);
+  ///   free_nodes       ascending, that stay though their elements are dead
+  ///   makes_new_edges  whether sharp edges that were none before become edges of contact
+  void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes, bool makes_new_edges = true);
 
   const ContactFaces& faces() const { return faces_; }
   const ContactSearch& search() const { return search_; }
@@ -62,7 +64,7 @@ class ContactForce final : public ForceTerm {
   const ContactStep& step_share() const { return step_share_; }
   std::size_t n_candidates() const {
     return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() +
-           planes_.n_rows();
+           edges_.candidates().partners.size() + planes_.n_rows();
   }
 
   /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
@@ -75,6 +77,7 @@ class ContactForce final : public ForceTerm {
   Eigen::Vector3d position(std::uint32_t node) const { return surface_.x(node); }
 
  private:
+  ContactFaces make_faces(std::span<const FreeNode> free_nodes) const;
   void begin(const Motion& motion);
   void renumber(const ContactRenumbering& places);
   void forget_stored(const Motion& motion);
@@ -98,6 +101,7 @@ class ContactForce final : public ForceTerm {
   ContactSearch search_;
   FaceFaceContacts face_face_;
   NodeFaceContacts node_face_;
+  EdgeContacts edges_;
   PlaneContacts planes_;
   HeldPlaces held_;
   ContactSums sums_;

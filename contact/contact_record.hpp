@@ -11,18 +11,20 @@ namespace contactsim {
 struct RecordSide {
   std::array<std::uint32_t, 4> nodes{};
   Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< sum 1; all 0 of a rigid side [1]
+  double radius = 0.0;  ///< by which the place stands off the nodes, towards the other side [length]
 
   /// Whether it is one node and not a face.
   bool is_node() const { return nodes[0] == nodes[3]; }
 };
 
-/// One place where two sides meet in a step: a pair of faces, a node and a face, a tied point.
+/// One place where two sides meet in a step: a pair of faces, a node and a face, two edges, a tied point.
 struct ContactRecord {
   std::uint32_t pair = 0;          ///< position in the list of surface pairs
-  std::uint32_t first_place = 0;   ///< face, or surface node
-  std::uint32_t second_place = 0;  ///< face
-  bool is_swapped = false;         ///< the first side is of the pair's second surface
-  bool is_held_apart = false;      ///< a law acts on it whether it touches or not
+  std::uint32_t first_place = 0;   ///< face, surface node or edge
+  std::uint32_t second_place = 0;  ///< face or edge
+  bool is_of_edges = false;
+  bool is_swapped = false;     ///< the first side is of the pair's second surface
+  bool is_held_apart = false;  ///< a law acts on it whether it touches or not
   RecordSide first, second;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
   double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/contact_renumbering.hpp"
 
-#include <algorithm>
-#include <functional>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace contactsim {
@@ -50,15 +50,34 @@ void match_nodes(const ContactFaces& before, const ContactFaces& after, ContactR
   }
 }
 
+/// What tells a surface node from others: its surface, its node, whether it is a ball.
+using RowKey = std::tuple<std::uint32_t, std::uint32_t, bool>;
+
 void match_rows(const ContactFaces& before, const ContactFaces& after, ContactRenumbering& places) {
+  std::map<RowKey, std::uint32_t> known;
+  for (std::uint32_t i = 0; i < after.surface_nodes.size(); ++i) {
+    const SurfaceNode& row = after.surface_nodes[i];
+    known.emplace_hint(known.end(), RowKey(row.surface, row.node, row.radius > 0.0f), i);
+  }
   for (const SurfaceNode& row : before.surface_nodes) {
-    const auto first = after.surface_nodes.begin();
-    const auto begin = first + after.first_node[row.surface], end = first + after.first_node[row.surface + 1];
-    const std::uint32_t node = places.nodes[row.node];
-    const auto found = std::ranges::lower_bound(begin, end, node, std::less<>(),
-                                                [](const SurfaceNode& n) { return n.node; });
-    const bool is_there = node != gone && found != end && found->node == node;
-    places.rows.push_back(is_there ? static_cast<std::uint32_t>(found - first) : gone);
+    const auto found = known.find({row.surface, places.nodes[row.node], row.radius > 0.0f});
+    places.rows.push_back(found != known.end() ? found->second : gone);
+  }
+}
+
+/// What tells an edge from others: its surface, its nodes, its radius.
+using EdgeKey = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, double>;
+
+void match_edges(const ContactFaces& before, const ContactFaces& after, ContactRenumbering& places) {
+  std::map<EdgeKey, std::uint32_t> known;
+  for (std::uint32_t i = 0; i < after.edges.size(); ++i) {
+    const ContactEdge& edge = after.edges[i];
+    known[{edge.surface, edge.nodes[0], edge.nodes[1], edge.radius}] = i;
+  }
+  for (const ContactEdge& edge : before.edges) {
+    const EdgeKey key{edge.surface, places.nodes[edge.nodes[0]], places.nodes[edge.nodes[1]], edge.radius};
+    const auto found = known.find(key);
+    places.edges.push_back(found != known.end() ? found->second : gone);
   }
 }
 
@@ -69,12 +88,14 @@ ContactRenumbering renumber(const ContactFaces& before, const ContactFaces& afte
   places.n_faces_after = after.faces.size();
   places.n_rows_after = after.surface_nodes.size();
   places.n_nodes_after = after.n_nodes();
+  places.n_edges_after = after.edges.size();
   for (std::size_t s = 0; s + 1 < before.first_face.size(); ++s) {
     const auto keys = face_keys(before, s), keys_after = face_keys(after, s);
     match<FaceKey>(keys, keys_after, after.first_face[s], places.faces);
   }
   match_nodes(before, after, places);
   match_rows(before, after, places);
+  match_edges(before, after, places);
   return places;
 }
 

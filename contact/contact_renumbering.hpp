@@ -11,13 +11,14 @@ namespace contactsim {
 
 /// Where contact faces, surface nodes and contact nodes are after surfaces have changed, by where they were.
 /// A face is the same when its element's side and its surface are, a surface node when its node and surface
-/// are. Faces that are still there keep their order; nodes and
-/// rows do too, but for those of lofts.
+/// are. An
+/// edge is the same when its nodes are and what it is of. Faces that are still there keep their order; nodes
+/// and rows do too, but for those of lofts.
 struct ContactRenumbering {
   static constexpr std::uint32_t gone = UINT32_MAX;
 
-  std::vector<std::uint32_t> faces, rows, nodes;  ///< [n before] position after, or gone
-  std::size_t n_faces_after = 0, n_rows_after = 0, n_nodes_after = 0;
+  std::vector<std::uint32_t> faces, rows, nodes, edges;  ///< [n before] position after, or gone
+  std::size_t n_faces_after = 0, n_rows_after = 0, n_nodes_after = 0, n_edges_after = 0;
 };
 
 /// Compares faces and nodes of before and after a change.

@@ -61,6 +61,8 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
   }
+  const auto is_ball = [](const SurfaceNode& node) { return node.radius > 0.0f; };
+  has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(faces.surface_nodes, is_ball);
   set_margins();
 }
 
@@ -204,8 +206,34 @@ Box ContactSearch::node_box(const MovingSurface& surface, std::uint32_t row, dou
   const std::uint32_t node = faces_.surface_nodes[row].node;
   Box box = box_at(surface.x(node));
   include(surface.x(node) - dt * surface.v(node), box);
-  widen(node_margin_[node] + 0.5 * reach_[faces_.surface_nodes[row].surface], box);
+  const SurfaceNode& own = faces_.surface_nodes[row];
+  widen(node_margin_[node] + own.radius + 0.5 * reach_[own.surface], box);
   return box;
+}
+
+Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, double dt) const {
+  const ContactEdge& edge = faces_.edges[index];
+  Box box = box_at(surface.x(edge.nodes[0]));
+  double margin = 0.0;
+  for (const std::uint32_t node : edge.nodes) {
+    include(surface.x(node), box);
+    include(surface.x(node) - dt * surface.v(node), box);
+    margin = std::max<double>(margin, node_margin_[node]);
+  }
+  const double deep = edge.is_sharp() ? depth_share * edge.backing.thickness : edge.radius;
+  widen(margin + deep + 0.5 * reach_[edge.surface], box);
+  return box;
+}
+
+void ContactSearch::find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners) {
+  const auto n_edges = static_cast<std::uint32_t>(faces_.edges.size());
+  const auto box_of = [&](std::uint32_t edge) { return edge_box(surface, edge, motion.dt); };
+  if (const auto bad = edges_phase_.update(n_edges, box_of))
+    throw SolveError(motion.time,
+                     fmt::format("node {} moves without bound",
+                                 mesh_.node_id({faces_.mesh_nodes[faces_.edges[*bad].nodes[0]]})));
+  edges_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return edges_may_meet(a, b); },
+                          partners);
 }
 
 bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
@@ -224,10 +252,25 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   const std::uint32_t pair = rules_.find(node.surface, face.surface);
   if (pair == PairRules::none) return false;
   const SurfacePair& of = *rules_[pair].pair;
-  if (of.formulation != ConstraintFormulation::node_face && !node.is_free) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;
-  if (of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  // Balls have no faces: they meet those of others as nodes, whatever the formulation.
+  const bool is_ball = node.radius > 0.0f;
+  if (!is_ball && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
+  if (!is_ball && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   return !has_element_of(node.node, face) && !joined_.are_joined(node, index);
+}
+
+bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) const {
+  const ContactEdge &a = faces_.edges[first], &b = faces_.edges[second];
+  const std::uint32_t pair = rules_.find(a.surface, b.surface);
+  if (pair == PairRules::none || rules_[pair].only_ties()) return false;
+  // Balls meet the edges of faces together with the faces.
+  if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
+  const auto is_of_b = [&](std::uint32_t node) {
+    const std::uint32_t alike = faces_.first_alike[node];
+    return alike == faces_.first_alike[b.nodes[0]] || alike == faces_.first_alike[b.nodes[1]];
+  };
+  return !std::ranges::any_of(a.nodes, is_of_b) && !joined_.are_joined(a, b);
 }
 
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {

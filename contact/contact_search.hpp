@@ -39,9 +39,14 @@ class ContactSearch {
   /// is nowhere.
   void find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates);
 
+  /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
+  ///   partners  [n_edges] edges of greater number
+  void find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners);
+
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
+  const BroadPhaseCounts& edge_counts() const { return edges_phase_.counts(); }
 
  private:
   void set_margins();
@@ -55,6 +60,8 @@ class ContactSearch {
   Box node_box(const MovingSurface& surface, std::uint32_t row, double dt) const;
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
+  Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt) const;
+  bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
   void keep_first_partners(ContactCandidates candidates);
 
@@ -72,7 +79,7 @@ class ContactSearch {
   Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]
   std::vector<Eigen::Vector3f>
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
-  BroadPhase faces_phase_, nodes_phase_;
+  BroadPhase faces_phase_, nodes_phase_, edges_phase_;
   PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners
   std::uint64_t n_searches_ = 0;
 };

@@ -5,9 +5,11 @@
 
 namespace contactsim {
 
-ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction)
+ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction, bool has_moments)
     : has_friction_(has_friction),
+      has_moments_(has_moments),
       nodes_(n_nodes, NodeVector::Zero()),
+      moments_(has_moments ? n_nodes : 0, Eigen::Vector3d::Zero()),
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
       slips_(has_friction ? n_nodes : 0, NodeVector::Zero()) {}
@@ -17,6 +19,7 @@ void ContactSums::renumber(const ContactRenumbering& places) {
   carry(places.nodes, places.n_nodes_after, NodeFriction{}, friction_);
   carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), slips_);
   nodes_.resize(places.n_nodes_after, NodeVector::Zero());
+  moments_.assign(has_moments_ ? places.n_nodes_after : 0, Eigen::Vector3d::Zero());
   friction_.resize(has_friction_ ? places.n_nodes_after : 0);
   slips_.resize(has_friction_ ? places.n_nodes_after : 0, NodeVector::Zero());
 }
@@ -24,6 +27,7 @@ void ContactSums::renumber(const ContactRenumbering& places) {
 void ContactSums::begin_step() {
   dissipated_ = damped_ = 0.0;
   std::fill(nodes_.begin(), nodes_.end(), NodeVector::Zero());
+  std::fill(moments_.begin(), moments_.end(), Eigen::Vector3d::Zero());
   std::fill(slips_.begin(), slips_.end(), NodeVector::Zero());
   std::fill(pairs_.begin(), pairs_.end(), PairStep{});
 }
@@ -38,6 +42,8 @@ void ContactSums::add(const ContactRecord& record) {
     nodes_[record.first.nodes[k]] += record.first.weights[i] * on_first;
     nodes_[record.second.nodes[k]] += record.second.weights[i] * on_second;
   }
+  add_moment(record.first, -record.first.radius * record.normal, force);
+  add_moment(record.second, record.second.radius * record.normal, -force);
   PairStep& pair = pairs_[record.pair];
   pair.is_near = true;
   if (!record.touches()) return;
@@ -52,6 +58,13 @@ void ContactSums::add(const ContactRecord& record) {
   if (friction_.empty()) return;
   add_slip(record.first, record.slip, record);
   add_slip(record.second, -record.slip, record);
+}
+
+void ContactSums::add_moment(const RecordSide& side, const Eigen::Vector3d& arm,
+                             const Eigen::Vector3d& force) {
+  if (side.radius == 0.0) return;
+  for (std::size_t k = 0; k < 4; ++k)
+    moments_[side.nodes[k]] += side.weights[static_cast<Eigen::Index>(k)] * arm.cross(force);
 }
 
 void ContactSums::add_slip(const RecordSide& side, const Eigen::Vector3d& slip, const ContactRecord& record) {

@@ -36,7 +36,8 @@ struct NodeFriction {
 /// so that the sums have the same bits.
 class ContactSums {
  public:
-  ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction);
+  ///   has_moments  some places stand off their nodes
+  ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction, bool has_moments = false);
 
   /// Goes over to other nodes. What friction did at nodes that are gone is forgotten.
   void renumber(const ContactRenumbering& places);
@@ -48,6 +49,8 @@ class ContactSums {
 
   /// [n_contact_nodes] x y z of the force [force], and the stiffness that moves with the node [force/length]
   std::span<const NodeVector> nodes() const { return nodes_; }
+  /// [n_contact_nodes] of the forces about the nodes, empty without moments [force length]
+  std::span<const Eigen::Vector3d> moments() const { return moments_; }
   std::span<const PairStep> pairs() const { return pairs_; }
   /// [n_contact_nodes], empty without friction
   std::span<const NodeFriction> friction() const { return friction_; }
@@ -55,10 +58,12 @@ class ContactSums {
   double damped() const { return damped_; }
 
  private:
+  void add_moment(const RecordSide& side, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
   void add_slip(const RecordSide& side, const Eigen::Vector3d& slip, const ContactRecord& record);
 
-  bool has_friction_;
+  bool has_friction_, has_moments_;
   std::vector<NodeVector> nodes_;
+  std::vector<Eigen::Vector3d> moments_;
   std::vector<PairStep> pairs_;
   std::vector<NodeFriction> friction_;
   std::vector<NodeVector> slips_;  // of the step, times area, and area

@@ -21,22 +21,10 @@ Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weigh
 }  // namespace
 
 void FaceFaceContacts::take_candidates() {
-  std::vector<std::uint8_t> touched(next_.partners.size(), 0);
-  std::vector<Eigen::Vector3d> elastic(has_friction_ ? next_.partners.size() : 0, Eigen::Vector3d::Zero());
-  const std::size_t n_rows = std::min(candidates_.n_rows(), next_.n_rows());
-  for (std::size_t row = 0; row < n_rows; ++row) {
-    std::size_t old = candidates_.begin[row];
-    const std::size_t old_end = candidates_.begin[row + 1];
-    for (std::size_t k = next_.begin[row]; k < next_.begin[row + 1]; ++k) {
-      while (old < old_end && candidates_.partners[old] < next_.partners[k]) ++old;
-      if (old == old_end || candidates_.partners[old] != next_.partners[k]) continue;
-      touched[k] = touched_[old];
-      if (has_friction_) elastic[k] = elastic_[old];
-    }
-  }
+  touched_ = carry_over<std::uint8_t>(candidates_, touched_, next_, 0);
+  if (has_friction_)
+    elastic_ = carry_over<Eigen::Vector3d>(candidates_, elastic_, next_, Eigen::Vector3d::Zero());
   candidates_ = std::exchange(next_, {});
-  touched_ = std::move(touched);
-  elastic_ = std::move(elastic);
 }
 
 void FaceFaceContacts::renumber(const ContactRenumbering& places) {

@@ -26,30 +26,32 @@ double distance(const FaceCorners& a, const FaceCorners& b) {
 
 double radius(const FaceCorners& face) { return (face.colwise() - face.col(0)).colwise().norm().maxCoeff(); }
 
-PairLists list_by_first_alike(const ContactFaces& faces) {
-  PairLists lists;
-  lists.begin.assign(faces.n_nodes() + 1, 0);
-  for (const ContactFace& face : faces.faces) {
-    for (const std::uint32_t corner : face.corners) ++lists.begin[faces.first_alike[corner] + 1];
-  }
-  for (std::size_t i = 0; i < faces.n_nodes(); ++i) lists.begin[i + 1] += lists.begin[i];
-  lists.partners.resize(lists.begin.back());
-  std::vector<std::uint32_t> next(lists.begin.begin(), lists.begin.end() - 1);
-  for (std::uint32_t f = 0; f < faces.faces.size(); ++f) {
-    for (const std::uint32_t corner : faces.faces[f].corners)
-      lists.partners[next[faces.first_alike[corner]]++] = f;
-  }
-  return lists;
-}
-
 }  // namespace
 
 void JoinedFaces::renew(const Mesh& mesh) {
-  if (faces_.loft.size() == 0) return;
-  faces_of_node_ = list_by_first_alike(faces_);
-  x_.resize(3, static_cast<Eigen::Index>(faces_.n_nodes()));
+  const ContactFaces& faces = faces_;
+  pieces_of_node_ = {};
+  if (faces.loft.size() == 0 && faces.edges.empty()) return;
+  pieces_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
+    const auto n_pieces = static_cast<std::uint32_t>(faces.faces.size() + faces.edges.size());
+    for (std::uint32_t i = 0; i < n_pieces; ++i) {
+      for (const std::uint32_t node : piece(i).nodes) take(node, i);
+    }
+  });
+  x_.resize(3, static_cast<Eigen::Index>(faces.n_nodes()));
   for (Eigen::Index i = 0; i < x_.cols(); ++i)
     x_.col(i) = mesh.coordinates().col(faces_.mesh_nodes[static_cast<std::size_t>(i)]);
+}
+
+JoinedFaces::Piece JoinedFaces::piece(std::uint32_t index) const {
+  const std::size_t n_faces = faces_.faces.size();
+  return index < n_faces ? piece_of(faces_.faces[index]) : piece_of(faces_.edges[index - n_faces]);
+}
+
+JoinedFaces::Piece JoinedFaces::piece_of(const ContactEdge& edge) const {
+  const std::uint32_t a = faces_.first_alike[edge.nodes[0]], b = faces_.first_alike[edge.nodes[1]];
+  const double reach = std::max({edge.radius, reach_of(edge.nodes[0]), reach_of(edge.nodes[1])});
+  return {{a, b, b, b}, reach};
 }
 
 double JoinedFaces::reach_of(std::uint32_t node) const {
@@ -69,7 +71,7 @@ JoinedFaces::Piece JoinedFaces::piece_of(const ContactFace& face) const {
 JoinedFaces::Piece JoinedFaces::piece_of(const SurfaceNode& node) const {
   Piece piece;
   piece.nodes.fill(faces_.first_alike[node.node]);
-  piece.reach = reach_of(node.node);
+  piece.reach = std::max<double>(reach_of(node.node), node.radius);
   return piece;
 }
 
@@ -80,13 +82,17 @@ FaceCorners JoinedFaces::corners(const Piece& piece) const {
 }
 
 bool JoinedFaces::are_joined(std::uint32_t first, std::uint32_t second) const {
-  if (faces_.loft.size() == 0) return false;
+  if (pieces_of_node_.n_rows() == 0) return false;
   return are_joined(piece_of(faces_.faces[first]), piece_of(faces_.faces[second]));
 }
 
 bool JoinedFaces::are_joined(const SurfaceNode& node, std::uint32_t face) const {
-  if (faces_.loft.size() == 0) return false;
+  if (pieces_of_node_.n_rows() == 0) return false;
   return are_joined(piece_of(node), piece_of(faces_.faces[face]));
+}
+
+bool JoinedFaces::are_joined(const ContactEdge& first, const ContactEdge& second) const {
+  return are_joined(piece_of(first), piece_of(second));
 }
 
 bool JoinedFaces::are_joined(const Piece& a, const Piece& b) const {
@@ -96,9 +102,8 @@ bool JoinedFaces::are_joined(const Piece& a, const Piece& b) const {
   const double farthest = radius(at_a) + reach + radius(at_b);
   std::vector<std::uint32_t> seen(a.nodes.begin(), a.nodes.end());
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (const std::uint32_t face : faces_of_node_.of(seen[i])) {
-      for (const std::uint32_t corner : faces_.faces[face].corners) {
-        const std::uint32_t node = faces_.first_alike[corner];
+    for (const std::uint32_t neighbour : pieces_of_node_.of(seen[i])) {
+      for (const std::uint32_t node : piece(neighbour).nodes) {
         if (std::ranges::find(b.nodes, node) != b.nodes.end()) return true;
         const bool is_near = (x_.col(node) - at_a.col(0)).norm() <= farthest;
         if (is_near && std::ranges::find(seen, node) == seen.end()) seen.push_back(node);

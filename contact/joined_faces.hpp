@@ -6,9 +6,9 @@
 
 namespace contactsim {
 
-/// Which faces of lofts overlap others only because the mesh joins them: at folds, corners and T-junctions
-/// skins lie in each other from the start, farther than the elements that share a node when shells are
-/// thicker than long. Such faces never touch.
+/// Which lofts overlap others only because the mesh joins them: at folds, corners and T-junctions skins lie
+/// in each other from the start, farther than the elements that share a node when shells are thicker, or
+/// beams wider, than long. They never touch there.
 class JoinedFaces {
  public:
   /// The faces must outlive this.
@@ -19,8 +19,9 @@ class JoinedFaces {
   /// Whether one of two faces is of a loft, their shells or solids lay within the thickness of their lofts of
   /// each other at the start, and faces join them that lie no farther away.
   bool are_joined(std::uint32_t first, std::uint32_t second) const;
-  /// The same of a surface node and a face.
+  /// The same of a surface node and a face, and of two edges.
   bool are_joined(const SurfaceNode& node, std::uint32_t face) const;
+  bool are_joined(const ContactEdge& first, const ContactEdge& second) const;
 
  private:
   /// Contact nodes, first_alike, with the distance that their lofts stand off.
@@ -30,13 +31,16 @@ class JoinedFaces {
   };
   Piece piece_of(const ContactFace& face) const;
   Piece piece_of(const SurfaceNode& node) const;
+  Piece piece_of(const ContactEdge& edge) const;
+  /// The faces, then the edges.
+  Piece piece(std::uint32_t index) const;
   double reach_of(std::uint32_t node) const;
   bool are_joined(const Piece& a, const Piece& b) const;
   FaceCorners corners(const Piece& piece) const;
 
   const ContactFaces& faces_;
   Eigen::Matrix3Xd x_;  // 3 x n_contact_nodes at the start, of lofts the nodes that they hang on [length]
-  PairLists faces_of_node_;  // [n_contact_nodes] by first_alike; empty without lofts
+  PairLists pieces_of_node_;  // [n_contact_nodes] by first_alike; empty without lofts
 };
 
 }  // namespace contactsim

@@ -123,6 +123,7 @@ Eigen::Vector3d across(const Eigen::Vector3d& axis) {
 
 void LoftBuilder::add_prism(ElementIndex element, const LoftSize& size) {
   constexpr std::size_t n = 6;
+  loft_.rods.push_back({element, size.radius});
   const auto ends = mesh_.element_nodes(element).first(2);
   const Eigen::Vector3d axis =
       (coordinates_.col(ends[1].value) - coordinates_.col(ends[0].value)).normalized();

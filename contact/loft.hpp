@@ -44,6 +44,12 @@ struct LoftSphere {
   double radius = 0.0;  ///< [length]
 };
 
+/// The cylinder around a line, in which its prism is inscribed.
+struct LoftRod {
+  ElementIndex element;
+  double radius = 0.0;  ///< [length]
+};
+
 /// Bodies around shells (bricks), lines (hexagonal prisms) and particles (spheres). A force on a vertex
 /// belongs to the mesh node that the vertex was lofted from.
 struct LoftGeometry {
@@ -54,6 +60,7 @@ struct LoftGeometry {
   std::vector<ElementIndex> shells;       ///< that are lofted, ascending
   std::vector<LoftFacet> facets;          ///< by element, then side
   std::vector<LoftSphere> spheres;        ///< by element
+  std::vector<LoftRod> rods;              ///< by element
 };
 
 /// Lofts elements at the given coordinates. Shells that share a node bend the loft along their mean normal

@@ -23,6 +23,7 @@ FaceCorners gather(const std::array<std::uint32_t, 4>& corners, const VectorOf& 
 void MovingSurface::move_nodes(const Motion& motion) {
   const auto n_nodes = static_cast<Eigen::Index>(faces_.n_nodes());
   velocity_ = &motion.velocity;
+  turning_ = motion.angular_velocity;
   x_.resize(3, n_nodes);
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_nodes()))
   for (Eigen::Index i = 0; i < n_nodes; ++i)

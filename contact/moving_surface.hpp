@@ -33,6 +33,12 @@ class MovingSurface {
         node < n_mesh_points ? velocity_->data() + 3 * std::size_t{faces_.mesh_nodes[node]}
                              : loft_velocity_.data() + 3 * (node - n_mesh_points));
   }
+  /// The velocity of a point that turns with a node [length/time].
+  ///   arm  from the node to the point [length]
+  Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+    if (turning_ == nullptr) return v(node);
+    return v(node) + Eigen::Vector3d(turning_->col(faces_.mesh_nodes[node])).cross(arm);
+  }
   /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
   const Eigen::Matrix3Xd& arms() const { return arms_; }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
@@ -59,6 +65,7 @@ class MovingSurface {
   Eigen::Matrix3Xd arms_, loft_velocity_;       // of the points of lofts [length] [length/time]
   Eigen::Matrix3Xd shell_areas_;                // scratch
   const Eigen::Matrix3Xd* velocity_ = nullptr;  // of the mesh's nodes [length/time]
+  const Eigen::Matrix3Xd* turning_ = nullptr;   // of the mesh's nodes [1/time]; null when none turns
   std::vector<FaceBound> bounds_;               // [n_faces]
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 
 namespace contactsim {
 
@@ -74,6 +76,36 @@ std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangl
   double xi = found.xi, eta = found.eta;
   found.edge = move_inside(is_triangle, xi, eta);
   if (found.edge >= 0) found.beyond = (foot - map.at(xi, eta)).norm();
+  return found;
+}
+
+std::optional<FacePoint> touch_by_ball(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point,
+                                       const FacePoint& flat, double radius) {
+  FacePoint found = flat;
+  found.gap -= radius;
+  if (flat.edge < 0) return found;
+  if (flat.gap < 0.0) return std::nullopt;
+  static constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
+  static constexpr std::array<std::array<double, 2>, 4> square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+  const std::span<const std::array<double, 2>> corners =
+      is_triangle ? std::span<const std::array<double, 2>>(triangle) : square;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const std::size_t next = (k + 1) % corners.size();
+    const Eigen::Vector3d from = x.col(static_cast<Eigen::Index>(k));
+    const Eigen::Vector3d edge = x.col(static_cast<Eigen::Index>(next)) - from;
+    const double share = std::clamp(edge.dot(point - from) / edge.squaredNorm(), 0.0, 1.0);
+    const Eigen::Vector3d away = point - from - share * edge;
+    const double distance = away.norm();
+    if (!(distance < least) || distance == 0.0) continue;
+    least = distance;
+    found.xi = corners[k][0] + share * (corners[next][0] - corners[k][0]);
+    found.eta = corners[k][1] + share * (corners[next][1] - corners[k][1]);
+    found.normal = away / distance;
+    found.gap = distance - radius;
+  }
+  found.beyond = 0.0;
+  found.edge = -1;
   return found;
 }
 

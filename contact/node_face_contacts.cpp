@@ -25,8 +25,6 @@ double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
   return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
 }
 
-double distance(const FacePoint& point) { return std::abs(point.gap) + point.beyond; }
-
 bool has_corner(const ContactFace& face, std::uint32_t node) {
   return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
 }
@@ -38,7 +36,8 @@ struct NodeFaceContacts::Hit {
   std::uint32_t face = 0, pair = 0;
   FacePoint point;
   PairPenalty penalty;
-  double share = 1.0;  ///< of the node's area, where it stands over several faces alike [1]
+  double share = 1.0;     ///< of the node's area, where it stands over several faces alike [1]
+  double distance = 0.0;  ///< of the node, the middle of a ball, from the face [length]
 };
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
@@ -140,13 +139,18 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.twist() - bound.height_of(x));
-  if (!may_stand_over(x, bound, reach, deepest, beyond + behind) || has_corner(face, node.node)) return;
+  if (!may_stand_over(x, bound, reach + node.radius, deepest, beyond + behind + node.radius) ||
+      has_corner(face, node.node))
+    return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && scene.glued.holds_node(row, hit.pair)) return;
   const MovingFace moving = scene.surface.face(face_index);
-  const auto point = project_onto_face(moving.x, moving.is_triangle, x);
+  auto point = project_onto_face(moving.x, moving.is_triangle, x);
+  if (point && node.radius > 0.0f)
+    point = touch_by_ball(moving.x, moving.is_triangle, x, *point, node.radius);
   if (!point) return;
   hit.point = *point;
+  hit.distance = std::abs(point->gap + node.radius) + point->beyond;
   hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
   const bool is_known = memory.knows(hit.point.normal);
   hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
@@ -202,8 +206,8 @@ std::size_t NodeFaceContacts::share_edge(Hits& hits) {
   for (std::size_t i = 1; i < hits.n; ++i) {
     const FacePoint& point = hits.hits[i].point;
     const double cosine = first.normal.dot(point.normal);
-    if (cosine < same_wall || cosine > one_plane || distance(point) > (1.0 + alike) * distance(first))
-      continue;
+    const bool is_farther = hits.hits[i].distance > (1.0 + alike) * hits.hits[0].distance;
+    if (cosine < same_wall || cosine > one_plane || is_farther) continue;
     std::swap(hits.hits[i], hits.hits[n++]);
   }
   for (std::size_t i = 0; i < n; ++i) hits.hits[i].share = 1.0 / static_cast<double>(n);
@@ -216,7 +220,7 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
   std::stable_sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
     const bool a_in = went_in_here(a), b_in = went_in_here(b);
     if (a_in != b_in) return a_in;
-    return distance(a.point) < distance(b.point);
+    return a.distance < b.distance;
   });
   std::size_t n_chosen = share_edge(hits);
   for (std::size_t i = n_chosen, n_walls = 1; i < hits.n && n_walls < most_walls; ++i) {
@@ -246,6 +250,7 @@ ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint
   record.second_place = hit.face;
   record.first.nodes.fill(node.node);
   record.first.weights = Eigen::Vector4d::UnitX();
+  record.first.radius = node.radius;
   record.second = {face.corners, corner_weights(hit.point.xi, hit.point.eta, face.is_triangle())};
   record.normal = hit.point.normal;
   record.gap = hit.point.gap;
@@ -257,9 +262,13 @@ NodePush NodeFaceContacts::make_push(const ContactScene& scene, std::uint32_t ro
                                      const ContactRecord& record) const {
   const SurfaceNode& node = faces_.surface_nodes[row];
   const SurfacePair& pair = *scene.rules[hit.pair].pair;
-  const double area = hit.share * pair.node_share() * scene.surface.area_against(node, hit.point.normal);
+  // No face's nodes meet balls in turn.
+  const double part = node.radius > 0.0f ? 1.0 : pair.node_share();
+  const double area = hit.share * part * scene.surface.area_against(node, hit.point.normal);
   const MovingFace moving = scene.surface.face(hit.face);
-  const Eigen::Vector3d relative = scene.surface.v(node.node) - moving.v * record.second.weights;
+  const Eigen::Vector3d arm = -static_cast<double>(node.radius) * hit.point.normal;
+  const Eigen::Vector3d relative =
+      scene.surface.velocity_beside(node.node, arm) - moving.v * record.second.weights;
   return {hit.penalty, pair.damping_fraction, area, relative, scene.dt};
 }
 

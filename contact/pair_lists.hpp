@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -37,5 +38,36 @@ struct FoundPairs {
 ///   lists   overwritten, its memory reused
 /// Throws std::length_error from 2^32 pairs on.
 void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLists& lists);
+
+/// Lists partners by rows.
+///   visit(take)  calls take(row, partner) for every entry, in the same order each time
+template <class Visit>
+PairLists list_by_row(std::size_t n_rows, const Visit& visit) {
+  PairLists lists;
+  lists.begin.assign(n_rows + 1, 0);
+  visit([&](std::uint32_t row, std::uint32_t) { ++lists.begin[row + 1]; });
+  for (std::size_t i = 0; i < n_rows; ++i) lists.begin[i + 1] += lists.begin[i];
+  lists.partners.resize(lists.begin.back());
+  std::vector<std::uint32_t> next(lists.begin.begin(), lists.begin.end() - 1);
+  visit([&](std::uint32_t row, std::uint32_t partner) { lists.partners[next[row]++] = partner; });
+  return lists;
+}
+
+/// What is known of the pairs of some lists, for other lists: that of the pairs in both, else a value.
+///   known  [n_pairs of `old`]
+template <class Value>
+std::vector<Value> carry_over(const PairLists& old, std::span<const Value> known, const PairLists& lists,
+                              const Value& otherwise) {
+  std::vector<Value> carried(lists.partners.size(), otherwise);
+  const std::size_t n_rows = std::min(old.n_rows(), lists.n_rows());
+  for (std::size_t row = 0; row < n_rows; ++row) {
+    std::size_t from = old.begin[row];
+    for (std::size_t k = lists.begin[row]; k < lists.begin[row + 1]; ++k) {
+      while (from < old.begin[row + 1] && old.partners[from] < lists.partners[k]) ++from;
+      if (from < old.begin[row + 1] && old.partners[from] == lists.partners[k]) carried[k] = known[from];
+    }
+  }
+  return carried;
+}
 
 }  // namespace contactsim

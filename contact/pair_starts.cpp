@@ -39,7 +39,9 @@ std::optional<double> gap_of_node(const MovingSurface& surface, const SurfacePai
                                   std::uint32_t face) {
   const MovingFace moving = surface.face(face);
   const SurfaceNode& node = surface.faces().surface_nodes[row];
-  const auto point = project_onto_face(moving.x, moving.is_triangle, surface.x(node.node));
+  auto point = project_onto_face(moving.x, moving.is_triangle, surface.x(node.node));
+  if (point && node.radius > 0.0f)
+    point = touch_by_ball(moving.x, moving.is_triangle, surface.x(node.node), *point, node.radius);
   const double depth = make_pair_penalty(node.backing, &surface.faces().faces[face].backing, pair).depth;
   if (!point || point->edge >= 0 || -point->gap > depth) return std::nullopt;
   return point->gap;
@@ -72,7 +74,7 @@ void add_planes(const ContactModel& model, const MovingSurface& surface, std::ve
         const AnalyticPlane& wall = model.planes[plane];
         for (std::uint32_t n = faces.first_node[other]; n < faces.first_node[other + 1]; ++n) {
           const Eigen::Vector3d away = surface.x(faces.surface_nodes[n].node) - wall.origin;
-          note(away.dot(wall.normal.normalized()), starts[i]);
+          note(away.dot(wall.normal.normalized()) - faces.surface_nodes[n].radius, starts[i]);
         }
       }
     };

@@ -32,7 +32,16 @@ void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFa
     for (const std::uint32_t corner : face.corners)
       face.backing.stiffness = std::min(face.backing.stiffness, most(corner, normals[i]));
   }
+  const auto most_of_ball = [&](std::uint32_t node, double area) {
+    return 4.0 * penalty_share * faces.mass[node] / (area * stable_step * stable_step);
+  };
+  for (ContactEdge& edge : faces.edges) {
+    for (const std::uint32_t node : edge.nodes)
+      edge.backing.stiffness = std::min(edge.backing.stiffness, most_of_ball(node, edge.width * edge.width));
+  }
   for (SurfaceNode& node : faces.surface_nodes) {
+    if (node.radius > 0.0f)
+      node.backing.stiffness = std::min(node.backing.stiffness, most_of_ball(node.node, node.area));
     for (const std::uint32_t face : faces.faces_of_node.of(node.node))
       node.backing.stiffness = std::min(node.backing.stiffness, most(node.node, normals[face]));
     if (!node.is_free) continue;

@@ -51,8 +51,9 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     Place& place = places_[row];
     const PairRule& rule = scene.rules.of_node(place.pair, place.node);
     const SurfaceNode& node = faces_.surface_nodes[place.node];
-    const double gap = (scene.surface.x(node.node) - place.origin).dot(place.normal);
-    const Eigen::Vector3d velocity = scene.surface.v(node.node);
+    const double gap = (scene.surface.x(node.node) - place.origin).dot(place.normal) - node.radius;
+    const Eigen::Vector3d velocity =
+        scene.surface.velocity_beside(node.node, -static_cast<double>(node.radius) * place.normal);
     const double speed = velocity.dot(place.normal);
     if (!rule.is_active || gap > std::max(rule.reach, -steps_ahead * scene.dt * speed)) {
       if (!scene.is_frozen) place.elastic.setZero();
@@ -65,6 +66,7 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.first_place = place.node;
     record.first.nodes.fill(node.node);
     record.first.weights = Eigen::Vector4d::UnitX();
+    record.first.radius = node.radius;
     record.normal = place.normal;
     record.gap = gap;
     const double area = scene.surface.area_against(node, place.normal);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact of lofted shells as a run has it: what touches, and what the nodes get of it.
+#include <numbers>
+
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 
@@ -18,6 +20,23 @@ void add_plate(MeshBuilder& b, const Sheet& sheet, double thickness) {
   const auto n = static_cast<std::size_t>(sheet.cells[0] * sheet.cells[1]);
   b.set_attributes(sheet.id, {"thickness"}, std::vector<double>(n, thickness));
 }
+
+/// Adds a beam of some elements whose radius is 0.1.
+void add_rod(MeshBuilder& b, const Row& row) {
+  b.add_beams(row);
+  b.set_attributes(row.id, {"area"},
+                   std::vector<double>(static_cast<std::size_t>(row.cells), 0.01 * std::numbers::pi));
+}
+
+/// Adds particles of radius 0.5.
+void add_balls(MeshBuilder& b, std::int64_t id, const std::vector<Eigen::Vector3d>& centres) {
+  b.add_spheres(id, "", centres);
+  b.set_attributes(id, {"radius"}, std::vector<double>(centres.size(), 0.5));
+}
+
+const std::string rough =
+    "skin all blocks = on\nbegin constant friction model rough\n"
+    " friction coefficient = 0.5\nend\n";
 
 /// Two plates of thickness 2 whose middles are 5 apart, as OptiStruct's guide has them.
 MeshBuilder two_plates() {
@@ -100,7 +119,8 @@ TEST_CASE("shells that the mesh joins do not touch at rest, however thick and fi
   }
   SECTION("standing on a solid") {
     b.add_hexes({.id = 1, .cells = {10, 10, 2}, .size = {1, 1, 0.2}});
-    add_plate(b, {.id = 2, .cells = cells, .origin = {0.5, 0, 0.2}, .u = {0, 1, 0}, .v = {0, 0, 1}}, thickness);
+    add_plate(b, {.id = 2, .cells = cells, .origin = {0.5, 0, 0.2}, .u = {0, 1, 0}, .v = {0, 0, 1}},
+              thickness);
   }
   SECTION("lying on a part of a solid") {
     b.add_hexes({.id = 1, .cells = {10, 10, 2}, .size = {1, 1, 0.2}});
@@ -128,4 +148,179 @@ TEST_CASE("plates that turn carry their skins along", "[contact][lofted]") {
   // Turning about x, what stands up goes along -y.
   const double height = surface.arms()(2, 0);
   CHECK((surface.v(first) - Eigen::Vector3d(0, -0.25 * height, 0)).norm() < 1e-12);
+}
+
+TEST_CASE("crossed beams touch when their axes are as far apart as both radii", "[contact][lofted]") {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}});
+  add_rod(b, {.id = 2, .cells = 3, .from = {0.1, -1, 1}, .to = {0.1, 1, 1}});
+  ContactBodies bodies(b, general_contact("friction model = rough\n", rough));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -1});
+  bodies.step(0.8 - 1e-9);
+  CHECK(bodies.force_size() == 0.0);
+  bodies.set_velocity(1, {0.3, 0.2, -1});
+  for (int i = 0; i < 10; ++i) bodies.step(1e-3);
+  bodies.set_velocity(1, {0.3, 0.2, 0});
+  for (int i = 0; i < 10; ++i) bodies.step(1e-3);
+  CHECK(bodies.force_on(1).z() > 0.0);
+  CHECK(bodies.force_on(1).head<2>().norm() == Approx(0.5 * bodies.force_on(1).z()).epsilon(0.02));
+  CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
+  // What is left is friction across the depth of the overlap.
+  const double depth = 0.01;
+  CHECK(bodies.net_moment().norm() < 1.01 * depth * bodies.force_on(1).head<2>().norm());
+}
+
+TEST_CASE("equal edges push alike, whichever comes first", "[contact][lofted]") {
+  const auto forces = [](bool is_swapped) {
+    MeshBuilder b;
+    const Row low{.cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}};
+    const Row high{.cells = 2, .from = {0.1, -1, 0.19}, .to = {0.1, 1, 0.19}};
+    Row first = is_swapped ? high : low, second = is_swapped ? low : high;
+    first.id = 1;
+    second.id = 2;
+    add_rod(b, first);
+    add_rod(b, second);
+    ContactBodies bodies(b, general_contact());
+    bodies.ask();
+    return is_swapped ? bodies.force_on(0) : bodies.force_on(1);
+  };
+  CHECK(forces(false).z() > 0.0);
+  CHECK((forces(false) - forces(true)).norm() < 1e-12 * forces(false).norm());
+}
+
+TEST_CASE("beams that lie along each other touch along the part that they share", "[contact][lofted]") {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0, 0}, .to = {1, 0, 0}});
+  add_rod(b, {.id = 2, .cells = 2, .from = {-0.5, 0, 0.19}, .to = {0.5, 0, 0.19}});
+  ContactBodies bodies(b, general_contact());
+  bodies.ask();
+  CHECK(bodies.force_on(1).z() > 0.0);
+  CHECK(std::abs(bodies.force_on(1).x()) < 1e-12 * bodies.force_size());
+  CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
+
+TEST_CASE("beams that the mesh joins do not touch at rest, however short their elements",
+          "[contact][lofted]") {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 40, .from = {0, 0, 0}, .to = {1, 0, 0}});
+  add_rod(b, {.id = 2, .cells = 40, .from = {1, 0, 0}, .to = {1, 1, 0}});
+  SECTION("to each other") {}
+  SECTION("to a solid") {
+    b.add_hexes({.id = 3, .cells = {4, 4, 4}, .origin = {-0.4, -0.2, -0.2}, .size = {0.4, 0.4, 0.4}});
+  }
+  ContactBodies bodies(b, self_contact(""));
+  bodies.ask();
+  bodies.step(0.01);
+  CHECK(bodies.force_size() == 0.0);
+}
+
+TEST_CASE("particles touch each other and faces at their radius", "[contact][lofted]") {
+  const std::string name = GENERATE("node_face", "face_face");
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 1}, .origin = {-2, -2, -1}, .size = {4, 4, 1}});
+  add_balls(b, 2, {{0.3, 0.2, 0.6}, {0.3, 0.2, 1.7}});
+  ContactBodies bodies(b, self_contact(formulation(name)));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -1});
+  bodies.step(0.1 - 1e-9);
+  CHECK(bodies.force_size() == 0.0);
+  bodies.step(2e-9);
+  CHECK(bodies.force_on(0).z() < 0.0);
+  bodies.set_velocity(1, {0, 0, 0});
+  bodies.v.col(bodies.v.cols() - 1) = Eigen::Vector3d(0, 0, -1);
+  bodies.step(0.1 - 1e-9);
+  const double on_low = bodies.forces.col(bodies.v.cols() - 2).z();
+  CHECK(bodies.forces.col(bodies.v.cols() - 1).z() == 0.0);
+  bodies.step(2e-9);
+  CHECK(bodies.forces.col(bodies.v.cols() - 1).z() > 0.0);
+  CHECK(bodies.forces.col(bodies.v.cols() - 2).z() < on_low);
+  CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
+  CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
+
+TEST_CASE("a particle beside a face touches its edge and its corner", "[contact][lofted]") {
+  const Eigen::Vector3d from = GENERATE(Eigen::Vector3d(1.3, 0.2, 0.3), Eigen::Vector3d(1.25, 1.25, 0.25),
+                                        Eigen::Vector3d(1.45, 0.3, -0.4));
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 2}, .origin = {-1, -1, -2}, .size = {2, 2, 2}});
+  add_balls(b, 2, {from});
+  ContactBodies bodies(b, general_contact());
+  bodies.ask();
+  const Eigen::Vector3d nearest = from.cwiseMin(Eigen::Vector3d(1, 1, 0));
+  const Eigen::Vector3d force = bodies.force_on(1);
+  REQUIRE(force.norm() > 0.0);
+  CHECK((force.normalized() - (from - nearest).normalized()).norm() < 1e-9);
+  CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
+
+namespace {
+
+/// A bar along x with a sharp edge up, and one across it with a sharp edge down, so far apart.
+MeshBuilder two_roof_bars(double gap) {
+  MeshBuilder b;
+  const auto add_bar = [&](std::int64_t id, const Eigen::Vector3d& way, double up, double z) {
+    const Eigen::Vector3d aside = Eigen::Vector3d::UnitZ().cross(way);
+    std::vector<std::uint32_t> nodes;
+    for (const double end : {-1.0, 1.0}) {
+      for (const auto& [a, h] : {std::pair(0.0, -1.0), {0.5, -0.5}, {0.0, 0.0}, {-0.5, -0.5}})
+        nodes.push_back(b.add_node(end * way + a * aside + Eigen::Vector3d(0, 0, z + up * h)).value);
+    }
+    if (up < 0.0) std::rotate(nodes.begin(), nodes.begin() + 4, nodes.end());
+    b.add_block(id, "", Shape::hex8, nodes);
+  };
+  add_bar(1, Eigen::Vector3d::UnitX(), 1.0, 0.0);
+  add_bar(2, Eigen::Vector3d(0.1, 1, 0).normalized(), -1.0, gap);
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("sharp edges of solids meet where a feature angle makes them edges", "[contact][lofted]") {
+  const std::string options = GENERATE("", "begin surface options\nfeature angle = 100\nend\n",
+                                       "begin surface options\nfeature angle = 30\nend\n");
+  const std::string surfaces = "skin all blocks = on\n" + options;
+  ContactBodies bodies(two_roof_bars(0.01), general_contact(formulation("node_face"), surfaces));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -1});
+  bodies.step(0.0099);
+  CHECK(bodies.force_size() == 0.0);
+  bodies.step(0.0002);
+  const bool is_sharp = options.find("30") != std::string::npos;
+  CHECK((bodies.force_on(1).z() > 0.0) == is_sharp);
+  CHECK(bodies.net_moment().norm() <= 1e-12 * bodies.force_size());
+  const Eigen::Vector3d force = bodies.force_on(1);
+  CHECK(force.head<2>().norm() <= 1e-12 * force.norm());
+  bodies.step(0.05);
+  CHECK((bodies.force_on(1).z() > force.z()) == is_sharp);
+}
+
+TEST_CASE("without edge contact beams pass each other and meet faces all the same", "[contact][lofted]") {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}});
+  add_rod(b, {.id = 2, .cells = 3, .from = {0.1, -1, 0.19}, .to = {0.1, 1, 0.19}});
+  b.add_hexes({.id = 3, .origin = {-2, -2, -1.09}, .size = {4, 4, 1}});
+  ContactBodies bodies(b, general_contact("",
+                                          "skin all blocks = on\nbegin surface options\nsurface = block_2\n"
+                                          "edge contact = off\nend\n"));
+  bodies.ask();
+  CHECK(bodies.force_on(1).norm() == 0.0);
+  CHECK(bodies.force_on(0).z() > 0.0);
+  CHECK(bodies.force_on(2).z() < 0.0);
+}
+
+TEST_CASE("a side set of a shell touches on its side only, and without thickness", "[contact][lofted]") {
+  const int side = GENERATE(1, 2);
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {2, 2}, .u = {2, 0, 0}, .v = {0, 2, 0}}, 0.5);
+  const double z = side == 1 ? -0.001 : -0.599;
+  b.add_hexes({.id = 2, .origin = {0.5, 0.6, z}, .size = {0.6, 0.6, 0.6}});
+  b.add_side_set(1, "top", [&](const CandidateSide& c) { return c.block_id == 1 && c.side.side() == 1; });
+  const std::string name = GENERATE("node_face", "face_face");
+  ContactBodies bodies(
+      b, general_contact(formulation(name),
+                         "contact surface a contains top\ncontact surface b contains block_2\n"));
+  bodies.ask();
+  CHECK((bodies.force_on(1).z() > 0.0) == (side == 1));
+  CHECK(bodies.net_moment().norm() <= 1e-12 * bodies.force_size());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/contact_bodies.hpp"
 
+#include <numbers>
 #include <stdexcept>
 
 #include "contact/contact_search.hpp"
@@ -28,7 +29,11 @@ SolidBlock make_block(const Mesh& mesh, std::uint32_t index) {
     const SolidElement& shell = *find_shell_element(block.shape, "bt_shell");
     return make_shell_block(mesh, index, shell, properties, {}, sizes);
   }
-  return make_line_block(mesh, index, *find_line_element(block.shape, "beam"), properties, {}, sizes);
+  const char* formulation = family == Family::particle ? "particle" : "beam";
+  BeamShapeSettings round;
+  round.area = sizes[0];
+  round.second_t = round.second_s = sizes[0] * sizes[0] / (4.0 * std::numbers::pi);
+  return make_line_block(mesh, index, *find_line_element(block.shape, formulation), properties, round, sizes);
 }
 
 }  // namespace

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/edge_contacts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "contact/contact_place.hpp"
+#include "contact/friction.hpp"
+#include "contact/penalty.hpp"
+#include "contact/sharp_edges.hpp"
+
+namespace contactsim {
+
+namespace {
+
+Segment segment_of(const MovingSurface& surface, const ContactEdge& edge) {
+  Segment segment;
+  segment << surface.x(edge.nodes[0]), surface.x(edge.nodes[1]);
+  return segment;
+}
+
+RecordSide side_of(const ContactEdge& edge, double share) {
+  return {{edge.nodes[0], edge.nodes[1], edge.nodes[1], edge.nodes[1]},
+          {1.0 - share, share, 0.0, 0.0},
+          edge.radius};
+}
+
+/// The velocity of the surface of an edge at a place.
+///   arm  from the axis to the surface [length]
+Eigen::Vector3d velocity_at(const MovingSurface& surface, const RecordSide& side,
+                            const Eigen::Vector3d& arm) {
+  return side.weights[0] * surface.velocity_beside(side.nodes[0], arm) +
+         side.weights[1] * surface.velocity_beside(side.nodes[1], arm);
+}
+
+}  // namespace
+
+void EdgeContacts::take_candidates() {
+  memory_ = carry_over<Memory>(candidates_, memory_, next_, {});
+  candidates_ = std::exchange(next_, {});
+}
+
+void EdgeContacts::renumber(const ContactRenumbering& places) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Memory> kept;
+  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
+      const std::uint32_t first = places.edges[row], second = places.edges[candidates_.partners[k]];
+      // Of edges that have changed their order the slip would be seen from the other side.
+      if (second != ContactRenumbering::gone && first < second) kept[{first, second}] = memory_[k];
+    }
+  }
+  candidates_ = {};
+  memory_.clear();
+  auto pair = kept.begin();
+  for (std::uint32_t row = 0; row < places.n_edges_after; ++row) {
+    for (; pair != kept.end() && pair->first.first == row; ++pair) {
+      candidates_.partners.push_back(pair->first.second);
+      memory_.push_back(pair->second);
+    }
+    candidates_.begin.push_back(static_cast<std::uint32_t>(candidates_.partners.size()));
+  }
+}
+
+void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
+                        std::vector<ContactRecord>& records) {
+  for (std::size_t row = begin; row < end; ++row) {
+    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k)
+      find_one(scene, static_cast<std::uint32_t>(row), k, records);
+  }
+}
+
+void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge, std::size_t candidate,
+                            std::vector<ContactRecord>& records) {
+  const std::uint32_t second_edge = candidates_.partners[candidate];
+  const ContactEdge &first = faces_.edges[first_edge], &second = faces_.edges[second_edge];
+  const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
+  const PairRule& rule = scene.rules[pair];
+  const Memory before = memory_[candidate];
+  Memory now;
+  const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
+  const bool is_on = rule.is_active && rule.law != ContactLaw::tied;
+  for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
+    ContactRecord record = make_record(scene, {first, second, rule, before}, places.get()[i]);
+    if (record.stiffness == 0.0) continue;
+    record.pair = pair;
+    record.first_place = first_edge;
+    record.second_place = second_edge;
+    now.touched |= record.touches();
+    if (record.touches() && rule.friction > 0.0) {
+      record.elastic = before.elastic[i];
+      const double stiffness = make_pair_penalty(first.backing, &second.backing, *rule.pair).stiffness;
+      add_friction(stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
+      now.elastic[i] = record.elastic;
+    }
+    records.push_back(record);
+  }
+  if (!scene.is_frozen) memory_[candidate] = now;
+}
+
+ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place) {
+  const auto& [first, second, rule, memory] = pair;
+  ContactRecord record;
+  record.is_of_edges = true;
+  record.is_swapped = first.surface != rule.pair->first;
+  record.first = side_of(first, place.s);
+  record.second = side_of(second, place.t);
+  const PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
+  const double deepest = (memory.touched ? known_depth : 1.0) * penalty.depth;
+  const auto found = find_edge_gap(scene.surface, first, second, place, deepest);
+  if (!found) return record;
+  record.normal = found->normal;
+  record.gap = found->gap;
+  const Eigen::Vector3d relative = velocity_at(scene.surface, record.first, -first.radius * record.normal) -
+                                   velocity_at(scene.surface, record.second, second.radius * record.normal);
+  const double closed = std::max(0.0, -relative.dot(record.normal)) * scene.dt;
+  if (record.gap > steps_ahead * closed) return record;
+  // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
+  const bool is_sharp = first.is_sharp() && second.is_sharp();
+  const double shallow = shallow_depth * std::min(first.backing.thickness, second.backing.thickness);
+  if (is_sharp && !memory.touched && record.gap + closed < -shallow) return record;
+  const double width = std::min(first.width, second.width);
+  const double area = width * (place.length > 0.0 ? place.length : width);
+  push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);
+  return record;
+}
+
+}  // namespace contactsim
