@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/timed_force.hpp"
 #include "contact/ill_defined.hpp"
 
 namespace contactsim {
@@ -74,6 +75,7 @@ void RunDeath::bury(const State& state, std::span<const ElementIndex> dead) {
 }
 
 void RunDeath::step(State& state) {
+  const double begun = clock_seconds();
   std::vector<ElementIndex> ill_defined;
   if (parts_.contact != nullptr && deaths_.asks_for_ill_defined(state))
     ill_defined = find_ill_defined(parts_.contact->force().faces(), state.coordinates);
@@ -83,6 +85,7 @@ void RunDeath::step(State& state) {
   tally_.n_dead = deaths_.n_dead();
   tally_.n_dying = state.death.dying.size();
   if (tally_.n_died > 0 && is_report_due(state)) parts_.log.write(tell(state));
+  seconds_ += clock_seconds() - begun;
 }
 
 /// The shortest interval of all blocks counts; without any every step does.

@@ -34,6 +34,8 @@ class RunDeath {
   void step(State& state);
   /// What is left to tell at the end, and how many died.
   std::string report(const State& state);
+  /// Time that all this has taken, of the clock.
+  double seconds() const { return seconds_; }
 
  private:
   void bury(const State& state, std::span<const ElementIndex> dead);
@@ -50,6 +52,7 @@ class RunDeath {
   DeathTally tally_;
   double told_at_;  // when the log told of deaths last [time]
   std::size_t n_may_die_ = 0;
+  double seconds_ = 0.0;
 };
 
 }  // namespace contactsim

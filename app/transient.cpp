@@ -122,14 +122,8 @@ class Run {
   /// Whoever looks at a state, once each.
   void end_step() {
     look_for_end();
-    if (death_ != nullptr) bury();
+    if (death_ != nullptr) death_->step(state_);
     tell(is_over());
-  }
-
-  void bury() {
-    const double begun = clock_seconds();
-    death_->step(state_);
-    death_seconds_ += clock_seconds() - begun;
   }
 
   void look_for_end() {
@@ -171,13 +165,14 @@ class Run {
 
   void write_wall_times(double whole) {
     const double contact = timed_contact_ ? timed_contact_->seconds() : 0.0;
+    const double death = death_ != nullptr ? death_->seconds() : 0.0;
     const double known =
-        timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ + death_seconds_;
+        timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ + death;
     std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
                                 {"loads", timed_external_.seconds()},
                                 {"nodes", whole - known},
                                 {"log and files", output_seconds_}};
-    if (death_ != nullptr) parts.push_back({"element death", death_seconds_});
+    if (death_ != nullptr) parts.push_back({"element death", death});
     if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
     for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
@@ -196,7 +191,7 @@ class Run {
   Log& log_;
   Diagnostics& warnings_;
   Progress progress_{control_.start_time(), control_.termination_time()};
-  double output_seconds_ = 0.0, death_seconds_ = 0.0;
+  double output_seconds_ = 0.0;
   bool is_for_overlap_only_ = false;  // the deck wants no steps
   bool has_warned_ = false;
   std::optional<std::string> end_;  // why the run ends before its termination time
