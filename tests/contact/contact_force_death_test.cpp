@@ -75,7 +75,7 @@ TEST_CASE("friction goes on without a jump when a far element dies", "[contact][
   };
   const auto untouched = make(), dying = make();
   dying->kill({{0}, {35}});  // corners of the plate
-  REQUIRE(dying->contact.faces().faces.size() != untouched->contact.faces().faces.size());
+  REQUIRE(dying->n_free_rows() == 2);
   for (int i = 0; i < 5; ++i) {
     untouched->step(0.1);
     dying->step(0.1);
