@@ -25,7 +25,6 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
     diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
                           "without one only --check can be run");
   }
-  refuse(region.element_deaths, "element death", diagnostics);
   refuse(region.spot_welds, "a spot weld", diagnostics);
   refuse(region.mass_scalings, "mass scaling", diagnostics);
   for (const MassProperties& properties : region.mass_properties) {

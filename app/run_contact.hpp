@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/contact_debug.hpp"
 #include "app/transient.hpp"
 #include "contact/contact_output.hpp"
+#include "contact/free_nodes.hpp"
+#include "contact/living_surfaces.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {
@@ -18,6 +22,19 @@ class RunContact {
   RunContact(const RunInput& input, const Model& model);
 
   ContactForce& force() { return force_; }
+  const ContactModel& model() const { return contact_; }
+
+  /// From now on surfaces follow deaths.
+  ///   faces   must outlive this
+  ///   erodes           [n_elements] 1 of elements whose nodes leave contact with them
+  ///   makes_new_edges  whether edges that deaths expose become edges of contact
+  void follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes, bool makes_new_edges);
+  /// Takes deaths over into the surfaces. Returns what has changed in each [n_surfaces].
+  ///   dead   elements that have just died, ascending
+  ///   alive  [n_elements] 0 of all dead elements
+  std::vector<SurfaceChange> bury(const State& state, std::span<const ElementIndex> dead,
+                                  std::span<const std::uint8_t> alive);
+  std::size_t n_free_nodes() const { return free_nodes_ ? free_nodes_->nodes().size() : 0; }
 
   /// Adds the contact variables and a side set contact_<surface> per surface.
   void add_to(OutputSettings& settings);
@@ -37,11 +54,15 @@ class RunContact {
   std::string report() const;
 
  private:
-  const ContactModel& contact_;
+  const RunInput& input_;
   const Mesh& mesh_;
+  ContactModel contact_;  // of the living elements
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;
+  std::optional<LivingSurfaces> living_;  // only when elements may die
+  std::optional<FreeNodes> free_nodes_;
+  bool makes_new_edges_ = true;
 };
 
 }  // namespace contactsim

@@ -17,8 +17,11 @@ void archive(const RunMemory& memory, StateArchive& saved) {
     const std::string name = fmt::format("run/materials/{}", block.mesh_block + 1);
     saved.expect(name, digest_of(block.material), "materials");
   }
+  saved.expect("run/has_deaths", memory.death != nullptr ? 1 : 0, "element death");
   saved.expect("run/has_contact", memory.contact != nullptr ? 1 : 0, "contact");
   archive(state, saved);
+  // Contact remembers the surfaces of the living.
+  if (memory.death != nullptr && saved.restores()) memory.death->begin(state);
   if (memory.contact != nullptr) {
     Motion motion{state.time, state.dt, state.coordinates, state.velocity};
     if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "app/run_contact.hpp"
+#include "app/run_death.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/state_archive.hpp"
@@ -14,6 +14,7 @@ struct RunMemory {
   const Model& model;
   State& state;
   RunContact* contact;  ///< null without contact
+  RunDeath* death;      ///< null when nothing can die
   Outputs& outputs;
 };
 

@@ -22,6 +22,7 @@ OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& 
   OutputSettings settings;
   settings.results_path = input.options.results;
   settings.command_line = input.options.command_line;
+  settings.always_computes = !input.region.element_deaths.empty();
   settings.deck_lines = lines_of(input.definition.text);
   if (contact != nullptr) contact->add_to(settings);
   settings.log = [&log](std::string_view text) { log.write(text); };

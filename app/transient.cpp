@@ -9,6 +9,7 @@
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_contact.hpp"
+#include "app/run_death.hpp"
 #include "app/run_outputs.hpp"
 #include "app/run_report.hpp"
 #include "app/run_restart.hpp"
@@ -17,6 +18,7 @@
 #include "contact/friction_words.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/initial_state.hpp"
+#include "core/death/death_sets.hpp"
 #include "core/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"
@@ -36,12 +38,14 @@ struct Setup {
   ExternalForce external;
   InitialState initial;
   TimeStepControl control;
+  std::vector<std::vector<ElementIndex>> death_sets;  ///< as Region::element_deaths
 };
 
 /// What a run has besides its region.
 struct RunParts {
   ForceTerm& external;
   RunContact* contact;  ///< null without contact
+  RunDeath* death;      ///< null when nothing can die
   Outputs& outputs;
   RunRestart& restart;
 };
@@ -59,9 +63,11 @@ class Run {
         timed_internal_(internal_),
         timed_external_(parts.external),
         contact_(parts.contact),
+        death_(parts.death),
         log_(log),
         warnings_(warnings) {
     set_initial_state(setup.initial, model_.blocks, state_);
+    if (death_ != nullptr) death_->begin(state_);
     if (contact_ == nullptr) return;
     is_for_overlap_only_ = input.region.contact->overlap_removal.is_all_there_is;
     timed_contact_.emplace(contact_->force());
@@ -86,6 +92,7 @@ class Run {
     }
     if (stopped_by_) code = ExitCode::stopped;
     const double whole = clock_seconds() - begun_;
+    if (death_ != nullptr) log_.write(death_->report(state_));
     if (contact_ != nullptr) {
       contact_->warn_of_energy(state_.energies, warnings_);
       log_.write(contact_->report());
@@ -100,7 +107,7 @@ class Run {
   ForceTerms terms() {
     return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
   }
-  RunMemory memory() { return {model_, state_, contact_, outputs_}; }
+  RunMemory memory() { return {model_, state_, contact_, death_, outputs_}; }
   bool is_over() const { return end_ || stopped_by_ || control_.is_over(state_.time, state_.dt); }
 
   void begin() {
@@ -108,8 +115,7 @@ class Run {
     const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
     log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) + step_heading());
     warn_of_user_step(at_start);
-    look_for_end();
-    tell(false);
+    end_step();
     restart_.begin(state_);
   }
 
@@ -125,11 +131,17 @@ class Run {
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
-    look_for_end();
-    stopped_by_ = signals_.find_end();
-    tell(false);
+    end_step();
     store(false);
     progress_.show(state_.time);
+  }
+
+  /// Whoever looks at a state, once each.
+  void end_step() {
+    look_for_end();
+    if (death_ != nullptr) death_->step(state_);
+    stopped_by_ = signals_.find_end();
+    tell(false);
   }
 
   void finish() {
@@ -186,13 +198,15 @@ class Run {
 
   void write_wall_times(double whole) {
     const double contact = timed_contact_ ? timed_contact_->seconds() : 0.0;
-    const double known =
-        timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ + restart_seconds_;
+    const double death = death_ != nullptr ? death_->seconds() : 0.0;
+    const double known = timed_internal_.seconds() + timed_external_.seconds() + contact + output_seconds_ +
+                         restart_seconds_ + death;
     std::vector<PartTime> parts{{"elements", timed_internal_.seconds()},
                                 {"loads", timed_external_.seconds()},
                                 {"nodes", whole - known},
                                 {"log and files", output_seconds_}};
     if (restart_.stores()) parts.push_back({"restart files", restart_seconds_});
+    if (death_ != nullptr) parts.push_back({"element death", death});
     if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
     for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
@@ -208,6 +222,7 @@ class Run {
   InternalForce internal_;
   TimedForce timed_internal_, timed_external_;
   RunContact* contact_;  // null without contact
+  RunDeath* death_;      // null when nothing can die
   std::optional<TimedForce> timed_contact_;
   Log& log_;
   Diagnostics& warnings_;
@@ -261,8 +276,10 @@ Setup set_up(const RunInput& input, Diagnostics& warnings) {
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
   InitialState initial = make_initial_state(scope, model.blocks);
   set_rigid_velocities(scope, model.rigid, initial.velocity);
+  auto death_sets = find_death_sets(scope, model);
   stop_on_errors(warnings);
-  return {std::move(model), std::move(external), std::move(initial), std::move(control)};
+  return {std::move(model), std::move(external), std::move(initial), std::move(control),
+          std::move(death_sets)};
 }
 
 }  // namespace
@@ -282,6 +299,9 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   if (input.contact != nullptr) contact.emplace(input, setup.model);
   RunContact* const of_run = contact ? &*contact : nullptr;
   Outputs outputs(scope, setup.model, output_settings(input, of_run, log));
+  std::optional<RunDeath> death;
+  if (!input.region.element_deaths.empty())
+    death.emplace(scope, setup.death_sets, outputs.variables(), DeathParts{setup.external, of_run, log});
   RunRestart restart(input, warnings);
   stop_on_errors(warnings);
   restart.find_state(outputs.paths(), log, warnings);
@@ -292,7 +312,9 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   check_output_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
   if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
-  return Run(input, setup, {setup.external, of_run, outputs, restart}, log, warnings).go();
+  return Run(input, setup, {setup.external, of_run, death ? &*death : nullptr, outputs, restart}, log,
+             warnings)
+      .go();
 }
 
 }  // namespace contactsim

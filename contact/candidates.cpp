@@ -15,24 +15,6 @@ bool is_lofted(const ElementBlock& block) {
   return family == Family::shell || family == Family::line || family == Family::particle;
 }
 
-/// [n_elements] 0 or 1
-std::vector<std::uint8_t> find_present(std::span<const SurfaceRequest> requests, const Mesh& mesh,
-                                       const ContactDomain& domain) {
-  std::vector<std::uint8_t> present(mesh.n_elements(), 0);
-  for (const SurfaceRequest& request : requests) {
-    if (request.kind == SurfaceKind::node) continue;
-    for (const std::uint32_t index : request.blocks) {
-      const ElementBlock& block = mesh.blocks()[index];
-      std::fill_n(present.begin() + block.first_element.value, block.n_elements, std::uint8_t{1});
-    }
-    for (const ElementIndex element : request.elements) present[element.value] = 1;
-  }
-  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i) {
-    if (!domain.is_alive({i})) present[i] = 0;
-  }
-  return present;
-}
-
 /// Faces of all side sets that the requests use, ascending, each once.
 std::vector<ElementSide> side_set_faces(std::span<const SurfaceRequest> requests, const Mesh& mesh,
                                         const ContactDomain& domain) {
@@ -117,6 +99,23 @@ bool ContactDomain::holds(ElementSide side) const {
   if (!subdomain_) return true;
   const auto nodes = mesh_.side_nodes(side);
   return holds(std::span<const NodeIndex>(nodes));
+}
+
+std::vector<std::uint8_t> find_present(std::span<const SurfaceRequest> requests, const Mesh& mesh,
+                                       const ContactDomain& domain) {
+  std::vector<std::uint8_t> present(mesh.n_elements(), 0);
+  for (const SurfaceRequest& request : requests) {
+    if (request.kind == SurfaceKind::node) continue;
+    for (const std::uint32_t index : request.blocks) {
+      const ElementBlock& block = mesh.blocks()[index];
+      std::fill_n(present.begin() + block.first_element.value, block.n_elements, std::uint8_t{1});
+    }
+    for (const ElementIndex element : request.elements) present[element.value] = 1;
+  }
+  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i) {
+    if (!domain.is_alive({i})) present[i] = 0;
+  }
+  return present;
 }
 
 Candidates make_candidates(std::span<const SurfaceRequest> requests, const Mesh& mesh,

@@ -49,6 +49,11 @@ class ContactDomain {
   std::span<const std::uint8_t> alive_;
 };
 
+/// [n_elements] 1 of living elements of the blocks that face requests name and of those that they pick, else
+/// 0.
+std::vector<std::uint8_t> find_present(std::span<const SurfaceRequest> requests, const Mesh& mesh,
+                                       const ContactDomain& domain);
+
 /// Skins the present blocks and gathers what the requests may claim. Present are the living elements of the
 /// blocks that face requests name, and the elements that they pick.
 Candidates make_candidates(std::span<const SurfaceRequest> requests, const Mesh& mesh,

@@ -22,8 +22,10 @@ std::uint32_t position_of(const ContactFaces& faces, NodeIndex node) {
   return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
 }
 
-std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh) {
+std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
+                                         std::span<const FreeNode> free_nodes) {
   std::vector<std::uint8_t> is_used(mesh.n_nodes(), 0);
+  for (const FreeNode& free : free_nodes) is_used[free.node.value] = 1;
   for (const ContactSurface& surface : contact.surfaces.surfaces) {
     for (const ElementSide face : surface.faces) {
       for (const NodeIndex node : mesh.side_nodes(face)) is_used[node.value] = 1;
@@ -132,6 +134,25 @@ void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh
     own.backing.thickness /= own.area;
     made.surface_nodes.push_back(own);
   }
+}
+
+/// Free nodes of a surface, among its nodes.
+void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position, const Mesh& mesh,
+                    ContactFaces& made) {
+  const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
+  for (const FreeNode& free : free_nodes) {
+    if (free.surface != position) continue;
+    SurfaceNode own;
+    own.node = position_of(made, free.node);
+    own.surface = position;
+    own.side = free.side;
+    const auto corners = mesh.side_nodes(free.side);
+    own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
+    own.backing.thickness = thickness_behind(mesh, free.side);
+    own.is_free = true;
+    made.surface_nodes.push_back(own);
+  }
+  std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
 }
 
 /// Facets of bricks, surface by surface.
@@ -271,10 +292,11 @@ bool ContactFaces::share_node(const ContactFace& a, const ContactFace& b) const 
   });
 }
 
-ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh) {
+ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
+                                std::span<const FreeNode> free_nodes) {
   const auto& surfaces = contact.surfaces.surfaces;
   ContactFaces made;
-  made.mesh_nodes = collect_nodes(contact, mesh);
+  made.mesh_nodes = collect_nodes(contact, mesh, free_nodes);
   add_loft_points(contact, mesh, made);
   const auto facets = brick_facets(contact);
   made.first_face.push_back(0);
@@ -283,6 +305,7 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh) {
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     add_faces(surfaces[s], s, mesh, made);
     add_nodes(surfaces[s], s, mesh, by_node, made);
+    if (!free_nodes.empty()) add_free_nodes(free_nodes, s, mesh, made);
     add_bricks(contact.loft, facets[s], s, made);
     add_rods(contact, mesh, s, made);
     add_balls(contact, s, made);

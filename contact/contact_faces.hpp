@@ -43,6 +43,14 @@ struct SurfaceNode {
   float radius = 0.0f;  ///< of the ball around a line's or particle's node [length]
   double area = 0.0;    ///< its share of the surface at the start; of a ball its cross-section [length^2]
   Backing backing;
+  bool is_free = false;  ///< all its elements are dead: it is a mass of its own that meets faces
+};
+
+/// A node that has stayed in contact though all its elements are dead.
+struct FreeNode {
+  NodeIndex node;
+  std::uint32_t surface = 0;  ///< that had it
+  ElementSide side;           ///< of a dead element: what it stands for in area and backing
 };
 
 /// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
@@ -92,7 +100,9 @@ double thickness_behind(const Mesh& mesh, ElementSide side);
 
 /// Numbers the faces and nodes of the surfaces, with the thickness of the elements behind them. Nodes of node
 /// sets that no outside face of the mesh has are left out: they lie behind it.
-ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh);
+///   free_nodes  ascending, on top of the nodes of the surfaces
+ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
+                                std::span<const FreeNode> free_nodes = {});
 
 /// Adds masses, and stiffness and mass per area behind faces and nodes. Of a loft's point it is the least
 /// mass that a force on it may find: that of its node, less because its node turns.

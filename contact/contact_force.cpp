@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
@@ -24,12 +25,6 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   return times;
 }
 
-ContactFaces make_faces(const ContactSetup& setup) {
-  ContactFaces faces = make_contact_faces(setup.contact, *setup.model.mesh);
-  choose_edges(setup.definition.surface_options, setup.contact.surfaces.surfaces, *setup.model.mesh, faces);
-  return faces;
-}
-
 /// The pairs with their friction models. That these are right has been checked before.
 PairRules make_rules(const ContactSetup& setup) {
   PairRules rules(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size());
@@ -45,7 +40,7 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_faces(setup)),
+      faces_(make_faces({})),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
@@ -69,6 +64,7 @@ void ContactForce::find_candidates(const Motion& motion) {
     edges_.take_candidates();
   }
   surface_.watch(faces_with_candidates());
+  has_new_surfaces_ = false;
 }
 
 /// Faces of which something has to be known until the next search. A node looks at its own faces, too.
@@ -101,6 +97,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
 /// The first time that forces are asked for: only now the elements' stable step is known.
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
+  start_step_ = motion.stable_step;
   limit_stiffness(surface_, motion.stable_step, faces_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
@@ -143,6 +140,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   saved.fixed("contact/pairs/stored", std::span(stored_));
   saved.numbers("contact/step_share", step_share_.share);
   saved.numbers("contact/stored_at_start", stored_at_start_);
+  saved.numbers("contact/start_step", start_step_);
   if (!saved.restores()) return;
   has_begun_ = true;
   rules_.activate(motion.time, times_.is_active(motion.time));
@@ -260,6 +258,7 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   const bool is_first = !has_begun_;
   if (is_first) forces.setZero();  // later on only contact nodes ever have another value
+  for (const std::uint32_t node : std::exchange(left_, {})) forces.col(node).setZero();
   surface_.step(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (is_first) {
@@ -267,7 +266,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   } else if (rules_.have_changed()) {
     find_candidates(motion);
     held_.renew({surface_, rules_, glued_, motion.dt}, near_candidates(), glued_);
-  } else if (search_.is_due(surface_)) {
+  } else if (has_new_surfaces_ || search_.is_due(surface_)) {
     find_candidates(motion);
   } else {
     surface_.bound_watched();

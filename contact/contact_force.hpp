@@ -48,6 +48,14 @@ class ContactForce final : public ForceTerm {
   /// Of the forces on lofts about the nodes of the mesh that they hang on.
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
+  /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
+  /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
+  /// is gone is over; the energy that it stored is lost.
+  ///   motion      of the last step
+  ///   free_nodes       ascending, that stay though their elements are dead
+  ///   makes_new_edges  whether sharp edges that were none before become edges of contact
+  void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes, bool makes_new_edges = true);
+
   const ContactFaces& faces() const { return faces_; }
   const ContactSearch& search() const { return search_; }
   std::span<const PairHistory> histories() const { return histories_; }
@@ -76,8 +84,11 @@ class ContactForce final : public ForceTerm {
   Eigen::Vector3d position(std::uint32_t node) const { return surface_.x(node); }
 
  private:
+  ContactFaces make_faces(std::span<const FreeNode> free_nodes) const;
   void begin(const Motion& motion);
   void archive_faces(StateArchive& saved);
+  void renumber(const ContactRenumbering& places);
+  void forget_stored(const Motion& motion);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
@@ -110,6 +121,9 @@ class ContactForce final : public ForceTerm {
   ContactStep step_share_;
   double stored_at_start_ = 0.0;
   bool has_begun_ = false;
+  double start_step_ = 0.0;          // stable step of the elements at the start [time]
+  bool has_new_surfaces_ = false;    // a search has to follow
+  std::vector<std::uint32_t> left_;  // nodes of the mesh that have just left contact
 };
 
 }  // namespace contactsim

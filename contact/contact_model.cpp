@@ -40,14 +40,8 @@ RegionNames names_of(const SimulationDefinition& definition, const Region& regio
 
 }  // namespace
 
-ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
-                                const Mesh& mesh, std::span<const std::uint8_t> alive,
-                                Diagnostics& diagnostics) {
-  ContactModel model;
-  model.planes = region.analytic_planes;
-  model.surfaces = resolve_surfaces(*region.contact, names_of(definition, region), mesh, alive, diagnostics);
-  check_surface_names(*region.contact, model.surfaces, diagnostics);
-  model.pairs = make_surface_pairs(*region.contact, model.surfaces, diagnostics);
+void make_lofts(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                ContactModel& model, Diagnostics& diagnostics) {
   const auto owned = owned_elements(model.surfaces.surfaces);
   const auto sizes = find_loft_sizes(definition, region, mesh, {model.surfaces.surfaces, owned}, diagnostics);
   std::vector<ElementIndex> elements;
@@ -57,12 +51,31 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
   model.surface_of_facet = owners_of(model.loft.facets, owned);
   model.surface_of_sphere = owners_of(model.loft.spheres, owned);
   model.surface_of_rod = owners_of(model.loft.rods, owned);
+}
+
+ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
+                                const Mesh& mesh, std::span<const std::uint8_t> alive,
+                                Diagnostics& diagnostics) {
+  ContactModel model;
+  model.planes = region.analytic_planes;
+  model.surfaces = resolve_surfaces(*region.contact, names_of(definition, region), mesh, alive, diagnostics);
+  for (ContactSurface& surface : model.surfaces.surfaces)
+    surface.may_gain_faces = surface.may_gain_faces && !region.element_deaths.empty();
+  check_surface_names(*region.contact, model.surfaces, diagnostics);
+  model.pairs = make_surface_pairs(*region.contact, model.surfaces, diagnostics);
+  make_lofts(definition, region, mesh, model, diagnostics);
   return model;
+}
+
+std::vector<SurfaceRequest> find_surface_requests(const SimulationDefinition& definition,
+                                                  const Region& region, const Mesh& mesh,
+                                                  Diagnostics& diagnostics) {
+  return make_surface_requests(*region.contact, names_of(definition, region), mesh, diagnostics);
 }
 
 void find_name_errors(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
                       Diagnostics& diagnostics) {
-  make_surface_requests(*region.contact, names_of(definition, region), mesh, diagnostics);
+  find_surface_requests(definition, region, mesh, diagnostics);
 }
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 #include "contact/contact_surface.hpp"
 #include "contact/loft.hpp"
 #include "contact/surface_pairs.hpp"
+#include "contact/surface_request.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
@@ -34,6 +35,16 @@ struct ContactModel {
 ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
                                 const Mesh& mesh, std::span<const std::uint8_t> alive,
                                 Diagnostics& diagnostics);
+
+/// Lofts the elements that the model's surfaces own, in place of what was lofted before.
+///   diagnostics  gets an error for every block without a thickness or radius
+void make_lofts(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                ContactModel& model, Diagnostics& diagnostics);
+
+/// What the surface-making commands of the region's contact definition ask for, in their order.
+std::vector<SurfaceRequest> find_surface_requests(const SimulationDefinition& definition,
+                                                  const Region& region, const Mesh& mesh,
+                                                  Diagnostics& diagnostics);
 
 /// Only looks up the names of mesh parts in the region's contact surfaces, for decks that have other errors
 /// as well.

@@ -65,6 +65,9 @@ class ContactOutput {
   /// All variables, to be added to those of the run; this must outlive them.
   std::vector<RunVariable> variables();
 
+  /// To be called after the force has gone over to other surfaces.
+  void renew() { step_ = -1; }
+
  private:
   void begin();
   /// Brings everything to the state. Whoever asks first does the work.

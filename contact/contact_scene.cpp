@@ -107,6 +107,35 @@ void GluedPlaces::archive(StateArchive& saved) {
   saved.set("contact/glued_nodes", nodes_);
 }
 
+namespace {
+
+/// Keys of two numbers each, with the numbers that are still there.
+///   first, second  places of the numbers; empty: they stay
+void renumber_keys(std::span<const std::uint32_t> first, std::span<const std::uint32_t> second,
+                   std::set<std::uint64_t>& keys) {
+  std::set<std::uint64_t> after;
+  for (const std::uint64_t key : keys) {
+    auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
+    if (!first.empty()) a = first[a];
+    if (!second.empty()) b = second[b];
+    if (a != ContactRenumbering::gone && b != ContactRenumbering::gone)
+      after.insert((std::uint64_t{a} << 32) | b);
+  }
+  keys = std::move(after);
+}
+
+}  // namespace
+
+void PairRules::renumber(const ContactRenumbering& places) {
+  renumber_keys({}, places.faces, close_faces_);
+  renumber_keys({}, places.rows, close_nodes_);
+}
+
+void GluedPlaces::renumber(const ContactRenumbering& places) {
+  renumber_keys(places.faces, places.faces, faces_);
+  renumber_keys(places.rows, {}, nodes_);
+}
+
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
   return close_faces_.contains(key(pair, first)) && close_faces_.contains(key(pair, second));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_record.hpp"
+#include "contact/contact_renumbering.hpp"
 #include "contact/moving_surface.hpp"
 #include "contact/place_law.hpp"
 #include "contact/surface_pairs.hpp"
@@ -64,6 +65,8 @@ class PairRules {
   void activate(double time, bool is_on);
   /// Whether some pair has another model than in the step before.
   bool have_changed() const;
+  /// Goes over to other faces and nodes.
+  void renumber(const ContactRenumbering& places);
   /// Remembers that a face, or a surface node, of a HYBRID pair was close to the other side at the start.
   void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.insert(key(pair, face)); }
   void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.insert(key(pair, row)); }
@@ -103,6 +106,8 @@ class PairRules {
 /// MODEL, until it fails under a weld.
 class GluedPlaces {
  public:
+  /// Goes over to other faces and nodes: what is gone is held no more.
+  void renumber(const ContactRenumbering& places);
   bool holds_faces(std::uint32_t first, std::uint32_t second) const { return holds(faces_, first, second); }
   bool holds_node(std::uint32_t row, std::uint32_t pair) const { return holds(nodes_, row, pair); }
   /// Return whether the place is new.

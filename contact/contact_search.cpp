@@ -56,7 +56,7 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
       rules_(rules),
       joined_(faces, mesh),
       is_once_(search.global_search_once),
-      node_margin_(faces.n_nodes(), std::numeric_limits<float>::infinity()) {
+      length_scaling_(dash.search_length_scaling) {
   for (const PairRule& rule : rules.rules()) {
     const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
@@ -64,37 +64,7 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
   }
   const auto is_ball = [](const SurfaceNode& node) { return node.radius > 0.0f; };
   has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(faces.surface_nodes, is_ball);
-  MovingSurface start(faces);
-  const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
-  start.move_nodes({0.0, 0.0, mesh.coordinates(), at_rest});
-  face_margin_.reserve(faces.faces.size());
-  for (const ContactFace& face : faces.faces) {
-    face_margin_.push_back(
-        static_cast<float>(dash.search_length_scaling * std::sqrt(start.area(face).norm())));
-    for (const std::uint32_t corner : face.corners)
-      node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
-  }
-  for (const SurfaceNode& node : faces.surface_nodes)
-    node_margin_[node.node] = std::min(node_margin_[node.node],
-                                       static_cast<float>(dash.search_length_scaling * std::sqrt(node.area)));
-  const std::size_t n_surfaces = faces.first_face.size() - 1;
-  reach_.assign(n_surfaces, 0.0);
-  for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
-    for (const std::uint32_t surface : {rules[i].pair->first, rules[i].pair->second})
-      reach_[surface] = std::max(reach_[surface], rules.largest_reach(i));
-  }
-  widest_margin_.assign(n_surfaces, 0.0);
-  narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
-  for (const SurfaceNode& node : faces.surface_nodes) {
-    double& narrowest = narrowest_margin_[node.surface];
-    double& widest = widest_margin_[node.surface];
-    narrowest = std::min<double>(narrowest, node_margin_[node.node]);
-    widest = std::max<double>(widest, node_margin_[node.node]);
-  }
-  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
-    double& widest = widest_margin_[faces.faces[i].surface];
-    widest = std::max<double>(widest, face_margin_[i]);
-  }
+  set_margins();
 }
 
 void ContactSearch::archive(StateArchive& saved) {
@@ -158,7 +128,7 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
     faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
                             candidates.face_partners);
   }
-  if (has_node_pairs_) {
+  if (has_node_pairs_ || has_free_nodes_) {
     const auto n_rows = static_cast<std::uint32_t>(faces_.surface_nodes.size());
     const auto box_of = [&](std::uint32_t row) { return node_box(surface, row, motion.dt); };
     if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(faces_.surface_nodes[*bad].node);
@@ -242,7 +212,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;
   // Balls have no faces: they meet those of others as nodes, whatever the formulation.
   const bool is_ball = node.radius > 0.0f;
-  if (!is_ball && of.formulation != ConstraintFormulation::node_face) return false;
+  if (!is_ball && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
   if (!is_ball && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   return !has_element_of(node.node, face) && !joined_.are_joined(node, index);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/broad_phase.hpp"
+#include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
 #include "contact/joined_faces.hpp"
 #include "core/definition/contact_options.hpp"
@@ -27,6 +28,10 @@ class ContactSearch {
   ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
                 const SearchOptions& search, const DashOptions& dash);
 
+  /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
+  /// has to follow.
+  void renumber(const ContactRenumbering& places);
+
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const MovingSurface& surface) const;
 
@@ -46,6 +51,8 @@ class ContactSearch {
   const BroadPhaseCounts& edge_counts() const { return edges_phase_.counts(); }
 
  private:
+  void set_margins();
+  void set_surface_margins();
   /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
   std::vector<double> used_margins(const MovingSurface& surface) const;
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
@@ -65,7 +72,9 @@ class ContactSearch {
   const PairRules& rules_;
   JoinedFaces joined_;
   bool is_once_;
+  double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
+  bool has_free_nodes_ = false;
   std::vector<double> reach_;                                // [n_surfaces] of the models [length]
   std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
   std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]

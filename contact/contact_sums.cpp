@@ -8,7 +8,9 @@
 namespace contactsim {
 
 ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction, bool has_moments)
-    : nodes_(n_nodes, NodeVector::Zero()),
+    : has_friction_(has_friction),
+      has_moments_(has_moments),
+      nodes_(n_nodes, NodeVector::Zero()),
       moments_(has_moments ? n_nodes : 0, Eigen::Vector3d::Zero()),
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
@@ -18,6 +20,16 @@ void ContactSums::archive(StateArchive& saved) {
   saved.fixed_rows("contact/nodes/friction", friction_, [](NodeFriction& node, RowNumbers& row) {
     row(node.slip, node.slip_length, node.energy, node.last_slip);
   });
+}
+
+void ContactSums::renumber(const ContactRenumbering& places) {
+  carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), nodes_);
+  carry(places.nodes, places.n_nodes_after, NodeFriction{}, friction_);
+  carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), slips_);
+  nodes_.resize(places.n_nodes_after, NodeVector::Zero());
+  moments_.assign(has_moments_ ? places.n_nodes_after : 0, Eigen::Vector3d::Zero());
+  friction_.resize(has_friction_ ? places.n_nodes_after : 0);
+  slips_.resize(has_friction_ ? places.n_nodes_after : 0, NodeVector::Zero());
 }
 
 void ContactSums::begin_step() {

@@ -6,6 +6,7 @@
 
 #include "contact/contact_faces.hpp"
 #include "contact/contact_record.hpp"
+#include "contact/contact_renumbering.hpp"
 #include "contact/ties.hpp"
 #include "core/elements/gather.hpp"
 
@@ -40,6 +41,8 @@ class ContactSums {
   ///   has_moments  some places stand off their nodes
   ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_friction, bool has_moments = false);
 
+  /// Goes over to other nodes. What friction did at nodes that are gone is forgotten.
+  void renumber(const ContactRenumbering& places);
   void begin_step();
   void add(const ContactRecord& record);
   void add(const HeldPlace& place, const TieForces& forces);
@@ -63,6 +66,7 @@ class ContactSums {
   void add_moment(const RecordSide& side, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
   void add_slip(const RecordSide& side, const Eigen::Vector3d& slip, const ContactRecord& record);
 
+  bool has_friction_, has_moments_;
   std::vector<NodeVector> nodes_;
   std::vector<Eigen::Vector3d> moments_;
   std::vector<PairStep> pairs_;

@@ -32,6 +32,7 @@ struct ContactSurface {
   std::vector<NodeIndex> nodes;                ///< of surfaces of nodes only; ascending
   std::vector<std::uint32_t> analytic_planes;  ///< positions in the list given to resolve_surfaces
   std::vector<LostClaims> lost_to;             ///< in surface order of the winners
+  bool may_gain_faces = false;                 ///< it skins blocks whose elements may die
 
   bool is_empty() const {
     return faces.empty() && lofted_elements.empty() && nodes.empty() && analytic_planes.empty();

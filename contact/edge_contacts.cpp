@@ -2,6 +2,7 @@
 #include "contact/edge_contacts.hpp"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "contact/contact_place.hpp"
@@ -41,18 +42,23 @@ Eigen::Vector3d velocity_at(const MovingSurface& surface, const RecordSide& side
          side.weights[1] * surface.velocity_beside(side.nodes[1], arm);
 }
 
-}  // namespace
-
-EdgeContacts::EdgeContacts(const ContactFaces& faces)
-    : faces_(faces), was_touched_(faces.edges.size(), 0), is_touched_(faces.edges.size(), 0) {
-  if (faces.edges.empty()) return;
-  edges_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
+/// Lines and sharp edges by first_alike of their nodes; nothing without any edges.
+PairLists list_edges_of_nodes(const ContactFaces& faces) {
+  if (faces.edges.empty()) return {};
+  return list_by_row(faces.n_nodes(), [&](const auto& take) {
     for (std::uint32_t i = 0; i < faces.edges.size(); ++i) {
       const ContactEdge& edge = faces.edges[i];
       if (edge.is_particle()) continue;
       for (const std::uint32_t node : edge.nodes) take(faces.first_alike[node], i);
     }
   });
+}
+
+}  // namespace
+
+EdgeContacts::EdgeContacts(const ContactFaces& faces)
+    : faces_(faces), was_touched_(faces.edges.size(), 0), is_touched_(faces.edges.size(), 0) {
+  edges_of_node_ = list_edges_of_nodes(faces);
 }
 
 bool EdgeContacts::owns(const ContactScene& scene, std::uint32_t index, double share, const EdgePlace& place,
@@ -91,6 +97,30 @@ void EdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
   saved.rows("contact/edge_pairs/elastic_slip", elastic_, [](Elastic& slip, RowNumbers& row) { row(slip); });
   saved.list("contact/edges/was_touched", is_touched_);
+}
+
+void EdgeContacts::renumber(const ContactRenumbering& places) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Elastic> kept;
+  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
+      const std::uint32_t first = places.edges[row], second = places.edges[candidates_.partners[k]];
+      // Of edges that have changed their order the slip would be seen from the other side.
+      if (second != ContactRenumbering::gone && first < second) kept[{first, second}] = elastic_[k];
+    }
+  }
+  candidates_ = {};
+  elastic_.clear();
+  auto pair = kept.begin();
+  for (std::uint32_t row = 0; row < places.n_edges_after; ++row) {
+    for (; pair != kept.end() && pair->first.first == row; ++pair) {
+      candidates_.partners.push_back(pair->first.second);
+      elastic_.push_back(pair->second);
+    }
+    candidates_.begin.push_back(static_cast<std::uint32_t>(candidates_.partners.size()));
+  }
+  edges_of_node_ = list_edges_of_nodes(faces_);
+  carry(places.edges, places.n_edges_after, std::uint8_t{0}, was_touched_);
+  carry(places.edges, places.n_edges_after, std::uint8_t{0}, is_touched_);
 }
 
 void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,

@@ -23,6 +23,9 @@ class EdgeContacts {
   /// Goes over to the next candidates, with what is remembered of pairs that are in both.
   void take_candidates();
 
+  /// Goes over to other edges, which stand where those of the constructor stood already.
+  void renumber(const ContactRenumbering& places);
+
   const PairLists& candidates() const { return candidates_; }
   std::size_t n_rows() const { return candidates_.n_rows(); }
 

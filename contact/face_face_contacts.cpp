@@ -28,6 +28,24 @@ void FaceFaceContacts::take_candidates() {
   candidates_ = std::exchange(next_, {});
 }
 
+void FaceFaceContacts::renumber(const ContactRenumbering& places) {
+  std::vector<std::size_t> before;
+  candidates_ = carried(candidates_, places.faces, places.faces, places.n_faces_after, before);
+  std::vector<std::uint8_t> touched;
+  std::vector<Eigen::Vector3d> elastic;
+  for (const std::size_t old : before) {
+    touched.push_back(touched_[old]);
+    if (has_friction_) elastic.push_back(elastic_[old]);
+  }
+  touched_ = std::move(touched);
+  elastic_ = std::move(elastic);
+  const Eigen::Vector4d no_slip = Eigen::Vector4d::Zero();
+  carry(places.faces, places.n_faces_after, no_slip, means_);
+  carry(places.faces, places.n_faces_after, no_slip, next_means_);
+  carry(places.faces, places.n_faces_after, std::uint8_t{0}, was_pushed_);
+  carry(places.faces, places.n_faces_after, std::uint8_t{0}, is_pushed_);
+}
+
 void FaceFaceContacts::begin_step() {
   std::swap(was_pushed_, is_pushed_);
   was_pushed_.resize(faces_.faces.size(), 0);

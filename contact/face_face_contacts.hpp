@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
 #include "contact/pair_lists.hpp"
 
@@ -20,6 +21,9 @@ class FaceFaceContacts {
   PairLists& next_candidates() { return next_; }
   /// Goes over to the next candidates, with what is remembered of pairs that are in both.
   void take_candidates();
+
+  /// Goes over to other faces, which stand where those of the constructor stood already.
+  void renumber(const ContactRenumbering& places);
 
   std::size_t n_rows() const { return candidates_.n_rows(); }
   const PairLists& candidates() const { return candidates_; }

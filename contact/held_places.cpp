@@ -86,6 +86,14 @@ bool is_bonded(const PairRule& rule) {
   return rule.place != nullptr && rule.place->hold && !rule.place->is_weld();
 }
 
+/// Whether both sides of a place are still there; it has their new numbers then.
+bool keep_place(const ContactRenumbering& places, HeldPlace& place) {
+  place.first_place = (place.is_node ? places.rows : places.faces)[place.first_place];
+  place.second_place = places.faces[place.second_place];
+  for (std::uint32_t& node : place.nodes) node = places.nodes[node];
+  return place.first_place != ContactRenumbering::gone && place.second_place != ContactRenumbering::gone;
+}
+
 /// What a weld that fails passes on: of what is pressed together only the force along the surface, for the
 /// rest is contact's from now on.
 TieForces at_failure(const WeldHold& weld, const HeldPlace& place, TieForces forces) {
@@ -158,6 +166,19 @@ void HeldPlaces::glue(const ContactScene& scene, const ContactRecord& record, Gl
   if (!tie) return;
   tie->rest_energy += record.stored();
   ties_.push_back(*tie);
+}
+
+void HeldPlaces::renumber(const ContactRenumbering& places) {
+  const auto renumber_all = [&](auto& held) {
+    std::size_t n = 0;
+    for (auto& place : held) {
+      if (keep_place(places, place)) held[n++] = place;
+    }
+    held.resize(n);
+  };
+  renumber_all(ties_);
+  renumber_all(bonds_);
+  renumber_all(fading_);
 }
 
 void HeldPlaces::step(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums) {

@@ -27,6 +27,8 @@ class HeldPlaces {
   /// what they had.
   void begin(const ContactScene& scene, const NearCandidates& candidates, GluedPlaces& glued);
   void renew(const ContactScene& scene, const NearCandidates& candidates, GluedPlaces& glued);
+  /// Goes over to other faces and nodes: what held a side that is gone is over.
+  void renumber(const ContactRenumbering& places);
   /// Ties what has touched under a GLUED MODEL, from the next step on, as deep as it is now. What its springs
   /// hold stays in them: the tie has no way to give it back.
   void glue(const ContactScene& scene, const ContactRecord& record, GluedPlaces& glued);

@@ -28,7 +28,9 @@ double radius(const FaceCorners& face) { return (face.colwise() - face.col(0)).c
 
 }  // namespace
 
-JoinedFaces::JoinedFaces(const ContactFaces& faces, const Mesh& mesh) : faces_(faces) {
+void JoinedFaces::renew(const Mesh& mesh) {
+  const ContactFaces& faces = faces_;
+  pieces_of_node_ = {};
   if (faces.loft.size() == 0 && faces.edges.empty()) return;
   pieces_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
     const auto n_pieces = static_cast<std::uint32_t>(faces.faces.size() + faces.edges.size());
@@ -38,7 +40,7 @@ JoinedFaces::JoinedFaces(const ContactFaces& faces, const Mesh& mesh) : faces_(f
   });
   x_.resize(3, static_cast<Eigen::Index>(faces.n_nodes()));
   for (Eigen::Index i = 0; i < x_.cols(); ++i)
-    x_.col(i) = mesh.coordinates().col(faces.mesh_nodes[static_cast<std::size_t>(i)]);
+    x_.col(i) = mesh.coordinates().col(faces_.mesh_nodes[static_cast<std::size_t>(i)]);
 }
 
 JoinedFaces::Piece JoinedFaces::piece(std::uint32_t index) const {

@@ -12,7 +12,9 @@ namespace contactsim {
 class JoinedFaces {
  public:
   /// The faces must outlive this.
-  JoinedFaces(const ContactFaces& faces, const Mesh& mesh);
+  JoinedFaces(const ContactFaces& faces, const Mesh& mesh) : faces_(faces) { renew(mesh); }
+  /// Takes over that the faces have changed.
+  void renew(const Mesh& mesh);
 
   /// Whether one of two faces is of a loft, their shells or solids lay within the thickness of their lofts of
   /// each other at the start, and faces join them that lie no farther away.

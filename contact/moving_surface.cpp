@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/contact_renumbering.hpp"
 #include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
@@ -36,6 +37,17 @@ void MovingSurface::move_nodes(const Motion& motion) {
 void MovingSurface::step(const Motion& motion) {
   if (faces_.loft.size() > 0 && arms_.cols() > 0 && motion.angular_velocity != nullptr) turn_arms(motion);
   move_nodes(motion);
+}
+
+void MovingSurface::renumber(const ContactRenumbering& places, const Motion& motion) {
+  const Eigen::Matrix3Xd before = std::move(arms_);
+  faces_.loft.find_arms(motion.coordinates, shell_areas_, arms_);
+  const std::size_t first_before = places.nodes.size() - static_cast<std::size_t>(before.cols());
+  for (Eigen::Index i = 0; i < before.cols(); ++i) {
+    const std::uint32_t after = places.nodes[first_before + static_cast<std::size_t>(i)];
+    if (after != ContactRenumbering::gone)
+      arms_.col(static_cast<Eigen::Index>(after - faces_.n_mesh_points())) = before.col(i);
+  }
 }
 
 void MovingSurface::archive(StateArchive& saved) {

@@ -11,6 +11,7 @@
 namespace contactsim {
 
 class StateArchive;
+struct ContactRenumbering;
 
 /// The contact nodes and faces at one moment.
 class MovingSurface {
@@ -26,6 +27,9 @@ class MovingSurface {
   /// by what forces and moments on the nodes work on, and make no energy. Where no node turns they follow the
   /// normals of the shells.
   void step(const Motion& motion);
+  /// Goes over to other faces: points of lofts that are still there stand off their nodes as they did.
+  ///   motion  of now
+  void renumber(const ContactRenumbering& places, const Motion& motion);
   /// Saves or restores how the points of lofts stand off their nodes.
   void archive(StateArchive& saved);
   /// Brings the bounds of all faces, or of the watched ones, to where their nodes are.

@@ -81,6 +81,20 @@ void NodeFaceContacts::archive(StateArchive& saved) {
   for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
 }
 
+void NodeFaceContacts::renumber(const ContactRenumbering& places) {
+  std::vector<std::size_t> before;
+  candidates_ = carried(candidates_, places.rows, places.faces, places.n_rows_after, before);
+  std::vector<std::vector<Touch>> touches(places.n_rows_after / rows_per_chunk + 1);
+  for (const std::vector<Touch>& chunk : touches_) {
+    for (Touch touch : chunk) {
+      touch.row = places.rows[touch.row];
+      if (touch.row != ContactRenumbering::gone) touches[touch.row / rows_per_chunk].push_back(touch);
+    }
+  }
+  for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
+  touches_ = std::move(touches);
+}
+
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
   std::vector<Touch>& touches = touches_[begin / rows_per_chunk];

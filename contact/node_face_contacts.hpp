@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/contact_place.hpp"
+#include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
 #include "contact/pair_lists.hpp"
 
@@ -24,6 +25,9 @@ class NodeFaceContacts {
   PairLists& candidates() { return candidates_; }
   const PairLists& candidates() const { return candidates_; }
   std::size_t n_rows() const { return candidates_.n_rows(); }
+
+  /// Goes over to other faces and nodes, which stand where those of the constructor stood already.
+  void renumber(const ContactRenumbering& places);
 
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads; which are taken
   /// together has to be the same in every step.

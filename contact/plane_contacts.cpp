@@ -2,6 +2,9 @@
 #include "contact/plane_contacts.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
@@ -11,23 +14,36 @@
 
 namespace contactsim {
 
-PlaneContacts::PlaneContacts(const ContactFaces& faces, const ContactSurfaces& surfaces,
-                             std::span<const AnalyticPlane> planes, const PairRules& rules)
-    : faces_(faces) {
+void PlaneContacts::add_places(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
+                               const PairRules& rules) {
   for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
     const SurfacePair& pair = *rules[i].pair;
     for (const auto& [with_plane, other] :
          {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
       for (const std::uint32_t plane : surfaces.surfaces[with_plane].analytic_planes)
-        add_places(other, i, planes[plane]);
+        add_places(other, i, plane, planes[plane]);
       if (pair.first == pair.second) break;
     }
   }
 }
 
-void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, const AnalyticPlane& plane) {
+void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, std::uint32_t index,
+                               const AnalyticPlane& plane) {
   for (std::uint32_t node = faces_.first_node[surface]; node < faces_.first_node[surface + 1]; ++node)
-    places_.push_back({node, pair, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
+    places_.push_back({node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
+}
+
+void PlaneContacts::renumber(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
+                             const PairRules& rules, const ContactRenumbering& places) {
+  const std::vector<Place> before = std::exchange(places_, {});
+  add_places(surfaces, planes, rules);
+  using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // pair, plane, node
+  std::map<Key, Place*> known;
+  for (Place& place : places_) known[{place.pair, place.plane, place.node}] = &place;
+  for (const Place& old : before) {
+    const auto found = known.find({old.pair, old.plane, places.rows[old.node]});
+    if (found != known.end()) found->second->elastic = old.elastic;
+  }
 }
 
 void PlaneContacts::archive(StateArchive& saved) {

@@ -22,22 +22,6 @@ constexpr double subset_threshold = 0.45;
 /// Dot products nearer than this are a tie, which the first listed subset wins.
 constexpr double subset_tie = 1e-9;
 
-/// The subset that a face of the surface goes to, from 1; 0 when it stays.
-std::uint32_t choose_subset(const std::vector<SubsetRequest>& subsets, const Mesh& mesh, ElementSide face) {
-  if (subsets.empty()) return 0;
-  const Eigen::Vector3d normal = area_vector(mesh, face).normalized();
-  std::uint32_t best = 0;
-  double best_dot = subset_threshold;
-  for (std::uint32_t i = 0; i < subsets.size(); ++i) {
-    const double dot = normal.dot(subsets[i].normal);
-    const bool is_better = best == 0 ? dot > subset_threshold : dot > best_dot + subset_tie;
-    if (!is_better) continue;
-    best = i + 1;
-    best_dot = dot;
-  }
-  return best;
-}
-
 /// Gives candidates to surfaces in deck order.
 class Ownership {
  public:
@@ -83,6 +67,7 @@ void Ownership::add(const SurfaceRequest& request) {
     made.kind = request.kind;
     made.command = request.command;
     made.location = location;
+    made.may_gain_faces = request.kind == SurfaceKind::face && !request.blocks.empty();
   };
   add_surface(request.name, request.location);
   for (const SubsetRequest& subset : request.subsets) add_surface(subset.name, subset.location);
@@ -205,17 +190,33 @@ void add_left_out_warning(const SurfaceRequest& request, const Mesh& mesh, Conta
                    fmt::join(names, ", "))});
 }
 
-/// A request makes one surface and one for each of its subsets.
-void add_warnings(std::span<const SurfaceRequest> requests, const Mesh& mesh, ContactSurfaces& result) {
-  std::size_t surface = 0;
+}  // namespace
+
+std::uint32_t choose_subset(const std::vector<SubsetRequest>& subsets, const Mesh& mesh, ElementSide face) {
+  if (subsets.empty()) return 0;
+  const Eigen::Vector3d normal = area_vector(mesh, face).normalized();
+  std::uint32_t best = 0;
+  double best_dot = subset_threshold;
+  for (std::uint32_t i = 0; i < subsets.size(); ++i) {
+    const double dot = normal.dot(subsets[i].normal);
+    const bool is_better = best == 0 ? dot > subset_threshold : dot > best_dot + subset_tie;
+    if (!is_better) continue;
+    best = i + 1;
+    best_dot = dot;
+  }
+  return best;
+}
+
+void set_surface_warnings(std::span<const SurfaceRequest> requests, const Mesh& mesh,
+                          ContactSurfaces& result) {
+  result.warnings.clear();
+  std::size_t surface = 0;  // a request makes one and one for each of its subsets
   for (const SurfaceRequest& request : requests) {
     add_left_out_warning(request, mesh, result);
     const std::size_t end = surface + 1 + request.subsets.size();
     for (; surface < end; ++surface) add_warnings(result.surfaces[surface], result);
   }
 }
-
-}  // namespace
 
 ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionNames& names, const Mesh& mesh,
                                  std::span<const std::uint8_t> alive, Diagnostics& diagnostics) {
@@ -227,7 +228,7 @@ ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionN
   Ownership ownership(mesh, domain, std::move(candidates));
   for (const SurfaceRequest& request : requests) ownership.add(request);
   result.surfaces = ownership.take();
-  add_warnings(requests, mesh, result);
+  set_surface_warnings(requests, mesh, result);
   return result;
 }
 

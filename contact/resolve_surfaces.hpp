@@ -22,4 +22,12 @@ namespace contactsim {
 ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionNames& names, const Mesh& mesh,
                                  std::span<const std::uint8_t> alive, Diagnostics& diagnostics);
 
+/// The subset that a face of the surface goes to, from 1; 0 when it stays.
+std::uint32_t choose_subset(const std::vector<SubsetRequest>& subsets, const Mesh& mesh, ElementSide face);
+
+/// Sets the warnings of resolved surfaces: what was left out, claims lost, empty surfaces.
+///   requests  that the surfaces were made by
+void set_surface_warnings(std::span<const SurfaceRequest> requests, const Mesh& mesh,
+                          ContactSurfaces& result);
+
 }  // namespace contactsim

@@ -23,8 +23,8 @@ struct SurfaceParts {
 };
 
 SurfaceParts parts_of(const ContactSurface& surface) {
-  return {!surface.faces.empty() || !surface.lofted_elements.empty(), !surface.nodes.empty(),
-          !surface.analytic_planes.empty()};
+  return {!surface.faces.empty() || !surface.lofted_elements.empty() || surface.may_gain_faces,
+          !surface.nodes.empty(), !surface.analytic_planes.empty()};
 }
 
 bool can_meet_one_way(const SurfaceParts& faces, const SurfaceParts& nodes) {

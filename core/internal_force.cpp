@@ -24,11 +24,11 @@ std::size_t find_inverted(const SolidBlock& block, const Eigen::Matrix3Xd& coord
   return 0;
 }
 
-/// As all elements of rigid bodies would be stable at rest if they were elastic.
-double find_rigid_step(const Model& model) {
+/// As all elements, or those of rigid bodies, would be stable at rest in the mesh if they were elastic.
+double find_step_at_rest(const Model& model, bool only_rigid) {
   double step = std::numeric_limits<double>::infinity();
   for (const SolidBlock& block : model.blocks) {
-    if (!block.is_rigid) continue;
+    if (only_rigid && !block.is_rigid) continue;
     SolidBlockState state = make_state(block);
     const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, model.mesh->n_nodes());
     Motion motion{0.0, 0.0, model.mesh->coordinates(), still};
@@ -42,7 +42,7 @@ double find_rigid_step(const Model& model) {
 }  // namespace
 
 InternalForce::InternalForce(const Model& model, State& state)
-    : model_(model), state_(state), rigid_step_(find_rigid_step(model)) {
+    : model_(model), state_(state), idle_step_(find_step_at_rest(model, true)) {
   std::size_t most = 0;
   for (const SolidBlock& block : model.blocks) most = std::max(most, block.chunks.size());
   chunks_.resize(most);
@@ -85,7 +85,10 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
     }
     block.sums.add(state_.blocks[index].forces, forces);
   }
-  if (std::isinf(report.stable_step)) report.stable_step = rigid_step_;
+  if (std::isinf(report.stable_step)) {
+    if (std::isinf(idle_step_)) idle_step_ = find_step_at_rest(model_, false);
+    report.stable_step = idle_step_;
+  }
   return report;
 }
 

@@ -25,7 +25,9 @@ class InternalForce final : public ForceTerm {
   const Model& model_;
   State& state_;
   std::vector<ChunkStep> chunks_;  ///< of the largest block, scratch
-  double rigid_step_;  ///< stable step were the rigid elements elastic, for when there are no others [time]
+  /// Stable step at rest were the rigid elements elastic, or the dead ones alive: for when there are no
+  /// others [time]
+  double idle_step_;
 };
 
 }  // namespace contactsim

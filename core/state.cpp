@@ -75,7 +75,15 @@ void archive(State& state, StateArchive& saved) {
     std::vector<Lanes>& values = state.blocks[i].values;
     saved.fixed(fmt::format("blocks/{}/values", i + 1),
                 std::span(values.data()->data(), n_lanes * values.size()));
+    std::vector<Lanes>& life = state.blocks[i].life;
+    if (!life.empty())
+      saved.fixed(fmt::format("blocks/{}/life", i + 1),
+                  std::span(life.data()->data(), n_lanes * life.size()));
   }
+  saved.rows("death/dying", state.death.dying, [](DyingElement& dying, RowNumbers& row) {
+    row(dying.element.value, dying.n_steps, dying.n_left);
+  });
+  saved.list("death/checked", state.death.checked);
 }
 
 }  // namespace contactsim

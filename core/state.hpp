@@ -53,6 +53,19 @@ struct HalfStepWork {
   double internal = 0.0, external = 0.0, contact = 0.0;
 };
 
+/// An element whose stress fades.
+struct DyingElement {
+  ElementIndex element;
+  std::int64_t n_steps = 1;  ///< over which it does
+  std::int64_t n_left = 1;   ///< of them
+};
+
+/// What element death knows besides SolidBlockState::life.
+struct DeathState {
+  std::vector<DyingElement> dying;  ///< in the order in which they began
+  std::vector<double> checked;      ///< [n_deaths] when the criteria of each were looked at last [time]
+};
+
 /// All that a step changes. Between steps every member belongs to `time`.
 struct State {
   std::int64_t step = 0;
@@ -70,6 +83,7 @@ struct State {
   HalfStepWork begun;  ///< of the half step that begins here: the forces of now along the velocity to come
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [mass length/time]
   std::vector<SolidBlockState> blocks;                 ///< as Model::blocks
+  DeathState death;
 };
 
 /// The state of a mesh at rest: nothing is known yet of forces, energies and step sizes.

@@ -195,7 +195,7 @@ void Outputs::open_files() {
 
 std::optional<std::string> Outputs::find_end(const State& state) {
   const OutputMoment moment{model_, state};
-  user_outputs_.compute(moment, !terminations_.is_empty());
+  user_outputs_.compute(moment, !terminations_.is_empty() || settings_.always_computes);
   return terminations_.find_reason(moment);
 }
 

@@ -26,6 +26,7 @@ struct OutputSettings {
   TextSink log;                         ///< for heartbeats to cout, cerr, log, ...
   std::vector<RunVariable> variables;   ///< of contact, besides those of every run
   std::vector<SideSet> side_sets;       ///< that results files hold besides those of the mesh
+  bool always_computes = false;         ///< someone reads what the deck computes after every step
   std::function<std::time_t()> clock = [] { return std::time(nullptr); };
 };
 
@@ -58,6 +59,8 @@ class Outputs {
   void go_on(const State& state) { find_due({state.step, state.time, false}); }
   /// Saves or restores what user variables hold.
   void archive(StateArchive& saved) { user_outputs_.archive(saved); }
+  /// All that can be written, for who reads variables too.
+  const RunVariables& variables() const { return variables_; }
 
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;

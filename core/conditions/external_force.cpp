@@ -83,6 +83,24 @@ void ExternalForce::add(FaceLoad load) {
   face_loads_.push_back(std::move(load));
 }
 
+void ExternalForce::take_off(std::span<const std::uint8_t> alive) {
+  for (FaceLoad& load : face_loads_) {
+    std::vector<std::uint32_t> corners;
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < load.sides.size(); ++i) {
+      if (alive[load.sides[i].element().value] == 0) continue;
+      load.sides[n] = load.sides[i];
+      load.faces[n] = load.faces[i];
+      for (const NodeIndex node : load.faces[n]) corners.push_back(node.value);
+      ++n;
+    }
+    if (n == load.sides.size()) continue;
+    load.sides.resize(n);
+    load.faces.resize(n);
+    load.sums = NodeSums(corners, mesh_->n_nodes());
+  }
+}
+
 void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const {
   const LoadValues values(load.value, motion, *mesh_);
   const auto n = static_cast<std::int64_t>(load.nodes.size());

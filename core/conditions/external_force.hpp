@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/conditions/active_times.hpp"
@@ -27,6 +28,7 @@ struct NodeLoad {
 /// PRESSURE and TRACTION: a load per area of the deformed faces.
 struct FaceLoad {
   std::vector<std::array<NodeIndex, 4>> faces;  ///< corners, outward; a triangle repeats its last
+  std::vector<ElementSide> sides;               ///< [n_faces] the same as sides of elements
   NodeSums sums;                                ///< of the corners of the faces
   std::optional<Eigen::Vector3d> direction;     ///< of a traction; absent: a pressure, against the normal
   ConditionFunction value{0.0};                 ///< [force/length^2]
@@ -42,6 +44,9 @@ class ExternalForce final : public ForceTerm {
   void add(NodeLoad load) { node_loads_.push_back(std::move(load)); }
   void add_moment(NodeLoad moment) { node_moments_.push_back(std::move(moment)); }
   void add(FaceLoad load);
+  /// Takes the faces of dead elements out of all loads.
+  ///   alive  [n_elements] 0 of dead elements
+  void take_off(std::span<const std::uint8_t> alive);
 
   /// Sums loads in the order in which they were added: the same bits for any number of threads. Allocates
   /// nothing. Throws SolveError when a load has no finite value.

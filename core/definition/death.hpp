@@ -51,6 +51,10 @@ struct MaterialCriterion {
 using DeathCriterion =
     std::variant<NodalCriterion, ElementCriterion, GlobalCriterion, AlwaysCriterion, MaterialCriterion>;
 
+/// LOGFILE OUTPUT: how much the log tells of deaths. minimal: how many died; some: also which surfaces of
+/// contact have changed; full: also the whole table of their owners.
+enum class DeathLog : std::uint8_t { minimal, some, full };
+
 /// BEGIN ELEMENT DEATH <name>: an element of the set dies when any criterion holds. Source: Sierra/SM 5.20,
 /// element death.
 struct ElementDeath {
@@ -64,7 +68,12 @@ struct ElementDeath {
   bool on_inversion = false;                  ///< an inverted element dies
   bool on_ill_defined_contact = false;        ///< an element dies whose contact faces have lost their shape
   std::int64_t death_steps = 1;               ///< steps over which the stress of a dying element fades, >= 1
-  bool cleans_contact_aggressively = false;   ///< AGGRESSIVE CONTACT CLEANUP
+  bool cleans_contact_aggressively = false;   ///< a solid that has lost its last face neighbour dies
+  bool erodes_nodes = false;                  ///< NODAL EROSION: nodes of dead elements only leave contact
+  bool makes_new_edges = true;  ///< NEW EDGES ON DEATH: edges of exposed faces are feature edges as others
+  DeathLog log = DeathLog::some;
+  std::optional<std::int64_t> summary_step_interval;  ///< steps between two lines of the log, >= 1
+  std::optional<double> summary_time_interval;        ///< time between two lines of the log, > 0 [time]
 };
 
 }  // namespace contactsim

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/elements/chunk_life.hpp"
 #include "core/elements/element_table.hpp"
 
 /// Makes a row of the element table from an element type, which states
@@ -48,6 +49,17 @@ inline void add_extremes(const Lanes& stable_step, const Lanes& volumes, std::si
   if (!(volume >= sums.least_volume)) sums.least_volume = volume;
 }
 
+/// Takes off what the dead and the dying do not give.
+template <std::size_t n>
+void fade(ChunkLife& life, std::span<Lanes> values, SolidStep<n>& step) {
+  life.settle(step.volume, values);
+  life.limit(step.stable_step);
+  life.fade(step.force);
+  life.fade(step.stress_work);
+  life.fade(step.hourglass_work);
+  life.fade(step.viscous_work);
+}
+
 /// What the lanes in use add.
 template <std::size_t n>
 void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
@@ -74,13 +86,19 @@ ChunkStep advance(const SolidBlock& block, const BatchChunk& chunk, const Motion
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
+  ChunkLife life(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    if (!life.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
-    const SolidMotion<n> solid_motion{gather<n>(nodes, x.data()), gather<n>(nodes, v.data()), block.mass[i],
-                                      motion.dt};
+    SolidMotion<n> solid_motion{gather<n>(nodes, x.data()), gather<n>(nodes, v.data()), block.mass[i],
+                                motion.dt};
+    life.place(solid_motion.x);
+    life.stop(solid_motion.v);
     const std::span<Lanes> values = state.batch(block.layout, i);
+    life.keep(values);
     SolidStep<n> step;
     Element::advance(block.properties, solid_motion, values.first(block.layout.energy()), step);
+    fade(life, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);

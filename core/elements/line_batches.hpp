@@ -84,6 +84,19 @@ inline void line_volumes(const SolidBlock& block, const BatchChunk& chunk,
   }
 }
 
+/// Takes off what the dead and the dying do not give.
+inline void fade(bool has_rotations, ChunkLife& life, std::span<Lanes> values, LineStep& step) {
+  life.settle(step.volume, values);
+  life.limit(step.stable_step);
+  life.fade(step.stress_work);
+  for (std::size_t k = 0; k < 3; ++k) {
+    life.fade(step.pull[k]);
+    if (!has_rotations) continue;
+    life.fade(step.bend[k]);
+    life.fade(step.mean_moment[k]);
+  }
+}
+
 template <class Line>
 ChunkStep advance_lines(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
                         SolidBlockState& state) {
@@ -95,18 +108,25 @@ ChunkStep advance_lines(const SolidBlock& block, const BatchChunk& chunk, const 
   if (Line::has_rotations)
     std::fill_n(state.moments.data() + chunk.first_node, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
+  ChunkLife life(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    if (!life.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * 2 * n_lanes;
     const Lanes inertia = Line::has_rotations ? block.inertia[i] : Lanes::Zero();
-    const LineMotion line_motion{gather<2>(nodes, x.data()),
-                                 gather<2>(nodes, v.data()),
-                                 gather<2>(nodes, w.data()),
-                                 block.mass[i],
-                                 inertia,
-                                 motion.dt};
+    LineMotion line_motion{gather<2>(nodes, x.data()),
+                           gather<2>(nodes, v.data()),
+                           gather<2>(nodes, w.data()),
+                           block.mass[i],
+                           inertia,
+                           motion.dt};
+    life.place(line_motion.x);
+    life.stop(line_motion.v);
+    life.stop(line_motion.w);
     const std::span<Lanes> values = state.batch(block.layout, i);
+    life.keep(values);
     LineStep step;
     Line::advance(block, i, line_motion, values.first(block.layout.energy()), step);
+    fade(Line::has_rotations, life, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     NodeVectors<2> at_nodes;

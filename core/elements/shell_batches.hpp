@@ -20,6 +20,17 @@ void shell_volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen
   }
 }
 
+/// Takes off what the dead and the dying do not give.
+template <std::size_t n>
+void fade(ChunkLife& life, std::span<Lanes> values, ShellStep<n>& step) {
+  life.settle(step.volume, values);
+  life.limit(step.stable_step);
+  life.fade(step.force);
+  life.fade(step.moment);
+  life.fade(step.stress_work);
+  life.fade(step.hourglass_work);
+}
+
 /// What the lanes in use add.
 template <std::size_t n>
 void add_lanes(const ShellStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
@@ -39,19 +50,26 @@ ChunkStep advance_shells(const SolidBlock& block, const BatchChunk& chunk, const
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   std::fill_n(moments, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
+  ChunkLife life(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
+    if (!life.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
-    const ShellMotion<n> shell_motion{gather<n>(nodes, x.data()),
-                                      gather<n>(nodes, v.data()),
-                                      gather<n>(nodes, w.data()),
-                                      block.mass[i],
-                                      block.inertia[i],
-                                      block.thickness[i],
-                                      motion.dt};
+    ShellMotion<n> shell_motion{gather<n>(nodes, x.data()),
+                                gather<n>(nodes, v.data()),
+                                gather<n>(nodes, w.data()),
+                                block.mass[i],
+                                block.inertia[i],
+                                block.thickness[i],
+                                motion.dt};
+    life.place(shell_motion.x);
+    life.stop(shell_motion.v);
+    life.stop(shell_motion.w);
     const std::span<Lanes> values = state.batch(block.layout, i);
+    life.keep(values);
     ShellStep<n> step;
     advance_shell<Geometry>(block.properties, block.shell, shell_motion, values.first(block.layout.energy()),
                             step);
+    fade(life, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);

@@ -46,7 +46,9 @@ struct SolidBlock {
   std::size_t n_elements = 0;
   SolidProperties properties;
   bool is_rigid = false;  ///< a part of a rigid body: it has no stress
-  std::string material;   ///< and its model, for people: "steel (elastic)"
+  /// [n_batches] which elements die when they turn inside out; empty when none does
+  std::vector<LaneMask> dies_inverted;
+  std::string material;  ///< and its model, for people: "steel (elastic)"
   StateLayout layout;
   std::vector<BatchChunk> chunks;
   std::vector<std::uint32_t> chunk_nodes;  ///< of the mesh, chunk by chunk
@@ -70,9 +72,15 @@ struct SolidBlockState {
   std::vector<Lanes> values;        ///< [n_batches x layout.size()] [as StateLayout]
   std::vector<NodeVector> forces;   ///< [chunk_nodes] on the nodes of each chunk, of the last step [force]
   std::vector<NodeVector> moments;  ///< the same of elements whose nodes turn, else empty [force length]
+  /// [n_batches] what is left of each element's forces: 1 of one that lives, 0 of a dead one, in between
+  /// while it dies; empty when none can die [1]
+  std::vector<Lanes> life;
 
   std::span<Lanes> batch(const StateLayout& layout, std::size_t batch) {
     return {values.data() + batch * layout.size(), layout.size()};
+  }
+  double life_of(std::size_t element) const {
+    return life.empty() ? 1.0 : life[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes));
   }
   /// A number of one element of the block, by its place in the layout.
   double at(const StateLayout& layout, std::size_t element, std::size_t place) const {

@@ -119,7 +119,9 @@ Eigen::Matrix3d ElementMoment::frame() const {
 }
 
 Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i) {
-  return tensor_of(moment, range, i, 0);
+  const double life = moment.state.blocks[range.block].life_of(range.first + i);
+  if (life == 0.0) return Eigen::Matrix3d::Zero();
+  return life * tensor_of(moment, range, i, 0);
 }
 
 double material_value(const OutputMoment& moment, const EntityRange& range, std::size_t i,

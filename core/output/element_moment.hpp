@@ -29,6 +29,8 @@ struct ElementMoment {
   double thickness() const { return of_lane(block().thickness); }  ///< of shells [length]
   double volume() const;         ///< now; lines and particles keep theirs [length^3]
   double strain_energy() const;  ///< work of the stress so far [energy]
+  /// 1 alive, 0 dead, in between while it dies [1]
+  double life() const { return moment.state.blocks[range.block].life_of(element()); }
   Eigen::Matrix3d stress() const { return stress_of(moment, range, i); }
 
   /// The motion from the mesh to now: its mean gradient by the mesh's coordinates. Of shells that of the

@@ -45,11 +45,13 @@ constexpr OutputRow point_row(std::string_view name, FieldShape shape, Value val
 using E = ElementMoment;
 
 Eigen::Matrix3d unrotated_stress(const E& e) {
+  if (e.life() == 0.0) return Eigen::Matrix3d::Zero();  // its nodes may be anywhere
   const Eigen::Matrix3d rotation = rotation_of(e.deformation_gradient());
   return rotation.transpose() * e.stress() * rotation;
 }
 
 Eigen::Matrix3d first_pk_stress(const E& e) {
+  if (e.life() == 0.0) return Eigen::Matrix3d::Zero();
   const Eigen::Matrix3d f = e.deformation_gradient();
   return f.determinant() * e.stress() * f.inverse().transpose();
 }
@@ -176,7 +178,9 @@ constexpr std::array other_rows{
         [](const E& e) { return e.strain_energy() * e.block().properties.density / e.mass(); },
         "By undeformed volume [energy/length^3]"),
     make_row(
-        "death_status", scalar, [](const E&) { return 1.0; }, "1 of an element that lives [1]"),
+        "death_status", scalar, [](const E& e) { return e.life(); },
+        "1 of an element that lives, 0 of a dead one, the share of its forces that is left while it dies "
+        "[1]"),
     make_row(
         "processor_id", scalar, [](const E&) { return 0.0; }, "0: there is one process [1]"),
 };

@@ -45,7 +45,8 @@ std::span<const OutputRow> global_output_rows();
 std::span<const OutputRow> nodal_output_rows();
 std::span<const OutputRow> element_output_rows();
 
-/// The stress of an element at the range's point, element `range.first` + `i` [force/length^2].
+/// The stress of an element at the range's point, element `range.first` + `i`; what is left of it when it
+/// dies [force/length^2].
 Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i);
 
 /// A symmetric tensor that a material remembers, along the global axes.

@@ -4,34 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "core/output/reduction.hpp"
+#include "core/output/variable_test.hpp"
 
 namespace contactsim {
 
 namespace {
-
-bool holds(double value, Comparison comparison, double limit) {
-  switch (comparison) {
-    case Comparison::less:
-      return value < limit;
-    case Comparison::less_equal:
-      return value <= limit;
-    case Comparison::equal:
-      return value == limit;
-    case Comparison::greater_equal:
-      return value >= limit;
-    case Comparison::greater:
-      break;
-  }
-  return value > limit;
-}
-
-std::string_view symbol(Comparison comparison) {
-  constexpr std::array<std::string_view, 5> symbols{"<", "<=", "=", ">=", ">"};
-  return symbols[static_cast<std::size_t>(comparison)];
-}
 
 OutputReduction reduction_of(NodalCriterion::Reduction reduction) {
   if (reduction == NodalCriterion::Reduction::average) return OutputReduction::average;
@@ -74,7 +53,7 @@ std::optional<double> Terminations::find_fulfilling(const Criterion& criterion, 
   std::optional<double> found;
   const auto look = [&](std::span<const double> values) {
     for (const double value : values) {
-      if (!found && holds(value, test.comparison, test.value)) found = value;
+      if (!found && holds(test, value)) found = value;
     }
   };
   if (criterion.definition.reduction) {

@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True  # decks/ may be read-only
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import cases_crash  # noqa: E402, F401
+import cases_death  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401

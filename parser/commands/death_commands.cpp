@@ -87,7 +87,12 @@ std::vector<Row<ElementDeath>> timing_rows() {
       row("death steps", read::positive_integer, &D::death_steps,
           "Steps [1] over which the stress of a dying element fades"),
       row("aggressive contact cleanup", read::on_off, &D::cleans_contact_aggressively,
-          "Kills elements too whose contact faces hang on by little"),
+          "Kills solids too that have lost their last face neighbour by a death"),
+      row("nodal erosion", read::on_off, &D::erodes_nodes,
+          "Nodes whose elements are all dead leave contact; else they stay, as free masses that meet faces; "
+          "contactsim's own line"),
+      row("new edges on death", read::on_off, &D::makes_new_edges,
+          "Edges that deaths expose become edges of contact as others; contactsim's own line"),
       row<D>("death method", "= {DEACTIVATE ELEMENT|DEACTIVATE NODAL MPCS|DISCONNECT ELEMENT}", read_method,
              "What happens to a dead element; the last two are refused", "DEACTIVATE ELEMENT"),
   };
@@ -95,10 +100,14 @@ std::vector<Row<ElementDeath>> timing_rows() {
 
 std::vector<Row<ElementDeath>> other_rows() {
   using D = ElementDeath;
+  static const auto log = choice_of<DeathLog>({"minimal", "some", "full"});
   return {
-      ignored<D>("summary output step interval", "= <n>", "The log tells of every death"),
-      ignored<D>("summary output time interval", "= <dt>", "The log tells of every death"),
-      ignored<D>("logfile output", "= {FULL|SOME|MINIMAL}", "The log tells of every death"),
+      row("summary output step interval", read::positive_integer, &D::summary_step_interval,
+          "Steps [1] between two reports of deaths in the log; absent: one whenever something dies"),
+      row("summary output time interval", read::positive, &D::summary_time_interval,
+          "Time between two reports of deaths in the log [time]"),
+      row("logfile output", log, &D::log,
+          "What the log tells of deaths: how many, also the surfaces that changed, also the whole table"),
       ignored<D>("skip criteria evaluation at start of load step", "= {ON|OFF}", "Of implicit runs only"),
       ignored<D>("force valid acme connectivity", "", "Of ACME; surfaces follow element death by themselves"),
       refused_block<D>("death proximity", "Elements near a dead one are not killed"),

@@ -86,17 +86,28 @@ TEST_CASE("other ways to die are refused", "[parser][death]") {
         "elements near a dead one are not killed\n");
 }
 
-TEST_CASE("lines on reports, implicit runs and ACME are ignored", "[parser][death]") {
+TEST_CASE("element death takes lines on reports, nodes and edges", "[parser][death]") {
+  const ElementDeath plain = death_of("block = b\n");
+  CHECK(plain.log == DeathLog::some);
+  CHECK_FALSE(plain.erodes_nodes);
+  CHECK(plain.makes_new_edges);
+  CHECK_FALSE(plain.summary_step_interval);
+  const ElementDeath death = death_of(
+      "summary output step interval = 5\nsummary output time interval = 0.5\nlogfile output = full\n"
+      "nodal erosion = on\nnew edges on death = off\n");
+  CHECK(death.summary_step_interval == 5);
+  CHECK(death.summary_time_interval == 0.5);
+  CHECK(death.log == DeathLog::full);
+  CHECK(death.erodes_nodes);
+  CHECK_FALSE(death.makes_new_edges);
+}
+
+TEST_CASE("lines on implicit runs and ACME are ignored", "[parser][death]") {
   CHECK(death_messages(
-            "summary output step interval = 5\nlogfile output = full\n"
             "skip criteria evaluation at start of load step = on\nforce valid acme connectivity\n") ==
-        "a.i:2:1: warning: 'summary output step interval' has no effect here; the log tells of "
-        "every death [deck-ignored]\n"
-        "a.i:3:1: warning: 'logfile output' has no effect here; the log tells of every death "
-        "[deck-ignored]\n"
-        "a.i:4:1: warning: 'skip criteria evaluation at start of load step' has no effect here; "
+        "a.i:2:1: warning: 'skip criteria evaluation at start of load step' has no effect here; "
         "of implicit runs only [deck-ignored]\n"
-        "a.i:5:1: warning: 'force valid acme connectivity' has no effect here; of ACME; surfaces "
+        "a.i:3:1: warning: 'force valid acme connectivity' has no effect here; of ACME; surfaces "
         "follow element death by themselves [deck-ignored]\n");
 }
 

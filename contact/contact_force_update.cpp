@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "contact/contact_force.hpp"
+#include "contact/penalty.hpp"
+#include "contact/sharp_edges.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Nodes of the mesh that an edge hangs on, the lower one first.
+std::pair<std::uint32_t, std::uint32_t> mesh_nodes_of(const ContactFaces& faces, const ContactEdge& edge) {
+  return std::minmax(faces.mesh_nodes[edge.nodes[0]], faces.mesh_nodes[edge.nodes[1]],
+                     std::less<std::uint32_t>());
+}
+
+/// Sharp edges stay that were there before.
+void take_off_new_edges(const ContactFaces& before, ContactFaces& faces) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+  for (const ContactEdge& edge : before.edges) known.insert(mesh_nodes_of(before, edge));
+  std::erase_if(faces.edges, [&](const ContactEdge& edge) {
+    return edge.is_sharp() && !known.contains(mesh_nodes_of(faces, edge));
+  });
+}
+
+}  // namespace
+
+ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) const {
+  const Mesh& mesh = *setup_.model.mesh;
+  ContactFaces faces = make_contact_faces(setup_.contact, mesh, free_nodes);
+  choose_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, mesh, faces);
+  return faces;
+}
+
+void ContactForce::renumber(const ContactRenumbering& places) {
+  rules_.renumber(places);
+  glued_.renumber(places);
+  search_.renumber(places);
+  face_face_.renumber(places);
+  node_face_.renumber(places);
+  edges_.renumber(places);
+  planes_.renumber(setup_.contact.surfaces, setup_.contact.planes, rules_, places);
+  held_.renumber(places);
+  sums_.renumber(places);
+}
+
+void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes,
+                                 bool makes_new_edges) {
+  const Mesh& mesh = *setup_.model.mesh;
+  const ContactFaces before = std::exchange(faces_, make_faces(free_nodes));
+  if (!makes_new_edges) take_off_new_edges(before, faces_);
+  add_backing(setup_.model, faces_);
+  MovingSurface start(faces_);
+  const Eigen::Matrix3Xd& any_velocity = mesh.coordinates();
+  start.move_nodes({0.0, 0.0, mesh.coordinates(), any_velocity});
+  limit_stiffness(start, start_step_, faces_);
+  const ContactRenumbering places = contactsim::renumber(before, faces_);
+  std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
+                              std::span(faces_.mesh_nodes).first(faces_.n_mesh_points()),
+                              std::back_inserter(left_));
+  left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
+               before.mesh_nodes.end());
+  renumber(places);
+  surface_.renumber(places, motion);
+  surface_.move_nodes(motion);
+  surface_.bound_all();
+  surface_.watch(faces_with_candidates());
+  has_new_surfaces_ = true;
+  forget_stored(motion);
+}
+
+/// What springs stored that are gone is not given back.
+void ContactForce::forget_stored(const Motion& motion) {
+  std::vector<ContactRecord> places;
+  std::vector<TieForces> ties;
+  find_places(motion, places, ties);
+  std::fill(stored_.begin(), stored_.end(), 0.0);
+  for (const ContactRecord& place : places) {
+    if (place.touches()) stored_[place.pair] += place.stored();
+  }
+  for (std::size_t i = 0; i < ties.size(); ++i) stored_[held_[i].pair] += ties[i].stored;
+}
+
+}  // namespace contactsim

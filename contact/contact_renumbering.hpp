@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/contact_faces.hpp"
+
+namespace contactsim {
+
+/// Where contact faces, surface nodes and contact nodes are after surfaces have changed, by where they were.
+/// A face is the same when its element's side and its surface are, a surface node when its node and surface
+/// are. An
+/// edge is the same when its nodes are and what it is of. Faces that are still there keep their order; nodes
+/// and rows do too, but for those of lofts.
+struct ContactRenumbering {
+  static constexpr std::uint32_t gone = UINT32_MAX;
+
+  std::vector<std::uint32_t> faces, rows, nodes, edges;  ///< [n before] position after, or gone
+  std::size_t n_faces_after = 0, n_rows_after = 0, n_nodes_after = 0, n_edges_after = 0;
+};
+
+/// Compares faces and nodes of before and after a change.
+ContactRenumbering renumber(const ContactFaces& before, const ContactFaces& after);
+
+/// Values of what is still there at its new position; those of what is new are `fresh`. An array that is not
+/// in use, because it is empty, stays so.
+///   places  [n before] of ContactRenumbering
+template <class T>
+void carry(std::span<const std::uint32_t> places, std::size_t n_after, const T& fresh,
+           std::vector<T>& values) {
+  if (values.empty()) return;
+  std::vector<T> carried(n_after, fresh);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (places[i] != ContactRenumbering::gone) carried[places[i]] = values[i];
+  }
+  values = std::move(carried);
+}
+
+/// Lists with the rows and partners that are still there.
+///   rows, partners  [n before] of ContactRenumbering; those of the partners ascend
+///   before          gets which pair each one was; [n_pairs after]
+PairLists carried(const PairLists& lists, std::span<const std::uint32_t> rows,
+                  std::span<const std::uint32_t> partners, std::size_t n_rows_after,
+                  std::vector<std::size_t>& before);
+
+}  // namespace contactsim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact_search.hpp"
+
+namespace contactsim {
+
+void ContactSearch::set_margins() {
+  const ContactFaces& faces = faces_;
+  node_margin_.assign(faces.n_nodes(), std::numeric_limits<float>::infinity());
+  face_margin_.clear();
+  MovingSurface start(faces_);
+  const Eigen::Matrix3Xd& any_velocity = mesh_.coordinates();
+  start.move_nodes({0.0, 0.0, mesh_.coordinates(), any_velocity});
+  face_margin_.reserve(faces_.faces.size());
+  for (const ContactFace& face : faces_.faces) {
+    face_margin_.push_back(static_cast<float>(length_scaling_ * std::sqrt(start.area(face).norm())));
+    for (const std::uint32_t corner : face.corners)
+      node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
+  }
+  for (const SurfaceNode& node : faces.surface_nodes)
+    node_margin_[node.node] =
+        std::min(node_margin_[node.node], static_cast<float>(length_scaling_ * std::sqrt(node.area)));
+  set_surface_margins();
+}
+
+void ContactSearch::set_surface_margins() {
+  const ContactFaces& faces = faces_;
+  const std::size_t n_surfaces = faces.first_face.size() - 1;
+  reach_.assign(n_surfaces, 0.0);
+  for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
+    for (const std::uint32_t surface : {rules_[i].pair->first, rules_[i].pair->second})
+      reach_[surface] = std::max(reach_[surface], rules_.largest_reach(i));
+  }
+  widest_margin_.assign(n_surfaces, 0.0);
+  narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
+  for (const SurfaceNode& node : faces.surface_nodes) {
+    double& narrowest = narrowest_margin_[node.surface];
+    double& widest = widest_margin_[node.surface];
+    narrowest = std::min<double>(narrowest, node_margin_[node.node]);
+    widest = std::max<double>(widest, node_margin_[node.node]);
+  }
+  for (std::size_t i = 0; i < faces.faces.size(); ++i) {
+    double& widest = widest_margin_[faces.faces[i].surface];
+    widest = std::max<double>(widest, face_margin_[i]);
+  }
+}
+
+void ContactSearch::renumber(const ContactRenumbering& places) {
+  joined_.renew(mesh_);
+  set_margins();
+  has_free_nodes_ = std::ranges::any_of(faces_.surface_nodes, &SurfaceNode::is_free);
+  std::vector<std::size_t> before;
+  first_face_partners_ =
+      carried(first_face_partners_, places.faces, places.faces, places.n_faces_after, before);
+  first_node_faces_ = carried(first_node_faces_, places.rows, places.faces, places.n_rows_after, before);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/free_nodes.hpp"
+
+#include <algorithm>
+
+#include "contact/sort_once.hpp"
+
+namespace contactsim {
+
+void FreeNodes::add(NodeIndex node, std::vector<FreeNode>& found) const {
+  const Mesh& mesh = faces_.mesh();
+  std::uint32_t best = Claim::nobody;
+  ElementSide stands_for;
+  std::vector<ElementSide> own;
+  for (const ElementIndex element : faces_.elements().of(node)) {
+    if (topology(mesh.blocks()[mesh.block_of(element)].shape).family != Family::solid) continue;
+    faces_.find_faces(element, own);
+    for (const ElementSide face : own) {
+      const auto corners = mesh.side_nodes(face);
+      if (std::ranges::find(corners, node) == corners.end()) continue;
+      const std::uint32_t owner = rules_.of_face(face, true).owner;
+      if (owner >= best) continue;
+      best = owner;
+      stands_for = face;
+    }
+  }
+  if (best != Claim::nobody) found.push_back({node, best, stands_for});
+}
+
+void FreeNodes::add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive) {
+  std::vector<NodeIndex> nodes;
+  for (const ElementIndex element : dead) {
+    const auto own = faces_.mesh().element_nodes(element);
+    nodes.insert(nodes.end(), own.begin(), own.end());
+  }
+  sort_once(nodes);
+  std::vector<FreeNode> found;
+  for (const NodeIndex node : nodes) {
+    const auto elements = faces_.elements().of(node);
+    const auto is_gone = [&](ElementIndex element) { return alive[element.value] == 0; };
+    const auto stays = [&](ElementIndex element) { return erodes_[element.value] == 0; };
+    if (std::ranges::all_of(elements, is_gone) && std::ranges::any_of(elements, stays)) add(node, found);
+  }
+  const auto n_before = static_cast<std::ptrdiff_t>(nodes_.size());
+  nodes_.insert(nodes_.end(), found.begin(), found.end());
+  std::ranges::inplace_merge(nodes_, nodes_.begin() + n_before, {}, &FreeNode::node);
+}
+
+}  // namespace contactsim

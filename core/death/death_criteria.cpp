@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/death/death_criteria.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/death/death_sets.hpp"
+#include "core/output/variable_test.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using Reduction = NodalCriterion::Reduction;
+
+/// The test of a criterion and where its variable lives; null for those without a variable.
+const VariableTest* test_of(const DeathCriterion& criterion, VariableLocation& location) {
+  if (const auto* nodal = std::get_if<NodalCriterion>(&criterion)) {
+    location = VariableLocation::nodal;
+    return &nodal->test;
+  }
+  if (const auto* element = std::get_if<ElementCriterion>(&criterion)) {
+    location = VariableLocation::element;
+    return &element->test;
+  }
+  const auto* global = std::get_if<GlobalCriterion>(&criterion);
+  location = VariableLocation::global;
+  return global != nullptr ? &global->test : nullptr;
+}
+
+bool any_holds(const VariableTest& test, std::span<const double> values) {
+  return std::ranges::any_of(values, [&](double value) { return holds(test, value); });
+}
+
+double reduced(Reduction reduction, double sum, double value) {
+  if (reduction == Reduction::maximum) return value > sum ? value : sum;
+  if (reduction == Reduction::minimum) return value < sum ? value : sum;
+  return sum + value;
+}
+
+/// The values of all nodes of an element made one, a component at a time.
+///   values  [n_nodes x n_components]
+void reduce_nodes(Reduction reduction, std::span<const NodeIndex> nodes, std::span<const double> values,
+                  std::span<double> reduced_values) {
+  const std::size_t n = reduced_values.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    double sum = values[nodes.front().value * n + c];
+    for (const NodeIndex node : nodes.subspan(1)) sum = reduced(reduction, sum, values[node.value * n + c]);
+    const bool is_mean = reduction == Reduction::average;
+    reduced_values[c] = is_mean ? sum / static_cast<double>(nodes.size()) : sum;
+  }
+}
+
+/// Calls take(place in the range, values) for every element of a range, at one point or at the mean of all.
+template <class Take>
+void visit_elements(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+                    const Take& take) {
+  const std::size_t n = pick.n_components();
+  std::vector<double> values(range.count * n);
+  fill(pick, moment, range, values);
+  for (std::size_t i = 0; i < range.count; ++i) take(i, std::span<const double>(values).subspan(i * n, n));
+}
+
+}  // namespace
+
+DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
+                             const RunVariables& variables, Diagnostics& diagnostics)
+    : elements_(elements), model_(variables.model()) {
+  for (const DeathCriterion& definition : death.criteria) {
+    VariableLocation location{};
+    const VariableTest* test = test_of(definition, location);
+    Criterion criterion{definition, {}, {}};
+    if (test != nullptr) {
+      Diagnostics problems;
+      const auto pick = find_pick(variables, location, test->variable, problems);
+      // A criterion that is left out would change what dies.
+      for (Diagnostic problem : problems.all()) {
+        problem.severity = Severity::error;
+        problem.id.clear();
+        diagnostics.add(std::move(problem));
+      }
+      if (!pick) continue;
+      criterion.pick = *pick;
+      if (location == VariableLocation::element) criterion.ranges = ranges_of(*pick);
+      if (location == VariableLocation::element && criterion.ranges.empty() && !elements.empty())
+        diagnostics.add_error(test->variable.name.location,
+                              fmt::format("no element of the set has {}", test->variable.name.text));
+    }
+    criteria_.push_back(std::move(criterion));
+  }
+}
+
+std::vector<EntityRange> DeathCriteria::ranges_of(const VariablePick& pick) const {
+  constexpr std::size_t most = 1u << 14;  // of values at a time
+  std::vector<EntityRange> ranges;
+  std::uint32_t last = 0;
+  for (const ElementIndex element : elements_) {
+    const std::size_t b = find_model_block(model_, element);
+    if (!pick.is_in_block(model_, b)) continue;
+    const std::size_t first = element.value - model_.blocks[b].first_element.value;
+    const bool goes_on = !ranges.empty() && ranges.back().block == b && element.value == last + 1 &&
+                         ranges.back().count < most;
+    last = element.value;
+    if (goes_on) {
+      ++ranges.back().count;
+    } else {
+      ranges.push_back({b, first, 1, pick.point});
+    }
+  }
+  return ranges;
+}
+
+void DeathCriteria::mark_all(std::vector<std::uint8_t>& marks) const {
+  for (const ElementIndex element : elements_) marks[element.value] = 1;
+}
+
+void DeathCriteria::mark_by_nodes(const Criterion& criterion, const NodalCriterion& nodal,
+                                  const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
+  const std::size_t n = criterion.pick.n_components();
+  std::vector<double> values(model_.mesh->n_nodes() * n), of_element(n);
+  fill(criterion.pick, moment, {0, 0, model_.mesh->n_nodes(), {}}, values);
+  for (const ElementIndex element : elements_) {
+    reduce_nodes(nodal.reduction, model_.mesh->element_nodes(element), values, of_element);
+    if (any_holds(nodal.test, of_element)) marks[element.value] = 1;
+  }
+}
+
+void DeathCriteria::mark_by_elements(const Criterion& criterion, const ElementCriterion& element,
+                                     const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
+  std::vector<std::size_t> n_meeting;
+  for (const EntityRange& range : criterion.ranges) {
+    const SolidBlock& block = model_.blocks[range.block];
+    const std::size_t first = block.first_element.value + range.first;
+    const bool has_points = criterion.pick.variable->is_at_points && !criterion.pick.point;
+    if (!element.remaining_points || !has_points) {
+      visit_elements(criterion.pick, moment, range, [&](std::size_t i, std::span<const double> values) {
+        if (any_holds(element.test, values)) marks[first + i] = 1;
+      });
+      continue;
+    }
+    n_meeting.assign(range.count, 0);
+    for (std::size_t point = 0; point < block.layout.n_points; ++point) {
+      VariablePick at_point = criterion.pick;
+      at_point.point = point;
+      EntityRange of_point = range;
+      of_point.point = point;
+      visit_elements(at_point, moment, of_point, [&](std::size_t i, std::span<const double> values) {
+        if (any_holds(element.test, values)) ++n_meeting[i];
+      });
+    }
+    for (std::size_t i = 0; i < range.count; ++i) {
+      const auto n_remain = static_cast<std::int64_t>(block.layout.n_points - n_meeting[i]);
+      if (n_meeting[i] > 0 && n_remain <= *element.remaining_points) marks[first + i] = 1;
+    }
+  }
+}
+
+void DeathCriteria::mark(const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
+  for (const Criterion& criterion : criteria_) {
+    if (const auto* nodal = std::get_if<NodalCriterion>(&criterion.definition)) {
+      mark_by_nodes(criterion, *nodal, moment, marks);
+    } else if (const auto* element = std::get_if<ElementCriterion>(&criterion.definition)) {
+      mark_by_elements(criterion, *element, moment, marks);
+    } else if (const auto* global = std::get_if<GlobalCriterion>(&criterion.definition)) {
+      std::vector<double> values(criterion.pick.n_components());
+      fill(criterion.pick, moment, {}, values);
+      if (any_holds(global->test, values)) mark_all(marks);
+    } else {
+      mark_all(marks);
+    }
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/definition/death.hpp"
+#include "core/output/variable_pick.hpp"
+
+namespace contactsim {
+
+/// What the criteria of one ELEMENT DEATH block say. Any one of several kills.
+/// Source: Sierra/SM 5.20, element death.
+class DeathCriteria {
+ public:
+  /// A variable that is not known is an error, and so is one that no element of the set has. All must outlive
+  /// it.
+  ///   elements  of the set, ascending
+  DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
+                const RunVariables& variables, Diagnostics& diagnostics);
+
+  /// Marks the elements of the set that meet a criterion. Of element values the mean over the integration
+  /// points counts, unless the deck says how many points have to remain. Any component of a variable will do.
+  ///   marks  [n_elements]
+  void mark(const OutputMoment& moment, std::vector<std::uint8_t>& marks) const;
+
+ private:
+  struct Criterion {
+    DeathCriterion definition;
+    VariablePick pick;                ///< none of ALWAYS TRUE
+    std::vector<EntityRange> ranges;  ///< of element values: the parts of the set that have the variable
+  };
+
+  std::vector<EntityRange> ranges_of(const VariablePick& pick) const;
+  void mark_all(std::vector<std::uint8_t>& marks) const;
+  void mark_by_nodes(const Criterion& criterion, const NodalCriterion& nodal, const OutputMoment& moment,
+                     std::vector<std::uint8_t>& marks) const;
+  void mark_by_elements(const Criterion& criterion, const ElementCriterion& element,
+                        const OutputMoment& moment, std::vector<std::uint8_t>& marks) const;
+
+  std::span<const ElementIndex> elements_;
+  const Model& model_;
+  std::vector<Criterion> criteria_;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/death/death_sets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/conditions/entity_elements.hpp"
+#include "core/mesh/block_names.hpp"
+#include "core/names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+ConditionLabel label_of(const ElementDeath& death) { return {"the element death", death.name.location}; }
+
+bool is_one_of(std::span<const std::string> names, const DeckName& name) {
+  return std::ranges::any_of(names, [&](const std::string& other) { return fold(other) == fold(name.text); });
+}
+
+/// Whether the parameters that hold for a block, the last ones, name the material.
+bool is_of_material(const FiniteElementModel& elements, std::span<const std::string> block_names,
+                    const DeckName& material) {
+  const DeckName* found = nullptr;
+  for (const BlockParameters& parameters : elements.block_parameters) {
+    const auto is_this = [&](const DeckName& name) { return is_one_of(block_names, name); };
+    const bool is_meant = parameters.includes_all_blocks
+                              ? !std::ranges::any_of(parameters.removed_blocks, is_this)
+                              : std::ranges::any_of(parameters.names, is_this);
+    if (is_meant && parameters.material) found = &*parameters.material;
+  }
+  return found != nullptr && fold(found->text) == fold(material.text);
+}
+
+/// The blocks of the materials join the set.
+EntitySet with_materials(const ElementDeath& death, const ConditionScope& scope) {
+  EntitySet set = death.set;
+  const FiniteElementModel* elements = find_finite_element_model(scope.definition, scope.region);
+  if (elements == nullptr) return set;
+  const auto names = find_block_names(scope.mesh, elements->aliases);
+  for (const DeckName& material : death.materials) {
+    bool is_used = false;
+    for (std::uint32_t b = 0; b < names.size(); ++b) {
+      if (!is_of_material(*elements, names[b], material)) continue;
+      set.blocks.push_back({scope.mesh.name({EntityKind::block, b}), material.location});
+      is_used = true;
+    }
+    if (is_used) continue;
+    scope.diagnostics.add_error(material.location,
+                                fmt::format("no block has the material '{}'", material.text), "",
+                                static_cast<int>(material.text.size()));
+  }
+  return set;
+}
+
+void check_criteria(const ElementDeath& death, Diagnostics& diagnostics) {
+  const bool asks_material = std::ranges::any_of(death.criteria, [](const DeathCriterion& criterion) {
+    return std::holds_alternative<MaterialCriterion>(criterion);
+  });
+  if (asks_material) {
+    diagnostics.add_error(death.name.location,
+                          "MATERIAL CRITERION: no material model of this version fails by itself",
+                          "CRITERION IS ELEMENT VALUE OF eqps >= <limit> kills by plastic strain");
+  }
+  if (!death.criteria.empty() || death.on_inversion || death.on_ill_defined_contact) return;
+  diagnostics.add_error(death.name.location, "the element death has no criterion: nothing would die",
+                        "CRITERION IS ..., or DEATH ON INVERSION = ON");
+}
+
+void leave_out_rigid(const ElementDeath& death, const ConditionScope& scope, const Model& model,
+                     std::vector<ElementIndex>& elements) {
+  const std::size_t n = std::erase_if(elements, [&](ElementIndex element) {
+    return model.blocks[find_model_block(model, element)].is_rigid;
+  });
+  if (n == 0) return;
+  scope.diagnostics.add_warning("death-of-rigid", death.name.location,
+                                fmt::format("{} elements of rigid bodies are left out: they cannot die", n));
+}
+
+void mark_inverting(std::span<const ElementIndex> elements, Model& model) {
+  for (const ElementIndex element : elements) {
+    SolidBlock& block = model.blocks[find_model_block(model, element)];
+    block.dies_inverted.resize(block.n_batches(), LaneMask::Constant(false));
+    const std::size_t i = element.value - block.first_element.value;
+    block.dies_inverted[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes)) = true;
+  }
+}
+
+}  // namespace
+
+std::size_t find_model_block(const Model& model, ElementIndex element) {
+  const auto after = std::ranges::upper_bound(model.blocks, element, {}, &SolidBlock::first_element);
+  return static_cast<std::size_t>(after - model.blocks.begin()) - 1;
+}
+
+std::vector<std::vector<ElementIndex>> find_death_sets(const ConditionScope& scope, Model& model) {
+  std::vector<std::vector<ElementIndex>> sets;
+  for (const ElementDeath& death : scope.region.element_deaths) {
+    check_criteria(death, scope.diagnostics);
+    sets.push_back(find_elements(with_materials(death, scope), label_of(death), scope));
+    leave_out_rigid(death, scope, model, sets.back());
+    if (death.on_inversion) mark_inverting(sets.back(), model);
+  }
+  return sets;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/death/element_deaths.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/death/death_sets.hpp"
+
+namespace contactsim {
+
+ElementDeaths::ElementDeaths(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
+                             const RunVariables& variables, const FaceGroups& faces)
+    : deaths_(scope.region.element_deaths),
+      sets_(sets),
+      model_(variables.model()),
+      faces_(faces),
+      alive_(scope.mesh.n_elements(), 1),
+      marks_(scope.mesh.n_elements(), 0) {
+  for (std::size_t i = 0; i < deaths_.size(); ++i) {
+    criteria_.emplace_back(deaths_[i], sets_[i], variables, scope.diagnostics);
+    if (!deaths_[i].cleans_contact_aggressively) continue;
+    is_cleaned_.resize(scope.mesh.n_elements(), 0);
+    for (const ElementIndex element : sets_[i]) is_cleaned_[element.value] = 1;
+  }
+}
+
+void ElementDeaths::begin(State& state) {
+  state.death.checked.resize(deaths_.size(), -std::numeric_limits<double>::infinity());
+  for (const auto& set : sets_) {
+    for (const ElementIndex element : set) {
+      const std::size_t b = find_model_block(model_, element);
+      const SolidBlock& block = model_.blocks[b];
+      std::vector<Lanes>& life = state.blocks[b].life;
+      if (!life.empty()) continue;
+      life.resize(block.n_batches(), Lanes::Constant(1.0));
+      const auto n_used = static_cast<Eigen::Index>(block.n_elements - (block.n_batches() - 1) * n_lanes);
+      life.back().tail(n_lanes - n_used).setZero();
+    }
+  }
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    const SolidBlock& block = model_.blocks[b];
+    for (std::size_t e = 0; e < block.n_elements; ++e) {
+      if (state.blocks[b].life_of(e) == 0.0) alive_[block.first_element.value + e] = 0;
+    }
+  }
+  n_dead_ = static_cast<std::size_t>(std::ranges::count(alive_, 0));
+}
+
+double& ElementDeaths::life_of(ElementIndex element, State& state) const {
+  const std::size_t b = find_model_block(model_, element);
+  const std::size_t e = element.value - model_.blocks[b].first_element.value;
+  return state.blocks[b].life[e / n_lanes](static_cast<Eigen::Index>(e % n_lanes));
+}
+
+void ElementDeaths::begin_to_die(ElementIndex element, std::int64_t n_steps, State& state) {
+  double& life = life_of(element, state);
+  if (life < 1.0) return;
+  life = static_cast<double>(n_steps - 1) / static_cast<double>(n_steps);
+  if (n_steps > 1) {
+    state.death.dying.push_back({element, n_steps, n_steps - 1});
+  } else {
+    dead_.push_back(element);
+  }
+}
+
+void ElementDeaths::fade(State& state) {
+  for (DyingElement& dying : state.death.dying) {
+    double& life = life_of(dying.element, state);
+    if (life == 0.0) {
+      dying.n_left = 0;  // it has turned inside out
+      continue;
+    }
+    --dying.n_left;
+    life = static_cast<double>(dying.n_left) / static_cast<double>(dying.n_steps);
+    if (dying.n_left == 0) dead_.push_back(dying.element);
+  }
+  std::erase_if(state.death.dying, [](const DyingElement& dying) { return dying.n_left == 0; });
+}
+
+bool ElementDeaths::is_due(std::size_t death, const State& state) const {
+  const ElementDeath& of = deaths_[death];
+  constexpr double round_off = 1e-9;  // of an interval, far above what adding up steps loses
+  if (of.start_time && state.time < *of.start_time) return false;
+  if (state.step % of.check_step_interval != 0) return false;
+  if (!of.check_time_interval) return true;
+  return state.time - state.death.checked[death] >= (1.0 - round_off) * *of.check_time_interval;
+}
+
+bool ElementDeaths::asks_for_ill_defined(const State& state) const {
+  for (std::size_t i = 0; i < deaths_.size(); ++i) {
+    if (deaths_[i].on_ill_defined_contact && is_due(i, state)) return true;
+  }
+  return false;
+}
+
+void ElementDeaths::check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined) {
+  state.death.checked[death] = state.time;
+  const std::int64_t n_steps = deaths_[death].death_steps;
+  criteria_[death].mark({model_, state}, marks_);
+  if (deaths_[death].on_ill_defined_contact) {
+    for (const ElementIndex element : ill_defined) marks_[element.value] = 1;
+  }
+  for (const ElementIndex element : sets_[death]) {
+    if (marks_[element.value] != 0) begin_to_die(element, n_steps, state);
+    marks_[element.value] = 0;
+  }
+  for (const ElementIndex element : ill_defined) marks_[element.value] = 0;
+}
+
+/// The kernels let them die in the middle of a step.
+void ElementDeaths::find_inverted(const State& state) {
+  for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
+    const SolidBlock& block = model_.blocks[b];
+    if (block.dies_inverted.empty()) continue;
+    for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
+      if (!(state.blocks[b].life[batch] == 0.0).any()) continue;
+      const std::size_t end = std::min((batch + 1) * n_lanes, block.n_elements);
+      for (std::size_t e = batch * n_lanes; e < end; ++e) {
+        const ElementIndex element{block.first_element.value + static_cast<std::uint32_t>(e)};
+        if (state.blocks[b].life_of(e) == 0.0 && alive_[element.value] != 0) dead_.push_back(element);
+      }
+    }
+  }
+}
+
+bool ElementDeaths::hangs_by_a_face(ElementIndex element) const {
+  std::vector<ElementSide> own, group;
+  faces_.find_faces(element, own);
+  return std::ranges::any_of(own, [&](ElementSide face) {
+    faces_.find_group(face, group);
+    return std::ranges::any_of(group, [&](ElementSide other) {
+      return other.element() != element && alive_[other.element().value] != 0;
+    });
+  });
+}
+
+/// Solids that shared a face with what has died and share none any more.
+void ElementDeaths::clean_up(State& state) {
+  std::vector<ElementSide> own, group;
+  for (std::size_t i = 0; i < dead_.size(); ++i) {
+    faces_.find_faces(dead_[i], own);
+    for (const ElementSide face : own) {
+      faces_.find_group(face, group);
+      for (const ElementSide other : group) {
+        const ElementIndex element = other.element();
+        if (alive_[element.value] == 0 || is_cleaned_[element.value] == 0 || hangs_by_a_face(element))
+          continue;
+        life_of(element, state) = 0.0;
+        alive_[element.value] = 0;
+        dead_.push_back(element);
+      }
+    }
+  }
+}
+
+std::span<const ElementIndex> ElementDeaths::step(State& state, std::span<const ElementIndex> ill_defined) {
+  dead_.clear();
+  fade(state);
+  find_inverted(state);
+  for (std::size_t i = 0; i < deaths_.size(); ++i) {
+    if (is_due(i, state)) check(i, state, ill_defined);
+  }
+  std::ranges::sort(dead_);
+  dead_.erase(std::ranges::unique(dead_).begin(), dead_.end());
+  for (const ElementIndex element : dead_) alive_[element.value] = 0;
+  if (!is_cleaned_.empty()) clean_up(state);
+  std::ranges::sort(dead_);
+  n_dead_ += dead_.size();
+  return dead_;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/conditions/condition_scope.hpp"
+#include "core/death/death_criteria.hpp"
+#include "core/face_groups.hpp"
+#include "core/state.hpp"
+
+namespace contactsim {
+
+/// The ELEMENT DEATH blocks of a region in a run: who begins to die, who is dead. A dead element has no
+/// stress, sets no limit to the step and keeps its mass at its nodes; what it stored stays in the internal
+/// energy. Once it has begun to die an element goes on. Source: Sierra/SM 5.20, element death.
+class ElementDeaths {
+ public:
+  /// Errors: as DeathCriteria. All must outlive it.
+  ///   sets  of find_death_sets
+  ElementDeaths(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
+                const RunVariables& variables, const FaceGroups& faces);
+
+  /// Gives a state room for deaths. One that has it already, of a restart, is taken as it is.
+  void begin(State& state);
+
+  /// Ends a step: what fades fades on, criteria are looked at when they are due. To be called once for the
+  /// state of the start and that after every step.
+  ///   ill_defined  elements whose contact faces have lost their shape
+  /// Returns the elements that are dead from now on, ascending; good until the next call.
+  std::span<const ElementIndex> step(State& state, std::span<const ElementIndex> ill_defined);
+
+  /// Whether step() would look at `ill_defined`.
+  bool asks_for_ill_defined(const State& state) const;
+
+  /// [n_elements] 0 of dead elements, else 1
+  std::span<const std::uint8_t> alive() const { return alive_; }
+  std::size_t n_dead() const { return n_dead_; }
+
+ private:
+  void fade(State& state);
+  bool is_due(std::size_t death, const State& state) const;
+  void check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined);
+  void begin_to_die(ElementIndex element, std::int64_t n_steps, State& state);
+  double& life_of(ElementIndex element, State& state) const;
+  void find_inverted(const State& state);
+  void clean_up(State& state);
+  bool hangs_by_a_face(ElementIndex element) const;
+
+  std::span<const ElementDeath> deaths_;
+  std::span<const std::vector<ElementIndex>> sets_;
+  const Model& model_;
+  const FaceGroups& faces_;
+  std::vector<DeathCriteria> criteria_;   // [n_deaths]
+  std::vector<std::uint8_t> alive_;       // [n_elements]
+  std::vector<std::uint8_t> is_cleaned_;  // [n_elements] of sets with AGGRESSIVE CONTACT CLEANUP, else empty
+  std::vector<std::uint8_t> marks_;       // scratch, [n_elements]
+  std::vector<ElementIndex> dead_;        // of this step
+  std::size_t n_dead_ = 0;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/death/element_deaths.hpp"
+
+#include <fmt/format.h>
+
+#include "core/death/death_sets.hpp"
+#include "core/internal_force.hpp"
+#include "support/catch.hpp"
+#include "support/condition_deck.hpp"
+#include "support/sample_run.hpp"
+
+// "soft", elements 101 to 109, is a row along x from 0 to 9; "hard", 110 and 111, stands on its first two.
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+/// A run whose elements may die by the lines of one ELEMENT DEATH block.
+class DyingRun {
+ public:
+  explicit DyingRun(const std::string& lines)
+      : deck(run.mesh, "begin element death d\n" + lines + "end\n"),
+        sets(find_death_sets(deck.scope(), run.model)),
+        variables(run.model),
+        elements(run.mesh),
+        faces(run.mesh, elements),
+        deaths(deck.scope(), sets, variables, faces) {
+    deaths.begin(run.state);
+  }
+  DyingRun(const DyingRun&) = delete;
+  DyingRun& operator=(const DyingRun&) = delete;
+
+  /// Ends a step; returns the ids of those who died.
+  std::string step(double dt = 1.0, const std::vector<ElementIndex>& ill_defined = {}) {
+    std::vector<std::int64_t> ids;
+    for (const ElementIndex element : deaths.step(run.state, ill_defined))
+      ids.push_back(run.mesh.element_id(element));
+    ++run.state.step;
+    run.state.time += dt;
+    return fmt::format("{}", fmt::join(ids, " "));
+  }
+  double life(std::size_t element) const { return run.state.blocks[0].life_of(element); }
+
+  SampleRun run;
+  ConditionDeck deck;
+  std::vector<std::vector<ElementIndex>> sets;
+  RunVariables variables;
+  NodeElements elements;
+  FaceGroups faces;
+  ElementDeaths deaths;
+};
+
+}  // namespace
+
+TEST_CASE("nodal values kill by their mean, maximum or minimum over an element", "[core][death]") {
+  // The nodes of element n stand at x = n - 101 and n - 100.
+  DyingRun mean("block = soft\ncriterion is avg nodal value of coordinates(x) < 1.75\n");
+  CHECK(mean.step() == "101 102");
+  DyingRun most("block = soft\ncriterion is max nodal value of coordinates(x) >= 8\n");
+  CHECK(most.step() == "108 109");
+  DyingRun least("block = soft hard\ncriterion is min nodal value of coordinates(x) = 1\n");
+  CHECK(least.step() == "102 111");
+}
+
+TEST_CASE("element values kill the elements that meet the test", "[core][death]") {
+  DyingRun dying("include all blocks\ncriterion is element value of von_mises > 20\n");
+  CHECK(dying.step() == "");
+  dying.run.set_point_value(0, 3, 0, 21.0);  // xx alone is the equivalent stress
+  dying.run.set_point_value(1, 1, 0, 20.0);
+  CHECK(dying.step() == "104");
+  CHECK(dying.step() == "");
+  CHECK(dying.deaths.n_dead() == 1);
+  CHECK(dying.deaths.alive()[3] == 0);
+}
+
+TEST_CASE("KILL WHEN counts the integration points that do not meet the test", "[core][death]") {
+  DyingRun none(
+      "block = soft\ncriterion is element value of von_mises > 20 kill when 0 integration points remain\n");
+  none.run.set_point_value(0, 3, 0, 21.0);
+  CHECK(none.step() == "104");
+  DyingRun met_nowhere(
+      "block = soft\ncriterion is element value of von_mises > 20 kill when 1 integration points remain\n");
+  CHECK(met_nowhere.step() == "");
+}
+
+TEST_CASE("global values and ALWAYS TRUE kill the whole set", "[core][death]") {
+  DyingRun timed("block = hard\ncriterion is global value of time >= 2\n");
+  CHECK(timed.step() == "");
+  CHECK(timed.step() == "");
+  CHECK(timed.step() == "110 111");
+  DyingRun listed("element = 103 107\ncriterion is always true\n");
+  CHECK(listed.step() == "103 107");
+}
+
+TEST_CASE("criteria are looked at in the steps and at the times that the deck says", "[core][death]") {
+  DyingRun by_steps("block = hard\ncriterion is global value of time >= 1\ncheck step interval = 3\n");
+  CHECK(by_steps.step() + by_steps.step() + by_steps.step() == "");
+  CHECK(by_steps.step() == "110 111");
+  DyingRun by_time("block = hard\ncriterion is global value of time >= 1\ncheck time interval = 2.5\n");
+  CHECK(by_time.step() + by_time.step() + by_time.step() == "");
+  CHECK(by_time.step() == "110 111");
+  DyingRun late("block = hard\ncriterion is always true\ndeath start time = 1.5\n");
+  CHECK(late.step() + late.step() == "");
+  CHECK(late.step() == "110 111");
+}
+
+TEST_CASE("a dying element fades over DEATH STEPS, whatever the criterion says meanwhile", "[core][death]") {
+  DyingRun dying("element = 104\ncriterion is element value of von_mises > 20\ndeath steps = 3\n");
+  dying.run.set_point_value(0, 3, 0, 30.0);
+  const OutputMoment moment = dying.run.moment();
+  const auto stress = [&] { return stress_of(moment, {0, 3, 1, {}}, 0)(0, 0); };
+  CHECK(dying.step() == "");
+  CHECK(dying.life(3) == Approx(2.0 / 3.0));
+  CHECK(stress() == Approx(20.0));
+  CHECK(dying.run.state.death.dying.size() == 1);
+  CHECK(dying.step() == "");
+  CHECK(dying.life(3) == Approx(1.0 / 3.0));
+  CHECK(dying.step() == "104");
+  CHECK(dying.life(3) == 0.0);
+  CHECK(stress() == 0.0);
+  CHECK(dying.run.state.death.dying.empty());
+}
+
+TEST_CASE("elements of ill defined contact die when the deck says so", "[core][death]") {
+  DyingRun dying("block = soft\ndeath on ill defined contact = on\n");
+  CHECK(dying.deaths.asks_for_ill_defined(dying.run.state));
+  CHECK(dying.step(1.0, {{2}, {9}}) == "103");  // 110 is not of the set
+}
+
+TEST_CASE("a solid that has lost its last neighbour dies with it", "[core][death]") {
+  DyingRun kept("element = 108\ncriterion is always true\n");
+  CHECK(kept.step() == "108");
+  DyingRun cleaned(
+      "block = soft\ncriterion is min nodal value of coordinates(x) = 7\n"
+      "aggressive contact cleanup = on\n");
+  CHECK(cleaned.step() == "108 109");
+  CHECK(cleaned.deaths.n_dead() == 2);
+}
+
+TEST_CASE("dead elements push nobody, the others as before to the last bit", "[core][death]") {
+  DyingRun dying("element = 105\ncriterion is always true\n");
+  SampleRun& run = dying.run;
+  const Eigen::Matrix3d f = Eigen::Vector3d(1.01, 1.0, 1.0).asDiagonal();
+  run.deform(f, 0.1 * Eigen::Matrix3d::Identity());
+  const Motion motion{0.0, 0.01, run.state.coordinates, run.state.velocity};
+  State other = run.state;
+  Eigen::Matrix3Xd alive = Eigen::Matrix3Xd::Zero(3, run.mesh.n_nodes()), dead = alive;
+  InternalForce(run.model, other).set_forces(motion, alive);
+  CHECK(dying.step() == "105");
+  const double before = run.state.blocks[0].at(run.model.blocks[0].layout, 4, 0);
+  InternalForce term(run.model, run.state);
+  const ForceReport report = term.set_forces(motion, dead);
+  CHECK(run.state.blocks[0].at(run.model.blocks[0].layout, 4, 0) == before);
+  CHECK(report.stable_step > 0.0);
+  const auto of_105 = run.mesh.element_nodes({4});
+  for (std::uint32_t node = 0; node < run.mesh.n_nodes(); ++node) {
+    const bool is_near = std::find(of_105.begin(), of_105.end(), NodeIndex{node}) != of_105.end();
+    INFO("node " << node);
+    CHECK((alive.col(node) == dead.col(node)) == !is_near);
+  }
+  CHECK(dead.rowwise().sum().norm() < 1e-12);
+}
+
+TEST_CASE("an element that turns inside out dies in place of the run", "[core][death]") {
+  DyingRun dying("block = soft\ndeath on inversion = on\n");
+  SampleRun& run = dying.run;
+  run.state.coordinates.col(run.mesh.element_nodes({8})[1].value).x() = 5.0;  // a far corner goes through
+  const Motion motion{0.0, 0.0, run.state.coordinates, run.state.velocity};
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, run.mesh.n_nodes());
+  for (const std::size_t corner : {2u, 5u, 6u})
+    run.state.coordinates.col(run.mesh.element_nodes({8})[corner].value).x() = 5.0;
+  InternalForce(run.model, run.state).set_forces(motion, forces);
+  CHECK(forces.allFinite());
+  CHECK(dying.life(8) == 0.0);
+  CHECK(dying.step() == "109");
+}
+
+TEST_CASE("the step of a run whose elements are all dead is that of the mesh", "[core][death]") {
+  DyingRun dying("include all blocks\ncriterion is always true\n");
+  SampleRun& run = dying.run;
+  const Motion motion{0.0, 0.0, run.state.coordinates, run.state.velocity};
+  Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, run.mesh.n_nodes());
+  const double alive = InternalForce(run.model, run.state).set_forces(motion, forces).stable_step;
+  dying.step();
+  CHECK(dying.deaths.n_dead() == 11);
+  CHECK(InternalForce(run.model, run.state).set_forces(motion, forces).stable_step == alive);
+  CHECK(forces.isZero(0.0));
+}
+
+TEST_CASE("death criteria that mean nothing are errors", "[core][death]") {
+  CHECK(DyingRun("block = soft\ncriterion is element value of von_mise > 1\n")
+            .deck.messages()
+            .find("no element variable 'von_mise' is known here") != std::string::npos);
+  CHECK(DyingRun("block = soft\ncriterion is element value of eqps > 1\n")
+            .deck.messages()
+            .find("no element of the set has eqps") != std::string::npos);
+  CHECK(DyingRun("block = soft\nmaterial criterion = on\n")
+            .deck.messages()
+            .find("no material model of this version fails by itself") != std::string::npos);
+  CHECK(DyingRun("block = soft\n").deck.messages().find("has no criterion") != std::string::npos);
+}
