@@ -53,10 +53,21 @@ PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_
   });
 }
 
+/// Nodes of the mesh that are in contact, by their positions there: the whole mesh may have many more.
+class SharesByNode {
+ public:
+  explicit SharesByNode(const ContactFaces& faces) : faces_(faces), nodes_(faces.n_mesh_points()) {}
+  SurfaceNode& operator[](NodeIndex node) { return nodes_[position_of(faces_, node)]; }
+
+ private:
+  const ContactFaces& faces_;
+  std::vector<SurfaceNode> nodes_;
+};
+
 /// Adds to the nodes of faces that are wanted their shares of area and of thickness times area behind it.
 template <class IsWanted>
 void add_shares(std::span<const ElementSide> sides, const Mesh& mesh, const IsWanted& is_wanted,
-                std::vector<SurfaceNode>& by_node) {
+                SharesByNode& by_node) {
   for (const ElementSide side : sides) {
     const auto corners = mesh.side_nodes(side);
     const std::size_t n = corners[2] == corners[3] ? 3 : 4;
@@ -64,7 +75,7 @@ void add_shares(std::span<const ElementSide> sides, const Mesh& mesh, const IsWa
     const double thickness = thickness_behind(mesh, side);
     for (std::size_t k = 0; k < n; ++k) {
       if (!is_wanted(corners[k])) continue;
-      SurfaceNode& node = by_node[corners[k].value];
+      SurfaceNode& node = by_node[corners[k]];
       node.area += share;
       node.backing.thickness += share * thickness;
       node.side = side;
@@ -74,8 +85,7 @@ void add_shares(std::span<const ElementSide> sides, const Mesh& mesh, const IsWa
 
 /// The same of the nodes of a set: by the faces of the mesh's outside whose corners are all in the set; a
 /// node that has no such face by all outside faces that it has.
-void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh,
-                       std::vector<SurfaceNode>& by_node) {
+void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh, SharesByNode& by_node) {
   const Skin skin = make_skin(mesh, std::vector<std::uint8_t>(mesh.n_elements(), 1));
   std::vector<std::uint8_t> is_in(mesh.n_nodes(), 0);
   for (const NodeIndex node : nodes) is_in[node.value] = 1;
@@ -87,7 +97,7 @@ void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh,
   }
   add_shares(
       inside, mesh, [](NodeIndex) { return true; }, by_node);
-  for (const NodeIndex node : nodes) is_in[node.value] = by_node[node.value].area > 0.0 ? 0 : 1;
+  for (const NodeIndex node : nodes) is_in[node.value] = by_node[node].area > 0.0 ? 0 : 1;
   add_shares(
       skin.exterior, mesh, [&](NodeIndex node) { return is_in[node.value] != 0; }, by_node);
 }
@@ -114,12 +124,12 @@ void add_faces(const ContactSurface& surface, std::uint32_t position, const Mesh
 }
 
 /// The nodes of a surface, those of its faces or its own.
-///   by_node  [n_nodes of the mesh] scratch
-void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh,
-               std::vector<SurfaceNode>& by_node, ContactFaces& made) {
+///   by_node  scratch
+void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh, SharesByNode& by_node,
+               ContactFaces& made) {
   const bool is_of_nodes = surface.kind == SurfaceKind::node;
   const std::vector<NodeIndex> nodes = is_of_nodes ? surface.nodes : corner_nodes(surface.faces, mesh);
-  for (const NodeIndex node : nodes) by_node[node.value] = {};
+  for (const NodeIndex node : nodes) by_node[node] = {};
   if (is_of_nodes) {
     add_shares_of_set(nodes, mesh, by_node);
   } else {
@@ -127,7 +137,7 @@ void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh
         surface.faces, mesh, [](NodeIndex) { return true; }, by_node);
   }
   for (const NodeIndex node : nodes) {
-    SurfaceNode own = by_node[node.value];
+    SurfaceNode own = by_node[node];
     if (!(own.area > 0.0)) continue;
     own.node = position_of(made, node);
     own.surface = position;
@@ -301,7 +311,7 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
   const auto facets = brick_facets(contact);
   made.first_face.push_back(0);
   made.first_node.push_back(0);
-  std::vector<SurfaceNode> by_node(mesh.n_nodes());
+  SharesByNode by_node(made);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     add_faces(surfaces[s], s, mesh, made);
     add_nodes(surfaces[s], s, mesh, by_node, made);

@@ -47,7 +47,8 @@ Model make_model(const Mesh& mesh) {
 std::vector<ElementIndex> one_in_a_hundred(std::uint32_t n_elements) {
   std::mt19937 random(1);
   std::vector<ElementIndex> dead;
-  for (std::uint32_t i = 0; i < n_elements; i += 100) dead.push_back({i + random() % 100});
+  for (std::uint32_t i = 0; i < n_elements; i += 100)
+    dead.push_back({i + static_cast<std::uint32_t>(random() % 100)});
   return dead;
 }
 

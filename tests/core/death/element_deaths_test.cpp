@@ -26,6 +26,7 @@ class DyingRun {
         elements(run.mesh),
         faces(run.mesh, elements),
         deaths(deck.scope(), sets, variables, faces) {
+    run.model.blocks[0].properties.law = ElasticLaw{{1.0, 0.5}};
     deaths.begin(run.state);
   }
   DyingRun(const DyingRun&) = delete;
