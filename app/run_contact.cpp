@@ -1,13 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_contact.hpp"
 
+#include <fmt/format.h>
+
 #include "app/contact_report.hpp"
 #include "app/pair_report.hpp"
 #include "contact/surface_drawing.hpp"
+#include "core/state_archive.hpp"
 #include "io/surface_writer.hpp"
 #include "io/write_text.hpp"
 
 namespace contactsim {
+
+namespace {
+
+/// Energy that contact makes is worth a warning when it is this share of the largest term.
+constexpr double worrying_share = 0.02;
+
+/// In the springs of all pairs now [energy].
+double stored_energy(const ContactForce& force) {
+  double stored = 0.0;
+  for (const PairStep& pair : force.pair_steps()) stored += pair.stored;
+  return stored;
+}
+
+}  // namespace
 
 RunContact::RunContact(const RunInput& input, const Model& model)
     : contact_(*input.contact),
@@ -37,7 +54,25 @@ void RunContact::add_suffix(const std::string& suffix) {
   }
 }
 
-std::string RunContact::start_report(Diagnostics& warnings) const {
+void RunContact::archive(const Motion& motion, StateArchive& saved) {
+  force_.archive(motion, saved);
+  saved.numbers("contact/stored_at_start", stored_at_start_);
+}
+
+void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
+  const double stored = stored_energy(force_) - stored_at_start_;
+  const double made = stored + energies.friction + energies.contact_damping - energies.contact;
+  if (made <= worrying_share * energies.largest) return;
+  warnings.add_warning(
+      "contact-energy", {},
+      fmt::format("contact has given out {:.3g} of energy that nothing put in ({:.2g} % of the "
+                  "largest term)",
+                  made, 100.0 * made / energies.largest),
+      "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
+}
+
+std::string RunContact::start_report(Diagnostics& warnings) {
+  stored_at_start_ = stored_energy(force_);
   warn_of_empty_ties(force_, contact_, warnings);
   return format_contact_start(force_, contact_);
 }

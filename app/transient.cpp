@@ -87,6 +87,7 @@ class Run {
     if (stopped_by_) code = ExitCode::stopped;
     const double whole = clock_seconds() - begun_;
     if (contact_ != nullptr) {
+      contact_->warn_of_energy(state_.energies, warnings_);
       log_.write(contact_->report());
       contact_->write_debug_files(state_);
     }

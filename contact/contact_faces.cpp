@@ -182,6 +182,7 @@ void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t posit
     edge.surface = position;
     edge.side = ElementSide(rod.element, 1);
     edge.radius = rod.radius;
+    edge.width = 2.0 * rod.radius;
     edge.backing.thickness = 0.5 * std::numbers::pi * rod.radius;  // section over width
     for (std::size_t k = 0; k < 2; ++k) {
       edge.nodes[k] = position_of(made, ends[k]);
@@ -213,7 +214,8 @@ void add_balls(const ContactModel& contact, std::uint32_t position, ContactFaces
     node.area = std::numbers::pi * sphere.radius * sphere.radius;
     node.backing.thickness = 4.0 / 3.0 * sphere.radius;  // volume over cross-section
     made.surface_nodes.push_back(node);
-    made.edges.push_back({{node.node, node.node}, position, node.side, sphere.radius, node.backing});
+    made.edges.push_back(
+        {{node.node, node.node}, position, node.side, sphere.radius, 2.0 * sphere.radius, node.backing});
   }
 }
 

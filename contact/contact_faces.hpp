@@ -45,14 +45,22 @@ struct SurfaceNode {
   Backing backing;
 };
 
-/// A line between two nodes that meets other lines: all that is within the radius of a beam's or truss's
-/// axis, or of a particle's one node.
+/// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
+/// or truss's axis, or of a particle's one node; a sharp one stands between two faces.
 struct ContactEdge {
+  static constexpr std::uint32_t no_face = 0xffffffff;
+
   std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
   std::uint32_t surface = 0;
-  ElementSide side;     ///< side 1 of the element
-  double radius = 0.0;  ///< [length]
+  ElementSide side;     ///< side 1 of the element; of a sharp edge that of its first face
+  double radius = 0.0;  ///< 0 of sharp edges [length]
+  double width = 0.0;   ///< of the strip that touches another edge [length]
   Backing backing;
+  std::array<std::uint32_t, 2> faces{no_face, no_face};  ///< of sharp edges
+  bool is_feature = false;                               ///< a sharp edge that meets other sharp ones
+
+  bool is_sharp() const { return faces[0] != no_face; }
+  bool is_particle() const { return nodes[0] == nodes[1]; }
 };
 
 /// The faces and nodes of all contact surfaces, with nodes numbered for contact alone: first nodes of the
@@ -64,7 +72,7 @@ struct ContactFaces {
   std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
   std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
   std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
-  std::vector<ContactEdge> edges;          ///< by surface, lines before particles
+  std::vector<ContactEdge> edges;          ///< round ones by surface, then sharp ones
   std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
   std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
   std::vector<double> mass;                ///< [n_contact_nodes] [mass]

@@ -6,6 +6,7 @@
 
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
+#include "contact/sharp_edges.hpp"
 #include "core/digest.hpp"
 #include "core/errors.hpp"
 #include "core/least_mass.hpp"
@@ -23,6 +24,12 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   return times;
 }
 
+ContactFaces make_faces(const ContactSetup& setup) {
+  ContactFaces faces = make_contact_faces(setup.contact, *setup.model.mesh);
+  choose_edges(setup.definition.surface_options, setup.contact.surfaces.surfaces, *setup.model.mesh, faces);
+  return faces;
+}
+
 /// The pairs with their friction models. That these are right has been checked before.
 PairRules make_rules(const ContactSetup& setup) {
   PairRules rules(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size());
@@ -38,7 +45,7 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_contact_faces(setup.contact, *setup.model.mesh)),
+      faces_(make_faces(setup)),
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
@@ -122,6 +129,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   archive_faces(saved);
   rules_.archive(saved);
   glued_.archive(saved);
+  surface_.archive(saved);
   search_.archive(saved);
   face_face_.archive(saved);
   node_face_.archive(saved);
@@ -246,7 +254,7 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   if (!has_begun_) forces.setZero();  // later on only contact nodes ever have another value
-  surface_.move_nodes(motion);
+  surface_.step(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (!has_begun_) {
     begin(motion);

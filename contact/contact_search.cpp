@@ -207,7 +207,8 @@ Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, d
     include(surface.x(node) - dt * surface.v(node), box);
     margin = std::max<double>(margin, node_margin_[node]);
   }
-  widen(margin + edge.radius + 0.5 * reach_[edge.surface], box);
+  const double deep = edge.is_sharp() ? depth_share * edge.backing.thickness : edge.radius;
+  widen(margin + deep + 0.5 * reach_[edge.surface], box);
   return box;
 }
 
@@ -250,7 +251,13 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   const ContactEdge &a = faces_.edges[first], &b = faces_.edges[second];
   const std::uint32_t pair = rules_.find(a.surface, b.surface);
   if (pair == PairRules::none || rules_[pair].only_ties()) return false;
-  const auto is_of_b = [&](std::uint32_t node) { return node == b.nodes[0] || node == b.nodes[1]; };
+  // Balls meet the edges of faces together with the faces.
+  if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
+  if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
+  const auto is_of_b = [&](std::uint32_t node) {
+    const std::uint32_t alike = faces_.first_alike[node];
+    return alike == faces_.first_alike[b.nodes[0]] || alike == faces_.first_alike[b.nodes[1]];
+  };
   return !std::ranges::any_of(a.nodes, is_of_b) && !joined_.are_joined(a, b);
 }
 

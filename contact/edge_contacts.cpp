@@ -7,13 +7,12 @@
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/penalty.hpp"
+#include "contact/sharp_edges.hpp"
 #include "core/state_archive.hpp"
 
 namespace contactsim {
 
 namespace {
-
-const std::array<Eigen::Vector3d, 2> no_slip{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
 
 Segment segment_of(const MovingSurface& surface, const ContactEdge& edge) {
   Segment segment;
@@ -37,14 +36,44 @@ Eigen::Vector3d velocity_at(const MovingSurface& surface, const RecordSide& side
 
 }  // namespace
 
+EdgeContacts::EdgeContacts(const ContactFaces& faces) : faces_(faces) {
+  if (faces.edges.empty()) return;
+  edges_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
+    for (std::uint32_t i = 0; i < faces.edges.size(); ++i) {
+      const ContactEdge& edge = faces.edges[i];
+      if (edge.is_sharp() || edge.is_particle()) continue;
+      for (const std::uint32_t node : edge.nodes) take(faces.first_alike[node], i);
+    }
+  });
+}
+
+bool EdgeContacts::owns(const ContactScene& scene, std::uint32_t index, double share, const EdgePlace& place,
+                        const Eigen::Vector3d& way) const {
+  constexpr double alike = 1e-6;  // cosine of directions that count as square to the way
+  const ContactEdge& edge = faces_.edges[index];
+  if (edge.is_sharp() || edge.is_particle() || (share > 0.0 && share < 1.0) || place.length > 0.0)
+    return true;
+  const std::uint32_t node = faces_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
+  for (const std::uint32_t other : edges_of_node_.of(node)) {
+    const ContactEdge& next = faces_.edges[other];
+    if (other == index || next.surface != edge.surface) continue;
+    const bool is_first = faces_.first_alike[next.nodes[0]] == node;
+    const Eigen::Vector3d along = scene.surface.x(next.nodes[is_first ? 1 : 0]) - scene.surface.x(node);
+    const double cosine = along.dot(way) / (along.norm() * way.norm());
+    if (cosine > alike || (cosine > -alike && (place.is_parallel || other < index))) return false;
+  }
+  return true;
+}
+
 void EdgeContacts::take_candidates() {
-  elastic_ = carry_over<Elastic>(candidates_, elastic_, next_, no_slip);
+  memory_ = carry_over<Memory>(candidates_, memory_, next_, {});
   candidates_ = std::exchange(next_, {});
 }
 
 void EdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
-  saved.rows("contact/edge_pairs/elastic_slip", elastic_, [](Elastic& slip, RowNumbers& row) { row(slip); });
+  saved.rows("contact/edge_pairs/memory", memory_,
+             [](Memory& memory, RowNumbers& row) { row(memory.elastic, memory.touched); });
 }
 
 void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
@@ -57,54 +86,61 @@ void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_
 
 void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge, std::size_t candidate,
                             std::vector<ContactRecord>& records) {
-  const ContactEdge &first = faces_.edges[first_edge],
-                    &second = faces_.edges[candidates_.partners[candidate]];
+  const std::uint32_t second_edge = candidates_.partners[candidate];
+  const ContactEdge &first = faces_.edges[first_edge], &second = faces_.edges[second_edge];
   const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
   const PairRule& rule = scene.rules[pair];
-  Elastic held = std::exchange(elastic_[candidate], no_slip);
-  if (scene.is_frozen) elastic_[candidate] = held;
-  if (!rule.is_active || rule.law == ContactLaw::tied) return;
+  const Memory before = memory_[candidate];
+  Memory now;
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
-  for (std::size_t i = 0; i < places.get().size(); ++i) {
-    ContactRecord record = make_record(scene, first, second, places.get()[i]);
+  const bool is_on = rule.is_active && rule.law != ContactLaw::tied;
+  for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
+    const EdgePlace& place = places.get()[i];
+    const Eigen::Vector3d way =
+        point_at(scene.surface, second, place.t) - point_at(scene.surface, first, place.s);
+    if (!owns(scene, first_edge, place.s, place, way) || !owns(scene, second_edge, place.t, place, -way))
+      continue;
+    ContactRecord record = make_record(scene, {first, second, rule, before}, place);
     if (record.stiffness == 0.0) continue;
     record.pair = pair;
-    record.is_swapped = first.surface != rule.pair->first;
     record.first_place = first_edge;
-    record.second_place = candidates_.partners[candidate];
+    record.second_place = second_edge;
+    now.touched |= record.touches();
     if (record.touches() && rule.friction > 0.0) {
-      record.elastic = held[i];
+      record.elastic = before.elastic[i];
       const double stiffness = make_pair_penalty(first.backing, &second.backing, *rule.pair).stiffness;
       add_friction(stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
-      if (!scene.is_frozen) elastic_[candidate][i] = record.elastic;
+      now.elastic[i] = record.elastic;
     }
     records.push_back(record);
   }
+  if (!scene.is_frozen) memory_[candidate] = now;
 }
 
-ContactRecord EdgeContacts::make_record(const ContactScene& scene, const ContactEdge& first,
-                                        const ContactEdge& second, const EdgePlace& place) const {
+ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place) {
+  const auto& [first, second, rule, memory] = pair;
   ContactRecord record;
   record.is_of_edges = true;
+  record.is_swapped = first.surface != rule.pair->first;
   record.first = side_of(first, place.s);
   record.second = side_of(second, place.t);
-  const auto at = [&](const RecordSide& side) -> Eigen::Vector3d {
-    return side.weights[0] * scene.surface.x(side.nodes[0]) +
-           side.weights[1] * scene.surface.x(side.nodes[1]);
-  };
-  const Eigen::Vector3d apart = at(record.first) - at(record.second);
-  const double distance = apart.norm();
-  if (distance == 0.0) return record;
-  record.normal = apart / distance;
-  record.gap = distance - first.radius - second.radius;
-  const SurfacePair& pair = *scene.rules.rules()[scene.rules.find(first.surface, second.surface)].pair;
-  const PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, pair);
+  const PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
+  const double deepest = (memory.touched ? known_depth : 1.0) * penalty.depth;
+  const auto found = find_edge_gap(scene.surface, first, second, place, deepest);
+  if (!found) return record;
+  record.normal = found->normal;
+  record.gap = found->gap;
   const Eigen::Vector3d relative = velocity_at(scene.surface, record.first, -first.radius * record.normal) -
                                    velocity_at(scene.surface, record.second, second.radius * record.normal);
-  if (record.gap > steps_ahead * std::max(0.0, -relative.dot(record.normal)) * scene.dt) return record;
-  const double width = 2.0 * std::min(first.radius, second.radius);
+  const double closed = std::max(0.0, -relative.dot(record.normal)) * scene.dt;
+  if (record.gap > steps_ahead * closed) return record;
+  // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
+  const bool is_sharp = first.is_sharp() && second.is_sharp();
+  const double shallow = shallow_depth * std::min(first.backing.thickness, second.backing.thickness);
+  if (is_sharp && !memory.touched && record.gap + closed < -shallow) return record;
+  const double width = std::min(first.width, second.width);
   const double area = width * (place.length > 0.0 ? place.length : width);
-  push_node({penalty, pair.damping_fraction, area, relative, scene.dt}, record);
+  push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);
   return record;
 }
 

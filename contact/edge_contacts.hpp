@@ -16,7 +16,7 @@ namespace contactsim {
 class EdgeContacts {
  public:
   /// The faces must outlive this.
-  explicit EdgeContacts(const ContactFaces& faces) : faces_(faces) {}
+  explicit EdgeContacts(const ContactFaces& faces);
 
   /// Room for the next candidates: rows of edges with others of greater number. take_candidates() follows.
   PairLists& next_candidates() { return next_; }
@@ -33,17 +33,32 @@ class EdgeContacts {
   void archive(StateArchive& saved);
 
  private:
-  /// Slip that is held at the one or two places of a pair [length].
-  using Elastic = std::array<Eigen::Vector3d, 2>;
+  /// What is known of a pair from the last step.
+  struct Memory {
+    /// Slip that is held at its one or two places [length].
+    std::array<Eigen::Vector3d, 2> elastic{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    bool touched = false;
+  };
+  struct Pair {
+    const ContactEdge &first, &second;
+    const PairRule& rule;
+    const Memory& memory;
+  };
 
   void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
                 std::vector<ContactRecord>& records);
-  ContactRecord make_record(const ContactScene& scene, const ContactEdge& first, const ContactEdge& second,
-                            const EdgePlace& place) const;
+  /// Whether a place of an edge is its own: at a node that several have, only the edge that is nearest there
+  /// has it, the first of them if they are alike.
+  ///   way  to the other edge [length]
+  bool owns(const ContactScene& scene, std::uint32_t edge, double share, const EdgePlace& place,
+            const Eigen::Vector3d& way) const;
+  /// The record of a place; without stiffness when the edges are not near.
+  static ContactRecord make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place);
 
   const ContactFaces& faces_;
   PairLists candidates_, next_;
-  std::vector<Elastic> elastic_;  // [n_candidates]
+  PairLists edges_of_node_;     // [n_contact_nodes] round ones, by first_alike
+  std::vector<Memory> memory_;  // [n_candidates]
 };
 
 }  // namespace contactsim

@@ -44,8 +44,10 @@ EdgePlaces::EdgePlaces(const Segment& first, const Segment& second) {
   const Eigen::Vector3d p = first.col(1) - first.col(0), q = second.col(1) - second.col(0);
   const double square = p.squaredNorm() * q.squaredNorm();
   const double cosine = p.dot(q);
-  if (square > 0.0 && square - cosine * cosine < parallel * square && add_parallel(first, second)) return;
+  const bool is_parallel = square > 0.0 && square - cosine * cosine < parallel * square;
+  if (is_parallel && add_parallel(first, second)) return;
   places_[0] = nearest_points(first, second);
+  places_[0].is_parallel = is_parallel;
   n_ = 1;
 }
 
@@ -57,8 +59,8 @@ bool EdgePlaces::add_parallel(const Segment& first, const Segment& second) {
   const double to = std::min(1.0, std::max(on_line(0), on_line(1)));
   if (!(to > from)) return false;
   const double half = 0.5 * (to - from) * p.norm();
-  places_[0] = {from, along(second, at(first, from)), half};
-  places_[1] = {to, along(second, at(first, to)), half};
+  places_[0] = {from, along(second, at(first, from)), half, true};
+  places_[1] = {to, along(second, at(first, to)), half, true};
   n_ = 2;
   return true;
 }

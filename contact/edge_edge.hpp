@@ -14,6 +14,7 @@ using Segment = Eigen::Matrix<double, 3, 2>;
 struct EdgePlace {
   double s = 0.0, t = 0.0;  ///< along the first and the second, 0 at the first node and 1 at the second [1]
   double length = 0.0;      ///< of the segments that lie along each other here; 0 where they cross [length]
+  bool is_parallel = false;
 };
 
 /// The places where two segments are nearest: one where they cross, the two ends of the part in which they

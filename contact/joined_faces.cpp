@@ -48,7 +48,8 @@ JoinedFaces::Piece JoinedFaces::piece(std::uint32_t index) const {
 
 JoinedFaces::Piece JoinedFaces::piece_of(const ContactEdge& edge) const {
   const std::uint32_t a = faces_.first_alike[edge.nodes[0]], b = faces_.first_alike[edge.nodes[1]];
-  return {{a, b, b, b}, edge.radius};
+  const double reach = std::max({edge.radius, reach_of(edge.nodes[0]), reach_of(edge.nodes[1])});
+  return {{a, b, b, b}, reach};
 }
 
 double JoinedFaces::reach_of(std::uint32_t node) const {

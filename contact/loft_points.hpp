@@ -12,8 +12,9 @@
 
 namespace contactsim {
 
-/// The points of the skins of lofted shells, each once, as they follow the nodes. Which shells give a point
-/// its normal stays as it was at the start: no point jumps when shells fold.
+/// The points of the skins of lofted shells, each once, and how they stand off the nodes by the shells'
+/// normals. Which shells give a point its normal stays as it was at the start: no point jumps when shells
+/// fold.
 class LoftPoints {
  public:
   LoftPoints() = default;

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "contact/section_sizes.hpp"
+#include "contact/surface_options.hpp"
 
 namespace contactsim {
 
@@ -21,26 +22,14 @@ struct LoftOptions {
   const SurfaceOptions* of_shells = nullptr;
 };
 
-std::set<std::string> fold_all(const std::vector<DeckName>& names) {
-  std::set<std::string> folded;
-  for (const DeckName& name : names) folded.insert(fold(name.text));
-  return folded;
-}
-
 /// [n_surfaces]; of the blocks that are for a surface a later one overrides what earlier ones give.
 std::vector<LoftOptions> find_loft_options(const std::vector<SurfaceOptions>& blocks,
                                            std::span<const ContactSurface> surfaces) {
   std::vector<LoftOptions> found(surfaces.size());
-  for (const SurfaceOptions& options : blocks) {
-    const auto included = fold_all(options.surfaces), removed = fold_all(options.removed_surfaces);
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-      const std::string name = fold(surfaces[i].name);
-      const bool is_included = included.empty() || included.contains(name);
-      if (!is_included || removed.contains(name)) continue;
-      if (options.beam_radius) found[i].beam_radius = options.beam_radius;
-      found[i].of_shells = &options;
-    }
-  }
+  visit_surface_options(blocks, surfaces, [&](std::size_t i, const SurfaceOptions& options) {
+    if (options.beam_radius) found[i].beam_radius = options.beam_radius;
+    found[i].of_shells = &options;
+  });
   return found;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/moving_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
+#include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -31,8 +33,29 @@ void MovingSurface::move_nodes(const Motion& motion) {
   if (faces_.loft.size() > 0) move_lofts(motion);
 }
 
+void MovingSurface::step(const Motion& motion) {
+  if (faces_.loft.size() > 0 && arms_.cols() > 0 && motion.angular_velocity != nullptr) turn_arms(motion);
+  move_nodes(motion);
+}
+
+void MovingSurface::archive(StateArchive& saved) {
+  if (saved.restores()) arms_.resize(3, static_cast<Eigen::Index>(faces_.loft.size()));
+  saved.fixed("contact/lofts/arms", arms_);
+}
+
+void MovingSurface::turn_arms(const Motion& motion) {
+#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.loft.size()))
+  for (Eigen::Index i = 0; i < arms_.cols(); ++i) {
+    const Eigen::Vector3d turn =
+        motion.dt * motion.angular_velocity->col(faces_.loft.node(static_cast<std::size_t>(i)));
+    const double angle = turn.norm();
+    if (angle > 0.0) arms_.col(i) = Eigen::AngleAxisd(angle, turn / angle) * Eigen::Vector3d(arms_.col(i));
+  }
+}
+
 void MovingSurface::move_lofts(const Motion& motion) {
-  faces_.loft.find_arms(motion.coordinates, shell_areas_, arms_);
+  if (arms_.cols() == 0 || motion.angular_velocity == nullptr)
+    faces_.loft.find_arms(motion.coordinates, shell_areas_, arms_);
   const Eigen::Index n_points = arms_.cols();
   x_.rightCols(n_points) += arms_;
   loft_velocity_.resize(3, n_points);

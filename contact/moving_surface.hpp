@@ -10,6 +10,8 @@
 
 namespace contactsim {
 
+class StateArchive;
+
 /// The contact nodes and faces at one moment.
 class MovingSurface {
  public:
@@ -17,8 +19,15 @@ class MovingSurface {
   explicit MovingSurface(const ContactFaces& faces) : faces_(faces) {}
 
   /// Takes over the places of the nodes; their velocities are asked of the motion, which must be there as
-  /// long. Bounds of faces are those of earlier then.
+  /// long. Bounds of faces are those of earlier then. Points of lofts stand off their nodes as they did, at
+  /// first along the normals of the shells.
   void move_nodes(const Motion& motion);
+  /// The same at the end of a step, in which the points of lofts have turned with their nodes: so they move
+  /// by what forces and moments on the nodes work on, and make no energy. Where no node turns they follow the
+  /// normals of the shells.
+  void step(const Motion& motion);
+  /// Saves or restores how points of lofts stand off; move_nodes() follows.
+  void archive(StateArchive& saved);
   /// Brings the bounds of all faces, or of the watched ones, to where their nodes are.
   void bound_all();
   void bound_watched();
@@ -59,6 +68,7 @@ class MovingSurface {
 
   const ContactFaces& faces_;
   std::vector<std::uint32_t> watched_;
+  void turn_arms(const Motion& motion);
   void move_lofts(const Motion& motion);
 
   Eigen::Matrix3Xd x_;                          // of the contact nodes [length]

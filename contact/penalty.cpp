@@ -37,8 +37,7 @@ void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFa
   };
   for (ContactEdge& edge : faces.edges) {
     for (const std::uint32_t node : edge.nodes)
-      edge.backing.stiffness =
-          std::min(edge.backing.stiffness, most_of_ball(node, 4.0 * edge.radius * edge.radius));
+      edge.backing.stiffness = std::min(edge.backing.stiffness, most_of_ball(node, edge.width * edge.width));
   }
   for (SurfaceNode& node : faces.surface_nodes) {
     if (node.radius > 0.0f)

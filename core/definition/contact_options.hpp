@@ -41,6 +41,8 @@ struct SurfaceOptions {
   std::vector<DeckName> surfaces;          ///< contact surfaces; none: all
   std::vector<DeckName> removed_surfaces;  ///< taken away again
   std::optional<double> beam_radius;       ///< in place of the section's, > 0 [length]
+  std::optional<bool> has_edge_contact;    ///< whether edges meet edges; absent: they do
+  std::optional<double> feature_angle;     ///< edges of faces that turn by more are sharp, >= 0 [degrees]
   ShellThickness shell_thickness = ShellThickness::actual_thickness;
   double smallest_shell_thickness = 0.1;  ///< of let_contact_choose, over the edge length [1]
   double largest_shell_thickness = 1.0;   ///< of let_contact_choose, over the edge length [1]

@@ -36,7 +36,8 @@ TEST_CASE("the nearest points of two segments are the nearest", "[contact][edge_
   const auto point = [&] { return Eigen::Vector3d(any(random), any(random), 0.3 * any(random)); };
   for (int i = 0; i < 200; ++i) {
     const Segment first = segment(point(), point());
-    const Segment second = i % 5 == 0 ? segment(point(), point()).col(0).replicate<1, 2>() : segment(point(), point());
+    const Segment second =
+        i % 5 == 0 ? segment(point(), point()).col(0).replicate<1, 2>() : segment(point(), point());
     const EdgePlace place = nearest_points(first, second);
     REQUIRE(place.s >= 0.0);
     REQUIRE(place.s <= 1.0);

@@ -138,16 +138,20 @@ TEST_CASE("plates that turn carry their skins along", "[contact][lofted]") {
   ContactBodies bodies(two_plates(), general_contact());
   bodies.ask();
   bodies.turning.row(0).setConstant(0.25);
-  bodies.dt = 0.0;
-  bodies.ask();
   MovingSurface surface(bodies.contact.faces());
-  surface.move_nodes(bodies.motion());
+  surface.step(bodies.motion());
   const auto first = static_cast<std::uint32_t>(bodies.contact.faces().n_mesh_points());
   REQUIRE(surface.arms().cols() == 2 * (9 + 16));
   CHECK(surface.arms().colwise().norm().isApproxToConstant(1.0));
   // Turning about x, what stands up goes along -y.
   const double height = surface.arms()(2, 0);
   CHECK((surface.v(first) - Eigen::Vector3d(0, -0.25 * height, 0)).norm() < 1e-12);
+  bodies.dt = 2.0;
+  surface.step(bodies.motion());
+  const Eigen::Vector3d turned(0, -std::sin(0.5) * height, std::cos(0.5) * height);
+  CHECK((surface.arms().col(0) - turned).norm() < 1e-12);
+  surface.move_nodes(bodies.motion());
+  CHECK((surface.arms().col(0) - turned).norm() < 1e-12);
 }
 
 TEST_CASE("crossed beams touch when their axes are as far apart as both radii", "[contact][lofted]") {
@@ -251,5 +255,117 @@ TEST_CASE("a particle beside a face touches its edge and its corner", "[contact]
   const Eigen::Vector3d force = bodies.force_on(1);
   REQUIRE(force.norm() > 0.0);
   CHECK((force.normalized() - (from - nearest).normalized()).norm() < 1e-9);
+  CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
+
+namespace {
+
+/// A bar along x with a sharp edge up, and one across it with a sharp edge down, so far apart.
+MeshBuilder two_roof_bars(double gap) {
+  MeshBuilder b;
+  const auto add_bar = [&](std::int64_t id, const Eigen::Vector3d& way, double up, double z) {
+    const Eigen::Vector3d aside = Eigen::Vector3d::UnitZ().cross(way);
+    std::vector<std::uint32_t> nodes;
+    for (const double end : {-1.0, 1.0}) {
+      for (const auto& [a, h] : {std::pair(0.0, -1.0), {0.5, -0.5}, {0.0, 0.0}, {-0.5, -0.5}})
+        nodes.push_back(b.add_node(end * way + a * aside + Eigen::Vector3d(0, 0, z + up * h)).value);
+    }
+    if (up < 0.0) std::rotate(nodes.begin(), nodes.begin() + 4, nodes.end());
+    b.add_block(id, "", Shape::hex8, nodes);
+  };
+  add_bar(1, Eigen::Vector3d::UnitX(), 1.0, 0.0);
+  add_bar(2, Eigen::Vector3d(0.1, 1, 0).normalized(), -1.0, gap);
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("sharp edges of solids meet where a feature angle makes them edges", "[contact][lofted]") {
+  const std::string options = GENERATE("", "begin surface options\nfeature angle = 100\nend\n",
+                                       "begin surface options\nfeature angle = 30\nend\n");
+  const std::string surfaces = "skin all blocks = on\n" + options;
+  ContactBodies bodies(two_roof_bars(0.01), general_contact(formulation("node_face"), surfaces));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -1});
+  bodies.step(0.0099);
+  CHECK(bodies.force_size() == 0.0);
+  bodies.step(0.0002);
+  const bool is_sharp = options.find("30") != std::string::npos;
+  CHECK((bodies.force_on(1).z() > 0.0) == is_sharp);
+  CHECK(bodies.net_moment().norm() <= 1e-12 * bodies.force_size());
+  const Eigen::Vector3d force = bodies.force_on(1);
+  CHECK(force.head<2>().norm() <= 1e-12 * force.norm());
+  bodies.step(0.05);
+  CHECK((bodies.force_on(1).z() > force.z()) == is_sharp);
+}
+
+TEST_CASE("without edge contact beams pass each other and meet faces all the same", "[contact][lofted]") {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}});
+  add_rod(b, {.id = 2, .cells = 3, .from = {0.1, -1, 0.19}, .to = {0.1, 1, 0.19}});
+  b.add_hexes({.id = 3, .origin = {-2, -2, -1.09}, .size = {4, 4, 1}});
+  ContactBodies bodies(b, general_contact("",
+                                          "skin all blocks = on\nbegin surface options\nsurface = block_2\n"
+                                          "edge contact = off\nend\n"));
+  bodies.ask();
+  CHECK(bodies.force_on(1).norm() == 0.0);
+  CHECK(bodies.force_on(0).z() > 0.0);
+  CHECK(bodies.force_on(2).z() < 0.0);
+}
+
+TEST_CASE("a side set of a shell touches on its side only, and without thickness", "[contact][lofted]") {
+  const int side = GENERATE(1, 2);
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {2, 2}, .u = {2, 0, 0}, .v = {0, 2, 0}}, 0.5);
+  const double z = side == 1 ? -0.001 : -0.599;
+  b.add_hexes({.id = 2, .origin = {0.5, 0.6, z}, .size = {0.6, 0.6, 0.6}});
+  b.add_side_set(1, "top", [&](const CandidateSide& c) { return c.block_id == 1 && c.side.side() == 1; });
+  const std::string name = GENERATE("node_face", "face_face");
+  ContactBodies bodies(
+      b, general_contact(formulation(name),
+                         "contact surface a contains top\ncontact surface b contains block_2\n"));
+  bodies.ask();
+  CHECK((bodies.force_on(1).z() > 0.0) == (side == 1));
+  CHECK(bodies.net_moment().norm() <= 1e-12 * bodies.force_size());
+}
+
+TEST_CASE("rods that cross at nodes push as hard as between them", "[contact][lofted]") {
+  const auto force = [](double x, double y, bool is_parallel) {
+    MeshBuilder b;
+    add_rod(b, {.id = 1, .cells = 8, .from = {-4, 0, 0}, .to = {4, 0, 0}});
+    const Eigen::Vector3d way = is_parallel ? Eigen::Vector3d(4, 0, 0) : Eigen::Vector3d(0, 4, 0);
+    const Eigen::Vector3d middle(x, y, 0.19);
+    add_rod(b, {.id = 2, .cells = 8, .from = middle - way, .to = middle + way});
+    ContactBodies bodies(b, general_contact());
+    bodies.ask();
+    return bodies.force_on(1).z();
+  };
+  const double between = force(0.5, 0.5, false);
+  REQUIRE(between > 0.0);
+  CHECK(force(0, 0.5, false) == Approx(between));
+  CHECK(force(0.5, 1, false) == Approx(between));
+  CHECK(force(0, 0, false) == Approx(between));
+  CHECK(force(0.001, 0.001, false) == Approx(between));
+  CHECK(force(-0.001, 0.001, false) == Approx(between));
+  // Widths are 0.2. The elements at the ends have softer penalties: their last nodes have half the mass.
+  const double along = force(0, 0, true);
+  CHECK(along == Approx(8.0 / 0.2 * between).epsilon(0.15));
+  CHECK(force(1e-12, 0, true) == Approx(along));
+  CHECK(force(0.5, 0, true) == Approx(7.5 / 8.0 * along).epsilon(0.02));
+}
+
+TEST_CASE("a beam rests on the rims of a plate that is narrower than its elements", "[contact][lofted]") {
+  MeshBuilder b;
+  SECTION("of shells") {
+    add_plate(b, {.id = 1, .cells = {2, 2}, .origin = {-0.5, -1, -0.1}, .v = {0, 2, 0}}, 0.2);
+  }
+  SECTION("of a solid") {
+    b.add_hexes({.id = 1, .cells = {2, 2, 1}, .origin = {-0.5, -1, -1}, .size = {1, 2, 1}});
+  }
+  add_rod(b, {.id = 2, .cells = 1, .from = {-2, 0.1, 0.09}, .to = {2, 0.1, 0.09}});
+  ContactBodies bodies(b, general_contact());
+  bodies.ask();
+  CHECK(bodies.force_on(1).z() > 0.0);
+  CHECK(bodies.force_on(1).head<2>().norm() < 1e-9 * bodies.force_on(1).z());
   CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
 }

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/sharp_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "contact/surface_options.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Square of the sine of the angle below which sharp edges do not cross but lie along each other.
+constexpr double parallel = 0.03;
+
+/// A direction counts as between two normals when it is this far from both [1]: nearer to one, faces meet.
+/// Lines may be that far beyond.
+constexpr double well_between = 0.1, just_between = -0.02;
+
+/// What is sharp to beams and trusses, if the deck does not say [degrees].
+constexpr double usual_angle = 30.0;
+
+/// Width of the strip along a sharp edge that touches another one, over the size of its face.
+constexpr double strip = 0.25;
+
+/// An edge of a face, whichever way it runs.
+struct FaceEdge {
+  std::uint32_t low, high, face;
+  auto operator<=>(const FaceEdge&) const = default;
+};
+
+std::vector<FaceEdge> list_edges(std::span<const ContactFace> faces) {
+  std::vector<FaceEdge> edges;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const std::size_t n = faces[f].is_triangle() ? 3 : 4;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [low, high] = std::minmax(faces[f].corners[k], faces[f].corners[(k + 1) % n]);
+      if (low != high) edges.push_back({low, high, f});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Whether two faces turn away from each other, as seen from inside, by more than the angle.
+bool is_sharp(const MovingSurface& start, const ContactFace& a, const ContactFace& b, double angle) {
+  const Eigen::Vector3d normal_a = start.area(a).normalized(), normal_b = start.area(b).normalized();
+  if (std::acos(std::clamp(normal_a.dot(normal_b), -1.0, 1.0)) <= angle) return false;
+  Eigen::Vector3d from_b = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k) from_b += start.x(a.corners[k]) - start.x(b.corners[k]);
+  return from_b.dot(normal_a - normal_b) > 0.0;
+}
+
+ContactEdge make_edge(const MovingSurface& start, const FaceEdge& one, const FaceEdge& other) {
+  const ContactFace &a = start.faces().faces[one.face], &b = start.faces().faces[other.face];
+  ContactEdge edge;
+  edge.nodes = {one.low, one.high};
+  edge.faces = {one.face, other.face};
+  edge.surface = a.surface;
+  edge.side = a.side;
+  edge.backing = a.backing.thickness < b.backing.thickness ? a.backing : b.backing;
+  edge.width = strip * std::sqrt(std::min(start.area(a).norm(), start.area(b).norm()));
+  return edge;
+}
+
+/// Whether a direction away from a sharp edge is between the normals of its faces.
+bool is_between(const MovingSurface& surface, const ContactEdge& edge, const Eigen::Vector3d& direction,
+                double least) {
+  const auto& faces = surface.faces().faces;
+  const Eigen::Vector3d a = surface.area(faces[edge.faces[0]]).normalized();
+  const Eigen::Vector3d b = surface.area(faces[edge.faces[1]]).normalized();
+  const double cosine = a.dot(b);
+  return direction.dot(a - cosine * b) > least && direction.dot(b - cosine * a) > least;
+}
+
+bool is_inside(double share) { return share > 0.0 && share < 1.0; }
+
+std::optional<EdgeGap> gap_of_sharp(const MovingSurface& surface, const ContactEdge& first,
+                                    const ContactEdge& second, const Eigen::Vector3d& apart) {
+  const Eigen::Vector3d p = surface.x(first.nodes[1]) - surface.x(first.nodes[0]);
+  const Eigen::Vector3d q = surface.x(second.nodes[1]) - surface.x(second.nodes[0]);
+  Eigen::Vector3d normal = p.cross(q);
+  const double square = normal.squaredNorm();
+  if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
+  normal /= std::sqrt(square);
+  if (!is_between(surface, second, normal, well_between)) normal = -normal;
+  if (!is_between(surface, second, normal, well_between) ||
+      !is_between(surface, first, -normal, well_between))
+    return std::nullopt;
+  return EdgeGap{normal, apart.dot(normal)};
+}
+
+}  // namespace
+
+void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
+                  const Mesh& mesh, ContactFaces& faces) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto is_line = [](const ContactEdge& edge) { return !edge.is_particle(); };
+  const bool has_lines = std::ranges::any_of(faces.edges, is_line);
+  std::vector<double> angle(surfaces.size(), has_lines ? usual_angle : infinite);
+  std::vector<std::uint8_t> meets(surfaces.size(), 1), is_feature(surfaces.size(), 0);
+  visit_surface_options(options, surfaces, [&](std::size_t i, const SurfaceOptions& of) {
+    if (of.feature_angle) angle[i] = *of.feature_angle, is_feature[i] = 1;
+    if (of.has_edge_contact) meets[i] = *of.has_edge_contact ? 1 : 0;
+  });
+  std::erase_if(faces.edges, [&](const ContactEdge& edge) { return meets[edge.surface] == 0; });
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    if (meets[i] == 0) angle[i] = infinite;
+  }
+  if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
+  MovingSurface start(faces);
+  const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  start.move_nodes({0.0, 0.0, mesh.coordinates(), at_rest});
+  const std::vector<FaceEdge> edges = list_edges(faces.faces);
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const FaceEdge &one = edges[i], &other = edges[i + 1];
+    if (std::tie(one.low, one.high) != std::tie(other.low, other.high)) continue;
+    const ContactFace &a = faces.faces[one.face], &b = faces.faces[other.face];
+    if (!is_sharp(start, a, b, angle[a.surface] * std::numbers::pi / 180.0)) continue;
+    faces.edges.push_back(make_edge(start, one, other));
+    faces.edges.back().is_feature = is_feature[a.surface] != 0;
+  }
+}
+
+Eigen::Vector3d point_at(const MovingSurface& surface, const ContactEdge& edge, double share) {
+  return (1.0 - share) * surface.x(edge.nodes[0]) + share * surface.x(edge.nodes[1]);
+}
+
+std::optional<EdgeGap> find_edge_gap(const MovingSurface& surface, const ContactEdge& first,
+                                     const ContactEdge& second, const EdgePlace& place, double depth) {
+  const Eigen::Vector3d apart = point_at(surface, first, place.s) - point_at(surface, second, place.t);
+  if (first.is_sharp() || second.is_sharp()) {
+    if (!is_inside(place.s) || !is_inside(place.t)) return std::nullopt;
+  }
+  if (first.is_sharp() && second.is_sharp()) {
+    const auto found = gap_of_sharp(surface, first, second, apart);
+    return found && found->gap > -depth ? found : std::nullopt;
+  }
+  const double distance = apart.norm();
+  if (distance == 0.0) return std::nullopt;
+  const EdgeGap found{apart / distance, distance - first.radius - second.radius};
+  if (first.is_sharp() && !is_between(surface, first, -found.normal, just_between)) return std::nullopt;
+  if (second.is_sharp() && !is_between(surface, second, found.normal, just_between)) return std::nullopt;
+  return found;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "contact/edge_edge.hpp"
+#include "contact/moving_surface.hpp"
+#include "core/definition/contact_options.hpp"
+
+namespace contactsim {
+
+/// Adds the edges between faces that turn away from each other by more than the FEATURE ANGLE of their
+/// surface's options, and takes away all edges of surfaces with EDGE CONTACT = OFF. Faces of bricks count
+/// too: the rims of shells are sharp. Without a FEATURE ANGLE edges of more than 30 degrees meet beams and
+/// trusses where there are any, and no other sharp edges. Source: feature edges of Abaqus/Explicit general
+/// contact, 36.4.2.
+void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
+                  const Mesh& mesh, ContactFaces& faces);
+
+/// How two edges stand to each other at a place.
+struct EdgeGap {
+  Eigen::Vector3d normal;  ///< unit, from the second edge to the first [1]
+  double gap = 0.0;        ///< < 0 when they touch [length]
+};
+
+/// The place of an edge at a share of its length [length].
+Eigen::Vector3d point_at(const MovingSurface& surface, const ContactEdge& edge, double share);
+
+/// The gap between two edges at their nearest points. Round edges meet all around. A sharp edge is met only
+/// where neither of its faces is: well between their normals, and not at its ends. A line, of which faces
+/// meet the nodes only, meets it up to the normals. Nothing when they do not meet, or are as deep in each
+/// other as another wall.
+///   depth  of sharp edges at most [length]
+std::optional<EdgeGap> find_edge_gap(const MovingSurface& surface, const ContactEdge& first,
+                                     const ContactEdge& second, const EdgePlace& place, double depth);
+
+}  // namespace contactsim
