@@ -6,7 +6,6 @@
 #include "app/contact_report.hpp"
 #include "app/pair_report.hpp"
 #include "contact/surface_drawing.hpp"
-#include "core/state_archive.hpp"
 #include "io/surface_writer.hpp"
 #include "io/write_text.hpp"
 
@@ -16,13 +15,6 @@ namespace {
 
 /// Energy that contact makes is worth a warning when it is this share of the largest term.
 constexpr double worrying_share = 0.02;
-
-/// In the springs of all pairs now [energy].
-double stored_energy(const ContactForce& force) {
-  double stored = 0.0;
-  for (const PairStep& pair : force.pair_steps()) stored += pair.stored;
-  return stored;
-}
 
 }  // namespace
 
@@ -54,13 +46,8 @@ void RunContact::add_suffix(const std::string& suffix) {
   }
 }
 
-void RunContact::archive(const Motion& motion, StateArchive& saved) {
-  force_.archive(motion, saved);
-  saved.numbers("contact/stored_at_start", stored_at_start_);
-}
-
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
-  const double stored = stored_energy(force_) - stored_at_start_;
+  const double stored = force_.stored() - force_.stored_at_start();
   const double made = stored + energies.friction + energies.contact_damping - energies.contact;
   if (made <= worrying_share * energies.largest) return;
   warnings.add_warning(
@@ -71,8 +58,7 @@ void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings)
       "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
 }
 
-std::string RunContact::start_report(Diagnostics& warnings) {
-  stored_at_start_ = stored_energy(force_);
+std::string RunContact::start_report(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
   return format_contact_start(force_, contact_);
 }

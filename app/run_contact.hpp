@@ -29,12 +29,8 @@ class RunContact {
   /// Gives the names of these files an end.
   void add_suffix(const std::string& suffix);
 
-  /// Saves or restores what contact remembers.
-  ///   motion  of the step before
-  void archive(const Motion& motion, StateArchive& saved);
-
   /// What the log says once the first forces are known. Ties that tie nothing are a warning.
-  std::string start_report(Diagnostics& warnings);
+  std::string start_report(Diagnostics& warnings) const;
   /// Warns when contact has given out energy that nothing had put into it.
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   /// What the pairs did and the search took, for the log.
@@ -46,7 +42,6 @@ class RunContact {
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;
-  double stored_at_start_ = 0.0;  // in overlaps of the mesh as it was [energy]
 };
 
 }  // namespace contactsim

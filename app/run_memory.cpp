@@ -22,7 +22,7 @@ void archive(const RunMemory& memory, StateArchive& saved) {
   if (memory.contact != nullptr) {
     Motion motion{state.time, state.dt, state.coordinates, state.velocity};
     if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-    memory.contact->archive(motion, saved);
+    memory.contact->force().archive(motion, saved);
   }
   memory.outputs.archive(saved);
 }

@@ -127,9 +127,9 @@ void ContactForce::archive_faces(StateArchive& saved) {
 
 void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   archive_faces(saved);
+  surface_.archive(saved);
   rules_.archive(saved);
   glued_.archive(saved);
-  surface_.archive(saved);
   search_.archive(saved);
   face_face_.archive(saved);
   node_face_.archive(saved);
@@ -142,6 +142,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
   saved.numbers("contact/step_share", step_share_.share);
+  saved.numbers("contact/stored_at_start", stored_at_start_);
   if (!saved.restores()) return;
   has_begun_ = true;
   rules_.activate(motion.time, times_.is_active(motion.time));
@@ -193,7 +194,11 @@ void ContactForce::add_places(const ContactScene& scene) {
     face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
-  visit_places(edges_, scene, take);
+  edges_.begin_step();
+  visit_places(edges_, scene, [&](const ContactRecord& record) {
+    take(record);
+    edges_.note(record);
+  });
   visit_places(planes_, scene, take);
   held_.step(scene, glued_, sums_);
   sums_.end_step();
@@ -253,10 +258,11 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
 }
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
-  if (!has_begun_) forces.setZero();  // later on only contact nodes ever have another value
+  const bool is_first = !has_begun_;
+  if (is_first) forces.setZero();  // later on only contact nodes ever have another value
   surface_.step(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
-  if (!has_begun_) {
+  if (is_first) {
     begin(motion);
   } else if (rules_.have_changed()) {
     find_candidates(motion);
@@ -269,6 +275,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   sums_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt});
   write_forces(forces);
+  if (is_first) stored_at_start_ = stored();
   note_histories(motion);
   ForceReport report;
   report.friction_work = sums_.dissipated();
@@ -283,6 +290,12 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     step_share_.share = std::max(step_share_.share, 1.0 - report.stable_step / motion.stable_step);
   }
   return report;
+}
+
+double ContactForce::stored() const {
+  double sum = 0.0;
+  for (const PairStep& pair : sums_.pairs()) sum += pair.stored;
+  return sum;
 }
 
 void ContactForce::note_histories(const Motion& motion) {

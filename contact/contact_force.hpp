@@ -54,6 +54,9 @@ class ContactForce final : public ForceTerm {
   std::span<const PairStep> pair_steps() const { return sums_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return sums_.friction(); }
   const ContactStep& step_share() const { return step_share_; }
+  /// In the springs of all pairs, of the last step and of the first one, in the mesh's own overlaps [energy].
+  double stored() const;
+  double stored_at_start() const { return stored_at_start_; }
   std::size_t n_candidates() const {
     return face_face_.candidates().partners.size() + node_face_.candidates().partners.size() +
            edges_.candidates().partners.size() + planes_.n_rows();
@@ -105,6 +108,7 @@ class ContactForce final : public ForceTerm {
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
   std::vector<double> node_rates_;     // scratch, [n_contact_nodes]
   ContactStep step_share_;
+  double stored_at_start_ = 0.0;
   bool has_begun_ = false;
 };
 

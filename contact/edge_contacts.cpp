@@ -14,6 +14,13 @@ namespace contactsim {
 
 namespace {
 
+const std::array<Eigen::Vector3d, 2> no_slip{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+
+/// Nearer than this share to an end of an edge a place is at the end.
+constexpr double at_end = 1e-9;
+
+bool is_inside(double share) { return share > at_end && share < 1.0 - at_end; }
+
 Segment segment_of(const MovingSurface& surface, const ContactEdge& edge) {
   Segment segment;
   segment << surface.x(edge.nodes[0]), surface.x(edge.nodes[1]);
@@ -36,12 +43,13 @@ Eigen::Vector3d velocity_at(const MovingSurface& surface, const RecordSide& side
 
 }  // namespace
 
-EdgeContacts::EdgeContacts(const ContactFaces& faces) : faces_(faces) {
+EdgeContacts::EdgeContacts(const ContactFaces& faces)
+    : faces_(faces), was_touched_(faces.edges.size(), 0), is_touched_(faces.edges.size(), 0) {
   if (faces.edges.empty()) return;
   edges_of_node_ = list_by_row(faces.n_nodes(), [&](const auto& take) {
     for (std::uint32_t i = 0; i < faces.edges.size(); ++i) {
       const ContactEdge& edge = faces.edges[i];
-      if (edge.is_sharp() || edge.is_particle()) continue;
+      if (edge.is_particle()) continue;
       for (const std::uint32_t node : edge.nodes) take(faces.first_alike[node], i);
     }
   });
@@ -56,7 +64,7 @@ bool EdgeContacts::owns(const ContactScene& scene, std::uint32_t index, double s
   const std::uint32_t node = faces_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
   for (const std::uint32_t other : edges_of_node_.of(node)) {
     const ContactEdge& next = faces_.edges[other];
-    if (other == index || next.surface != edge.surface) continue;
+    if (other == index || next.surface != edge.surface || next.is_sharp() != edge.is_sharp()) continue;
     const bool is_first = faces_.first_alike[next.nodes[0]] == node;
     const Eigen::Vector3d along = scene.surface.x(next.nodes[is_first ? 1 : 0]) - scene.surface.x(node);
     const double cosine = along.dot(way) / (along.norm() * way.norm());
@@ -66,14 +74,23 @@ bool EdgeContacts::owns(const ContactScene& scene, std::uint32_t index, double s
 }
 
 void EdgeContacts::take_candidates() {
-  memory_ = carry_over<Memory>(candidates_, memory_, next_, {});
+  elastic_ = carry_over<Elastic>(candidates_, elastic_, next_, no_slip);
   candidates_ = std::exchange(next_, {});
+}
+
+void EdgeContacts::begin_step() {
+  std::swap(was_touched_, is_touched_);
+  std::fill(is_touched_.begin(), is_touched_.end(), 0);
+}
+
+void EdgeContacts::note(const ContactRecord& record) {
+  if (record.touches()) is_touched_[record.first_place] = is_touched_[record.second_place] = 1;
 }
 
 void EdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
-  saved.rows("contact/edge_pairs/memory", memory_,
-             [](Memory& memory, RowNumbers& row) { row(memory.elastic, memory.touched); });
+  saved.rows("contact/edge_pairs/elastic_slip", elastic_, [](Elastic& slip, RowNumbers& row) { row(slip); });
+  saved.list("contact/edges/was_touched", is_touched_);
 }
 
 void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
@@ -90,8 +107,9 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
   const ContactEdge &first = faces_.edges[first_edge], &second = faces_.edges[second_edge];
   const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
   const PairRule& rule = scene.rules[pair];
-  const Memory before = memory_[candidate];
-  Memory now;
+  const Elastic held = elastic_[candidate];
+  Elastic now = no_slip;
+  const bool touched = was_touched_[first_edge] != 0 || was_touched_[second_edge] != 0;
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
   const bool is_on = rule.is_active && rule.law != ContactLaw::tied;
   for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
@@ -100,32 +118,34 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
         point_at(scene.surface, second, place.t) - point_at(scene.surface, first, place.s);
     if (!owns(scene, first_edge, place.s, place, way) || !owns(scene, second_edge, place.t, place, -way))
       continue;
-    ContactRecord record = make_record(scene, {first, second, rule, before}, place);
+    ContactRecord record = make_record(scene, {first, second, rule, touched}, place);
     if (record.stiffness == 0.0) continue;
     record.pair = pair;
     record.first_place = first_edge;
     record.second_place = second_edge;
-    now.touched |= record.touches();
     if (record.touches() && rule.friction > 0.0) {
-      record.elastic = before.elastic[i];
+      record.elastic = held[i];
       const double stiffness = make_pair_penalty(first.backing, &second.backing, *rule.pair).stiffness;
       add_friction(stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
-      now.elastic[i] = record.elastic;
+      now[i] = record.elastic;
     }
     records.push_back(record);
   }
-  if (!scene.is_frozen) memory_[candidate] = now;
+  if (!scene.is_frozen) elastic_[candidate] = now;
 }
 
 ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place) {
-  const auto& [first, second, rule, memory] = pair;
+  const auto& [first, second, rule, touched] = pair;
   ContactRecord record;
   record.is_of_edges = true;
   record.is_swapped = first.surface != rule.pair->first;
   record.first = side_of(first, place.s);
   record.second = side_of(second, place.t);
+  // The ball around a line's node meets the edges of faces together with the faces.
+  if (first.is_sharp() != second.is_sharp() && !is_inside(first.is_sharp() ? place.t : place.s))
+    return record;
   const PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
-  const double deepest = (memory.touched ? known_depth : 1.0) * penalty.depth;
+  const double deepest = (touched ? known_depth : 1.0) * penalty.depth;
   const auto found = find_edge_gap(scene.surface, first, second, place, deepest);
   if (!found) return record;
   record.normal = found->normal;
@@ -135,9 +155,9 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   const double closed = std::max(0.0, -relative.dot(record.normal)) * scene.dt;
   if (record.gap > steps_ahead * closed) return record;
   // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
-  const bool is_sharp = first.is_sharp() && second.is_sharp();
+  const bool is_sharp = first.is_sharp() || second.is_sharp();
   const double shallow = shallow_depth * std::min(first.backing.thickness, second.backing.thickness);
-  if (is_sharp && !memory.touched && record.gap + closed < -shallow) return record;
+  if (is_sharp && !touched && scene.dt > 0.0 && record.gap + closed < -shallow) return record;
   const double width = std::min(first.width, second.width);
   const double area = width * (place.length > 0.0 ? place.length : width);
   push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);

@@ -26,6 +26,11 @@ class EdgeContacts {
   const PairLists& candidates() const { return candidates_; }
   std::size_t n_rows() const { return candidates_.n_rows(); }
 
+  /// Begins a step: which edges touch is gathered anew.
+  void begin_step();
+  /// Adds a record to what is known of its edges.
+  void note(const ContactRecord& record);
+
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
@@ -33,16 +38,12 @@ class EdgeContacts {
   void archive(StateArchive& saved);
 
  private:
-  /// What is known of a pair from the last step.
-  struct Memory {
-    /// Slip that is held at its one or two places [length].
-    std::array<Eigen::Vector3d, 2> elastic{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
-    bool touched = false;
-  };
+  /// Slip that is held at the one or two places of a pair [length].
+  using Elastic = std::array<Eigen::Vector3d, 2>;
   struct Pair {
     const ContactEdge &first, &second;
     const PairRule& rule;
-    const Memory& memory;
+    bool touched;  ///< one of the edges, something, in the last step
   };
 
   void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
@@ -57,8 +58,9 @@ class EdgeContacts {
 
   const ContactFaces& faces_;
   PairLists candidates_, next_;
-  PairLists edges_of_node_;     // [n_contact_nodes] round ones, by first_alike
-  std::vector<Memory> memory_;  // [n_candidates]
+  PairLists edges_of_node_;                             // [n_contact_nodes] round ones, by first_alike
+  std::vector<Elastic> elastic_;                        // [n_candidates]
+  std::vector<std::uint8_t> was_touched_, is_touched_;  // [n_edges] in the last step, in this one
 };
 
 }  // namespace contactsim

@@ -148,10 +148,7 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   make_maps(first, second, *pair);
   const OverlapPoints points = find_overlap(pair->first, pair->map_1, pair->second, pair->map_2);
   if (!(points.area > 0.0)) return contact;
-  PairPenalty leaning = penalty;
-  leaning.stiffness *= pair->plane.lean;
-  leaning.damping *= pair->plane.lean;
-  PressureSums sums(points, *pair, leaning, reach);
+  PressureSums sums(points, *pair, penalty, reach);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;

@@ -38,9 +38,7 @@ struct FaceFaceContact {
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
 };
 
-/// Integrates the pressure stiffness * penetration over the overlap of two faces; the penetration is that of
-/// one face behind the plane of the other, so that the sides of a body together push it along the other one's
-/// normal, as if it swam: only then corners and edges bounce without making energy. Both faces get the same
+/// Integrates the pressure stiffness * penetration over the overlap of two faces. Both faces get the same
 /// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
 /// of any shape.
 ///   reach  gaps up to it count as near [length]

@@ -137,9 +137,7 @@ std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eig
   const double size_1 = area_1.norm(), size_2 = area_2.norm();
   if (!(area_1.dot(area_2) < most_aside * size_1 * size_2)) return std::nullopt;
   CommonPlane plane;
-  const Eigen::Vector3d apart = size_1 * area_2 - size_2 * area_1;
-  plane.normal = apart.normalized();
-  plane.lean = apart.norm() / (2.0 * size_1 * size_2);
+  plane.normal = (size_1 * area_2 - size_2 * area_1).normalized();
   plane.origin = first.col(0);
   // In the plane any direction will do; one that turns with the faces makes results turn with them.
   const Eigen::Vector3d diagonal = first.col(2) - first.col(0);

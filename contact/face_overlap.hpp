@@ -17,7 +17,6 @@ struct CommonPlane {
   Eigen::Vector3d normal;         ///< unit, from the second face towards the first [1]
   Eigen::Vector3d across, along;  ///< unit vectors of the plane; across x along = normal [1]
   Eigen::Vector3d origin;         ///< [length]
-  double lean = 1.0;              ///< cosine of the angle between the normal and that of either face [1]
 };
 
 /// The plane between two faces: its normal is the mean of theirs, the second one's turned round, so that

@@ -39,8 +39,9 @@ void MovingSurface::step(const Motion& motion) {
 }
 
 void MovingSurface::archive(StateArchive& saved) {
-  if (saved.restores()) arms_.resize(3, static_cast<Eigen::Index>(faces_.loft.size()));
-  saved.fixed("contact/lofts/arms", arms_);
+  if (faces_.loft.size() == 0) return;
+  arms_.resize(3, static_cast<Eigen::Index>(faces_.loft.size()));
+  saved.fixed("contact/loft/arms", std::span(arms_.data(), static_cast<std::size_t>(arms_.size())));
 }
 
 void MovingSurface::turn_arms(const Motion& motion) {

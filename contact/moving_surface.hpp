@@ -26,7 +26,7 @@ class MovingSurface {
   /// by what forces and moments on the nodes work on, and make no energy. Where no node turns they follow the
   /// normals of the shells.
   void step(const Motion& motion);
-  /// Saves or restores how points of lofts stand off; move_nodes() follows.
+  /// Saves or restores how the points of lofts stand off their nodes.
   void archive(StateArchive& saved);
   /// Brings the bounds of all faces, or of the watched ones, to where their nodes are.
   void bound_all();

@@ -19,6 +19,9 @@ constexpr double parallel = 0.03;
 /// Lines may be that far beyond.
 constexpr double well_between = 0.1, just_between = -0.02;
 
+/// Edges that miss each other by this share of their lengths cross all the same.
+constexpr double just_beside = 1e-6;
+
 /// What is sharp to beams and trusses, if the deck does not say [degrees].
 constexpr double usual_angle = 30.0;
 
@@ -75,8 +78,6 @@ bool is_between(const MovingSurface& surface, const ContactEdge& edge, const Eig
   return direction.dot(a - cosine * b) > least && direction.dot(b - cosine * a) > least;
 }
 
-bool is_inside(double share) { return share > 0.0 && share < 1.0; }
-
 std::optional<EdgeGap> gap_of_sharp(const MovingSurface& surface, const ContactEdge& first,
                                     const ContactEdge& second, const Eigen::Vector3d& apart) {
   const Eigen::Vector3d p = surface.x(first.nodes[1]) - surface.x(first.nodes[0]);
@@ -85,6 +86,8 @@ std::optional<EdgeGap> gap_of_sharp(const MovingSurface& surface, const ContactE
   const double square = normal.squaredNorm();
   if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
   normal /= std::sqrt(square);
+  // At their ends edges do not cross: the way between them is not along the normal.
+  if ((apart - apart.dot(normal) * normal).norm() > just_beside * (p.norm() + q.norm())) return std::nullopt;
   if (!is_between(surface, second, normal, well_between)) normal = -normal;
   if (!is_between(surface, second, normal, well_between) ||
       !is_between(surface, first, -normal, well_between))
@@ -131,9 +134,6 @@ Eigen::Vector3d point_at(const MovingSurface& surface, const ContactEdge& edge, 
 std::optional<EdgeGap> find_edge_gap(const MovingSurface& surface, const ContactEdge& first,
                                      const ContactEdge& second, const EdgePlace& place, double depth) {
   const Eigen::Vector3d apart = point_at(surface, first, place.s) - point_at(surface, second, place.t);
-  if (first.is_sharp() || second.is_sharp()) {
-    if (!is_inside(place.s) || !is_inside(place.t)) return std::nullopt;
-  }
   if (first.is_sharp() && second.is_sharp()) {
     const auto found = gap_of_sharp(surface, first, second, apart);
     return found && found->gap > -depth ? found : std::nullopt;

@@ -28,7 +28,7 @@ struct EdgeGap {
 Eigen::Vector3d point_at(const MovingSurface& surface, const ContactEdge& edge, double share);
 
 /// The gap between two edges at their nearest points. Round edges meet all around. A sharp edge is met only
-/// where neither of its faces is: well between their normals, and not at its ends. A line, of which faces
+/// where neither of its faces is: well between their normals. A line, of which faces
 /// meet the nodes only, meets it up to the normals. Nothing when they do not meet, or are as deep in each
 /// other as another wall.
 ///   depth  of sharp edges at most [length]

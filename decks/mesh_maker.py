@@ -48,6 +48,10 @@ class MeshMaker:
         spots = [self.node(*(np.array(start) + (np.array(end) - np.array(start)) * i / n)) for i in range(n + 1)]
         return self._add(name, kind, [[a, b] for a, b in zip(spots, spots[1:])])
 
+    def particles(self, name, spots):
+        """Cells of one node each."""
+        return self._add(name, "SPHERE", [[self.node(*spot)] for spot in spots])
+
     def triangles(self, name, origin, size, cells, thickness):
         """A horizontal sheet of cells of two SHELL3 each, with a thickness attribute; their diagonals alternate."""
         x = np.linspace(origin[0], origin[0] + size[0], cells[0] + 1)

@@ -8,6 +8,7 @@ import numpy as np
 from runs import at_most
 
 CASES = {}
+FORMULATIONS = ("face_face", "node_face")
 
 
 @dataclass
@@ -43,6 +44,13 @@ def momentum_share(run):
     return np.max(change) / np.max(np.sum(np.linalg.norm(momentum, axis=2), axis=1))
 
 
+def angular_momentum(run):
+    """[steps x 3], the turning of the nodes included."""
+    orbit = run.nodal("mass")[..., None] * np.cross(run.nodal("coordinates"), run.nodal("velocity"))
+    spin = run.nodal("rotational_mass")[..., None] * run.nodal("rotational_velocity")
+    return np.sum(orbit + spin, axis=1)
+
+
 def balances(runs, is_free=False, has_plane=False, has_friction=False, tolerance=0.01):
     """Net contact force and moment, momentum and energy; the worst of the runs.
 
@@ -51,7 +59,7 @@ def balances(runs, is_free=False, has_plane=False, has_friction=False, tolerance
     """
     checks = [at_most("energy balance", max(map(energy_share, runs)), tolerance)]
     forces = [run.nodal("force_contact") for run in runs]
-    moments = [np.cross(run.nodal("coordinates"), f) for run, f in zip(runs, forces)]
+    moments = [np.cross(run.nodal("coordinates"), f) + run.nodal("moment_contact") for run, f in zip(runs, forces)]
     if not has_plane:
         checks.append(at_most("net contact force", max(map(net_share, forces)), 1e-12))
     if not has_plane and not has_friction:

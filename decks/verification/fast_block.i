@@ -1,7 +1,14 @@
 # A steel block hits a plate one element thick at 300 m/s; the plate is held (SI).
 #
 # Shows that nothing tunnels: the block turns round, and no node of it gets through the plate.
+# -D thickness=t makes the plate of shells. -D flier=plate throws the plate at the block, which is held in its place.
 #
+# {ifndef(thickness)}
+# {thickness = 0}
+# {endif}
+# {ifndef(speed)}
+# {flier = "block"} {target = "plate"} {speed = -300}
+# {endif}
 # {ifndef(form)}
 # {form = "face_face"}
 # {endif}
@@ -15,11 +22,25 @@ begin sierra fast block
     end
   end
 
+{if(thickness > 0)}
+  begin shell section plate
+    thickness = {thickness}
+    number of integration points = 3
+  end
+{endif}
+
   begin finite element model bodies
     database name = fast_block.g
-    begin parameters for block block plate
+    begin parameters for block block
       material = steel
       model = elastic
+    end
+    begin parameters for block plate
+      material = steel
+      model = elastic
+{if(thickness > 0)}
+      section = plate
+{endif}
     end
   end
 
@@ -38,12 +59,12 @@ begin sierra fast block
       use finite element model bodies
 
       begin initial velocity
-        block = block
+        block = {flier}
         component = z
-        magnitude = -300
+        magnitude = {speed}
       end
       begin fixed displacement
-        block = plate
+        block = {target}
         components = x y z
       end
 

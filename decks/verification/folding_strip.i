@@ -1,13 +1,16 @@
 # The legs of a hairpin are thrown against each other (SI).
 #
 # Shows self contact: with it the legs meet and part again, no deeper than half an element, with forces and
-# momentum in balance; with -D self=off they pass through each other.
+# momentum in balance; with -D self=off they pass through each other. -D thickness=t makes the hairpin of shells.
 #
 # {ifndef(form)}
 # {form = "face_face"}
 # {endif}
 # {ifndef(self)}
 # {self = "on"}
+# {endif}
+# {ifndef(thickness)}
+# {thickness = 0}
 # {endif}
 # {frame = 2e-3}
 begin sierra folding strip
@@ -19,11 +22,21 @@ begin sierra folding strip
     end
   end
 
+{if(thickness > 0)}
+  begin shell section sheet
+    thickness = {thickness}
+    number of integration points = 3
+  end
+{endif}
+
   begin finite element model strip
     database name = folding_strip.g
     begin parameters for block strip
       material = rubber
       model = elastic
+{if(thickness > 0)}
+      section = sheet
+{endif}
     end
   end
 

@@ -21,17 +21,17 @@ def on_ball(centre, radius):
     return place
 
 
-def add_ball(mesh, centre, radius, n):
-    """A core of n x n x n elements under six caps of n layers."""
+def add_ball(mesh, centre, radius, n, block=None):
+    """A core of n x n x n elements under six caps of n layers, each a block of its own unless one is named."""
     mesh.new_body()
     mesh.place = on_ball(np.array(centre), radius)
-    mesh.hexes("core", (-1, -1, -1), (2, 2, 2), (n, n, n))
+    mesh.hexes(block or "core", (-1, -1, -1), (2, 2, 2), (n, n, n))
     for name, axis, side in (("east", 0, 1), ("west", 0, -2), ("north", 1, 1), ("south", 1, -2), ("top", 2, 1), ("bottom", 2, -2)):
         origin, size = [-1, -1, -1], [2, 2, 2]
         origin[axis], size[axis] = side, 1
         cells = [n, n, n]
         cells[axis] = max(2, n // 2)
-        mesh.hexes(name, tuple(origin), tuple(size), tuple(cells))
+        mesh.hexes(block or name, tuple(origin), tuple(size), tuple(cells))
 
 
 def add_ring(mesh, name, centre, inner, outer, width, cells):
@@ -69,15 +69,16 @@ def near_zero(t, slope):
     return t * (slope + (1 - slope) * t * t)
 
 
-def add_quarter_ball(mesh, name, level, radius, pole_up, n=16):
-    """The quarter x, y > 0 of a ball around (0, 0, level), with small elements at its upper or lower pole."""
+def add_quarter_ball(mesh, name, level, radius, pole_up, n=16, slope=0.4):
+    """The quarter x, y > 0 of a ball around (0, 0, level), with small elements at its upper or lower pole: those of an even
+    mesh times the slope."""
     mesh.new_body()
     ball = on_ball(np.array((0.0, 0.0, level)), radius)
 
     def place(u, v, w):
-        u, v = (near_zero(t, 0.4) if t < 1 else t for t in (u, v))
+        u, v = (near_zero(t, slope) if t < 1 else t for t in (u, v))
         if (w > 0) == pole_up and abs(w) > 1:
-            w = math.copysign(2 - near_zero(2 - abs(w), 0.4), w)
+            w = math.copysign(2 - near_zero(2 - abs(w), slope), w)
         return ball(u, v, w)
     mesh.place = place
     few = n // 4
@@ -87,3 +88,19 @@ def add_quarter_ball(mesh, name, level, radius, pole_up, n=16):
     mesh.hexes(name, (0, 1, -1), (1, 1, 2), (n, few, 2 * few))
     mesh.hexes(name, (0, 0, 1), (1, 1, 1), (n, n, upper))
     mesh.hexes(name, (0, 0, -2), (1, 1, 1), (n, n, lower))
+
+
+def add_box(mesh, name, side, n, thickness, place=lambda p: p, has_lid=True):
+    """The walls of a cube around the origin; `place` maps its coordinates."""
+    mesh.new_body()
+    for axis in range(3):
+        for sign in (-1, 1):
+            if (axis, sign) == (2, 1) and not has_lid:
+                continue
+
+            def wall(u, v, _, axis=axis, sign=sign):
+                spot = np.zeros(3)
+                spot[axis], spot[(axis + 1) % 3], spot[(axis + 2) % 3] = sign, *((u, v) if sign > 0 else (v, u))
+                return tuple(place(0.5 * side * spot))
+            mesh.place = wall
+            mesh.shells(name, (-1, -1, 0), (2, 2), (n, n), thickness)

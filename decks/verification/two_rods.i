@@ -3,6 +3,7 @@
 # Shows what a contact passes on: until the wave c = sqrt(E/rho) is back from the free end after 2 L/c the force between
 # the rods is rho c v A / 2, and then the struck rod has all of the velocity, the other none (St. Venant). With meshes
 # that match or not, along the axes or across them (-D vx, vy, vz), mirrored, in other units (-D density, youngs).
+# -D thickness=t makes the rods sheets of shells, edge on edge.
 # -D held=1 holds the far end of the struck rod, which changes nothing before its wave is back (code_aster SDNL111).
 # Bulk viscosity is off: it would keep 0.7 % of the momentum in the striking rod.
 # Expected: duration within 5 %, mean force within 1 %, impulse within 0.5 %, 99.5 % of the velocity (0.1 m rods).
@@ -15,6 +16,9 @@
 # {endif}
 # {ifndef(density)}
 # {density = 8000} {youngs = 200e9} {end_time = 60e-6}
+# {endif}
+# {ifndef(thickness)}
+# {thickness = 0}
 # {endif}
 # {ifndef(held)}
 # {held = 0}
@@ -31,11 +35,21 @@ begin sierra two rods
     end
   end
 
+{if(thickness > 0)}
+  begin shell section sheet
+    thickness = {thickness}
+    number of integration points = 3
+  end
+{endif}
+
   begin finite element model rods
     database name = two_rods.g
     begin parameters for block rod_a rod_b
       material = steel
       model = elastic
+{if(thickness > 0)}
+      section = sheet
+{endif}
       linear bulk viscosity = 0
       quadratic bulk viscosity = 0
     end

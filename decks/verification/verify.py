@@ -16,12 +16,15 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # decks/ may be read-only
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
+import cases_crash  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
+import cases_lofted  # noqa: E402, F401
 import cases_restart  # noqa: E402, F401
 import cases_rigid  # noqa: E402, F401
 import cases_rods  # noqa: E402, F401
+import cases_round  # noqa: E402, F401
 import cases_shells  # noqa: E402, F401
 import cases_static  # noqa: E402, F401
 import cases_unit  # noqa: E402, F401
@@ -62,7 +65,7 @@ def write_table(program):
         lines += [f"| {name} | {check.row()} |" for check in run_case(program, name)]
     lines += ["", "## Refined meshes", "",
               "The first quantities of a case by its number of elements: along bars, over the beam's thickness, through the",
-              "wall, across the core of the rod.", "", "| case | elements | quantity | expected | reached | error |",
+              "wall, across the core of the rod or ball.", "", "| case | elements | quantity | expected | reached | error |",
               "| --- | --- | --- | --- | --- | --- |"]
     for name, case in CASES.items():
         for refinement in case.refined:

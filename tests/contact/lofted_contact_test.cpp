@@ -78,7 +78,7 @@ TEST_CASE("a push on a roof is a force and a moment on its nodes", "[contact][lo
   bodies.ask();
   bodies.set_velocity(2, {0, 0, -1});
   for (int i = 0; i < 10; ++i) bodies.step(0.01);
-  REQUIRE(bodies.force_on(2).z() > 1e-3);
+  REQUIRE(bodies.force_on(2).z() > 1e-4);
   // At the ridge skins stand off along the mean of the two normals, and forces along the normal of one.
   CHECK(bodies.moments.colwise().norm().maxCoeff() > 1e-4 * bodies.force_size());
   CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
@@ -362,7 +362,8 @@ TEST_CASE("a beam rests on the rims of a plate that is narrower than its element
   SECTION("of a solid") {
     b.add_hexes({.id = 1, .cells = {2, 2, 1}, .origin = {-0.5, -1, -1}, .size = {1, 2, 1}});
   }
-  add_rod(b, {.id = 2, .cells = 1, .from = {-2, 0.1, 0.09}, .to = {2, 0.1, 0.09}});
+  const double y = GENERATE(0.1, 0.0);  // 0: where the rim has a node
+  add_rod(b, {.id = 2, .cells = 1, .from = {-2, y, 0.09}, .to = {2, y, 0.09}});
   ContactBodies bodies(b, general_contact());
   bodies.ask();
   CHECK(bodies.force_on(1).z() > 0.0);
