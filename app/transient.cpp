@@ -13,16 +13,11 @@
 #include "app/run_outputs.hpp"
 #include "app/run_report.hpp"
 #include "app/run_restart.hpp"
+#include "app/run_setup.hpp"
 #include "app/stop_signal.hpp"
 #include "app/timed_force.hpp"
 #include "contact/friction_words.hpp"
-#include "core/conditions/external_force.hpp"
-#include "core/conditions/initial_state.hpp"
-#include "core/death/death_sets.hpp"
 #include "core/internal_force.hpp"
-#include "core/mesh/element_checks.hpp"
-#include "core/rigid/make_rigid_bodies.hpp"
-#include "io/exodus_variables.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {
@@ -31,15 +26,6 @@ namespace {
 
 /// An energy that appears or vanishes is worth a warning when it is this share of the largest.
 constexpr double worrying_error = 0.01;
-
-/// A region, ready to be moved.
-struct Setup {
-  Model model;
-  ExternalForce external;
-  InitialState initial;
-  TimeStepControl control;
-  std::vector<std::vector<ElementIndex>> death_sets;  ///< as Region::element_deaths
-};
 
 /// What a run has besides its region.
 struct RunParts {
@@ -240,48 +226,6 @@ void stop_on_errors(const Diagnostics& diagnostics) {
   if (diagnostics.has_errors()) throw DeckError(diagnostics);
 }
 
-/// Whether any condition takes its values from the mesh file.
-bool reads_variables(const Region& region) {
-  const auto reads = [](const auto& conditions) {
-    return std::any_of(conditions.begin(), conditions.end(),
-                       [](const auto& condition) { return condition.variable.variable.has_value(); });
-  };
-  return reads(region.prescribed_conditions) || reads(region.nodal_loads) || reads(region.pressures) ||
-         std::any_of(region.initial_conditions.begin(), region.initial_conditions.end(),
-                     [](const InitialCondition& c) { return c.mesh_variable.variable.has_value(); });
-}
-
-/// Positions of the blocks that have elements.
-std::vector<std::uint32_t> blocks_in_use(const Mesh& mesh) {
-  std::vector<std::uint32_t> blocks;
-  for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
-    if (mesh.blocks()[i].n_elements > 0) blocks.push_back(i);
-  }
-  return blocks;
-}
-
-Setup set_up(const RunInput& input, Diagnostics& warnings) {
-  check_elements(input.mesh, blocks_in_use(input.mesh), warnings);
-  Model model = make_model(input.definition, input.region, input.mesh, warnings);
-  StoredVariables stored;
-  if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
-  const ConditionScope scope{input.definition,  input.region, input.procedure.time_control->blocks,
-                             input.mesh,        warnings,     &stored,
-                             &model.rigid.nodes};
-  model.kinematics = make_kinematics(scope);
-  model.rotation_kinematics = make_rotation_kinematics(scope, model.inertia);
-  model.rigid.kinematics = make_body_kinematics(scope);
-  model.rigid.rotation_kinematics = make_body_rotation_kinematics(scope);
-  ExternalForce external = make_external_force(scope, model.mass, model.inertia);
-  TimeStepControl control = make_time_step_control(input.procedure, input.region);
-  InitialState initial = make_initial_state(scope, model.blocks);
-  set_rigid_velocities(scope, model.rigid, initial.velocity);
-  auto death_sets = find_death_sets(scope, model);
-  stop_on_errors(warnings);
-  return {std::move(model), std::move(external), std::move(initial), std::move(control),
-          std::move(death_sets)};
-}
-
 }  // namespace
 
 ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
@@ -293,6 +237,7 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   }
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
+  stop_on_errors(warnings);
   const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
                              warnings};
   std::optional<RunContact> contact;

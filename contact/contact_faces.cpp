@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
 
+#include "contact/loft_faces.hpp"
 #include "contact/sort_once.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"
@@ -14,13 +13,6 @@
 namespace contactsim {
 
 namespace {
-
-/// Position of a mesh node among the contact nodes.
-std::uint32_t position_of(const ContactFaces& faces, NodeIndex node) {
-  const auto begin = faces.mesh_nodes.begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(faces.n_mesh_points());
-  return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
-}
 
 std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
                                          std::span<const FreeNode> free_nodes) {
@@ -57,7 +49,7 @@ PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_
 class SharesByNode {
  public:
   explicit SharesByNode(const ContactFaces& faces) : faces_(faces), nodes_(faces.n_mesh_points()) {}
-  SurfaceNode& operator[](NodeIndex node) { return nodes_[position_of(faces_, node)]; }
+  SurfaceNode& operator[](NodeIndex node) { return nodes_[faces_.find_node(node)]; }
 
  private:
   const ContactFaces& faces_;
@@ -115,7 +107,7 @@ void add_faces(const ContactSurface& surface, std::uint32_t position, const Mesh
   for (const ElementSide side : surface.faces) {
     ContactFace face;
     const auto corners = mesh.side_nodes(side);
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = position_of(made, corners[k]);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = made.find_node(corners[k]);
     face.surface = position;
     face.side = side;
     face.backing.thickness = thickness_behind(mesh, side);
@@ -139,7 +131,7 @@ void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh
   for (const NodeIndex node : nodes) {
     SurfaceNode own = by_node[node];
     if (!(own.area > 0.0)) continue;
-    own.node = position_of(made, node);
+    own.node = made.find_node(node);
     own.surface = position;
     own.backing.thickness /= own.area;
     made.surface_nodes.push_back(own);
@@ -153,7 +145,7 @@ void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position
   for (const FreeNode& free : free_nodes) {
     if (free.surface != position) continue;
     SurfaceNode own;
-    own.node = position_of(made, free.node);
+    own.node = made.find_node(free.node);
     own.surface = position;
     own.side = free.side;
     const auto corners = mesh.side_nodes(free.side);
@@ -163,100 +155,6 @@ void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position
     made.surface_nodes.push_back(own);
   }
   std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
-}
-
-/// Facets of bricks, surface by surface.
-std::vector<std::vector<std::uint32_t>> brick_facets(const ContactModel& contact) {
-  std::vector<std::vector<std::uint32_t>> of_surface(contact.surfaces.surfaces.size());
-  for (std::uint32_t i = 0; i < contact.loft.facets.size(); ++i) {
-    if (contact.loft.facets[i].part != LoftPart::prism) of_surface[contact.surface_of_facet[i]].push_back(i);
-  }
-  return of_surface;
-}
-
-/// The facets of a surface's bricks, and their corners as nodes.
-void add_bricks(const LoftGeometry& loft, std::span<const std::uint32_t> facets, std::uint32_t position,
-                ContactFaces& made) {
-  const auto first = static_cast<std::uint32_t>(made.n_mesh_points());
-  std::map<std::uint32_t, SurfaceNode> nodes;
-  for (const std::uint32_t index : facets) {
-    const LoftFacet& facet = loft.facets[index];
-    ContactFace face;
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = first + made.loft.of_vertex(facet.vertices[k]);
-    face.surface = position;
-    face.side = ElementSide(facet.element, facet.side);
-    face.backing.thickness = made.loft.thickness(face.corners[0] - first);
-    const std::size_t n = face.is_triangle() ? 3 : 4;
-    for (std::size_t k = 0; k < n; ++k) {
-      SurfaceNode& node = nodes[face.corners[k]];
-      node.area += facet_area(loft, facet) / static_cast<double>(n);
-      node.node = face.corners[k];
-      node.surface = position;
-      node.side = face.side;
-      node.backing.thickness = made.loft.thickness(face.corners[k] - first);
-    }
-    made.faces.push_back(face);
-  }
-  for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
-}
-
-/// The rods of a surface, and balls around their ends: a node has the smaller radius of its neighbours.
-void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t position, ContactFaces& made) {
-  std::map<std::uint32_t, SurfaceNode> nodes;
-  for (std::size_t i = 0; i < contact.loft.rods.size(); ++i) {
-    if (contact.surface_of_rod[i] != position) continue;
-    const LoftRod& rod = contact.loft.rods[i];
-    const auto ends = mesh.element_nodes(rod.element).first(2);
-    const auto& x = mesh.coordinates();
-    const double length = (x.col(ends[1].value) - x.col(ends[0].value)).norm();
-    ContactEdge edge;
-    edge.surface = position;
-    edge.side = ElementSide(rod.element, 1);
-    edge.radius = rod.radius;
-    edge.width = 2.0 * rod.radius;
-    edge.backing.thickness = 0.5 * std::numbers::pi * rod.radius;  // section over width
-    for (std::size_t k = 0; k < 2; ++k) {
-      edge.nodes[k] = position_of(made, ends[k]);
-      const auto [found, is_new] = nodes.try_emplace(edge.nodes[k]);
-      SurfaceNode& node = found->second;
-      const auto radius = static_cast<float>(rod.radius);
-      node.radius = is_new ? radius : std::min(node.radius, radius);
-      node.area += rod.radius * length;
-      node.node = edge.nodes[k];
-      node.surface = position;
-      node.side = edge.side;
-      node.backing.thickness = edge.backing.thickness;
-    }
-    made.edges.push_back(edge);
-  }
-  for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
-}
-
-/// The particles of a surface.
-void add_balls(const ContactModel& contact, std::uint32_t position, ContactFaces& made) {
-  for (std::size_t i = 0; i < contact.loft.spheres.size(); ++i) {
-    if (contact.surface_of_sphere[i] != position) continue;
-    const LoftSphere& sphere = contact.loft.spheres[i];
-    SurfaceNode node;
-    node.node = position_of(made, sphere.centre);
-    node.surface = position;
-    node.side = ElementSide(sphere.element, 1);
-    node.radius = static_cast<float>(sphere.radius);
-    node.area = std::numbers::pi * sphere.radius * sphere.radius;
-    node.backing.thickness = 4.0 / 3.0 * sphere.radius;  // volume over cross-section
-    made.surface_nodes.push_back(node);
-    made.edges.push_back(
-        {{node.node, node.node}, position, node.side, sphere.radius, 2.0 * sphere.radius, node.backing});
-  }
-}
-
-void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactFaces& made) {
-  made.loft = LoftPoints(contact.loft, mesh);
-  for (std::size_t i = 0; i < made.loft.size(); ++i) made.mesh_nodes.push_back(made.loft.node(i));
-  made.first_alike.resize(made.n_nodes());
-  std::map<std::uint32_t, std::uint32_t> of_mesh;
-  for (std::uint32_t i = 0; i < made.n_nodes(); ++i)
-    made.first_alike[i] = of_mesh.try_emplace(made.mesh_nodes[i], i).first->second;
 }
 
 /// What blocks are made of.
@@ -295,6 +193,11 @@ double thickness_behind(const Mesh& mesh, ElementSide side) {
   return solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape) / area;
 }
 
+std::uint32_t ContactFaces::find_node(NodeIndex node) const {
+  const auto begin = mesh_nodes.begin(), end = begin + static_cast<std::ptrdiff_t>(n_mesh_points());
+  return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
+}
+
 bool ContactFaces::share_node(const ContactFace& a, const ContactFace& b) const {
   return std::ranges::any_of(a.corners, [&](std::uint32_t own) {
     return std::ranges::any_of(b.corners,
@@ -308,7 +211,6 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
   ContactFaces made;
   made.mesh_nodes = collect_nodes(contact, mesh, free_nodes);
   add_loft_points(contact, mesh, made);
-  const auto facets = brick_facets(contact);
   made.first_face.push_back(0);
   made.first_node.push_back(0);
   SharesByNode by_node(made);
@@ -316,9 +218,7 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
     add_faces(surfaces[s], s, mesh, made);
     add_nodes(surfaces[s], s, mesh, by_node, made);
     if (!free_nodes.empty()) add_free_nodes(free_nodes, s, mesh, made);
-    add_bricks(contact.loft, facets[s], s, made);
-    add_rods(contact, mesh, s, made);
-    add_balls(contact, s, made);
+    add_lofts(contact, mesh, s, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }

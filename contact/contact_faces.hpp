@@ -87,6 +87,8 @@ struct ContactFaces {
   PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
+  /// Position of a node of the mesh that is in contact.
+  std::uint32_t find_node(NodeIndex node) const;
   /// Contact nodes that are nodes of the mesh; those of lofts follow.
   std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
   bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }

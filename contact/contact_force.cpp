@@ -8,10 +8,8 @@
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
 #include "contact/sharp_edges.hpp"
-#include "core/digest.hpp"
 #include "core/errors.hpp"
 #include "core/least_mass.hpp"
-#include "core/state_archive.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -103,50 +101,6 @@ void ContactForce::begin(const Motion& motion) {
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
   mark_close_places(scene, near_candidates(), rules_);
   held_.begin(scene, near_candidates(), glued_);
-}
-
-/// Faces have other stiffnesses than the mesh says: limit_stiffness() knows the start.
-void ContactForce::archive_faces(StateArchive& saved) {
-  Digest digest;
-  for (const ContactFace& face : faces_.faces)
-    digest.add_values(std::span<const std::uint32_t>(face.corners));
-  digest.add_values(std::span<const std::uint32_t>(faces_.mesh_nodes));
-  digest.add_values(std::span<const std::uint32_t>(faces_.first_face));
-  digest.add_values(std::span<const std::uint32_t>(faces_.first_node));
-  for (const ContactEdge& edge : faces_.edges) digest.add_values(std::span<const std::uint32_t>(edge.nodes));
-  saved.expect("contact/surfaces", digest.value(), "contact surfaces");
-  saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
-  const auto visit = [](auto& item, RowNumbers& row) { row(item.backing.stiffness); };
-  saved.fixed_rows("contact/faces/stiffness", faces_.faces, visit);
-  saved.fixed_rows("contact/nodes/stiffness", faces_.surface_nodes, visit);
-  saved.fixed_rows("contact/edges/stiffness", faces_.edges, visit);
-}
-
-void ContactForce::archive(const Motion& motion, StateArchive& saved) {
-  archive_faces(saved);
-  surface_.archive(saved);
-  rules_.archive(saved);
-  glued_.archive(saved);
-  search_.archive(saved);
-  face_face_.archive(saved);
-  node_face_.archive(saved);
-  edges_.archive(saved);
-  planes_.archive(saved);
-  held_.archive(saved);
-  sums_.archive(saved);
-  saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
-    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work);
-  });
-  saved.fixed("contact/pairs/stored", std::span(stored_));
-  saved.numbers("contact/step_share", step_share_.share);
-  saved.numbers("contact/stored_at_start", stored_at_start_);
-  saved.numbers("contact/start_step", start_step_);
-  if (!saved.restores()) return;
-  has_begun_ = true;
-  rules_.activate(motion.time, times_.is_active(motion.time));
-  surface_.move_nodes(motion);
-  surface_.bound_all();
-  surface_.watch(faces_with_candidates());
 }
 
 NearCandidates ContactForce::near_candidates() const {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_force.hpp"
+#include "core/digest.hpp"
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+/// Faces have other stiffnesses than the mesh says: limit_stiffness() knows the start.
+void ContactForce::archive_faces(StateArchive& saved) {
+  Digest digest;
+  for (const ContactFace& face : faces_.faces)
+    digest.add_values(std::span<const std::uint32_t>(face.corners));
+  digest.add_values(std::span<const std::uint32_t>(faces_.mesh_nodes));
+  digest.add_values(std::span<const std::uint32_t>(faces_.first_face));
+  digest.add_values(std::span<const std::uint32_t>(faces_.first_node));
+  for (const ContactEdge& edge : faces_.edges) digest.add_values(std::span<const std::uint32_t>(edge.nodes));
+  saved.expect("contact/surfaces", digest.value(), "contact surfaces");
+  saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
+  const auto visit = [](auto& item, RowNumbers& row) { row(item.backing.stiffness); };
+  saved.fixed_rows("contact/faces/stiffness", faces_.faces, visit);
+  saved.fixed_rows("contact/nodes/stiffness", faces_.surface_nodes, visit);
+  saved.fixed_rows("contact/edges/stiffness", faces_.edges, visit);
+}
+
+void ContactForce::archive(const Motion& motion, StateArchive& saved) {
+  archive_faces(saved);
+  surface_.archive(saved);
+  rules_.archive(saved);
+  glued_.archive(saved);
+  search_.archive(saved);
+  face_face_.archive(saved);
+  node_face_.archive(saved);
+  edges_.archive(saved);
+  planes_.archive(saved);
+  held_.archive(saved);
+  sums_.archive(saved);
+  saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
+    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work);
+  });
+  saved.fixed("contact/pairs/stored", std::span(stored_));
+  saved.numbers("contact/step_share", step_share_.share);
+  saved.numbers("contact/stored_at_start", stored_at_start_);
+  saved.numbers("contact/start_step", start_step_);
+  if (!saved.restores()) return;
+  has_begun_ = true;
+  rules_.activate(motion.time, times_.is_active(motion.time));
+  surface_.move_nodes(motion);
+  surface_.bound_all();
+  surface_.watch(faces_with_candidates());
+}
+
+}  // namespace contactsim
