@@ -5,6 +5,8 @@
 
 #include <iterator>
 
+#include "core/state_motion.hpp"
+
 namespace contactsim {
 
 std::vector<std::string> ContactDebugFiles::paths() const {
@@ -25,9 +27,7 @@ std::string format_places_csv(ContactForce& force, const ContactModel& contact, 
                               const State& state) {
   std::vector<ContactRecord> places;
   std::vector<TieForces> ties;
-  Motion motion{state.time, state.dt, state.coordinates, state.velocity};
-  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-  force.find_places(motion, places, ties);
+  force.find_places(motion_of(state), places, ties);
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(

@@ -8,6 +8,7 @@
 #include "app/contact_report.hpp"
 #include "app/pair_report.hpp"
 #include "contact/surface_drawing.hpp"
+#include "core/state_motion.hpp"
 #include "io/surface_writer.hpp"
 #include "io/write_text.hpp"
 
@@ -56,9 +57,7 @@ std::vector<SurfaceChange> RunContact::bury(const State& state, std::span<const 
     make_lofts(input_.definition, input_.region, mesh_, contact_, told);
   }
   free_nodes_->add(dead, alive);
-  Motion motion{state.time, state.dt, state.coordinates, state.velocity};
-  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-  force_.take_surfaces(motion, free_nodes_->nodes(), makes_new_edges_);
+  force_.take_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
   output_.renew();
   return changes;
 }

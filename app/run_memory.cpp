@@ -5,6 +5,7 @@
 
 #include "core/digest.hpp"
 #include "core/mesh/mesh_digest.hpp"
+#include "core/state_motion.hpp"
 
 namespace contactsim {
 
@@ -23,9 +24,7 @@ void archive(const RunMemory& memory, StateArchive& saved) {
   // Contact remembers the surfaces of the living.
   if (memory.death != nullptr && saved.restores()) memory.death->begin(state);
   if (memory.contact != nullptr) {
-    Motion motion{state.time, state.dt, state.coordinates, state.velocity};
-    if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-    memory.contact->force().archive(motion, saved);
+    memory.contact->force().archive(motion_of(state), saved);
   }
   memory.outputs.archive(saved);
 }

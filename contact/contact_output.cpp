@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/names.hpp"
+#include "core/state_motion.hpp"
 
 namespace contactsim {
 
@@ -122,9 +123,7 @@ void ContactOutput::look_at(const State& state) {
   if (state.step == step_) return;
   if (step_ < 0) begin();
   step_ = state.step;
-  Motion motion{state.time, state.dt, state.coordinates, state.velocity};
-  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-  force_.find_places(motion, places_, ties_);
+  force_.find_places(motion_of(state), places_, ties_);
   const auto friction = force_.node_friction();
   const auto& first_alike = force_.faces().first_alike;
   for (NodeContact& node : nodes_) {

@@ -79,12 +79,14 @@ std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangl
   return found;
 }
 
-std::optional<FacePoint> touch_by_ball(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point,
-                                       const FacePoint& flat, double radius) {
-  FacePoint found = flat;
+std::optional<FacePoint> project_ball(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& centre,
+                                      double radius) {
+  auto flat = project_onto_face(x, is_triangle, centre);
+  if (!flat || radius == 0.0) return flat;
+  FacePoint found = *flat;
   found.gap -= radius;
-  if (flat.edge < 0) return found;
-  if (flat.gap < 0.0) return std::nullopt;
+  if (flat->edge < 0) return found;
+  if (flat->gap < 0.0) return std::nullopt;
   static constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
   static constexpr std::array<std::array<double, 2>, 4> square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   const std::span<const std::array<double, 2>> corners =
@@ -94,8 +96,8 @@ std::optional<FacePoint> touch_by_ball(const FaceCorners& x, bool is_triangle, c
     const std::size_t next = (k + 1) % corners.size();
     const Eigen::Vector3d from = x.col(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d edge = x.col(static_cast<Eigen::Index>(next)) - from;
-    const double share = std::clamp(edge.dot(point - from) / edge.squaredNorm(), 0.0, 1.0);
-    const Eigen::Vector3d away = point - from - share * edge;
+    const double share = std::clamp(edge.dot(centre - from) / edge.squaredNorm(), 0.0, 1.0);
+    const Eigen::Vector3d away = centre - from - share * edge;
     const double distance = away.norm();
     if (!(distance < least) || distance == 0.0) continue;
     least = distance;

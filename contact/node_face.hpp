@@ -27,9 +27,9 @@ std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangl
                                            const Eigen::Vector3d& point);
 
 /// The same of a ball around a point: gap and normal are those of the nearest point of the face, which may be
-/// on an edge. Nothing when the point is behind a face that it is not over.
-///   flat  what project_onto_face() says of the point
-std::optional<FacePoint> touch_by_ball(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& point,
-                                       const FacePoint& flat, double radius);
+/// on an edge. Nothing when the point is behind a face that it is not over. Without a radius it is the point.
+///   radius  >= 0 [length]
+std::optional<FacePoint> project_ball(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& centre,
+                                      double radius);
 
 }  // namespace contactsim

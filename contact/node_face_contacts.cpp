@@ -157,9 +157,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && scene.glued.holds_node(row, hit.pair)) return;
   const MovingFace moving = scene.surface.face(face_index);
-  auto point = project_onto_face(moving.x, moving.is_triangle, x);
-  if (point && node.radius > 0.0f)
-    point = touch_by_ball(moving.x, moving.is_triangle, x, *point, node.radius);
+  const auto point = project_ball(moving.x, moving.is_triangle, x, node.radius);
   if (!point) return;
   hit.point = *point;
   hit.distance = std::abs(point->gap + node.radius) + point->beyond;

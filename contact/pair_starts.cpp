@@ -39,9 +39,7 @@ std::optional<double> gap_of_node(const MovingSurface& surface, const SurfacePai
                                   std::uint32_t face) {
   const MovingFace moving = surface.face(face);
   const SurfaceNode& node = surface.faces().surface_nodes[row];
-  auto point = project_onto_face(moving.x, moving.is_triangle, surface.x(node.node));
-  if (point && node.radius > 0.0f)
-    point = touch_by_ball(moving.x, moving.is_triangle, surface.x(node.node), *point, node.radius);
+  const auto point = project_ball(moving.x, moving.is_triangle, surface.x(node.node), node.radius);
   const double depth = make_pair_penalty(node.backing, &surface.faces().faces[face].backing, pair).depth;
   if (!point || point->edge >= 0 || -point->gap > depth) return std::nullopt;
   return point->gap;

@@ -9,6 +9,7 @@
 #include "core/errors.hpp"
 #include "core/node_work.hpp"
 #include "core/rigid/rigid_motion.hpp"
+#include "core/state_motion.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -73,12 +74,6 @@ void move(State& state) {
   move(state.dt, state.acceleration, state.velocity, state.coordinates);
   NodalRotations& rotations = state.rotations;
   if (rotations.exist()) move(state.dt, rotations.acceleration, rotations.velocity, rotations.angle);
-}
-
-Motion motion_of(const State& state, double dt) {
-  Motion motion{state.time, dt, state.coordinates, state.velocity};
-  if (state.rotations.exist()) motion.angular_velocity = &state.rotations.velocity;
-  return motion;
 }
 
 /// A moment between steps as the conditions of rotations see it.
