@@ -51,7 +51,7 @@ class ContactForce final : public ForceTerm {
   /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
   /// is gone is over; the energy that it stored is lost.
-  ///   motion      of the last step
+  ///   motion           of the last step
   ///   free_nodes       ascending, that stay though their elements are dead
   ///   makes_new_edges  whether sharp edges that were none before become edges of contact
   void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes, bool makes_new_edges = true);

@@ -50,14 +50,10 @@ void ContactForce::renumber(const ContactRenumbering& places) {
 
 void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes,
                                  bool makes_new_edges) {
-  const Mesh& mesh = *setup_.model.mesh;
   const ContactFaces before = std::exchange(faces_, make_faces(free_nodes));
   if (!makes_new_edges) take_off_new_edges(before, faces_);
   add_backing(setup_.model, faces_);
-  MovingSurface start(faces_);
-  const Eigen::Matrix3Xd& any_velocity = mesh.coordinates();
-  start.move_nodes({0.0, 0.0, mesh.coordinates(), any_velocity});
-  limit_stiffness(start, start_step_, faces_);
+  limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh), start_step_, faces_);
   const ContactRenumbering places = contactsim::renumber(before, faces_);
   std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
                               std::span(faces_.mesh_nodes).first(faces_.n_mesh_points()),

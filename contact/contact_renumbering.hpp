@@ -11,9 +11,8 @@ namespace contactsim {
 
 /// Where contact faces, surface nodes and contact nodes are after surfaces have changed, by where they were.
 /// A face is the same when its element's side and its surface are, a surface node when its node and surface
-/// are. An
-/// edge is the same when its nodes are and what it is of. Faces that are still there keep their order; nodes
-/// and rows do too, but for those of lofts.
+/// are, an edge when its nodes are and what it is of. Faces that are still there keep their order; nodes and
+/// rows do too, but for those of lofts.
 struct ContactRenumbering {
   static constexpr std::uint32_t gone = UINT32_MAX;
 

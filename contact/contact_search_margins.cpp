@@ -10,9 +10,7 @@ void ContactSearch::set_margins() {
   const ContactFaces& faces = faces_;
   node_margin_.assign(faces.n_nodes(), std::numeric_limits<float>::infinity());
   face_margin_.clear();
-  MovingSurface start(faces_);
-  const Eigen::Matrix3Xd& any_velocity = mesh_.coordinates();
-  start.move_nodes({0.0, 0.0, mesh_.coordinates(), any_velocity});
+  const MovingSurface start = surface_of_mesh(faces_, mesh_);
   face_margin_.reserve(faces_.faces.size());
   for (const ContactFace& face : faces_.faces) {
     face_margin_.push_back(static_cast<float>(length_scaling_ * std::sqrt(start.area(face).norm())));

@@ -130,4 +130,11 @@ double MovingSurface::area_against(const SurfaceNode& node, const Eigen::Vector3
   return has_faces ? std::max(area, least_share * node.area) : node.area;
 }
 
+MovingSurface surface_of_mesh(const ContactFaces& faces, const Mesh& mesh) {
+  MovingSurface surface(faces);
+  const Eigen::Matrix3Xd& any_velocity = mesh.coordinates();
+  surface.move_nodes({0.0, 0.0, mesh.coordinates(), any_velocity});
+  return surface;
+}
+
 }  // namespace contactsim

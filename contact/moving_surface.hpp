@@ -83,4 +83,7 @@ class MovingSurface {
   std::vector<FaceBound> bounds_;               // [n_faces]
 };
 
+/// The contact nodes where the mesh has them; velocities mean nothing. Both must outlive it.
+MovingSurface surface_of_mesh(const ContactFaces& faces, const Mesh& mesh);
+
 }  // namespace contactsim

@@ -113,9 +113,7 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
     if (meets[i] == 0) angle[i] = infinite;
   }
   if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
-  MovingSurface start(faces);
-  const Eigen::Matrix3Xd at_rest = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
-  start.move_nodes({0.0, 0.0, mesh.coordinates(), at_rest});
+  const MovingSurface start = surface_of_mesh(faces, mesh);
   const std::vector<FaceEdge> edges = list_edges(faces.faces);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const FaceEdge &one = edges[i], &other = edges[i + 1];
