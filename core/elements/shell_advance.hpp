@@ -13,7 +13,18 @@ struct Resultants {
   std::array<Lanes, 3> membrane, curvature;
   std::array<Lanes, 2> shear;
   Lanes work;
+  Lanes stiffening = Lanes::Ones();  ///< largest of the layers, as Law::plane_stiffening
 };
+
+/// Makes a stress that of the thickness at rest.
+///   material  [n_state]
+template <class Law>
+void thin(const Law& law, std::span<const Lanes> material, PlaneLanes& stress) {
+  if constexpr (requires { law.plane_thinning(material); }) {
+    const Lanes thinning = law.plane_thinning(material);
+    for (Lanes& component : stress) component *= thinning;
+  }
+}
 
 /// Brings the layers to the end of the step.
 ///   rates   in the middle of the step [1/time], [1/(length time)]
@@ -38,10 +49,15 @@ Resultants update_layers(const Law& law, const ShellSettings& settings, const Sh
     step.strain[4] = dt * rates.shear[0];
     PlaneLanes before, stress;
     for (std::size_t i = 0; i < 5; ++i) stress[i] = before[i] = point[plane_places[i]];
-    law.update_plane(step, stress, point.subspan(6));
+    const std::span<Lanes> material = point.subspan(6);
+    thin(law, material, before);
+    law.update_plane(step, stress, material);
+    for (std::size_t i = 0; i < 5; ++i) point[plane_places[i]] = stress[i];
+    thin(law, material, stress);
+    if constexpr (requires { law.plane_stiffening(material); })
+      sums.stiffening = sums.stiffening.max(law.plane_stiffening(material));
     Lanes work = Lanes::Zero();
     for (std::size_t i = 0; i < 5; ++i) {
-      point[plane_places[i]] = stress[i];
       work += (i < 3 ? 0.5 : 0.5 * shear_correction) * step.strain[i] * (before[i] + stress[i]);
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -121,7 +137,7 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
   step.stress_work = sums.work * sizes.area;
 
   const shells::ShellModuli moduli(properties.law);
-  Lanes frequency_squared = shells::strain_frequency(motion, settings, moduli, sizes);
+  Lanes frequency_squared = sums.stiffening * shells::strain_frequency(motion, settings, moduli, sizes);
   typename Geometry::Rates resistance;
   step.hourglass_work = shells::resist_patterns<Geometry>(
       shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates,

@@ -21,6 +21,7 @@ import cases_death  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
+import cases_laws  # noqa: E402, F401
 import cases_lofted  # noqa: E402, F401
 import cases_restart  # noqa: E402, F401
 import cases_rigid  # noqa: E402, F401

@@ -198,6 +198,6 @@ TEST_CASE("death criteria that mean nothing are errors", "[core][death]") {
             .find("no element of the set has eqps") != std::string::npos);
   CHECK(DyingRun("block = soft\nmaterial criterion = on\n")
             .deck.messages()
-            .find("no material model of this version fails by itself") != std::string::npos);
+            .find("no element of the set has a material that fails by itself") != std::string::npos);
   CHECK(DyingRun("block = soft\n").deck.messages().find("has no criterion") != std::string::npos);
 }
