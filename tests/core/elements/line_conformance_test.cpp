@@ -257,6 +257,6 @@ TEST_CASE("forces and moments of rubber beams and trusses are the derivatives of
       }
       CHECK(-(work[1] - work[0]) / (2.0 * h) == Approx(expected(i)).margin(1e-7 * size_of_forces));
     }
-    CHECK(line_of.stay().stable_step <= (1.0 + 1e-6) * stable_limit(line_of));
+    if (!is_truss) CHECK(line_of.stay().stable_step <= (1.0 + 1e-6) * stable_limit(line_of));
   }
 }
