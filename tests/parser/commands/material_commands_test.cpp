@@ -124,7 +124,7 @@ TEST_CASE("an orthotropic model is bound with its coordinate system and turns", 
   CHECK(model.second_rotation.axis == 1);
   CHECK(model.second_rotation.angle == 5.0);
   CHECK(with("").messages == "");
-  CHECK_THAT(with("coordinate system = d\n").messages, Catch::Contains("there is no coordinate system 'd'"));
+  CHECK_THAT(with("coordinate system = d\n").messages, Catch::Contains("unknown coordinate system 'd'"));
   CHECK_THAT(with("bulk modulus = 1\n").messages, Catch::Contains("needs two elastic constants, found 1"));
 }
 
