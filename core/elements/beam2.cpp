@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/elements/elements.hpp"
+#include "core/elements/fibre_point.hpp"
 #include "core/elements/line_batches.hpp"
 
 namespace contactsim {

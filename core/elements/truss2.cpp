@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/elements.hpp"
+#include "core/elements/fibre_point.hpp"
 #include "core/elements/line_batches.hpp"
 
 namespace contactsim {

@@ -127,7 +127,8 @@ TEST_CASE("small strains of a sheet and a fibre meet the moduli of elasticity", 
   PlaneLanes expected = none, lanes;
   for (std::size_t i = 0; i < 5; ++i) lanes[i].setConstant(strain[i]);
   plane.add(lanes, expected);
-  for (std::size_t i = 0; i < 5; ++i) CHECK(sheet.stress[i](0) == Approx(expected[i](0)).epsilon(1e-4));
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK(sheet.stress[i](0) == Approx(expected[i](0)).margin(1e-4 * rubber.shear * 3e-6));
   FibrePoint fibre;
   CHECK(fibre.law.fibre_stiffening(fibre.state)(0) == Approx(1.0));
   fibre.move({2e-6, 1e-6, -3e-6});
