@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Matrix3d;
 
-constexpr std::size_t first_of_shear[3] = {0, 1, 0}, second_of_shear[3] = {1, 2, 2};
-
 /// Strain along i by stress along j.
 Matrix3d compliance_of(const OrthotropicModel& m) {
   return Matrix3d{{1.0 / m.e11, -m.nu12 / m.e11, -m.nu13 / m.e11},
@@ -46,9 +44,8 @@ void check_stability(const OrthotropicModel& m) {
       determinant));
 }
 
-/// The stiffness over strains whose off-diagonal components count sqrt(2) times, which keeps norms: shears
-/// have 2 G. The strains are those of `direct` alone; shears are apart.
-///   unit  the stiffness of the trace squared
+/// Takes as much lambda as all pairs of directions have, and for the rest twice the largest stiffness that
+/// any strain of its norm meets, shears with 2 G each. Of an isotropic material these are its own moduli.
 ElasticModuli bounds_of(const Matrix3d& direct, const std::array<double, 3>& shear) {
   const double lambda = std::max(0.0, std::min({direct(0, 1), direct(1, 2), direct(0, 2)}));
   const Matrix3d rest = direct - Matrix3d::Constant(lambda);
