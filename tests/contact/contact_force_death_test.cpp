@@ -84,8 +84,10 @@ TEST_CASE("friction goes on without a jump when a far element dies", "[contact][
   CHECK(dying->force_on(1).x() < 0.0);
 }
 
-TEST_CASE("contact passes to what a death exposes", "[contact][death]") {
-  DyingBodies bodies("");
+TEST_CASE("contact passes to what a death exposes, also where first partners are kept", "[contact][death]") {
+  DyingBodies bodies(
+      GENERATE(as<std::string>{}, "", "interaction behavior = infinitesimal_sliding\n",
+               "interaction behavior = infinitesimal_sliding\nconstraint formulation = node_face\n"));
   bodies.ask();
   bodies.dt = 0.1;
   bodies.ask();
