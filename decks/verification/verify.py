@@ -22,6 +22,7 @@ import cases_figures  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
+import cases_interaction  # noqa: E402, F401
 import cases_lofted  # noqa: E402, F401
 import cases_restart  # noqa: E402, F401
 import cases_rigid  # noqa: E402, F401
