@@ -5,7 +5,7 @@
 # is one of the displacement; to the stick before slip, or to a step's motion, where it limits or fails.
 #
 # {ifndef(models)}
-# {models = ""} {law = "frictionless"} {functions = ""} {form = "face_face"} {away = "0 0 1 1e-2"} {along = "0 0 1 1e-2"}
+# {models = ""} {law = "frictionless"} {functions = ""} {form = "face_face"} {away = "0 0"} {along = "0 0"}
 # {has_far = 0} {stiffness = 1e6} {half = 0.1} {end_time = 0.2} {frame = 1e-9}
 # {endif}
 begin sierra interaction
