@@ -9,11 +9,13 @@
 
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
+#include "support/file_modes.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/mesh_builder.hpp"
 #include "support/program_run.hpp"
 
 using Catch::Matchers::Contains;
+using contactsim::test::make_programs_obey_modes;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 
@@ -255,6 +257,27 @@ TEST_CASE("MONITOR = RESTART has a line for every stored state", "[app][restart]
   const std::string text = bar.read("b.csv");
   CHECK(n_states > 2);
   CHECK(std::ranges::count(text, '\n') == n_states + 1);  // and the names
+}
+
+TEST_CASE("a folder that may not be written to ends with code 3 and the name of the file", "[app][restart]") {
+  if (!make_programs_obey_modes()) return WARN("root may write everywhere here");
+  namespace fs = std::filesystem;
+  const FlyingBar bar;
+  fs::create_directory(bar.path("closed"));
+  fs::permissions(bar.path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  const auto check = [&](const std::string& file, const contactsim::test::ProgramOutput& output) {
+    CHECK(output.exit_code == 3);
+    CHECK_THAT(output.err, Contains("closed/" + file));
+  };
+  check("b.rsout.1", bar.run_deck(restart(every_ten + "database name = closed/b.rsout\n")));
+  CHECK(bar.read("a.csv").size() > 100);
+  const std::string to_csv = "begin heartbeat output\nstream name = closed/b.csv\nglobal timestep\nend\n";
+  check("b.csv", bar.run_deck(to_csv));
+  const std::string to_results =
+      "begin results output\ndatabase name = closed/b.e\nnodal variables = velocity\nend\n";
+  check("b.e", bar.run_deck(to_results));
+  check("b.log", bar.run({"a.i", "--log", "closed/b.log"}));
+  CHECK(fs::is_empty(bar.path("closed")));
 }
 
 TEST_CASE("a folder in the place of the log or of results ends with code 3 and its name", "[app][restart]") {
