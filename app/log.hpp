@@ -13,20 +13,28 @@ namespace contactsim {
 /// and to the log file.
 class Log {
  public:
-  /// Throws FileError when the file cannot be written.
+  /// Touches nothing that the file holds. Throws FileError when it cannot be written.
   explicit Log(const std::string& path);
 
+  /// Until then what goes to the file is held. A file that is there is written over, or kept for a run that
+  /// goes on: then what is new follows it. Throws FileError.
+  void begin(bool keeps_earlier);
   void write(std::string_view text);
   /// Problems, sorted and grouped; as pictures when standard error is a terminal.
   void write(const Diagnostics& diagnostics);
   /// One line, without its end, that says why the run stops.
   void write_error(std::string_view line);
-  /// Throws FileError when anything that was written did not arrive, as on a full disk.
+  /// Writes what is still held after what there is. Throws FileError when anything that was written did not
+  /// arrive, as on a full disk.
   void close();
 
  private:
+  void write_to_file(std::string_view text);
+
   std::string path_;
   std::ofstream file_;
+  std::string held_;
+  bool has_begun_ = false;
 };
 
 }  // namespace contactsim

@@ -44,7 +44,7 @@ void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t
   Diagnostics told;  // when the model was made
   ClaimRules rules(find_surface_requests(input_.definition, input_.region, mesh_, told), mesh_,
                    input_.region.contact->subdomain);
-  living_.emplace(std::move(rules), faces, std::span<const std::uint8_t>{}, contact_.surfaces);
+  living_.emplace(std::move(rules), faces, std::span<const std::uint8_t>{}, contact_.surfaces, erodes);
   free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
 }
 

@@ -34,7 +34,7 @@ class RunContact {
   ///   alive  [n_elements] 0 of all dead elements
   std::vector<SurfaceChange> bury(const State& state, std::span<const ElementIndex> dead,
                                   std::span<const std::uint8_t> alive);
-  std::size_t n_free_nodes() const { return free_nodes_ ? free_nodes_->nodes().size() : 0; }
+  std::size_t n_free_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
 
   /// Adds the contact variables and a side set contact_<surface> per surface.
   void add_to(OutputSettings& settings);

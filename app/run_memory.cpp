@@ -21,6 +21,7 @@ void archive(const RunMemory& memory, StateArchive& saved) {
   saved.expect("run/has_deaths", memory.death != nullptr ? 1 : 0, "element death");
   saved.expect("run/has_contact", memory.contact != nullptr ? 1 : 0, "contact");
   archive(state, saved);
+  if (saved.restores()) state.time = memory.shifted_to.value_or(state.time);
   // Contact remembers the surfaces of the living.
   if (memory.death != nullptr && saved.restores()) memory.death->begin(state);
   if (memory.contact != nullptr) {

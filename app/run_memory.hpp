@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "app/run_death.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
@@ -16,6 +18,7 @@ struct RunMemory {
   RunContact* contact;  ///< null without contact
   RunDeath* death;      ///< null when nothing can die
   Outputs& outputs;
+  std::optional<double> shifted_to;  ///< the time that a restored state begins at, if not its own [time]
 };
 
 /// Saves it, or restores it in a run of the same mesh, materials and contact. Throws FileError when the saved

@@ -20,12 +20,6 @@ OutputSchedule wall_schedule(const std::vector<WallTimePhase>& phases) {
   return schedule;
 }
 
-void refuse_shift(const RestartData& restart, Diagnostics& diagnostics) {
-  if (!restart.shifts_to_start_time) return;
-  diagnostics.add_error(restart.name.location, "SHIFT TO START TIME is not supported in a run yet",
-                        "without it a run goes on at the time of the stored state");
-}
-
 }  // namespace
 
 RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
@@ -41,7 +35,6 @@ RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
   const RestartData& restart = blocks.front();
   for (std::size_t i = 1; i < blocks.size(); ++i)
     diagnostics.add_error(blocks[i].name.location, "a region has one BEGIN RESTART DATA");
-  refuse_shift(restart, diagnostics);
   const auto path = [&](const std::optional<DeckName>& own) {
     const std::optional<DeckName>& name = own ? own : restart.database;
     return expand_file_name(input.definition, name ? name->text : "%B.rsout");
@@ -50,6 +43,7 @@ RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
   output_ = path(restart.output_database);
   is_optional_ = restart.is_optional;
   overwrites_ = restart.overwrites;
+  shifts_ = restart.shifts_to_start_time;
   goes_on_ = goes_on_ || restart.is_automatic || restart.restart_time;
   if (restart.restart_time) time_ = restart.restart_time;
   slots_ = RestartSlots(restart.overlay_count.value_or(0),
@@ -94,8 +88,8 @@ void RunRestart::find_state(const std::vector<std::string>& outputs, Log& log, D
     begun_ = state.head.begun;
     run_ = state.head.run + 1;
     choose_run(outputs);
-    log.write(fmt::format("\nRestart from {}: step {}, time {:.6g}\n", state.path, state.head.step,
-                          state.head.time));
+    log.write(fmt::format("\nRestart from {}: step {}, time {:.6g}{}\n", state.path, state.head.step,
+                          state.head.time, shifts_ ? ", moved to the start time" : ""));
     return;
   }
   if (!states.empty()) throw FileError(input_, "none of the restart files of this name can be used");
@@ -134,15 +128,16 @@ bool RunRestart::is_due(const State& state, bool is_last) {
   return wall_times_->is_due({state.step, clock_seconds() - clock_begun_, false}) || by_time;
 }
 
-void RunRestart::store(const RunMemory& memory, bool is_last, bool is_wanted) {
+bool RunRestart::store(const RunMemory& memory, bool is_last, bool is_wanted) {
   const State& state = memory.state;
-  if (!times_ || (!is_due(state, is_last) && !is_wanted) || last_step_ == state.step) return;
+  if (!times_ || (!is_due(state, is_last) && !is_wanted) || last_step_ == state.step) return false;
   last_path_ = restart_path(output_, run_, slots_.take());
   StateArchive saved;
   archive(memory, saved);
   write_restart_file(last_path_, {begun_, run_, state.step, state.time}, saved.take());
   last_step_ = state.step;
   ++n_written_;
+  return true;
 }
 
 std::string RunRestart::report() const {

@@ -30,6 +30,8 @@ class RunRestart {
   void find_state(const std::vector<std::string>& outputs, Log& log, Diagnostics& warnings);
   /// The state to go on from; null when the run begins at its start.
   const SavedState* earlier() const { return earlier_ ? &*earlier_ : nullptr; }
+  /// Whether its time becomes the start time of the run: SHIFT TO START TIME.
+  bool shifts() const { return shifts_; }
   /// It has been restored.
   void forget_earlier() { earlier_.reset(); }
   /// What files of this run have at the end of their names.
@@ -39,9 +41,10 @@ class RunRestart {
   std::optional<StepTarget> step_target() const;
   /// The run begins with a state that needs no file.
   void begin(const State& state);
-  /// Writes a state when it is due, or wanted, and was not written yet. Throws FileError.
+  /// Writes a state when it is due, or wanted, and was not written yet. Returns whether it did. Throws
+  /// FileError.
   ///   is_last  the run ends with it
-  void store(const RunMemory& memory, bool is_last, bool is_wanted);
+  bool store(const RunMemory& memory, bool is_last, bool is_wanted);
   bool stores() const { return times_.has_value(); }
   /// What was written, for the log; "" when there was nothing to write.
   std::string report() const;
@@ -56,6 +59,7 @@ class RunRestart {
   std::optional<double> time_;                     // of the state to go on from [time]
   bool goes_on_ = false;                           // if there is a state
   bool is_optional_ = false;                       // that there is one
+  bool shifts_ = false;                            // SHIFT TO START TIME
   bool overwrites_ = true;                         // states of other runs from the start
   std::optional<OutputTimes> times_, wall_times_;  // absent: nothing is stored
   double clock_begun_ = 0.0;                       // [s]

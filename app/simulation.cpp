@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/counted.hpp"
 #include "app/file_clashes.hpp"
 #include "app/overlap_stage.hpp"
@@ -85,6 +87,20 @@ ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& 
   return chosen != nullptr ? ChosenRegion{*of, *chosen} : ChosenRegion{};
 }
 
+/// Whether a run may go on from where an earlier one was.
+bool asks_to_go_on(const SimulationDefinition& definition) {
+  if (definition.restart.is_automatic || definition.restart.time) return true;
+  for (const Procedure& procedure : definition.procedures) {
+    for (const Region& region : procedure.regions) {
+      if (std::ranges::any_of(region.restart_data, [](const RestartData& restart) {
+            return restart.is_automatic || restart.restart_time;
+          }))
+        return true;
+    }
+  }
+  return false;
+}
+
 /// A deck with errors goes no further, but wrong names of surfaces are found all the same.
 void add_name_errors(const Options& options, const SimulationDefinition& definition, Diagnostics& errors) {
   Diagnostics unheard;
@@ -103,6 +119,7 @@ void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
 
 ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
   const SimulationDefinition definition = parse_deck(options.deck, parse_options(options), warnings);
+  log.begin(asks_to_go_on(definition));
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
     throw DeckError(warnings);

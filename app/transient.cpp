@@ -93,7 +93,11 @@ class Run {
   ForceTerms terms() {
     return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
   }
-  RunMemory memory() { return {model_, state_, contact_, death_, outputs_}; }
+  RunMemory memory() {
+    const bool shifts = restart_.shifts();
+    return {model_, state_,   contact_,
+            death_, outputs_, shifts ? std::optional(control_.start_time()) : std::nullopt};
+  }
   bool is_over() const { return end_ || stopped_by_ || control_.is_over(state_.time, state_.dt); }
 
   void begin() {
@@ -140,7 +144,8 @@ class Run {
 
   void store(bool is_last) {
     const double begun = clock_seconds();
-    restart_.store(memory(), is_last, stopped_by_.has_value() || signals_.take_restart_wish());
+    if (restart_.store(memory(), is_last, stopped_by_.has_value() || signals_.take_restart_wish()))
+      outputs_.write_at_restart(state_);
     restart_seconds_ += clock_seconds() - begun;
   }
 

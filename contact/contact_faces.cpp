@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "contact/loft_faces.hpp"
 #include "contact/sort_once.hpp"
@@ -75,6 +76,19 @@ void add_shares(std::span<const ElementSide> sides, const Mesh& mesh, const IsWa
   }
 }
 
+/// Adds an element to the nodes of a set that have no outside face: those of lines, particles and inside of
+/// solids. What they stand for is left to add_backing().
+///   is_in  [n_nodes] 1 of such nodes
+void add_elements(const Mesh& mesh, std::span<const std::uint8_t> is_in, SharesByNode& by_node) {
+  for (std::uint32_t i = mesh.n_elements(); i-- > 0;) {
+    for (const NodeIndex node : mesh.element_nodes({i})) {
+      if (is_in[node.value] == 0) continue;
+      by_node[node].side = ElementSide({i}, 1);
+      by_node[node].backing.thickness = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+}
+
 /// The same of the nodes of a set: by the faces of the mesh's outside whose corners are all in the set; a
 /// node that has no such face by all outside faces that it has.
 void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh, SharesByNode& by_node) {
@@ -92,6 +106,8 @@ void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh, Share
   for (const NodeIndex node : nodes) is_in[node.value] = by_node[node].area > 0.0 ? 0 : 1;
   add_shares(
       skin.exterior, mesh, [&](NodeIndex node) { return is_in[node.value] != 0; }, by_node);
+  for (const NodeIndex node : nodes) is_in[node.value] = by_node[node].area > 0.0 ? 0 : 1;
+  add_elements(mesh, is_in, by_node);
 }
 
 std::vector<NodeIndex> corner_nodes(std::span<const ElementSide> sides, const Mesh& mesh) {
@@ -130,17 +146,21 @@ void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh
   }
   for (const NodeIndex node : nodes) {
     SurfaceNode own = by_node[node];
-    if (!(own.area > 0.0)) continue;
+    if (own.area > 0.0) {
+      own.backing.thickness /= own.area;
+    } else if (!std::isnan(own.backing.thickness)) {
+      continue;  // of no element
+    }
     own.node = made.find_node(node);
     own.surface = position;
-    own.backing.thickness /= own.area;
     made.surface_nodes.push_back(own);
   }
 }
 
 /// Free nodes of a surface, among its nodes.
-void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position, const Mesh& mesh,
-                    ContactFaces& made) {
+///   is_of_nodes  whether it is a surface of nodes, which stand for their masses
+void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position, bool is_of_nodes,
+                    const Mesh& mesh, ContactFaces& made) {
   const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
   for (const FreeNode& free : free_nodes) {
     if (free.surface != position) continue;
@@ -148,10 +168,14 @@ void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position
     own.node = made.find_node(free.node);
     own.surface = position;
     own.side = free.side;
-    const auto corners = mesh.side_nodes(free.side);
-    own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
-    own.backing.thickness = thickness_behind(mesh, free.side);
     own.is_free = true;
+    if (is_of_nodes) {
+      own.backing.thickness = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      const auto corners = mesh.side_nodes(free.side);
+      own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
+      own.backing.thickness = thickness_behind(mesh, free.side);
+    }
     made.surface_nodes.push_back(own);
   }
   std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
@@ -165,7 +189,7 @@ class Materials {
   }
 
   void add(ElementSide side, Backing& backing) const {
-    const SolidBlock& block = *of_block_[model_.mesh->block_of(side.element())];
+    const SolidBlock& block = block_of(side);
     const SolidProperties& properties = block.properties;
     const bool is_shell = !block.thickness.empty();
     const double thickness = is_shell ? thickness_of(block, side.element()) : backing.thickness;
@@ -174,7 +198,17 @@ class Materials {
     backing.mass_per_area = (is_shell ? 1.0 : 0.5) * properties.density * thickness;
   }
 
+  /// A node without faces stands for a cube of its mass.
+  void add_cube(double mass, SurfaceNode& node) const {
+    const double width = std::cbrt(mass / block_of(node.side).properties.density);
+    node.area = width * width;
+    node.backing.thickness = width;
+  }
+
  private:
+  const SolidBlock& block_of(ElementSide side) const {
+    return *of_block_[model_.mesh->block_of(side.element())];
+  }
   static double thickness_of(const SolidBlock& block, ElementIndex element) {
     const std::size_t i = element.value - block.first_element.value;
     return block.thickness[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
@@ -217,7 +251,8 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     add_faces(surfaces[s], s, mesh, made);
     add_nodes(surfaces[s], s, mesh, by_node, made);
-    if (!free_nodes.empty()) add_free_nodes(free_nodes, s, mesh, made);
+    const bool is_of_nodes = surfaces[s].kind == SurfaceKind::node;
+    if (!free_nodes.empty()) add_free_nodes(free_nodes, s, is_of_nodes, mesh, made);
     add_lofts(contact, mesh, s, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
@@ -242,7 +277,10 @@ void add_backing(const Model& model, ContactFaces& faces) {
   }
   const Materials materials(model);
   for (ContactFace& face : faces.faces) materials.add(face.side, face.backing);
-  for (SurfaceNode& node : faces.surface_nodes) materials.add(node.side, node.backing);
+  for (SurfaceNode& node : faces.surface_nodes) {
+    if (std::isnan(node.backing.thickness)) materials.add_cube(faces.mass[node.node], node);
+    materials.add(node.side, node.backing);
+  }
   for (ContactEdge& edge : faces.edges) materials.add(edge.side, edge.backing);
 }
 

@@ -42,7 +42,8 @@ struct SurfaceNode {
   std::uint32_t surface = 0;
   ElementSide side;     ///< a face that has it; side 1 of a line or particle
   float radius = 0.0f;  ///< of the ball around a line's or particle's node [length]
-  double area = 0.0;    ///< its share of the surface at the start; of a ball its cross-section [length^2]
+  double area = 0.0;    ///< its share of the surface at the start; of a ball its cross-section; of a node
+                        ///< without faces 0, then by add_backing() that of a cube of its mass [length^2]
   Backing backing;
   bool is_free = false;  ///< all its elements are dead: it is a mass of its own that meets faces
 };

@@ -49,9 +49,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
       histories_(setup.contact.pairs.size()),
-      stored_(setup.contact.pairs.size(), 0.0) {
-  add_backing(setup.model, faces_);
-}
+      stored_(setup.contact.pairs.size(), 0.0) {}
 
 void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();

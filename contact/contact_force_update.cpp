@@ -34,6 +34,7 @@ ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) cons
   ContactFaces faces = make_contact_faces(setup_.contact, mesh, free_nodes);
   choose_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, mesh, faces);
   measure_sharpness(surface_of_mesh(faces, mesh), faces);
+  add_backing(setup_.model, faces);
   return faces;
 }
 
@@ -53,7 +54,6 @@ void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode>
                                  bool makes_new_edges) {
   const ContactFaces before = std::exchange(faces_, make_faces(free_nodes));
   if (!makes_new_edges) take_off_new_edges(before, faces_);
-  add_backing(setup_.model, faces_);
   limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh), start_step_, faces_);
   const ContactRenumbering places = contactsim::renumber(before, faces_);
   std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),

@@ -42,6 +42,10 @@ void widen(double margin, Box& box) {
   }
 }
 
+bool is_marked(const std::vector<std::uint8_t>& marks, std::uint32_t i) {
+  return !marks.empty() && marks[i] != 0;
+}
+
 bool holds(const PairLists& lists, std::uint32_t row, std::uint32_t partner) {
   const auto partners = lists.of(row);
   return std::binary_search(partners.begin(), partners.end(), partner);
@@ -237,7 +241,7 @@ bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) 
 }
 
 void ContactSearch::keep_first_partners(ContactCandidates candidates) {
-  const auto drop = [&](PairLists& lists, const PairLists& first, const auto& pair_of) {
+  const auto drop = [&](PairLists& lists, const PairLists& first, const auto& is_new, const auto& pair_of) {
     std::uint32_t n = 0;
     for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
       const std::uint32_t end = lists.begin[row + 1];
@@ -245,7 +249,9 @@ void ContactSearch::keep_first_partners(ContactCandidates candidates) {
         const std::uint32_t partner = lists.partners[k];
         const bool may_change =
             rules_[pair_of(row, partner)].pair->behavior != InteractionBehavior::infinitesimal_sliding;
-        if (may_change || holds(first, row, partner)) lists.partners[n++] = partner;
+        if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
+            holds(first, row, partner))
+          lists.partners[n++] = partner;
       }
       begin = end;
       lists.begin[row + 1] = n;
@@ -257,10 +263,10 @@ void ContactSearch::keep_first_partners(ContactCandidates candidates) {
     first_node_faces_ = candidates.node_faces;
     return;
   }
-  drop(candidates.face_partners, first_face_partners_, [&](std::uint32_t a, std::uint32_t b) {
+  drop(candidates.face_partners, first_face_partners_, is_new_face_, [&](std::uint32_t a, std::uint32_t b) {
     return rules_.find(faces_.faces[a].surface, faces_.faces[b].surface);
   });
-  drop(candidates.node_faces, first_node_faces_, [&](std::uint32_t row, std::uint32_t face) {
+  drop(candidates.node_faces, first_node_faces_, is_new_row_, [&](std::uint32_t row, std::uint32_t face) {
     return rules_.find(faces_.surface_nodes[row].surface, faces_.faces[face].surface);
   });
 }

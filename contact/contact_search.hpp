@@ -65,6 +65,7 @@ class ContactSearch {
   Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt) const;
   bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
+  /// Of what slides infinitesimally; what deaths have exposed slides as it will.
   void keep_first_partners(ContactCandidates candidates);
 
   const ContactFaces& faces_;
@@ -83,6 +84,8 @@ class ContactSearch {
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
   BroadPhase faces_phase_, nodes_phase_, edges_phase_;
   PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners
+  // [n_faces], [n_surface_nodes] 1 of what deaths have exposed since: it has no first partners. Empty before.
+  std::vector<std::uint8_t> is_new_face_, is_new_row_;
   std::uint64_t n_searches_ = 0;
 };
 

@@ -6,6 +6,22 @@
 
 namespace contactsim {
 
+namespace {
+
+/// Marks what was not there before besides what is marked already.
+///   places  [n before] of ContactRenumbering
+///   is_new  [n before], or empty when nothing was; gets [n_after]
+void mark_new(std::span<const std::uint32_t> places, std::size_t n_after, std::vector<std::uint8_t>& is_new) {
+  is_new.resize(places.size(), 0);
+  std::vector<std::uint8_t> marks(n_after, 1);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i] != ContactRenumbering::gone) marks[places[i]] = is_new[i];
+  }
+  is_new = std::move(marks);
+}
+
+}  // namespace
+
 void ContactSearch::set_margins() {
   const ContactFaces& faces = faces_;
   node_margin_.assign(faces.n_nodes(), std::numeric_limits<float>::infinity());
@@ -53,6 +69,9 @@ void ContactSearch::renumber(const ContactRenumbering& places) {
   first_face_partners_ =
       carried(first_face_partners_, places.faces, places.faces, places.n_faces_after, before);
   first_node_faces_ = carried(first_node_faces_, places.rows, places.faces, places.n_rows_after, before);
+  if (!has_small_sliding_) return;
+  mark_new(places.faces, places.n_faces_after, is_new_face_);
+  mark_new(places.rows, places.n_rows_after, is_new_row_);
 }
 
 }  // namespace contactsim

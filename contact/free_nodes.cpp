@@ -7,7 +7,13 @@
 
 namespace contactsim {
 
-void FreeNodes::add(NodeIndex node, std::vector<FreeNode>& found) const {
+std::size_t FreeNodes::n_nodes() const {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) n += i == 0 || nodes_[i - 1].node != nodes_[i].node ? 1 : 0;
+  return n;
+}
+
+void FreeNodes::add_of_faces(NodeIndex node, std::vector<FreeNode>& found) const {
   const Mesh& mesh = faces_.mesh();
   std::uint32_t best = Claim::nobody;
   ElementSide stands_for;
@@ -27,6 +33,15 @@ void FreeNodes::add(NodeIndex node, std::vector<FreeNode>& found) const {
   if (best != Claim::nobody) found.push_back({node, best, stands_for});
 }
 
+/// A node set of the mesh has its nodes still, dead elements or not.
+void FreeNodes::add_of_nodes(NodeIndex node, std::span<const std::uint8_t> alive,
+                             std::vector<FreeNode>& found) const {
+  const NodeElements& elements = faces_.elements();
+  if (rules_.of_node(node, elements, alive).owner != Claim::nobody) return;
+  const std::uint32_t owner = rules_.of_node(node, elements, all_alive_).owner;
+  if (owner != Claim::nobody) found.push_back({node, owner, ElementSide(elements.of(node).front(), 1)});
+}
+
 void FreeNodes::add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive) {
   std::vector<NodeIndex> nodes;
   for (const ElementIndex element : dead) {
@@ -39,7 +54,10 @@ void FreeNodes::add(std::span<const ElementIndex> dead, std::span<const std::uin
     const auto elements = faces_.elements().of(node);
     const auto is_gone = [&](ElementIndex element) { return alive[element.value] == 0; };
     const auto stays = [&](ElementIndex element) { return erodes_[element.value] == 0; };
-    if (std::ranges::all_of(elements, is_gone) && std::ranges::any_of(elements, stays)) add(node, found);
+    if (std::ranges::all_of(elements, is_gone) && std::ranges::any_of(elements, stays)) {
+      add_of_faces(node, found);
+      if (rules_.has_node_requests()) add_of_nodes(node, alive, found);
+    }
   }
   const auto n_before = static_cast<std::ptrdiff_t>(nodes_.size());
   nodes_.insert(nodes_.end(), found.begin(), found.end());

@@ -10,29 +10,32 @@
 
 namespace contactsim {
 
-/// The nodes of solids that stay in contact when all their elements are dead: NODAL EROSION = OFF. Which
-/// surface has such a node is told by the faces of its dead elements, as if they were outside.
+/// The nodes that stay in contact when all their elements are dead: NODAL EROSION = OFF. Which surface of
+/// faces has such a node of a solid is told by the faces of its dead elements, as if they were outside; which
+/// surface of nodes, by what its elements claimed alive.
 class FreeNodes {
  public:
   /// Both must outlive this.
   ///   erodes  [n_elements] 1 of elements whose nodes leave contact with them
   FreeNodes(const ClaimRules& rules, const FaceGroups& faces, std::vector<std::uint8_t> erodes)
-      : rules_(rules), faces_(faces), erodes_(std::move(erodes)) {}
+      : rules_(rules), faces_(faces), erodes_(std::move(erodes)), all_alive_(erodes_.size(), 1) {}
 
   /// Adds the nodes that deaths have set free.
   ///   dead   elements that have just died
   ///   alive  [n_elements] 0 of all dead elements
   void add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive);
 
-  /// Ascending.
+  /// Ascending; a node of two surfaces is there twice.
   std::span<const FreeNode> nodes() const { return nodes_; }
+  std::size_t n_nodes() const;
 
  private:
-  void add(NodeIndex node, std::vector<FreeNode>& found) const;
+  void add_of_faces(NodeIndex node, std::vector<FreeNode>& found) const;
+  void add_of_nodes(NodeIndex node, std::span<const std::uint8_t> alive, std::vector<FreeNode>& found) const;
 
   const ClaimRules& rules_;
   const FaceGroups& faces_;
-  std::vector<std::uint8_t> erodes_;
+  std::vector<std::uint8_t> erodes_, all_alive_;  // [n_elements]
   std::vector<FreeNode> nodes_;
 };
 

@@ -33,11 +33,12 @@ std::uint32_t size_of(const std::vector<T>& list) {
 }  // namespace
 
 LivingSurfaces::LivingSurfaces(ClaimRules rules, const FaceGroups& faces, std::span<const std::uint8_t> alive,
-                               const ContactSurfaces& surfaces)
+                               const ContactSurfaces& surfaces, std::vector<std::uint8_t> erodes)
     : rules_(std::move(rules)),
       faces_(faces),
       alive_(alive.begin(), alive.end()),
       present_(find_present(rules_.requests(), faces.mesh(), ContactDomain(faces.mesh(), {}, alive))),
+      erodes_(std::move(erodes)),
       dies_(faces.mesh().n_elements(), 0),
       edits_(surfaces.surfaces.size()) {
   alive_.resize(faces.mesh().n_elements(), 1);
@@ -124,6 +125,12 @@ void LivingSurfaces::bury_lofted(ElementIndex element) {
   for (std::size_t i = 0; i < claim.sides.size(); ++i) change_face(claim.sides[i], claim.of_sides[i], {});
 }
 
+bool LivingSurfaces::has_eroded(NodeIndex node) const {
+  return !erodes_.empty() && std::ranges::all_of(faces_.elements().of(node), [&](ElementIndex element) {
+    return alive_[element.value] == 0 && erodes_[element.value] != 0;
+  });
+}
+
 void LivingSurfaces::bury_nodes(std::span<const ElementIndex> dead,
                                 std::span<const std::uint8_t> alive_before) {
   std::vector<NodeIndex> nodes;
@@ -134,7 +141,7 @@ void LivingSurfaces::bury_nodes(std::span<const ElementIndex> dead,
   sort_once(nodes);
   for (const NodeIndex node : nodes) {
     const Claim before = rules_.of_node(node, faces_.elements(), alive_before);
-    const Claim after = rules_.of_node(node, faces_.elements(), alive_);
+    const Claim after = has_eroded(node) ? Claim{} : rules_.of_node(node, faces_.elements(), alive_);
     count(before, Kind::node, -1);
     count(after, Kind::node, 1);
     if (before.owner == after.owner) continue;

@@ -29,8 +29,10 @@ class LivingSurfaces {
   /// All that is referred to must outlive this.
   ///   rules     their requests made the surfaces
   ///   alive     [n_elements] 0 or 1, by which the surfaces were resolved
+  ///   erodes    [n_elements] 1 of elements whose nodes leave surfaces of nodes with the last of them; empty
+  ///             without such elements
   LivingSurfaces(ClaimRules rules, const FaceGroups& faces, std::span<const std::uint8_t> alive,
-                 const ContactSurfaces& surfaces);
+                 const ContactSurfaces& surfaces, std::vector<std::uint8_t> erodes = {});
 
   /// Takes deaths over into the surfaces. Returns [n_surfaces].
   ///   dead  elements that lived so far, ascending
@@ -51,6 +53,7 @@ class LivingSurfaces {
   void bury_sides(ElementIndex element);
   void bury_lofted(ElementIndex element);
   void bury_nodes(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive_before);
+  bool has_eroded(NodeIndex node) const;
   void change_face(ElementSide face, const Claim& before, const Claim& after);
   void count(const Claim& claim, Kind kind, int by);
   std::uint32_t count_in_between(std::span<const ElementSide> group, bool is_after) const;
@@ -62,7 +65,7 @@ class LivingSurfaces {
 
   ClaimRules rules_;
   const FaceGroups& faces_;
-  std::vector<std::uint8_t> alive_, present_;                           // [n_elements]
+  std::vector<std::uint8_t> alive_, present_, erodes_;                  // [n_elements]
   std::vector<std::uint8_t> dies_;                                      // [n_elements] now
   std::map<std::pair<std::uint32_t, std::uint32_t>, LostClaims> lost_;  // by loser and winner
   std::vector<Edit> edits_;                                             // [n_surfaces]

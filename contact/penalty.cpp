@@ -44,7 +44,7 @@ void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFa
       node.backing.stiffness = std::min(node.backing.stiffness, most_of_ball(node.node, node.area));
     for (const std::uint32_t face : faces.faces_of_node.of(node.node))
       node.backing.stiffness = std::min(node.backing.stiffness, most(node.node, normals[face]));
-    if (!node.is_free) continue;
+    if (!node.is_free && faces.faces_of_node.of(node.node).size() > 0) continue;
     const double bearable =
         4.0 * penalty_share * faces.mass[node.node] / (node.area * stable_step * stable_step);
     node.backing.stiffness = std::min(node.backing.stiffness, bearable);

@@ -82,6 +82,12 @@ class MeshMaker:
                             rows.append([point(grid[a], grid[b], depth[k + c]) for c in (0, 1) for a, b in ring])
         return self._add(name, "HEX8", rows)
 
+    def tetrahedra(self, name, origin, size):
+        """A brick of five TETRA4 cells."""
+        corners = [self.node(*(np.array(origin) + np.array(size) * ((i ^ i >> 1) & 1, i >> 1 & 1, i >> 2))) for i in range(8)]
+        rows = [(0, 1, 3, 4), (1, 2, 3, 6), (1, 4, 5, 6), (3, 4, 6, 7), (1, 3, 4, 6)]
+        return self._add(name, "TETRA4", [[corners[i] for i in row] for row in rows])
+
     def _add(self, name, kind, rows, attribute=None):
         """Cells of the last block's name and kind join it."""
         first = sum(len(rows) for _, _, rows, _ in self.blocks) + 1

@@ -216,6 +216,11 @@ bool Outputs::find_due(const RunMoment& now) {
   return is_any;
 }
 
+void Outputs::HeartbeatJob::write(const State& state, const OutputMoment& moment) {
+  writer->write(state.time, evaluate_all(values, moment));
+  last_step = state.step;
+}
+
 void Outputs::write(const State& state, bool is_last) {
   if (!std::exchange(is_open_, true)) open_files();
   const OutputMoment moment{model_, state};
@@ -227,7 +232,16 @@ void Outputs::write(const State& state, bool is_last) {
   }
   for (HeartbeatJob& job : heartbeats_) {
     if (!job.is_due) continue;
-    job.writer->write(state.time, evaluate_all(job.values, moment));
+    job.write(state, moment);
+  }
+}
+
+void Outputs::write_at_restart(const State& state) {
+  for (HeartbeatJob& job : heartbeats_) {
+    if (job.monitored != HeartbeatOutput::Monitored::restart || job.last_step == state.step) continue;
+    const OutputMoment moment{model_, state};
+    user_outputs_.compute(moment, true);
+    job.write(state, moment);
   }
 }
 

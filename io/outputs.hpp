@@ -50,6 +50,9 @@ class Outputs {
   /// Throws FileError.
   void write(const State& state, bool is_last);
 
+  /// Writes heartbeats that MONITOR = RESTART, once a restart file is there. Throws FileError.
+  void write_at_restart(const State& state);
+
   /// The times at which outputs with a TIMESTEP ADJUSTMENT INTERVAL want steps to end.
   std::vector<StepTarget> step_targets() const;
 
@@ -86,6 +89,9 @@ class Outputs {
     HeartbeatStyle style;
     std::optional<HeartbeatWriter> writer;
     bool is_due = false;
+    std::optional<std::int64_t> last_step = std::nullopt;  ///< that was written
+
+    void write(const State& state, const OutputMoment& moment);
   };
 
   void add_results(const ConditionScope& scope, const ResultsOutput& output, std::optional<std::string> path);

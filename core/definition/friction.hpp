@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -10,9 +9,15 @@
 #include <vector>
 
 #include "core/definition/condition_lines.hpp"
+#include "core/definition/friction_bonds.hpp"
 
-/// The friction models of a contact definition. In all of them a gap, and the force or traction that a
-/// function gives for it, are positive when the surfaces are apart and pull each other.
+/// The friction models of a contact definition: what two surfaces do to each other where they touch, and some
+/// also where they stand apart.
+///
+/// Words: the gap is the distance of the surfaces along the normal, > 0 apart; the slip is how far one has
+/// moved along the other, its rate how fast. A force or traction that a function gives for a gap pulls the
+/// surfaces together when it is positive. In compression every model pushes as FRICTIONLESS does; what it
+/// says of tension and of forces along the surface comes on top. "At the start" is the first step of the run.
 /// Source: Sierra/SM 5.22, 8.5; laws past Coulomb's as in ACME's documentation.
 namespace contactsim {
 
@@ -21,97 +26,57 @@ struct Frictionless {
   bool operator==(const Frictionless&) const = default;
 };
 
-/// CONSTANT FRICTION MODEL: the tangential force is at most coefficient * normal force (Coulomb).
+/// CONSTANT FRICTION MODEL: the surfaces stick until the tangential force would pass coefficient * normal
+/// force, then they slip under that force (Coulomb).
 struct ConstantFriction {
   double coefficient = 0.0;  ///< >= 0 [1]
   bool operator==(const ConstantFriction&) const = default;
 };
 
-/// TIED MODEL: what touches at the start does not move relative to each other.
+/// TIED MODEL: what touches at the start stays together, in tension and along the surface too.
 struct Tied {
   bool operator==(const Tied&) const = default;
 };
 
-/// GLUED MODEL: frictionless until touched, tied from then on.
+/// GLUED MODEL: frictionless until the surfaces touch, tied at that place from then on.
 struct Glued {
   bool operator==(const Glued&) const = default;
 };
 
-/// What a weld does once it fails: its force fades linearly, then another model takes over.
-struct WeldFailure {
-  std::int64_t decay_cycles = 1;         ///< steps over which the force at failure fades, >= 1
-  std::optional<DeckName> failed_model;  ///< absent: frictionless
-  bool operator==(const WeldFailure&) const = default;
-};
-
-/// SPRING WELD MODEL: forces from the normal and tangential displacement; fails when
-/// (u_n / u_n_max)^p + (u_t / u_t_max)^p >= 1, u_max the last abscissa of its function, p the exponent.
-struct SpringWeld {
-  ScaledFunction normal, tangential;  ///< displacement [length] to force [force]
-  double envelope_exponent = 2.0;     ///< > 0 [1]
-  WeldFailure failure;
-  bool operator==(const SpringWeld&) const = default;
-};
-
-/// SURFACE WELD MODEL (capacities are forces) and AREA WELD MODEL (tractions): tied until
-/// (N / normal)^2 + (T / tangential)^2 > 1, where N counts in tension only.
-struct SurfaceWeld {
-  bool is_per_area = false;                                               ///< AREA WELD MODEL
-  double normal_capacity = std::numeric_limits<double>::quiet_NaN();      ///< > 0 [force] or [force/length^2]
-  double tangential_capacity = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force] or [force/length^2]
-  WeldFailure failure;
-  bool operator==(const SurfaceWeld&) const = default;
-};
-
-/// ADHESION MODEL: frictionless in compression; apart, the traction is f(gap) up to f's last abscissa.
+/// ADHESION MODEL: surfaces that are apart by less than the last abscissa of a function pull each other with
+/// the traction that it gives for the gap, whether they ever touched or not. There is no friction.
 struct Adhesion {
   ScaledFunction adhesion;  ///< gap [length] to traction [force/length^2]
   bool operator==(const Adhesion&) const = default;
 };
 
-/// COHESIVE ZONE MODEL: with lambda = sqrt((u_n / g_n)^2 + (u_t / g_t)^2) and traction s(lambda), the normal
-/// traction is s / lambda * u_n / g_n, the tangential one s / lambda * g_n / g_t * u_t / g_t.
-struct CohesiveZone {
-  ScaledFunction traction;  ///< lambda [1] to traction [force/length^2]
-  double critical_normal_gap = std::numeric_limits<double>::quiet_NaN();      ///< g_n > 0 [length]
-  double critical_tangential_gap = std::numeric_limits<double>::quiet_NaN();  ///< g_t > 0 [length]
-  bool operator==(const CohesiveZone&) const = default;
-};
-
-/// JUNCTION MODEL: apart, the normal traction is f(gap); the tangential traction is at most g(slip rate), and
-/// zero when the gap reaches the cutoff.
+/// JUNCTION MODEL: surfaces that are apart pull each other with a traction that depends on the gap. Along the
+/// surface they stick until the traction would pass g(slip rate), then they slip under it; from the cutoff
+/// gap on nothing acts along the surface.
 struct Junction {
-  ScaledFunction normal;                    ///< gap [length] to traction [force/length^2]
-  ScaledFunction tangential;                ///< slip rate [length/time] to traction [force/length^2]
-  std::optional<double> tangential_cutoff;  ///< NORMAL CUTOFF DISTANCE FOR TANGENTIAL TRACTION >= 0 [length]
+  ScaledFunction normal;      ///< gap [length] to traction [force/length^2]
+  ScaledFunction tangential;  ///< slip rate [length/time] to traction [force/length^2]
+  /// NORMAL CUTOFF DISTANCE FOR TANGENTIAL TRACTION >= 0; absent: the last abscissa of `normal` [length]
+  std::optional<double> tangential_cutoff;
   bool operator==(const Junction&) const = default;
 };
 
-/// THREADED MODEL: springs in tension, and a failure envelope in the capacities.
-struct Threaded {
-  ScaledFunction normal;          ///< gap [length] to traction [force/length^2]
-  ScaledFunction tangential;      ///< slip [length] to traction [force/length^2]
-  ScaledFunction tangential_gap;  ///< gap [length] to the factor of the tangential traction [1]; absent: 1
-  double normal_capacity = std::numeric_limits<double>::quiet_NaN();      ///< > 0 [force/length^2]
-  double tangential_capacity = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
-  double envelope_exponent = 2.0;                                         ///< > 0 [1]
-  WeldFailure failure;
-  bool operator==(const Threaded&) const = default;
-};
-
-/// PV_DEPENDENT MODEL: mu(v) = mu_d + (mu_s - mu_d) exp(-decay * v) at the slip rate v; the tangential
-/// traction is at most mu(v) * ((p + offset) / reference)^exponent at the pressure p.
+/// PV_DEPENDENT MODEL: friction by pressure p and slip rate v. The tangential traction is at most
+/// mu(v) * ((p + offset) / reference)^exponent, mu(v) = mu_d + (mu_s - mu_d) exp(-decay * v): the
+/// coefficients are the tractions at p + offset = reference. Coulomb's law has reference 1, offset 0 and
+/// exponent 1.
 struct PressureVelocityFriction {
-  double static_coefficient = 0.0;                                       ///< mu_s >= 0 [1]
-  double dynamic_coefficient = 0.0;                                      ///< mu_d >= 0 [1]
-  double velocity_decay = 0.0;                                           ///< >= 0 [time/length]
+  double static_coefficient = 0.0;   ///< mu_s >= 0, at rest [force/length^2]
+  double dynamic_coefficient = 0.0;  ///< mu_d >= 0, fast [force/length^2]
+  double velocity_decay = 0.0;       ///< >= 0 [time/length]
   double reference_pressure = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
   double offset_pressure = 0.0;                                          ///< >= 0 [force/length^2]
   double pressure_exponent = 1.0;                                        ///< [1]
   bool operator==(const PressureVelocityFriction&) const = default;
 };
 
-/// HYBRID MODEL: the model of a facet depends on whether it is close to the other side at the start.
+/// HYBRID MODEL: one model for the places that were within the CAPTURE TOLERANCE of the other side at the
+/// start, another one for the rest.
 struct HybridFriction {
   std::optional<DeckName> initially_close, initially_far;  ///< absent: frictionless
   bool operator==(const HybridFriction&) const = default;
@@ -124,7 +89,7 @@ struct PeriodModel {
   bool operator==(const PeriodModel&) const = default;
 };
 
-/// TIME VARIANT MODEL: the model changes with the time stepping block.
+/// TIME VARIANT MODEL: another model in each time stepping block, the deck's PERIOD.
 struct TimeVariantFriction {
   std::vector<PeriodModel> models;  ///< frictionless in periods that none names
   bool operator==(const TimeVariantFriction&) const = default;
@@ -134,7 +99,7 @@ using FrictionLaw =
     std::variant<Frictionless, ConstantFriction, Tied, Glued, SpringWeld, SurfaceWeld, Adhesion, CohesiveZone,
                  Junction, Threaded, PressureVelocityFriction, HybridFriction, TimeVariantFriction>;
 
-/// BEGIN ... MODEL <name>. Interactions use it by name.
+/// BEGIN ... MODEL <name>: a law that interactions use by its name.
 struct FrictionModel {
   DeckName name;
   FrictionLaw law;

@@ -136,3 +136,26 @@ def overlap(bench):
             at_most("nodes moved aside", np.max(np.abs(moved[:, :2])), 1e-12),
             at_most("largest stress afterwards over E", np.max(np.abs(run.element("stress_zz", 1))) / 1e6, 1e-6),
             at_most("largest force", np.max(np.abs(run.nodal("force_contact"))), 1e-6)]
+
+
+def nodes_over_block(kind):
+    """Nodes of which none stands over an edge of the block's mesh."""
+    mesh = MeshMaker()
+    mesh.hexes("base", (0, 0, 0), (4, 4, 1), (4, 4, 1))
+    mesh.new_body()
+    if kind == "shells":
+        mesh.shells("top", (1.3, 1.3, 1.02), (0.9, 0.9), (2, 2), None)
+    elif kind == "beams":
+        mesh.lines("top", (1.3, 1.3, 1.02), (2.3, 1.7, 1.02), 3)
+    else:
+        mesh.particles("top", [(1.3, 1.3, 1.02), (1.7, 1.8, 1.02)])
+    return mesh
+
+
+@case()
+def node_set(bench):
+    checks, runs = [], []
+    for kind, section, tolerance in (("shells", "sheet", 0.15), ("beams", "rod", 0.02), ("particles", "ball", 0.02)):
+        runs.append(bench.run("node_set", nodes_over_block(kind), section=section, frame=2e-4))
+        checks.append(Check(f"{kind}: speed after [m/s]", 10, runs[-1]["speed"][-1], tolerance))
+    return checks + balances(runs, is_free=True)

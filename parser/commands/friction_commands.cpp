@@ -124,7 +124,7 @@ const Table<Junction>& junction_table() {
       scaled_function_rows("tangential traction", &J::tangential,
                            "of the slip rate [length/time]: the largest traction [force/length^2]"),
       {row("normal cutoff distance for tangential traction", read::non_negative, &J::tangential_cutoff,
-           "Gap from which on there is no tangential traction [length]", "no cutoff")},
+           "Gap from which on there is no tangential traction [length]", "where the normal function ends")},
   }));
   return table;
 }

@@ -23,7 +23,10 @@ std::vector<Row<PairSettings>> pair_rows() {
       row("friction model", read::name, &P::friction_model, "Friction model of the pair", "frictionless"),
       row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
       row("interaction behavior", behavior, &P::behavior,
-          "How the pair moves; NO_INTERACTION switches it off", "SLIDING"),
+          "How the pair moves: INFINITESIMAL_SLIDING keeps the partners of the start, but for what element "
+          "death "
+          "exposes; NO_INTERACTION switches it off",
+          "SLIDING"),
       row("normal tolerance", read::non_negative, &P::normal_tolerance,
           "Reach of the search off a face [length]", "automatic"),
       row("tangential tolerance", read::non_negative, &P::tangential_tolerance,

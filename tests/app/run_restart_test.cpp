@@ -2,16 +2,20 @@
 // Runs that store their state, go on from it, or are ended from outside.
 #include "app/run_restart.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <sstream>
 
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
+#include "support/file_modes.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/mesh_builder.hpp"
 #include "support/program_run.hpp"
 
 using Catch::Matchers::Contains;
+using contactsim::test::make_programs_obey_modes;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
 
@@ -150,8 +154,6 @@ TEST_CASE("restart commands that mean nothing are errors of the deck", "[app][re
   CHECK(none.exit_code == 2);
   CHECK_THAT(none.err, Contains("RESTART needs a BEGIN RESTART DATA in the region"));
   CHECK(bar.run_deck(restart("") + restart("")).exit_code == 2);
-  CHECK_THAT(bar.run_deck(restart("shift to start time\n")).err,
-             Contains("SHIFT TO START TIME is not supported"));
 }
 
 TEST_CASE("states are kept from a run from the start when the deck says OVERWRITE = OFF", "[app][restart]") {
@@ -206,4 +208,91 @@ TEST_CASE("a folder that cannot be written to and a mesh that is gone end with c
   const auto gone = bar.run_deck("");
   CHECK(gone.exit_code == 3);
   CHECK_THAT(gone.err, Contains("a.g"));
+}
+
+TEST_CASE("SHIFT TO START TIME begins the run at its start time with the stored motion", "[app][restart]") {
+  const FlyingBar bar;
+  REQUIRE(bar.run_deck(restart(every_ten), "", "1e-3").exit_code == 0);
+  const auto [code, out, err] =
+      bar.run_deck(restart(every_ten + "restart = automatic\nshift to start time\n"), "", "5e-4");
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("moved to the start time"));
+  const FlyingBar other;
+  REQUIRE(other.run_deck(restart(every_ten), "", "1.5e-3").exit_code == 0);
+  const auto last_row = [](const std::string& text) {
+    std::istringstream line(text.substr(text.rfind('\n', text.size() - 2) + 1));
+    std::vector<double> row;
+    for (std::string value; std::getline(line, value, ',');) row.push_back(std::stod(value));
+    return row;
+  };
+  const auto shifted = last_row(bar.read("a.csv-s0002")), straight = last_row(other.read("a.csv"));
+  REQUIRE(shifted.size() == straight.size());
+  CHECK(shifted[0] == Approx(straight[0] - 1e-3).epsilon(0.1));
+  // Between the two ends lie less than a step and its motion.
+  CHECK(shifted[1] == Approx(straight[1]).margin(1e-3));
+}
+
+TEST_CASE("a run that goes on adds to the log, another one replaces it", "[app][restart]") {
+  const FlyingBar bar;
+  REQUIRE(bar.run_deck(restart(every_ten), "", "1e-3").exit_code == 0);
+  const std::string first = bar.read("a.log");
+  REQUIRE(bar.run_deck(restart(every_ten + "restart = automatic\n")).exit_code == 0);
+  const std::string both = bar.read("a.log");
+  CHECK(both.substr(0, first.size()) == first);
+  CHECK_THAT(both.substr(first.size()), Contains("Restart from a.rsout."));
+  bar.write("a.i", "begin sierra\nrestart = automatic\nnonsense\nend\n");
+  CHECK(bar.run({"a.i"}).exit_code == 2);
+  CHECK_THAT(bar.read("a.log"), Contains("Restart from a.rsout.") && Contains("nonsense"));
+  REQUIRE(bar.run_deck(restart(every_ten), "", "1e-3").exit_code == 0);
+  CHECK_THAT(bar.read("a.log"), !Contains("Restart from"));
+}
+
+TEST_CASE("MONITOR = RESTART has a line for every stored state", "[app][restart]") {
+  const FlyingBar bar;
+  const std::string monitor =
+      "begin heartbeat output\nstream name = b.csv\nmonitor = restart\nglobal timestep as dt\nend\n";
+  REQUIRE(bar.run_deck(restart(every_ten) + monitor).exit_code == 0);
+  std::int64_t n_states = 0;
+  while (bar.has("a.rsout." + std::to_string(n_states + 1))) ++n_states;
+  const std::string text = bar.read("b.csv");
+  CHECK(n_states > 2);
+  CHECK(std::ranges::count(text, '\n') == n_states + 1);  // and the names
+}
+
+TEST_CASE("a folder that may not be written to ends with code 3 and the name of the file", "[app][restart]") {
+  if (!make_programs_obey_modes()) {
+    WARN("root may write everywhere here");
+    return;
+  }
+  namespace fs = std::filesystem;
+  const FlyingBar bar;
+  fs::create_directory(bar.path("closed"));
+  fs::permissions(bar.path("closed"), fs::perms::owner_read | fs::perms::owner_exec);
+  const auto check = [&](const std::string& file, const contactsim::test::ProgramOutput& output) {
+    CHECK(output.exit_code == 3);
+    CHECK_THAT(output.err, Contains("closed/" + file));
+  };
+  check("b.rsout.1", bar.run_deck(restart(every_ten + "database name = closed/b.rsout\n")));
+  CHECK(bar.read("a.csv").size() > 100);
+  const std::string to_csv = "begin heartbeat output\nstream name = closed/b.csv\nglobal timestep\nend\n";
+  check("b.csv", bar.run_deck(to_csv));
+  const std::string to_results =
+      "begin results output\ndatabase name = closed/b.e\nnodal variables = velocity\nend\n";
+  check("b.e", bar.run_deck(to_results));
+  check("b.log", bar.run({"a.i", "--log", "closed/b.log"}));
+  CHECK(fs::is_empty(bar.path("closed")));
+}
+
+TEST_CASE("a folder in the place of a file, or a full disk, ends with code 3 and the file's name",
+          "[app][restart]") {
+  const FlyingBar bar;
+  const std::string name = GENERATE(as<std::string>{}, "a.log", "a.csv");
+  if (GENERATE(true, false)) {
+    std::filesystem::create_directory(bar.path(name));
+  } else {
+    std::filesystem::create_symlink("/dev/full", bar.path(name));
+  }
+  const auto [code, out, err] = bar.run_deck("");
+  CHECK(code == 3);
+  CHECK_THAT(err, Contains(name));
 }

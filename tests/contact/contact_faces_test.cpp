@@ -89,14 +89,24 @@ TEST_CASE("a node knows the faces that have it", "[contact][contact_faces]") {
   CHECK(!faces.share_node(faces.faces[0], faces.faces[9]));
 }
 
-TEST_CASE("nodes of a set that no outside face has are left out", "[contact][contact_faces]") {
+TEST_CASE("nodes of a set that no outside face has stand for a cube of their mass",
+          "[contact][contact_faces]") {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 2, 2}, .size = {2, 2, 2}});
   b.add_node_set(1, "all", [](const Eigen::Vector3d&) { return true; });
   b.add_hexes({.id = 2, .origin = {5, 0, 0}});
-  const ContactParts parts(
-      b, general_contact("", "contact node set n contains all\ncontact surface s contains block_2\n"));
-  CHECK(parts.faces.first_node[1] - parts.faces.first_node[0] == 26);  // of 27
+  b.add_spheres(3, "", {{9, 0, 0}});
+  b.set_attributes(3, {"radius"}, {0.25});
+  const ContactBodies bodies(
+      b,
+      general_contact("", "contact node set n contains all block_3\ncontact surface s contains block_2\n"));
+  const ContactFaces& faces = bodies.contact.faces();
+  CHECK(faces.first_node[1] - faces.first_node[0] == 28);
+  const auto area_of = [&](std::size_t row) { return faces.surface_nodes[row].area; };
+  const double volume = faces.mass[faces.surface_nodes[13].node];  // the density is 1
+  CHECK(area_of(13) == Approx(std::pow(volume, 2.0 / 3.0)));
+  CHECK(area_of(12) == Approx(1.0));
+  CHECK(area_of(27) == Approx(std::pow(faces.mass[faces.surface_nodes[27].node], 2.0 / 3.0)));
 }
 
 TEST_CASE("what stands behind faces is as stiff and as heavy as its material", "[contact][contact_faces]") {

@@ -30,11 +30,14 @@ const std::string surfaces =
 /// The bodies, and surfaces that follow deaths.
 struct DyingBodies : ContactBodies {
   explicit DyingBodies(const std::string& more, bool erodes = false)
-      : ContactBodies(cube_on_plate(), general_contact(more, surfaces)),
+      : DyingBodies(cube_on_plate(), general_contact(more, surfaces), erodes) {}
+  DyingBodies(const MeshBuilder& builder, const std::string& contact_lines, bool erodes)
+      : ContactBodies(builder, contact_lines),
         alive(mesh.n_elements(), 1),
         elements(mesh),
         faces(mesh, elements),
-        living(make_rules(), faces, alive, definition.surfaces),
+        living(make_rules(), faces, alive, definition.surfaces,
+               std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)),
         free_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
 
   void kill(const std::vector<ElementIndex>& dead) {
@@ -84,8 +87,10 @@ TEST_CASE("friction goes on without a jump when a far element dies", "[contact][
   CHECK(dying->force_on(1).x() < 0.0);
 }
 
-TEST_CASE("contact passes to what a death exposes", "[contact][death]") {
-  DyingBodies bodies("");
+TEST_CASE("contact passes to what a death exposes, also where first partners are kept", "[contact][death]") {
+  DyingBodies bodies(
+      GENERATE(as<std::string>{}, "", "interaction behavior = infinitesimal_sliding\n",
+               "interaction behavior = infinitesimal_sliding\nconstraint formulation = node_face\n"));
   bodies.ask();
   bodies.dt = 0.1;
   bodies.ask();
@@ -140,4 +145,28 @@ TEST_CASE("a free node meets faces as a mass of its own", "[contact][death]") {
   for (int i = 0; i < 3; ++i) bodies.step(0.1);
   CHECK(bodies.forces(2, node) > 0.0);
   CHECK(bodies.net_force().norm() < 1e-12);
+}
+
+TEST_CASE("nodes of a surface of nodes stay as free masses when their block dies, or leave",
+          "[contact][death]") {
+  const bool erodes = GENERATE(false, true), is_of_block = GENERATE(true, false);
+  MeshBuilder set_of_cube = cube_on_plate();
+  const std::uint32_t first = 7 * 4 * 3;  // of the cube
+  set_of_cube.add_node_set(7, "", {{first}, {first + 1}, {first + 2}, {first + 3}});
+  DyingBodies bodies(set_of_cube,
+                     "contact surface plate contains block_1\n"
+                     "contact node set nodes contains " +
+                         std::string(is_of_block ? "block_2" : "nodelist_7") +
+                         "\nbegin interaction\nside a = plate\nside b = nodes\n"
+                         "constraint formulation = node_face\nend\n",
+                     erodes);
+  bodies.ask();
+  bodies.dt = 0.1;
+  bodies.ask();
+  CHECK(bodies.force_on(1).z() > 0.0);
+  bodies.kill({{36}});
+  bodies.step(0.1);
+  CHECK((bodies.force_on(1).z() > 0.0) == !erodes);
+  CHECK(bodies.net_force().norm() < 1e-12);
+  CHECK(bodies.n_free_rows() == (is_of_block && !erodes ? 8 : 0));
 }
