@@ -1,59 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/elements/shell_stiffness.hpp"
+#include "core/elements/membrane_tension.hpp"
+#include "core/elements/shell_drilling.hpp"
+#include "core/elements/shell_layers.hpp"
 
 /// A step of shells whose Geometry is as QuadShell.
 namespace contactsim {
 
 namespace shells {
 
-/// Sums of the layers' stresses, per area, and the work of the step on them.
-struct Resultants {
-  std::array<Lanes, 3> membrane, curvature;
-  std::array<Lanes, 2> shear;
-  Lanes work;
+/// Bulk viscosity of the surface: as that of solids, of its area in place of the volume. Its share in
+/// critical damping is that of a uniform dilatation, which is the least stiff against its trace.
+struct SurfaceViscosity {
+  Lanes stress;       ///< to be added to the diagonal [force/length^2]
+  Lanes stable_step;  ///< the undamped one shortened by the viscosity [time]
+
+  ///   undamped    stable step without viscosity [time]
+  ///   dilatation  rate of area change [1/time]
+  SurfaceViscosity(const SolidProperties& properties, const ShellModuli& moduli, const Lanes& undamped,
+                   const Lanes& dilatation) {
+    const double quadratic = properties.quadratic_bulk_viscosity * properties.quadratic_bulk_viscosity;
+    const double direct = moduli.lambda + 2.0 * moduli.shear;
+    const Lanes share = properties.linear_bulk_viscosity - quadratic * undamped * dilatation.min(0.0);
+    const Lanes damping = direct / (moduli.lambda + moduli.shear) * share;
+    stress = direct * undamped * share * dilatation;
+    stable_step = undamped * ((1.0 + damping * damping).sqrt() - damping);
+  }
 };
 
-/// Brings the layers to the end of the step.
-///   rates   in the middle of the step [1/time], [1/(length time)]
-///   layers  [n_layers x (6 + n_state)] xx yy zz xy yz zx, then what the material remembers
-template <class Law, std::size_t n>
-Resultants update_layers(const Law& law, const ShellSettings& settings, const ShellRates<n>& rates,
-                         const Lanes& thickness, double dt, std::span<Lanes> layers) {
-  Resultants sums;
-  for (Lanes& sum : sums.membrane) sum.setZero();
-  for (Lanes& sum : sums.curvature) sum.setZero();
-  for (Lanes& sum : sums.shear) sum.setZero();
-  sums.work.setZero();
-  constexpr std::size_t point_size = 6 + Law::n_state;
-  for (std::size_t layer = 0; layer < settings.layers.size(); ++layer) {
-    const ShellLayer& at = settings.layers[layer];
-    const std::span<Lanes> point = layers.subspan(layer * point_size, point_size);
-    const Lanes height = thickness * (0.5 * at.place + settings.offset), weight = at.weight * thickness;
-    PlaneStep step{{}, dt};
-    for (std::size_t i = 0; i < 3; ++i)
-      step.strain[i] = dt * (rates.membrane[i] + height * rates.curvature[i]);
-    step.strain[3] = dt * rates.shear[1];
-    step.strain[4] = dt * rates.shear[0];
-    PlaneLanes before, stress;
-    for (std::size_t i = 0; i < 5; ++i) stress[i] = before[i] = point[plane_places[i]];
-    law.update_plane(step, stress, point.subspan(6));
-    Lanes work = Lanes::Zero();
-    for (std::size_t i = 0; i < 5; ++i) {
-      point[plane_places[i]] = stress[i];
-      work += (i < 3 ? 0.5 : 0.5 * shear_correction) * step.strain[i] * (before[i] + stress[i]);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      sums.membrane[i] += weight * stress[i];
-      sums.curvature[i] += weight * height * stress[i];
-    }
-    sums.shear[0] += shear_correction * weight * stress[4];
-    sums.shear[1] += shear_correction * weight * stress[3];
-    sums.work += weight * work;
-  }
-  return sums;
-}
+/// The parts of what shells remember.
+struct ShellMemory {
+  std::span<Lanes> layers;    ///< [n_layers x (6 + n_state)]
+  std::span<Lanes> patterns;  ///< [n_patterns] elastic resistance
+  std::span<Lanes> drilling;  ///< [n_nodes] moments, or none [force length]
+  Lanes& growth;              ///< of the thickness over that at the start of the run [1]
+
+  ///   state  [n_layers x (6 + n_state) + n_patterns (+ n_nodes) + 1], in the order above
+  ShellMemory(std::span<Lanes> state, std::size_t n_patterns, std::size_t n_drilling)
+      : layers(state.first(state.size() - 1 - n_drilling - n_patterns)),
+        patterns(state.subspan(layers.size(), n_patterns)),
+        drilling(state.subspan(layers.size() + n_patterns, n_drilling)),
+        growth(state.back()) {}
+};
 
 /// What the patterns of a step are resisted by.
 template <class Geometry>
@@ -93,9 +82,11 @@ Lanes resist_patterns(const PatternStep<Geometry>& step, const typename Geometry
 }  // namespace shells
 
 /// Brings eight shells to the end of a step: strains from the rates in the middle of the step, stresses in a
-/// frame that turns with the shells, elastic and viscous resistance to the patterns. The thickness does not
-/// change. The stable step is 2 / omega with a bound omega for the element's frequencies.
-///   state  [n_layers x (6 + n_state) + n_patterns], the last the elastic resistance to the patterns
+/// frame that turns with the shells, elastic resistance to the patterns and to drilling, bulk viscosity. The
+/// thickness follows the strain along the normal, its mean over the layers. The stable step is
+/// 2 / omega (sqrt(1 + z^2) - z) with a bound omega for the element's frequencies and z the viscosity's share
+/// in critical damping.
+///   state  as ShellMemory
 template <class Geometry>
 void advance_shell(const SolidProperties& properties, const ShellSettings& settings,
                    const ShellMotion<Geometry::n_nodes>& motion, std::span<Lanes> state,
@@ -107,35 +98,52 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
   const Geometry geometry(middle);
   const auto rates = geometry.rates(motion.v, motion.w);
   const ShellSizes sizes = geometry.sizes();
-  const std::size_t n_layers = state.size() - Geometry::n_patterns;
-  const auto sums = std::visit(
-      [&](const auto& law) {
-        if constexpr (requires { &std::decay_t<decltype(law)>::update_plane; }) {
-          return shells::update_layers(law, settings, rates, motion.thickness, motion.dt,
-                                       state.first(n_layers));
-        } else {
-          return shells::Resultants{};  // make_model lets no such law come here
-        }
-      },
-      properties.law);
-  step.stress_work = sums.work * sizes.area;
-
   const shells::ShellModuli moduli(properties.law);
+  const shells::ShellMemory memory(state, Geometry::n_patterns,
+                                   settings.drilling > 0.0 ? Geometry::n_nodes : 0);
+  const shells::Resultants sums = shells::update_layers(
+      properties.law,
+      shells::LayerStep<Geometry::n_patterns>{settings, rates, motion.thickness, motion.dt, moduli.bulk},
+      memory.layers);
+  const shells::ThicknessStep thickness(motion.thickness, sums.thickening, memory.growth);
+  step.stress_work = sums.work * sizes.area * thickness.middle;
+
   Lanes frequency_squared = shells::strain_frequency(motion, settings, moduli, sizes);
   typename Geometry::Rates resistance;
   step.hourglass_work = shells::resist_patterns<Geometry>(
-      shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates,
-      state.subspan(n_layers), resistance, frequency_squared);
-  step.stable_step = 2.0 / frequency_squared.sqrt();
+      shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates, memory.patterns,
+      resistance, frequency_squared);
+  if (!memory.drilling.empty()) {
+    const Lanes stiffness = settings.drilling * moduli.shear / static_cast<double>(Geometry::n_nodes) *
+                            sizes.area * motion.thickness;
+    step.hourglass_work +=
+        shells::resist_drilling(geometry, motion, stiffness, memory.drilling, frequency_squared);
+  }
+  constexpr bool is_flattened = requires { geometry.warp(); }
+  &&!Geometry::has_rotations;
+  if constexpr (is_flattened) {
+    const auto of_warp = shells::warp_step(geometry, motion, sums.membrane);
+    step.hourglass_work += of_warp.work;
+    frequency_squared += of_warp.frequency_squared;
+  }
+  const Lanes dilatation = rates.membrane[0] + rates.membrane[1];
+  const shells::SurfaceViscosity viscosity(properties, moduli, 2.0 / frequency_squared.sqrt(), dilatation);
+  step.stable_step = viscosity.stable_step;
+  step.viscous_work = viscosity.stress * dilatation * sizes.area * thickness.middle * motion.dt;
 
   const Geometry end(motion.x);
+  step.volume = end.area() * thickness.end;
   for (std::size_t i = 0; i < 3; ++i) {
-    resistance.membrane[i] = end.area() * sums.membrane[i];
-    resistance.curvature[i] = end.area() * sums.curvature[i];
+    resistance.membrane[i] = step.volume * sums.membrane[i];
+    resistance.curvature[i] = step.volume * thickness.end * sums.curvature[i];
   }
-  for (std::size_t i = 0; i < 2; ++i) resistance.shear[i] = end.area() * sums.shear[i];
+  for (std::size_t i = 0; i < 2; ++i) {
+    resistance.membrane[i] += step.volume * viscosity.stress;
+    resistance.shear[i] = step.volume * sums.shear[i];
+  }
   end.set_forces(resistance, step.force, step.moment);
-  step.volume = end.area() * motion.thickness;
+  if constexpr (is_flattened) shells::add_warp_forces(end, sums.membrane, step.volume, step.force);
+  if (!memory.drilling.empty()) shells::add_drilling(end, memory.drilling, step.force, step.moment);
 }
 
 }  // namespace contactsim
