@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/block_maker.hpp"
-#include "core/discrete_steps.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"
@@ -62,7 +61,6 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
   model.mass = lumped_mass(mesh, model.blocks);
   model.inertia = lumped_inertia(mesh, model.blocks);
   make_rigid_bodies(definition, region, model, diagnostics);
-  set_discrete_steps(model);
   return model;
 }
 

@@ -55,6 +55,6 @@ def string_mesh(n):
 def string(bench, n=20):
     run = bench.run("string", string_mesh(n))
     exact = math.sqrt(200 / (7800 * 1e-6)) / 2
-    checks = [Check(f"{name}: frequency [Hz]", exact, frequency_of(run["Time"], run[name]), 0.005) for name in ("at_once", "soon")]
+    checks = [Check(f"{name}: frequency [Hz]", exact, frequency_of(run["Time"], run[name]), 0.002) for name in ("at_once", "soon")]
     stress = [Check(f"{name}: stress [Pa]", 200e6, run[f"stress_{name}"][-1], 0.005) for name in ("at_once", "soon")]
     return checks + stress + [energy_check(run, ["kinetic_energy"])]

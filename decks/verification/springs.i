@@ -60,7 +60,7 @@ begin sierra springs
       begin time stepping block all
         start time = 0
         begin parameters for presto region springs
-          time step scale factor = 0.05
+          time step scale factor = 0.01
           step interval = 1000
         end
       end

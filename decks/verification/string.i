@@ -1,8 +1,8 @@
 # Two strings of trusses, 1 m long, of 1 mm^2 and 7800 kg/m^3, held at both ends and pulled by 200 N before they swing: one
 # from the start on, the other within the first 0.1 ms. A velocity of the shape of the first vibration sets them off.
 #
-# Shows INITIAL LOAD and PERIOD of trusses: frequency sqrt(T / (rho A)) / (2 l) = 80.1 Hz. Expected within 0.5 % with 20
-# elements; a tenth of it is the chain's, for masses between n cords swing at sin(x) / x with x = pi / (2 n).
+# Shows INITIAL LOAD and PERIOD of trusses: frequency sqrt(T / (rho A)) / (2 l) = 80.1 Hz, for n elements lower by a share of
+# (pi / n)^2 / 24. Expected within 0.2 % with 20 elements.
 begin sierra string
   begin material steel
     density = 7800
@@ -12,7 +12,7 @@ begin sierra string
     end
   end
 
-  begin truss section at once
+  begin truss section at_once
     area = 1e-6
     initial load = 200
   end
@@ -33,7 +33,7 @@ begin sierra string
     begin parameters for block at_once
       material = steel
       model = elastic
-      section = at once
+      section = at_once
     end
     begin parameters for block soon
       material = steel

@@ -9,12 +9,12 @@
 # {w_heavy = 2} {s_heavy = (5 * 0.2 / w_heavy + J * w_heavy * up) / I - w_heavy * up}
 # {s_free = 10} {w_free = I * s_free / ((J - I) * up)}
 begin sierra tops
-  define point heavy with coordinates 0 0 0
-  define point over heavy with coordinates {s_heavy * side} 0 {w_heavy + s_heavy * up}
-  define axis heavy with point heavy point over heavy
-  define point free with coordinates 2 0 0
-  define point over free with coordinates {2 + s_free * side} 0 {w_free + s_free * up}
-  define axis free with point free point over free
+  define point heavy_centre with coordinates 0 0 0
+  define point over_heavy with coordinates {s_heavy * side} 0 {w_heavy + s_heavy * up}
+  define axis heavy with point heavy_centre point over_heavy
+  define point free_centre with coordinates 2 0 0
+  define point over_free with coordinates {2 + s_free * side} 0 {w_free + s_free * up}
+  define axis free with point free_centre point over_free
 
   begin material wood
     density = 1000

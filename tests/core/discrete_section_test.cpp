@@ -122,7 +122,7 @@ TEST_CASE("point masses give their node mass, and inertia when they have one", "
 TEST_CASE("sections of springs and point masses that say too little or nonsense are errors",
           "[core][springs]") {
   CHECK(make(SpringSection{}, bar()).messages ==
-        "BAR_1 is of springs, but its section has neither DEFAULT STIFFNESS nor FORCE STRAIN FUNCTION\n");
+        "block_1 is of springs, but its section has neither DEFAULT STIFFNESS nor FORCE STRAIN FUNCTION\n");
   CHECK(make(PointMassSection{}, point()).messages ==
         "block_1 is of point masses, but its section has no MASS\n");
   CHECK(make(SpringSection{{}, 1.0, {}, {}}, point()).messages ==

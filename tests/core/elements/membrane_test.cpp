@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What every membrane must do. Moduli are near 1e11, edges near 1, steps of size 1.
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 
