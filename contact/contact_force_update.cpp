@@ -33,6 +33,7 @@ ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) cons
   const Mesh& mesh = *setup_.model.mesh;
   ContactFaces faces = make_contact_faces(setup_.contact, mesh, free_nodes);
   choose_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, mesh, faces);
+  measure_sharpness(surface_of_mesh(faces, mesh), faces);
   return faces;
 }
 

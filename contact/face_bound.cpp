@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/face_overlap.hpp"
+#include "contact/common_plane.hpp"
 
 namespace contactsim {
 

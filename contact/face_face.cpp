@@ -2,6 +2,7 @@
 #include "contact/face_face.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace contactsim {
 
@@ -45,12 +46,14 @@ struct ProjectedPair {
   FaceMap map_1, map_2;
 };
 
+/// Points where the overlap was cut have a gap of 0 but for this share of its size, and touch.
+constexpr double round_off = 1e-12;
+
 /// Sums over the points of an overlap.
 class PressureSums {
  public:
-  PressureSums(const OverlapPoints& points, const ProjectedPair& pair, const PairPenalty& penalty,
-               double reach)
-      : points_(points), penalty_(penalty), reach_(reach) {
+  PressureSums(const OverlapPoints& points, const ProjectedPair& pair, const PairPenalty& penalty)
+      : points_(points), penalty_(penalty), just_apart_(round_off * std::sqrt(points.area)) {
     z1_ = component(pair.map_1, 2);
     z2_ = component(pair.map_2, 2);
   }
@@ -89,9 +92,8 @@ class PressureSums {
     const Lanes gap =
         evaluate(z1_, points_.xi_1[k], points_.eta_1[k]) - evaluate(z2_, points_.xi_2[k], points_.eta_2[k]);
     contact.gap = std::min(contact.gap, (w > 0.0).select(gap, contact.gap).minCoeff());
-    contact.stiffness += penalty_.stiffness * (gap < reach_).select(w, 0.0).sum();
     const Lanes depth = (-gap).max(0.0);
-    const LaneMask touches = depth > 0.0 && depth <= penalty_.depth;
+    const LaneMask touches = gap <= just_apart_ && depth <= penalty_.depth;
     if (!touches.any()) return;
     const Lanes area = touches.select(w, 0.0);
     Lanes force = penalty_.stiffness * area * depth;
@@ -113,14 +115,14 @@ class PressureSums {
 
   const OverlapPoints& points_;
   const PairPenalty& penalty_;
-  double reach_;
+  double just_apart_;
   std::array<double, 4> z1_, z2_, speed_1_{}, speed_2_{};
   FaceMoments forces_1_{}, forces_2_{};
   double work_ = 0.0;
 };
 
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second) {
-  const auto plane = make_common_plane(first.x, area_vector(first.x), area_vector(second.x));
+  const auto plane = make_common_plane(first.x, first.look(), second.look());
   if (!plane) return std::nullopt;
   ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), {}, {}};
   return pair;
@@ -138,6 +140,15 @@ void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair&
   pair.map_2 = make_face_map(pair.second, second.is_triangle);
 }
 
+OverlapPolygon overlap_of(const ProjectedPair& pair) {
+  return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
+}
+
+/// Not negative where a gap is at most `most`.
+PlaneFunction below(const PlaneFunction& gap, double most) {
+  return {gap.u0, gap.v0, -gap.by_u, -gap.by_v, most - gap.value};
+}
+
 }  // namespace
 
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
@@ -146,9 +157,15 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   auto pair = project_pair(first, second);
   if (!pair || !is_near(*pair, reach, penalty.depth)) return contact;
   make_maps(first, second, *pair);
-  const OverlapPoints points = find_overlap(pair->first, pair->map_1, pair->second, pair->map_2);
+  const PlaneFunction gap = plane_gap(pair->map_1, pair->map_2);
+  const OverlapPolygon near = part_of(overlap_of(*pair), below(gap, reach));
+  if (!near.has_area()) return contact;
+  const OverlapPolygon deep = part_of(near, below(gap, 0.0));
+  OverlapPoints points = place_points(deep.has_area() ? deep : near, pair->map_1, pair->map_2);
   if (!(points.area > 0.0)) return contact;
-  PressureSums sums(points, *pair, penalty, reach);
+  points.spread(pair->plane.spread);
+  contact.stiffness = penalty.stiffness * pair->plane.spread * near.area();
+  PressureSums sums(points, *pair, penalty);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
@@ -163,8 +180,10 @@ std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, con
   auto pair = project_pair(first, second);
   if (!pair || !boxes_meet(pair->first, pair->second)) return std::nullopt;
   make_maps(first, second, *pair);
+  const OverlapPolygon overlap = overlap_of(*pair);
+  if (overlap.n < 3) return std::nullopt;
   FaceFacePoints found{pair->plane,
-                       find_overlap(pair->first, pair->map_1, pair->second, pair->map_2),
+                       place_points(overlap, pair->map_1, pair->map_2),
                        {},
                        first.is_triangle,
                        second.is_triangle};

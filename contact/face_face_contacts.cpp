@@ -101,23 +101,37 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   if (!may_touch(a, b, reach) || !rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && scene.glued.holds_faces(candidate.first, candidate.second)) return;
 
-  const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
-  PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
+  PairPenalty penalty = make_pair_penalty(faces_.faces[candidate.first].backing,
+                                          &faces_.faces[candidate.second].backing, *rule.pair);
   // What came in by itself may be as deep as its speed brought it, and stays known a bit deeper than that.
   penalty.depth = std::max((did_touch ? known_depth : 1.0) * penalty.depth, 1.5 * closed);
-  const MovingFace moving_1 = scene.surface.face(candidate.first),
-                   moving_2 = scene.surface.face(candidate.second);
-  const FaceFaceContact contact = find_face_face_contact(moving_1, moving_2, penalty, reach);
+  const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
+  const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
   if (!contact.overlaps) return;
   const Eigen::Vector3d apart =
-      velocity_at(moving_1, contact.weights_1) - velocity_at(moving_2, contact.weights_2);
+      velocity_at(first, contact.weights_1) - velocity_at(second, contact.weights_2);
   if (contact.force > 0.0 && !did_touch &&
       !met_in_front(scene, candidate, contact, -apart.dot(contact.normal) * scene.dt))
     return;
 
-  ContactRecord& record = records.emplace_back();
+  ContactRecord& record = records.emplace_back(make_record(candidate, contact));
+  record.damped = contact.damped_power * scene.dt;
+  if (!record.touches()) return;
+  if (!scene.is_frozen) touched_[candidate.place] = 1;
+  if (!(rule.friction > 0.0)) return;
+  record.slip = apart * scene.dt;
+  if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
+  record.elastic = elastic_[candidate.place];
+  add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
+  if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
+}
+
+ContactRecord FaceFaceContacts::make_record(const Candidate& candidate,
+                                            const FaceFaceContact& contact) const {
+  const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
+  ContactRecord record;
   record.pair = candidate.pair;
-  record.is_swapped = first.surface != rule.pair->first;
+  record.is_swapped = first.surface != candidate.rule.pair->first;
   record.first_place = candidate.first;
   record.second_place = candidate.second;
   record.first = {first.corners, contact.weights_1};
@@ -126,18 +140,8 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   record.force = contact.force;
   record.area = contact.area;
   record.gap = contact.gap;
-  record.damped = contact.damped_power * scene.dt;
-  record.stiffness = damped_stiffness(contact.stiffness, rule.pair->damping_fraction);
-  if (!record.touches()) return;
-  if (!scene.is_frozen) touched_[candidate.place] = 1;
-  if (rule.friction > 0.0) {
-    record.slip = apart * scene.dt;
-    if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
-    record.elastic = elastic_[candidate.place];
-    add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
-                 record);
-    if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
-  }
+  record.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
+  return record;
 }
 
 void FaceFaceContacts::pull_one(const ContactScene& scene, const Candidate& candidate,

@@ -46,6 +46,7 @@ class FaceFaceContacts {
     const PairRule& rule;
   };
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
+  ContactRecord make_record(const Candidate& candidate, const FaceFaceContact& contact) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void pull_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
   Eigen::Vector3d mean_slip(const Candidate& candidate) const;

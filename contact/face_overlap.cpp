@@ -8,23 +8,8 @@ namespace contactsim {
 
 namespace {
 
-/// A convex polygon of the plane. Two quadrilaterals meet in eight corners at most. Left without values: most
-/// of it is never used, and filling it would take as long as the rest.
-struct Polygon {
-  static constexpr int max_corners = 8;
-
-  int n;
-  double u[max_corners + 2], v[max_corners + 2];  // room for what round-off may add
-
-  void add(double pu, double pv) {
-    u[n] = pu;
-    v[n] = pv;
-    ++n;
-  }
-};
-
 /// Corners of a face anticlockwise about the plane's normal.
-void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, Polygon& polygon) {
+void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, OverlapPolygon& polygon) {
   const int n = is_triangle ? 3 : 4;
   polygon.n = 0;
   for (int i = 0; i < n; ++i) {
@@ -33,18 +18,13 @@ void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, Po
   }
 }
 
-/// A line through a point; what lies to its left is kept.
-struct CutLine {
-  double u, v, du, dv;
-};
-
-/// Puts what is left of a polygon into `kept`; returns false, and leaves `kept` alone, when that is all of
-/// it. Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
-bool cut(const Polygon& polygon, const CutLine& line, Polygon& kept) {
-  double side[Polygon::max_corners + 2];
+/// Puts the part of a polygon where a function is not negative into `kept`; returns false, and leaves `kept`
+/// alone, when that is all of it. Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
+bool cut(const OverlapPolygon& polygon, const PlaneFunction& function, OverlapPolygon& kept) {
+  double side[OverlapPolygon::max_corners + 2];
   double least = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
-    side[i] = line.du * (polygon.v[i] - line.v) - line.dv * (polygon.u[i] - line.u);
+    side[i] = function.at(polygon.u[i], polygon.v[i]);
     least = std::min(least, side[i]);
   }
   if (least >= 0.0) return false;
@@ -56,21 +36,10 @@ bool cut(const Polygon& polygon, const CutLine& line, Polygon& kept) {
     const double t = side[i] / (side[i] - side[next]);
     kept.add(polygon.u[i] + t * (polygon.u[next] - polygon.u[i]),
              polygon.v[i] + t * (polygon.v[next] - polygon.v[i]));
-    if (kept.n >= Polygon::max_corners) break;
+    if (kept.n >= OverlapPolygon::max_corners) break;
   }
-  kept.n = std::min(kept.n, Polygon::max_corners);
+  kept.n = std::min(kept.n, OverlapPolygon::max_corners);
   return true;
-}
-
-/// Cuts a polygon by all edges of another; the result is in one of two places.
-const Polygon& intersect(const Polygon& window, Polygon& polygon, Polygon& other) {
-  Polygon *now = &polygon, *next = &other;
-  for (int i = 0; i < window.n && now->n > 2; ++i) {
-    const int k = i + 1 < window.n ? i + 1 : 0;
-    const CutLine line{window.u[i], window.v[i], window.u[k] - window.u[i], window.v[k] - window.v[i]};
-    if (cut(*now, line, *next)) std::swap(now, next);
-  }
-  return *now;
 }
 
 /// Points of the plane.
@@ -81,7 +50,7 @@ struct PlanePoints {
 /// Splits the polygon into triangles around its mean corner; each gives a third of its area to the middles of
 /// its edges, which is exact for quadratic polynomials. Points stand corner by corner: on the spoke, on the
 /// rim.
-void place_points(const Polygon& polygon, PlanePoints& placed, OverlapPoints& points) {
+void spread_points(const OverlapPolygon& polygon, PlanePoints& placed, OverlapPoints& points) {
   double mu = 0.0, mv = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
     mu += polygon.u[i];
@@ -103,7 +72,6 @@ void place_points(const Polygon& polygon, PlanePoints& placed, OverlapPoints& po
     weight[2 * i] = last + third;
     weight[2 * i + 1] = third;
     last = third;
-    points.area += 3.0 * third;
   }
   weight[0] += last;
   for (int i = 2 * polygon.n; i < points.n_batches * n_lanes; ++i) {
@@ -114,6 +82,13 @@ void place_points(const Polygon& polygon, PlanePoints& placed, OverlapPoints& po
 }
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// How the height of a face grows along the plane in its middle [1].
+Eigen::Vector2d slope(const FaceMap& map) {
+  const auto& c = map.c;
+  const double area = cross(c[1], c[2]);
+  return {(c[1][2] * c[2][1] - c[2][2] * c[1][1]) / area, (c[2][2] * c[1][0] - c[1][2] * c[2][0]) / area};
+}
 
 /// Finds where points of the plane lie on a face. With d the way from c0 to the point, d - c2 eta is parallel
 /// to c1 + c3 eta: a quadratic equation for eta, of which the root is taken that stays when the face is
@@ -132,43 +107,50 @@ void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes
 
 }  // namespace
 
-std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& area_1,
-                                             const Eigen::Vector3d& area_2) {
-  const double size_1 = area_1.norm(), size_2 = area_2.norm();
-  if (!(area_1.dot(area_2) < most_aside * size_1 * size_2)) return std::nullopt;
-  CommonPlane plane;
-  plane.normal = (size_1 * area_2 - size_2 * area_1).normalized();
-  plane.origin = first.col(0);
-  // In the plane any direction will do; one that turns with the faces makes results turn with them.
-  const Eigen::Vector3d diagonal = first.col(2) - first.col(0);
-  plane.across = (diagonal - plane.normal.dot(diagonal) * plane.normal).normalized();
-  plane.along = plane.normal.cross(plane.across);
-  return plane;
+OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const FaceCorners& second,
+                         bool is_triangle_2) {
+  OverlapPolygon window, polygon, other;
+  set_corners(second, is_triangle_2, false, window);
+  set_corners(first, is_triangle_1, true, polygon);
+  OverlapPolygon *now = &polygon, *next = &other;
+  for (int i = 0; i < window.n && now->n > 2; ++i) {
+    const int k = i + 1 < window.n ? i + 1 : 0;
+    const PlaneFunction inwards{window.u[i], window.v[i], window.v[i] - window.v[k],
+                                window.u[k] - window.u[i], 0.0};
+    if (cut(*now, inwards, *next)) std::swap(now, next);
+  }
+  return *now;
 }
 
-FaceCorners project(const FaceCorners& face, const CommonPlane& plane) {
-  const FaceCorners moved = face.colwise() - plane.origin;
-  FaceCorners projected;
-  projected.row(0) = plane.across.transpose() * moved;
-  projected.row(1) = plane.along.transpose() * moved;
-  projected.row(2) = plane.normal.transpose() * moved;
-  return projected;
+OverlapPolygon part_of(const OverlapPolygon& polygon, const PlaneFunction& function) {
+  OverlapPolygon part;
+  return cut(polygon, function, part) ? part : polygon;
 }
 
-OverlapPoints find_overlap(const FaceCorners& first, const FaceMap& map_1, const FaceCorners& second,
-                           const FaceMap& map_2) {
+double OverlapPolygon::area() const {
+  double twice = 0.0;
+  for (int i = 1; i + 1 < n; ++i) {
+    twice += (u[i] - u[0]) * (v[i + 1] - v[0]) - (v[i] - v[0]) * (u[i + 1] - u[0]);
+  }
+  return 0.5 * twice;
+}
+
+PlaneFunction plane_gap(const FaceMap& map_1, const FaceMap& map_2) {
+  const Eigen::Vector3d &at = map_1.c[0], away = at - map_2.c[0];
+  const Eigen::Vector2d slope_1 = slope(map_1), slope_2 = slope(map_2);
+  const Eigen::Vector2d by = slope_1 - slope_2;
+  return {at[0], at[1], by[0], by[1], away[2] - slope_2.dot(away.head<2>())};
+}
+
+OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2) {
   OverlapPoints points;
-  Polygon window, polygon, other;
-  set_corners(second, map_2.is_triangle, false, window);
-  set_corners(first, map_1.is_triangle, true, polygon);
-  const Polygon& common = intersect(window, polygon, other);
-  if (common.n < 3) return points;
   PlanePoints placed;
-  place_points(common, placed, points);
+  spread_points(polygon, placed, points);
   for (int b = 0; b < points.n_batches; ++b) {
     const auto k = static_cast<std::size_t>(b);
     locate(map_1, placed.u[k], placed.v[k], points.xi_1[k], points.eta_1[k]);
     locate(map_2, placed.u[k], placed.v[k], points.xi_2[k], points.eta_2[k]);
+    points.area += points.weight[k].sum();
   }
   return points;
 }

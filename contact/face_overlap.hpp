@@ -1,48 +1,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
-
 #include "contact/face_map.hpp"
 #include "core/lanes.hpp"
 
 namespace contactsim {
 
-/// Faces whose normals have a greater cosine than this stand beside each other, such as those round a convex
-/// corner, and not opposite.
-inline constexpr double most_aside = -0.3;
+/// A convex polygon of a common plane. Two quadrilaterals meet in eight corners at most, and one more line
+/// may cut one off. Left without values: most of it is never used, and filling it would take as long as the
+/// rest.
+struct OverlapPolygon {
+  static constexpr int max_corners = 9;
 
-/// Two faces that look at each other, seen along the normal of a plane between them.
-struct CommonPlane {
-  Eigen::Vector3d normal;         ///< unit, from the second face towards the first [1]
-  Eigen::Vector3d across, along;  ///< unit vectors of the plane; across x along = normal [1]
-  Eigen::Vector3d origin;         ///< [length]
+  int n;
+  double u[max_corners + 2], v[max_corners + 2];  // room for what round-off may add
+
+  void add(double pu, double pv) {
+    u[n] = pu;
+    v[n] = pv;
+    ++n;
+  }
+  bool has_area() const { return n > 2 && area() > 0.0; }
+  double area() const;  ///< of at least three corners, anticlockwise [length^2]
 };
 
-/// The plane between two faces: its normal is the mean of theirs, the second one's turned round, so that
-/// swapping the faces only turns it round as well. Nothing when the faces do not look at each other.
-///   area_1, area_2  area vectors of the faces, of any length, out of the elements
-/// Source: Belytschko and Yeh, Comput. Methods Appl. Mech. Eng. 105 (1993); Tribol's common plane.
-std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const Eigen::Vector3d& area_1,
-                                             const Eigen::Vector3d& area_2);
+/// The linear function value + by_u (u - u0) + by_v (v - v0) of a common plane.
+struct PlaneFunction {
+  double u0, v0, by_u, by_v, value;
 
-/// A face in the coordinates of a common plane: rows across, along, normal [length].
-FaceCorners project(const FaceCorners& face, const CommonPlane& plane);
+  double at(double u, double v) const { return value + by_u * (u - u0) + by_v * (v - v0); }
+};
+
+/// What two faces have in common, seen along the normal.
+///   first, second  in the coordinates of the plane
+OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const FaceCorners& second,
+                         bool is_triangle_2);
+
+/// The part of a polygon where a function is not negative.
+OverlapPolygon part_of(const OverlapPolygon& polygon, const PlaneFunction& function);
+
+/// The height of the first face over the second as of planes that touch them in the middle [length].
+PlaneFunction plane_gap(const FaceMap& map_1, const FaceMap& map_2);
 
 /// Points at which pressure is integrated over the overlap of two faces, and where they lie on both.
 struct OverlapPoints {
-  static constexpr int max_batches = 2;
+  static constexpr int max_batches = 3;
 
   int n_batches = 0;
-  double area = 0.0;                      ///< of the overlap, seen along the normal [length^2]
+  double area = 0.0;                      ///< of all points [length^2]
   std::array<Lanes, max_batches> weight;  ///< area that each point stands for, 0 of lanes not used [length^2]
   std::array<Lanes, max_batches> xi_1, eta_1, xi_2, eta_2;  ///< [1]
+
+  /// Makes each point stand for more area.
+  void spread(double factor) {
+    area *= factor;
+    for (int b = 0; b < n_batches; ++b) weight[static_cast<std::size_t>(b)] *= factor;
+  }
 };
 
-/// Intersects two faces on their common plane and finds the points of a quadrature that is exact for
-/// quadratic polynomials. Nothing when they do not overlap.
-///   first, second  in the coordinates of the plane
-OverlapPoints find_overlap(const FaceCorners& first, const FaceMap& map_1, const FaceCorners& second,
-                           const FaceMap& map_2);
+/// The points of a quadrature over a polygon of at least three corners that is exact for quadratic
+/// polynomials.
+///   maps  of the faces in the coordinates of the plane
+OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2);
 
 }  // namespace contactsim

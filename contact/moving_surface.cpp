@@ -110,7 +110,7 @@ void MovingSurface::set_bound(std::size_t index) {
 
 MovingFace MovingSurface::face(std::uint32_t index) const {
   const ContactFace& face = faces_.faces[index];
-  return {corners(face), velocities(face), face.is_triangle()};
+  return {corners(face), velocities(face), face.is_triangle(), static_cast<double>(face.sharpness)};
 }
 
 Eigen::Vector3d MovingSurface::corner_area(std::uint32_t index) const {

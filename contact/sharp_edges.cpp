@@ -47,13 +47,24 @@ std::vector<FaceEdge> list_edges(std::span<const ContactFace> faces) {
   return edges;
 }
 
-/// Whether two faces turn away from each other, as seen from inside, by more than the angle.
-bool is_sharp(const MovingSurface& start, const ContactFace& a, const ContactFace& b, double angle) {
+/// The face of the same surface that shares an edge with a face.
+std::optional<std::uint32_t> find_face_beyond(const ContactFaces& faces, std::uint32_t face,
+                                              const std::array<std::uint32_t, 2>& edge) {
+  for (const std::uint32_t other : faces.faces_of_node.of(edge[0])) {
+    const ContactFace& candidate = faces.faces[other];
+    if (other == face || candidate.surface != faces.faces[face].surface) continue;
+    if (std::ranges::count(candidate.corners, edge[1]) > 0) return other;
+  }
+  return std::nullopt;
+}
+
+/// The angle that two faces turn away from each other by, as seen from inside; 0 if they turn towards [rad].
+double turn_between(const MovingSurface& start, const ContactFace& a, const ContactFace& b) {
   const Eigen::Vector3d normal_a = start.area(a).normalized(), normal_b = start.area(b).normalized();
-  if (std::acos(std::clamp(normal_a.dot(normal_b), -1.0, 1.0)) <= angle) return false;
   Eigen::Vector3d from_b = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k) from_b += start.x(a.corners[k]) - start.x(b.corners[k]);
-  return from_b.dot(normal_a - normal_b) > 0.0;
+  if (!(from_b.dot(normal_a - normal_b) > 0.0)) return 0.0;
+  return std::acos(std::clamp(normal_a.dot(normal_b), -1.0, 1.0));
 }
 
 ContactEdge make_edge(const MovingSurface& start, const FaceEdge& one, const FaceEdge& other) {
@@ -119,9 +130,23 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
     const FaceEdge &one = edges[i], &other = edges[i + 1];
     if (std::tie(one.low, one.high) != std::tie(other.low, other.high)) continue;
     const ContactFace &a = faces.faces[one.face], &b = faces.faces[other.face];
-    if (!is_sharp(start, a, b, angle[a.surface] * std::numbers::pi / 180.0)) continue;
+    if (!(turn_between(start, a, b) > angle[a.surface] * std::numbers::pi / 180.0)) continue;
     faces.edges.push_back(make_edge(start, one, other));
     faces.edges.back().is_feature = is_feature[a.surface] != 0;
+  }
+}
+
+void measure_sharpness(const MovingSurface& start, ContactFaces& faces) {
+  constexpr double of_border = 0.5 * std::numbers::pi;
+  for (std::uint32_t i = 0; i < faces.faces.size(); ++i) {
+    ContactFace& face = faces.faces[i];
+    double sharpness = 0.0;
+    const std::size_t n = face.is_triangle() ? 3 : 4;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto beyond = find_face_beyond(faces, i, {face.corners[k], face.corners[(k + 1) % n]});
+      sharpness = std::max(sharpness, beyond ? turn_between(start, face, faces.faces[*beyond]) : of_border);
+    }
+    face.sharpness = static_cast<float>(sharpness);
   }
 }
 

@@ -18,6 +18,11 @@ namespace contactsim {
 void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
                   const Mesh& mesh, ContactFaces& faces);
 
+/// Sets the sharpness of faces: the greatest angle by which a face and one which shares an edge with it on
+/// the same surface turn away from each other, a right angle at the border of a surface.
+///   start  the faces at the start
+void measure_sharpness(const MovingSurface& start, ContactFaces& faces);
+
 /// How two edges stand to each other at a place.
 struct EdgeGap {
   Eigen::Vector3d normal;  ///< unit, from the second edge to the first [1]

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/face_face.hpp"
 
+#include <cmath>
+#include <optional>
+
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"
 
@@ -17,6 +20,17 @@ const PairPenalty stiff{1000.0, 0.0, far};
 FaceFaceContact press(double depth, double shift, const PairPenalty& penalty = stiff, double reach = 0.0) {
   return find_face_face_contact(make_square(0.0, 0.0, true), make_square(shift, -depth, false), penalty,
                                 reach);
+}
+
+/// The height of a triangle's plane at a place inside it.
+std::optional<double> height_at(const FaceCorners& triangle, const Eigen::Vector2d& place) {
+  Eigen::Matrix2d sides;
+  sides << triangle.col(1).head<2>() - triangle.col(0).head<2>(),
+      triangle.col(2).head<2>() - triangle.col(0).head<2>();
+  const Eigen::Vector2d share = sides.inverse() * (place - triangle.col(0).head<2>());
+  if (share.minCoeff() < 0.0 || share.sum() > 1.0) return std::nullopt;
+  const double z = triangle(2, 0);
+  return z + share[0] * (triangle(2, 1) - z) + share[1] * (triangle(2, 2) - z);
 }
 
 /// The net force and the net moment about the origin of what two faces get.
@@ -67,6 +81,84 @@ TEST_CASE("pressure over a tilted face is integrated exactly", "[contact][face_f
   CHECK(contact.gap == Approx(-0.01 * 13.0 / 6.0).epsilon(1e-3));
 }
 
+TEST_CASE("a leaning face pushes by what of it lies behind the other one", "[contact][face_face]") {
+  // It rises from x = 0 by 45 degrees: the part up to x = depth is behind the floor.
+  MovingFace floor = make_square(-1.0, 0.0, true, 3.0);
+  floor.x.row(1).array() -= 1.0;
+  for (const double depth : {0.5, 0.01, 1e-6}) {
+    MovingFace leaning = make_square(0.0, -depth, false);
+    leaning.x.row(2) += leaning.x.row(0);
+    leaning.sharpness = 1e9;
+    const FaceFaceContact contact = find_face_face_contact(floor, leaning, stiff, 0.0);
+    CHECK((contact.normal - Vector3d(0, 0, -1)).norm() < 1e-9);
+    CHECK(contact.force == Approx(1000.0 * std::sqrt(2.0) * 0.5 * depth * depth).epsilon(1e-9));
+    CHECK(contact.area == Approx(std::sqrt(2.0) * depth).epsilon(1e-9));
+    CHECK(contact.gap == Approx(-2.0 / 3.0 * depth).epsilon(1e-9));
+  }
+}
+
+namespace {
+
+/// What a face that leans on a floor gives out on a closed path of depths and angles, over the sum of what
+/// goes to and fro.
+double work_of_path(double sharpness) {
+  MovingFace floor = make_square(-2.0, 0.0, true, 5.0);
+  floor.x.row(1).array() -= 2.0;
+  const auto face_at = [&](double t) {
+    MovingFace face = make_square(0.0, 0.0, false);
+    const double angle = 0.8 + 0.2 * std::cos(t);
+    face.x = Eigen::AngleAxisd(-angle, Vector3d::UnitY()).toRotationMatrix() * face.x;
+    face.x.row(2).array() -= 0.2 + 0.1 * std::sin(t);
+    face.sharpness = sharpness;
+    return face;
+  };
+  constexpr int n = 400;
+  double work = 0.0, size = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double t = 2.0 * M_PI * i / n, half = M_PI / n;
+    const FaceFaceContact contact = find_face_face_contact(floor, face_at(t), stiff, 0.0);
+    const FaceCorners way = face_at(t + half).x - face_at(t - half).x;
+    const double share = -contact.force * contact.normal.dot(way * contact.weights_2);
+    work += share;
+    size += std::abs(share);
+  }
+  return work / size;
+}
+
+}  // namespace
+
+TEST_CASE("a sharp edge that sinks in, tilts and comes back gives back what it took",
+          "[contact][face_face]") {
+  CHECK(std::abs(work_of_path(1e9)) < 1e-6);
+  CHECK(std::abs(work_of_path(0.0)) > 0.05);  // as a face of a smooth surface, which does not lean so much
+}
+
+TEST_CASE("triangles push as a sum over fine squares says", "[contact][face_face]") {
+  Random random(6);
+  int n_parted = 0;
+  for (int i = 0; i < 12; ++i) {
+    const MovingFace a = random_face(random, true, true, 0.0), b = random_face(random, true, false, 0.0);
+    const FaceFaceContact contact = find_face_face_contact(a, b, stiff, 0.0);
+    const CommonPlane plane = make_common_plane(a.x, a.look(), b.look()).value();
+    const FaceCorners first = project(a.x, plane), second = project(b.x, plane);
+    double force = 0.0, touched = 0.0, shared = 0.0;
+    constexpr int n = 400;
+    for (int k = 0; k < n * n; ++k) {
+      const Eigen::Vector2d place(-1.5 + 3.0 * (k % n + 0.5) / n, -1.5 + 3.0 * (k / n + 0.5) / n);
+      const auto z1 = height_at(first, place), z2 = height_at(second, place);
+      if (!z1 || !z2) continue;
+      const double depth = *z2 - *z1, area = plane.spread * 9.0 / (n * n);
+      shared += area;
+      touched += depth > 0.0 ? area : 0.0;
+      force += stiff.stiffness * std::max(0.0, depth) * area;
+    }
+    n_parted += touched > 0.1 * shared && touched < 0.9 * shared ? 1 : 0;
+    CHECK(contact.force == Approx(force).epsilon(0.02).margin(0.05));
+    CHECK(contact.area == Approx(touched).margin(0.01));
+  }
+  CHECK(n_parted > 4);
+}
+
 TEST_CASE("faces of any shape get no net force and no net moment", "[contact][face_face]") {
   Random random(1);
   int n_touching = 0;
@@ -109,8 +201,7 @@ TEST_CASE("forces do not depend on sides, frame or first corners", "[contact][fa
 }
 
 TEST_CASE("faces that count their corners from elsewhere push alike", "[contact][face_face]") {
-  // The points of a polygon that is cut in two orders differ, and so does a pressure that is 0 in a part;
-  // these faces touch everywhere.
+  // The points of a polygon that is cut in two orders differ, and a warped face is no polynomial up here.
   Random random(3);
   int n_compared = 0;
   for (int i = 0; i < 20; ++i) {
@@ -120,7 +211,7 @@ TEST_CASE("faces that count their corners from elsewhere push alike", "[contact]
                           other = find_face_face_contact(renumbered(a), b, stiff, 0.0);
     if (contact.area < 0.1) continue;
     ++n_compared;
-    CHECK(other.force == Approx(contact.force).epsilon(1e-2));  // a warped face is no polynomial up here
+    CHECK(other.force == Approx(contact.force).epsilon(1e-2));
     CHECK(other.area == Approx(contact.area).epsilon(1e-12));
   }
   CHECK(n_compared > 10);

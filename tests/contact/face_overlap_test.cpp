@@ -17,15 +17,18 @@ struct Overlap {
   CommonPlane plane;
   FaceCorners first, second;
   FaceMap map_1, map_2;
+  OverlapPolygon polygon;
   OverlapPoints points;
 
   Overlap(const MovingFace& a, const MovingFace& b)
-      : plane(make_common_plane(a.x, a.normal(), b.normal()).value()),
+      : plane(make_common_plane(a.x, a.look(), b.look()).value()),
         first(project(a.x, plane)),
         second(project(b.x, plane)),
         map_1(make_face_map(first, a.is_triangle)),
         map_2(make_face_map(second, b.is_triangle)),
-        points(find_overlap(first, map_1, second, map_2)) {}
+        polygon(intersect(first, a.is_triangle, second, b.is_triangle)) {
+    if (polygon.has_area()) points = place_points(polygon, map_1, map_2);
+  }
 
   /// The sum of a function of the place on the first face over the points.
   template <class F>
@@ -68,36 +71,6 @@ double area_in_strips(const FaceCorners& first, const FaceCorners& second) {
 }
 
 }  // namespace
-
-TEST_CASE("the common plane lies between two faces that look at each other", "[contact][face_overlap]") {
-  Random random(1);
-  for (int i = 0; i < 20; ++i) {
-    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
-                     b = random_face(random, i % 3 == 0, false, 0.1);
-    const auto plane = make_common_plane(a.x, a.normal(), b.normal()),
-               swapped = make_common_plane(b.x, b.normal(), a.normal());
-    REQUIRE((plane && swapped));
-    CHECK((plane->normal + swapped->normal).norm() < 1e-15);
-    CHECK(plane->normal.dot(b.normal()) == Approx(-plane->normal.dot(a.normal())));
-    CHECK(plane->normal.dot(b.normal()) > 0.9);
-    CHECK((plane->across.cross(plane->along) - plane->normal).norm() < 1e-14);
-    CHECK(plane->across.norm() == Approx(1.0));
-  }
-}
-
-TEST_CASE("faces that stand at an angle have no common plane", "[contact][face_overlap]") {
-  const MovingFace floor = make_square(0.0, 0.0, true);
-  const auto has_plane = [&](double cosine) {
-    const Eigen::Vector3d normal(std::sqrt(1.0 - cosine * cosine), 0.0, cosine);
-    return make_common_plane(floor.x, floor.normal(), normal).has_value();
-  };
-  CHECK(has_plane(-1.0));
-  CHECK(has_plane(-0.31));
-  CHECK(!has_plane(-0.29));
-  CHECK(!has_plane(0.0));
-  CHECK(!has_plane(1.0));
-  CHECK(!has_plane(std::nan("")));
-}
 
 TEST_CASE("the overlap of two squares is a rectangle", "[contact][face_overlap]") {
   const Overlap found(make_square(0.0, 0.0, true), make_square(0.25, 0.1, false));
@@ -163,4 +136,33 @@ TEST_CASE("a face inside another one overlaps wholly, faces side by side do not"
   CHECK(Overlap(floor, make_square(0.0, 0.0, false)).points.area == Approx(1.0));
   CHECK(Overlap(floor, make_square(1.0, 0.0, false)).points.area == Approx(0.0).margin(1e-15));
   CHECK(Overlap(floor, make_square(1.5, 0.0, false)).points.area == 0.0);
+}
+
+TEST_CASE("a polygon is cut where a linear function changes its sign", "[contact][face_overlap]") {
+  const Overlap found(make_square(0.0, 0.0, true), make_square(0.0, 0.1, false));
+  const Eigen::Vector3d middle =
+      project(Eigen::Vector3d(0.5, 0.5, 0.0).replicate<1, 4>(), found.plane).col(0);
+  const auto part = [&](double by_u, double by_v, double value) {
+    const OverlapPolygon kept = part_of(found.polygon, {middle.x(), middle.y(), by_u, by_v, value});
+    return kept.has_area() ? kept.area() : 0.0;
+  };
+  // The axes of the plane run along the diagonals.
+  CHECK(part(1.0, 0.0, 0.0) == Approx(0.5));
+  CHECK(part(0.0, -2.0, 0.0) == Approx(0.5));
+  CHECK(part(1.0, 0.0, 1.0) == Approx(1.0));
+  CHECK(part(1.0, 0.0, -1.0) == 0.0);
+  CHECK(part(1.0, 0.0, -0.5) == Approx(std::pow(std::sqrt(0.5) - 0.5, 2)));
+  CHECK(part(0.0, 0.0, -1.0) == 0.0);
+}
+
+TEST_CASE("the gap of two planes is linear", "[contact][face_overlap]") {
+  Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    const MovingFace a = random_face(random, true, true, 0.0), b = random_face(random, true, false, 0.2);
+    const Overlap found(a, b);
+    const PlaneFunction gap = plane_gap(found.map_1, found.map_2);
+    CHECK(found.sum([&](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
+      return std::abs(gap.at(x.x(), x.y()) - (x - y).z());
+    }) < 1e-14);
+  }
 }

@@ -61,7 +61,9 @@ inline MovingFace random_face(Random& random, bool is_triangle, bool looks_up, d
 
 inline MovingFace turned(const MovingFace& face, const Eigen::Matrix3d& rotation,
                          const Eigen::Vector3d& shift) {
-  return make_face((rotation * face.x).colwise() + shift, rotation * face.v);
+  MovingFace turned = make_face((rotation * face.x).colwise() + shift, rotation * face.v);
+  turned.sharpness = face.sharpness;
+  return turned;
 }
 
 /// The same face, its corners counted from the next one.
