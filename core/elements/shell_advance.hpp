@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/elements/membrane_tension.hpp"
-#include "core/elements/shell_drilling.hpp"
 #include "core/elements/shell_layers.hpp"
+#include "core/elements/shell_resistance.hpp"
 
 /// A step of shells whose Geometry is as QuadShell.
 namespace contactsim {
@@ -29,54 +29,29 @@ struct SurfaceViscosity {
   }
 };
 
-/// The parts of what shells remember.
-struct ShellMemory {
-  std::span<Lanes> layers;    ///< [n_layers x (6 + n_state)]
-  std::span<Lanes> patterns;  ///< [n_patterns] elastic resistance
-  std::span<Lanes> drilling;  ///< [n_nodes] moments, or none [force length]
-  Lanes& growth;              ///< of the thickness over that at the start of the run [1]
-
-  ///   state  [n_layers x (6 + n_state) + n_patterns (+ n_nodes) + 1], in the order above
-  ShellMemory(std::span<Lanes> state, std::size_t n_patterns, std::size_t n_drilling)
-      : layers(state.first(state.size() - 1 - n_drilling - n_patterns)),
-        patterns(state.subspan(layers.size(), n_patterns)),
-        drilling(state.subspan(layers.size() + n_patterns, n_drilling)),
-        growth(state.back()) {}
+/// Whether tension has to be told to flatten a surface; one with transverse shear has that for it.
+template <class Geometry>
+constexpr bool is_flattened = !Geometry::has_rotations && requires(const Geometry& geometry) {
+  geometry.warp();
 };
 
-/// What the patterns of a step are resisted by.
+/// Sets the forces at the end of the step.
+///   sums        bulk viscosity included
+///   thickness   at the end [length]
+///   resistance  its patterns are set
 template <class Geometry>
-struct PatternStep {
-  const Geometry& geometry;
-  const ShellSettings& settings;
-  const ShellModuli& moduli;
-  const ShellSizes& sizes;
-  const ShellMotion<Geometry::n_nodes>& motion;
-};
-
-/// Brings the elastic resistance to patterns to the end of the step; returns the work on it in the step.
-///   elastic            [n_patterns]
-///   resistance         its patterns are set
-///   frequency_squared  what patterns add to the bound is added [1/time^2]
-template <class Geometry>
-Lanes resist_patterns(const PatternStep<Geometry>& step, const typename Geometry::Rates& rates,
-                      std::span<Lanes> elastic, typename Geometry::Rates& resistance,
-                      Lanes& frequency_squared) {
-  const auto& motion = step.motion;
-  const Lanes per_mass = static_cast<double>(Geometry::n_nodes) / motion.mass;
-  const Lanes per_inertia = static_cast<double>(Geometry::n_nodes) / motion.inertia;
-  const auto sizes = step.geometry.pattern_sizes();
-  Lanes work = Lanes::Zero();
-  for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
-    const Lanes stiffness = sizes[k].scale * pattern_stiffness(Geometry::kinds[k], step.settings, step.moduli,
-                                                               step.sizes, motion.thickness);
-    const Lanes rate = rates.patterns[k], growth = motion.dt * stiffness * rate;
-    elastic[k] += growth;
-    work += motion.dt * rate * (elastic[k] - 0.5 * growth);
-    frequency_squared += stiffness * (sizes[k].by_moving * per_mass + sizes[k].by_turning * per_inertia);
-    resistance.patterns[k] = elastic[k];
+void set_end_forces(const ShellMotion<Geometry::n_nodes>& motion, const Resultants& sums,
+                    const Lanes& thickness, typename Geometry::Rates& resistance,
+                    ShellStep<Geometry::n_nodes>& step) {
+  const Geometry end(motion.x);
+  step.volume = end.area() * thickness;
+  for (std::size_t i = 0; i < 3; ++i) {
+    resistance.membrane[i] = step.volume * sums.membrane[i];
+    resistance.curvature[i] = step.volume * thickness * sums.curvature[i];
   }
-  return work;
+  for (std::size_t i = 0; i < 2; ++i) resistance.shear[i] = step.volume * sums.shear[i];
+  end.set_forces(resistance, step.force, step.moment);
+  if constexpr (is_flattened<Geometry>) add_warp_forces(end, sums.membrane, step.volume, step.force);
 }
 
 }  // namespace shells
@@ -101,7 +76,7 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
   const shells::ShellModuli moduli(properties.law);
   const shells::ShellMemory memory(state, Geometry::n_patterns,
                                    settings.drilling > 0.0 ? Geometry::n_nodes : 0);
-  const shells::Resultants sums = shells::update_layers(
+  shells::Resultants sums = shells::update_layers(
       properties.law,
       shells::LayerStep<Geometry::n_patterns>{settings, rates, motion.thickness, motion.dt, moduli.bulk},
       memory.layers);
@@ -110,18 +85,10 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
 
   Lanes frequency_squared = shells::strain_frequency(motion, settings, moduli, sizes);
   typename Geometry::Rates resistance;
-  step.hourglass_work = shells::resist_patterns<Geometry>(
-      shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates, memory.patterns,
-      resistance, frequency_squared);
-  if (!memory.drilling.empty()) {
-    const Lanes stiffness = settings.drilling * moduli.shear / static_cast<double>(Geometry::n_nodes) *
-                            sizes.area * motion.thickness;
-    step.hourglass_work +=
-        shells::resist_drilling(geometry, motion, stiffness, memory.drilling, frequency_squared);
-  }
-  constexpr bool is_flattened = requires { geometry.warp(); }
-  &&!Geometry::has_rotations;
-  if constexpr (is_flattened) {
+  step.hourglass_work =
+      shells::resist_beyond_strain(shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion},
+                                   rates, memory, resistance, frequency_squared);
+  if constexpr (shells::is_flattened<Geometry>) {
     const auto of_warp = shells::warp_step(geometry, motion, sums.membrane);
     step.hourglass_work += of_warp.work;
     frequency_squared += of_warp.frequency_squared;
@@ -131,19 +98,10 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
   step.stable_step = viscosity.stable_step;
   step.viscous_work = viscosity.stress * dilatation * sizes.area * thickness.middle * motion.dt;
 
-  const Geometry end(motion.x);
-  step.volume = end.area() * thickness.end;
-  for (std::size_t i = 0; i < 3; ++i) {
-    resistance.membrane[i] = step.volume * sums.membrane[i];
-    resistance.curvature[i] = step.volume * thickness.end * sums.curvature[i];
-  }
-  for (std::size_t i = 0; i < 2; ++i) {
-    resistance.membrane[i] += step.volume * viscosity.stress;
-    resistance.shear[i] = step.volume * sums.shear[i];
-  }
-  end.set_forces(resistance, step.force, step.moment);
-  if constexpr (is_flattened) shells::add_warp_forces(end, sums.membrane, step.volume, step.force);
-  if (!memory.drilling.empty()) shells::add_drilling(end, memory.drilling, step.force, step.moment);
+  for (std::size_t i = 0; i < 2; ++i) sums.membrane[i] += viscosity.stress;
+  shells::set_end_forces<Geometry>(motion, sums, thickness.end, resistance, step);
+  if (!memory.drilling.empty())
+    shells::add_drilling(Geometry(motion.x), memory.drilling, step.force, step.moment);
 }
 
 }  // namespace contactsim

@@ -12,6 +12,20 @@ struct Resultants {
   std::array<Lanes, 3> membrane, curvature;
   std::array<Lanes, 2> shear;
   Lanes work, thickening;
+
+  static Resultants zero() {
+    const Lanes none = Lanes::Zero();
+    return {{none, none, none}, {none, none, none}, {none, none}, none, none};
+  }
+  /// Adds the stress of a layer of a weight at a share of the thickness from the nodes.
+  void add(double weight, double share, const PlaneLanes& stress) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      membrane[i] += weight * stress[i];
+      curvature[i] += weight * share * stress[i];
+    }
+    shear[0] += shear_correction * weight * stress[4];
+    shear[1] += shear_correction * weight * stress[3];
+  }
 };
 
 /// What moves the layers.
@@ -30,12 +44,7 @@ struct LayerStep {
 template <class Law, std::size_t n>
 Resultants update_layers(const Law& law, const LayerStep<n>& layer_step, std::span<Lanes> layers) {
   const auto& [settings, rates, thickness, dt, bulk] = layer_step;
-  Resultants sums;
-  for (Lanes& sum : sums.membrane) sum.setZero();
-  for (Lanes& sum : sums.curvature) sum.setZero();
-  for (Lanes& sum : sums.shear) sum.setZero();
-  sums.work.setZero();
-  sums.thickening.setZero();
+  Resultants sums = Resultants::zero();
   constexpr std::size_t point_size = 6 + Law::n_state;
   const double per_bulk = 1.0 / (3.0 * bulk);
   for (std::size_t layer = 0; layer < settings.layers.size(); ++layer) {
@@ -56,14 +65,9 @@ Resultants update_layers(const Law& law, const LayerStep<n>& layer_step, std::sp
       point[plane_places[i]] = stress[i];
       work += (i < 3 ? 0.5 : 0.5 * shear_correction) * step.strain[i] * (before[i] + stress[i]);
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      sums.membrane[i] += at.weight * stress[i];
-      sums.curvature[i] += at.weight * share * stress[i];
-    }
+    sums.add(at.weight, share, stress);
     for (std::size_t i = 0; i < 2; ++i)
       sums.thickening += at.weight * (per_bulk * (stress[i] - before[i]) - step.strain[i]);
-    sums.shear[0] += shear_correction * at.weight * stress[4];
-    sums.shear[1] += shear_correction * at.weight * stress[3];
     sums.work += at.weight * work;
   }
   return sums;
