@@ -83,7 +83,7 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
   const shells::ThicknessStep thickness(motion.thickness, sums.thickening, memory.growth);
   step.stress_work = sums.work * sizes.area * thickness.middle;
 
-  Lanes frequency_squared = shells::strain_frequency(motion, settings, moduli, sizes);
+  Lanes frequency_squared = sums.stiffening * shells::strain_frequency(motion, settings, moduli, sizes);
   typename Geometry::Rates resistance;
   step.hourglass_work =
       shells::resist_beyond_strain(shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion},
