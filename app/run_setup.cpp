@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/death/death_sets.hpp"
+#include "core/discrete_steps.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"
 #include "io/exodus_variables.hpp"
@@ -46,6 +47,7 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   model.rotation_kinematics = make_rotation_kinematics(scope, model.inertia);
   model.rigid.kinematics = make_body_kinematics(scope);
   model.rigid.rotation_kinematics = make_body_rotation_kinematics(scope);
+  set_discrete_steps(model);
   ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);
   InitialState initial = make_initial_state(scope, model.blocks);

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "app/energy_watch.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
 #include "app/run_contact.hpp"
@@ -23,9 +23,6 @@
 namespace contactsim {
 
 namespace {
-
-/// An energy that appears or vanishes is worth a warning when it is this share of the largest.
-constexpr double worrying_error = 0.01;
 
 /// What a run has besides its region.
 struct RunParts {
@@ -170,7 +167,9 @@ class Run {
   }
 
   void warn_of_user_step(const StepReport& at_start) {
-    if (state_.next_dt <= at_start.stable_step) return;
+    // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.
+    const bool is_bound = at_start.critical_element || contact_ != nullptr;
+    if (!is_bound || state_.next_dt <= at_start.stable_step) return;
     warnings_.add_warning("user-time-step", {},
                           fmt::format("the user time step {:.4g} is larger than the stable one, {:.4g}",
                                       state_.next_dt, at_start.stable_step));
@@ -178,7 +177,7 @@ class Run {
 
   void warn_of_energy() {
     const Energies& e = state_.energies;
-    if (has_warned_ || std::abs(e.error) <= worrying_error * e.largest) return;
+    if (has_warned_ || !watch_.is_off(state_)) return;
     has_warned_ = true;
     warnings_.add_warning("energy-error", {},
                           fmt::format("at step {}, time {:.6g}, the energy balance is off by {:.3g} "
@@ -222,6 +221,7 @@ class Run {
   double output_seconds_ = 0.0, restart_seconds_ = 0.0;
   std::optional<std::int64_t> last_line_;  // of the log, its step
   bool is_for_overlap_only_ = false;       // the deck wants no steps
+  EnergyWatch watch_{model_};
   bool has_warned_ = false;
   std::optional<std::string> end_;         // why the run ends before its termination time
   std::optional<std::string> stopped_by_;  // a signal

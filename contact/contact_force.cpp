@@ -197,9 +197,10 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
   const auto on_points = sums_.nodes().subspan(n_mesh_points);
   for (std::size_t i = 0; i < on_points.size(); ++i) {
     const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
-    moments.col(faces_.loft.node(i)) += arm.cross(on_points[i].head<3>());
+    const auto node = static_cast<Eigen::Index>(faces_.loft.node(i));
+    if (setup_.model.inertia(0, node) > least_mass) moments.col(node) += arm.cross(on_points[i].head<3>());
   }
-  // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
+  // Particles and the nodes of trusses and membranes do not turn: the moment of friction on them is lost.
   const auto of_balls = sums_.moments();
   for (std::size_t i = 0; i < of_balls.size(); ++i) {
     const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[i]);

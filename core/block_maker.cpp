@@ -20,11 +20,13 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
   }
   auto block = make(topology(mesh_.blocks()[index].shape).family, index, *parameters);
   if (!block) return;
-  check_volumes(*block, *parameters);
+  if (block->element->has_material()) check_volumes(*block, *parameters);
   const SectionDefinition* section = find_section(definition_, *parameters);
   if (has_directions(block->properties.law) && !give_directions(*parameters, section, *block)) return;
   block->is_rigid = section != nullptr && section->rigid_body;
-  block->material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
+  block->material = block->element->has_material() || parameters->model
+                        ? fmt::format("{} ({})", parameters->material->text, parameters->model->text)
+                        : "none";
   blocks.push_back(std::move(*block));
 }
 

@@ -35,9 +35,13 @@ class BlockMaker {
   Made make_lines(std::uint32_t index, const BlockParameters& parameters);
   Made make_solids(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters);
-  const ShellSection* find_shell_section(std::uint32_t index, const BlockParameters& parameters);
+  Made make_shells(std::uint32_t index, const BlockParameters& parameters, const ShellSection& section,
+                   const SolidElement* element);
+  const ShellSection* find_shell_section(std::uint32_t index, const SectionDefinition* section);
   const SolidSection* find_solid_section(std::uint32_t index, const BlockParameters& parameters);
   const SolidElement* find_formulation(std::uint32_t index, const ShellSection& section,
+                                       const BlockParameters& parameters);
+  const SolidElement* find_formulation(std::uint32_t index, const MembraneSection& section,
                                        const BlockParameters& parameters);
   const SolidElement* find_formulation(const Topology& shape, const SolidSection& solid,
                                        const BlockParameters& parameters);
@@ -55,7 +59,7 @@ class BlockMaker {
   Diagnostics& diagnostics_;
   SolidSection default_section_;
   ShellSection default_shell_section_;
-  DeckLocation section_location_;  ///< of the block at hand; not known when it has none
+  DeckLocation section_location_;  ///< of the block at hand, of its parameters when it has none
   std::string block_name_;
 };
 

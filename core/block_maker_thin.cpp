@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/discrete_section.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/line_section.hpp"
 #include "core/names.hpp"
@@ -11,34 +12,44 @@
 namespace contactsim {
 
 std::optional<SolidBlock> BlockMaker::make_shells(std::uint32_t index, const BlockParameters& parameters) {
-  const ShellSection* section = find_shell_section(index, parameters);
+  const SectionDefinition* section = find_section(definition_, parameters);
+  section_location_ = section != nullptr ? section->name.location : parameters.location;
+  const auto* membrane = section != nullptr ? std::get_if<MembraneSection>(&section->properties) : nullptr;
+  if (membrane != nullptr) {
+    return make_shells(index, parameters, as_shell_section(*membrane),
+                       find_formulation(index, *membrane, parameters));
+  }
+  const ShellSection* shell = find_shell_section(index, section);
+  if (shell == nullptr) return std::nullopt;
+  return make_shells(index, parameters, *shell, find_formulation(index, *shell, parameters));
+}
+
+std::optional<SolidBlock> BlockMaker::make_shells(std::uint32_t index, const BlockParameters& parameters,
+                                                  const ShellSection& section, const SolidElement* element) {
   const auto properties = make_properties(parameters, nullptr);
-  if (section == nullptr || !properties) return std::nullopt;
-  const SolidElement* element = find_formulation(index, *section, parameters);
+  if (!properties) return std::nullopt;
   if (!can_be_plane(properties->law)) {
     add_error(
         parameters.location,
         fmt::format("{}: shells of the model {} are not supported", block_name_, parameters.model->text), "");
     return std::nullopt;
   }
-  const DeckLocation& location = section_location_.is_known() ? section_location_ : parameters.location;
-  const auto settings = make_shell_settings(*section, parameters, location, diagnostics_);
-  const auto thicknesses = find_thicknesses(*section, mesh_, index, location, diagnostics_);
+  const auto settings = make_shell_settings(section, parameters, section_location_, diagnostics_);
+  const auto thicknesses = find_thicknesses(section, mesh_, index, section_location_, diagnostics_);
   if (element == nullptr || !settings || !thicknesses) return std::nullopt;
   return make_shell_block(mesh_, index, *element, *properties, *settings, *thicknesses);
 }
 
 /// A block without a section has the default one, with the thickness of the mesh.
-const ShellSection* BlockMaker::find_shell_section(std::uint32_t index, const BlockParameters& parameters) {
-  const SectionDefinition* section = find_section(definition_, parameters);
-  section_location_ = section != nullptr ? section->name.location : DeckLocation{};
+const ShellSection* BlockMaker::find_shell_section(std::uint32_t index, const SectionDefinition* section) {
   if (section == nullptr) return &default_shell_section_;
   const auto* shell = std::get_if<ShellSection>(&section->properties);
   if (shell == nullptr) {
-    add_error(section->name.location,
-              fmt::format("{} has elements of type {}, but its section '{}' is not a SHELL SECTION",
-                          block_name_, topology(mesh_.blocks()[index].shape).name, section->name.text),
-              "");
+    add_error(
+        section->name.location,
+        fmt::format("{} has elements of type {}, but its section '{}' is not a SHELL or MEMBRANE SECTION",
+                    block_name_, topology(mesh_.blocks()[index].shape).name, section->name.text),
+        "");
   }
   return shell;
 }
@@ -66,10 +77,40 @@ const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const Shel
   return nullptr;
 }
 
+const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const MembraneSection& section,
+                                                 const BlockParameters& parameters) {
+  const Topology& shape = topology(mesh_.blocks()[index].shape);
+  const std::string wanted = fold(section.formulation.text);
+  const SolidElement* element = find_membrane_element(shape.shape);
+  if (element == nullptr) {
+    add_error(parameters.location,
+              fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
+              "membranes of three and four nodes are");
+  } else if (wanted == "selective_deviatoric") {
+    diagnostics_.add_warning(
+        "membrane-formulation", section.formulation.location,
+        fmt::format("{}: MEAN_QUADRATURE stands in for {}", block_name_, section.formulation.text),
+        "hourglass resistance does what further points would do");
+  } else if (wanted != element->formulation) {
+    add_error(section.formulation.location,
+              fmt::format("{}: there are no membranes with the formulation {}", block_name_,
+                          section.formulation.text),
+              "there are mean_quadrature and selective_deviatoric");
+    return nullptr;
+  }
+  return element;
+}
+
 std::optional<SolidBlock> BlockMaker::make_lines(std::uint32_t index, const BlockParameters& parameters) {
+  const SectionDefinition* section = find_section(definition_, parameters);
+  if (section != nullptr && is_discrete(*section)) {
+    std::optional<SolidProperties> material;
+    if (std::holds_alternative<DamperSection>(section->properties))
+      material = make_properties(parameters, nullptr);
+    return make_discrete(*section, material, {mesh_, index, definition_.functions, diagnostics_});
+  }
   const auto properties = make_properties(parameters, nullptr);
-  const auto setup =
-      make_line_setup(find_section(definition_, parameters), mesh_, index, parameters.location, diagnostics_);
+  const auto setup = make_line_setup(section, mesh_, index, parameters.location, diagnostics_);
   if (!properties || !setup) return std::nullopt;
   if (setup->element->shape != Shape::sphere && !can_be_fibre(properties->law)) {
     add_error(parameters.location,
@@ -78,7 +119,9 @@ std::optional<SolidBlock> BlockMaker::make_lines(std::uint32_t index, const Bloc
               "");
     return std::nullopt;
   }
-  return make_line_block(mesh_, index, *setup->element, *properties, setup->beam, setup->sizes);
+  SolidBlock block = make_line_block(mesh_, index, *setup->element, *properties, setup->beam, setup->sizes);
+  block.preload = setup->preload;
+  return block;
 }
 
 }  // namespace contactsim

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/discrete_steps.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/errors.hpp"
 #include "core/threads.hpp"
@@ -66,25 +67,45 @@ void InternalForce::stop_at_inverted(const SolidBlock& block, const Motion& moti
                                model_.mesh->name({EntityKind::block, block.mesh_block})));
 }
 
+namespace {
+
+/// What each kind of elements would allow alone.
+struct StableSteps {
+  double material = infinity, stiffness = infinity, damping = infinity;  ///< [time]
+
+  double& of(StepRule rule) {
+    if (rule == StepRule::stiffness) return stiffness;
+    return rule == StepRule::damping ? damping : material;
+  }
+  double least() const { return std::min({material, stiffness, damping}); }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
 ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   forces.setZero();
   ForceReport report;
+  StableSteps steps;
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
     const SolidBlock& block = model_.blocks[index];
     if (block.is_rigid) continue;
     advance_chunks(index, motion);
     for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
       if (!(chunk.least_volume > 0.0)) stop_at_inverted(block, motion);
-      if (chunk.stable_step < report.stable_step) {
-        report.stable_step = chunk.stable_step;
+      if (chunk.stable_step < steps.least()) {
         report.critical_element = {block.first_element.value +
                                    static_cast<std::uint32_t>(chunk.critical_element)};
       }
+      double& step = steps.of(block.element->step_rule);
+      step = std::min(step, chunk.stable_step);
       report.hourglass_work += chunk.hourglass_work;
       report.viscous_work += chunk.viscous_work;
     }
     block.sums.add(state_.blocks[index].forces, forces);
   }
+  report.stable_step = combined_step(steps.material, steps.stiffness, steps.damping);
   if (std::isinf(report.stable_step)) {
     if (std::isinf(idle_step_)) idle_step_ = find_step_at_rest(model_, false);
     report.stable_step = idle_step_;

@@ -25,12 +25,13 @@ class LineReader {
     std::string problem;
     const auto beam = make_beam_shape(section, problem);
     if (!beam) return fail(fmt::format("{}: its beam section {}", name_, problem));
-    return finish({nullptr, *beam, std::vector<double>(block_.n_elements, beam->area)}, "beam");
+    return finish({nullptr, *beam, std::vector<double>(block_.n_elements, beam->area), {}}, "beam");
   }
 
   std::optional<LineSetup> read(const TrussSection& section) const {
-    if (section.initial_load != 0.0) return fail(fmt::format("{}: INITIAL LOAD is not supported", name_));
-    return with_sizes({}, section.area, "area", "truss");
+    LineSetup setup;
+    setup.preload = {section.initial_load, section.period};
+    return with_sizes(std::move(setup), section.area, "area", "truss");
   }
 
   std::optional<LineSetup> read(const ParticleSection& section) const {
@@ -39,8 +40,9 @@ class LineReader {
 
   template <class Section>
   std::optional<LineSetup> read(const Section&) const {
-    return fail(fmt::format("{} has elements of type {}, which need a BEAM, TRUSS or PARTICLE SECTION", name_,
-                            topology(block_.shape).name));
+    return fail(fmt::format(
+        "{} has elements of type {}, which need a {} SECTION", name_, topology(block_.shape).name,
+        block_.shape == Shape::sphere ? "PARTICLE or POINT MASS" : "BEAM, TRUSS, SPRING or DAMPER"));
   }
 
   std::optional<LineSetup> fail(std::string text) const {

@@ -15,11 +15,12 @@ struct LineSetup {
   const SolidElement* element = nullptr;
   BeamShapeSettings beam;     ///< of beams; a truss has one fibre
   std::vector<double> sizes;  ///< [n_elements] cross-section [length^2], of particles the radius [length]
+  Preload preload;            ///< of trusses
 };
 
 /// Reads a BEAM, TRUSS or PARTICLE SECTION for a block of lines or particles; sizes that the section leaves
 /// out come from the mesh's attributes. Nothing when an error was added: another section or none, a shape or
-/// size that is missing or wrong, an initial load.
+/// size that is missing or wrong.
 ///   block  position in the mesh
 std::optional<LineSetup> make_line_setup(const SectionDefinition* section, const Mesh& mesh,
                                          std::uint32_t block, const DeckLocation& location,

@@ -27,12 +27,7 @@ std::string describe_missing(const ShellSection& section) {
                      section.thickness_mesh_variable->text);
 }
 
-void warn_of_no_effect(const ShellSection& section, const BlockParameters& parameters,
-                       const DeckLocation& location, Diagnostics& diagnostics) {
-  if (section.drilling_stiffness_factor > 0.0) {
-    diagnostics.add_warning("shell-drilling", location,
-                            "DRILLING STIFFNESS FACTOR has no effect: fibres turn freely about themselves");
-  }
+void warn_of_no_effect(const BlockParameters& parameters, Diagnostics& diagnostics) {
   if (parameters.hourglass_viscosity > 0.0) {
     diagnostics.add_warning("shell-hourglass-viscosity", parameters.location,
                             "HOURGLASS VISCOSITY has no effect on shells");
@@ -41,15 +36,26 @@ void warn_of_no_effect(const ShellSection& section, const BlockParameters& param
 
 }  // namespace
 
+ShellSection as_shell_section(const MembraneSection& section) {
+  ShellSection shell;
+  shell.thickness = section.thickness;
+  shell.thickness_scale_factor = section.thickness_scale_factor;
+  shell.thickness_mesh_variable = section.thickness_mesh_variable;
+  shell.integration_rule.text = "gauss";
+  shell.n_integration_points = 1;
+  return shell;
+}
+
 std::optional<ShellSettings> make_shell_settings(const ShellSection& section,
                                                  const BlockParameters& parameters,
                                                  const DeckLocation& location, Diagnostics& diagnostics) {
-  warn_of_no_effect(section, parameters, location, diagnostics);
+  warn_of_no_effect(parameters, diagnostics);
   ShellSettings settings;
   settings.layers = make_layers(section.integration_rule.text, section.n_integration_points);
   settings.offset = section.lofting_factor - 0.5;
   settings.membrane_hourglass = settings.bending_hourglass = settings.shear_hourglass =
       parameters.hourglass_stiffness;
+  settings.drilling = section.drilling_stiffness_factor;
   if (!settings.layers.empty()) return settings;
   const DeckName& rule = section.integration_rule;
   diagnostics.add_error(

@@ -12,6 +12,9 @@
 
 namespace contactsim {
 
+/// Membranes as shells of one layer in their middle, about which the nodes are.
+ShellSection as_shell_section(const MembraneSection& section);
+
 /// What a SHELL SECTION and the parameters of a block say of its shells. Nothing when an error was added: a
 /// rule of integration that does not exist or does not have so many points. Lines that have no effect are
 /// warned of.

@@ -64,6 +64,7 @@ void check_clashes(const std::vector<std::string>& paths, const DeckName& region
 
 Outputs::Outputs(const ConditionScope& scope, const Model& model, OutputSettings settings)
     : model_(model),
+      rigid_part_(model),
       variables_(model, std::move(settings.variables)),
       user_outputs_(scope, variables_),
       terminations_(scope.region.terminations, variables_, scope.diagnostics),
@@ -102,10 +103,14 @@ void Outputs::add_results(const ConditionScope& scope, const ResultsOutput& outp
   const FieldRequests requests{output.variables, output.included, output.excluded,
                                database.component_separator};
   constexpr std::int64_t ends_only = 0;
-  exodus_.push_back({*path, database.overwrites, true,
+  exodus_.push_back({*path,
+                     database.overwrites,
+                     true,
                      database.title.empty() ? definition.title : database.title,
                      OutputTimes(schedule, ends_only),
-                     make_requested_fields(variables_, requests, block_names_, diagnostics), nullptr});
+                     make_requested_fields(variables_, requests, block_names_, diagnostics),
+                     {},
+                     nullptr});
 }
 
 void Outputs::add_history(const ConditionScope& scope, const HistoryOutput& output) {
@@ -116,9 +121,14 @@ void Outputs::add_history(const ConditionScope& scope, const HistoryOutput& outp
       resolve_schedule(output.schedule, definition.output_schedulers, diagnostics);
   constexpr std::int64_t every_step = 1;
   exodus_.push_back(
-      {expand_file_name(definition, database.name ? database.name->text : "%B.h"), database.overwrites, false,
-       database.title.empty() ? definition.title : database.title, OutputTimes(schedule, every_step),
-       make_single_values(variables_, output.variables, database.component_separator, diagnostics), nullptr});
+      {expand_file_name(definition, database.name ? database.name->text : "%B.h"),
+       database.overwrites,
+       false,
+       database.title.empty() ? definition.title : database.title,
+       OutputTimes(schedule, every_step),
+       make_single_values(variables_, output.variables, database.component_separator, diagnostics),
+       {},
+       nullptr});
 }
 
 void Outputs::add_heartbeat(const ConditionScope& scope, const HeartbeatOutput& output) {
@@ -175,13 +185,14 @@ ResultsText Outputs::make_text(const std::string& title) const {
 }
 
 void Outputs::open_files() {
-  const Mesh no_mesh, mesh = model_.mesh->with_side_sets(settings_.side_sets);
+  const Mesh no_mesh, mesh = rigid_part_.on(model_.mesh->with_side_sets(settings_.side_sets));
   const auto open = [&](ExodusJob& job) {
     std::error_code ignored;
     if (!job.overwrites && std::filesystem::exists(job.path, ignored))
       throw FileError(job.path, "exists, and the deck says OVERWRITE = OFF");
+    job.defined = job.fields.fields();
     job.writer = std::make_unique<ResultsWriter>(job.path, job.has_mesh ? mesh : no_mesh,
-                                                 make_text(job.title), job.fields.fields());
+                                                 make_text(job.title), job.defined);
   };
   for (ExodusJob& job : exodus_) open(job);
   for (HeartbeatJob& job : heartbeats_) {
@@ -228,7 +239,9 @@ void Outputs::write(const State& state, bool is_last) {
   user_outputs_.compute(moment, is_any_due);
   for (ExodusJob& job : exodus_) {
     if (!job.is_due) continue;
-    job.writer->write_step(state.time, [&](std::size_t field) { return job.fields.evaluate(field, moment); });
+    job.writer->write_step(state.time, [&](std::size_t field) {
+      return rigid_part_.extended(job.defined[field], job.fields.evaluate(field, moment), state);
+    });
   }
   for (HeartbeatJob& job : heartbeats_) {
     if (!job.is_due) continue;

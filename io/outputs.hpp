@@ -15,6 +15,7 @@
 #include "core/time_step.hpp"
 #include "io/heartbeat_writer.hpp"
 #include "io/results_writer.hpp"
+#include "io/rigid_part.hpp"
 
 namespace contactsim {
 
@@ -76,6 +77,7 @@ class Outputs {
     std::string title;
     OutputTimes times;
     RequestedFields fields;
+    std::vector<OutputField> defined;  ///< as `fields`, once the file is open
     std::unique_ptr<ResultsWriter> writer;
     bool is_due = false;
   };
@@ -102,6 +104,7 @@ class Outputs {
   bool find_due(const RunMoment& now);
 
   const Model& model_;
+  RigidPart rigid_part_;
   RunVariables variables_;
   UserOutputs user_outputs_;
   Terminations terminations_;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/conditions/kinematics.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace contactsim {
@@ -24,6 +26,23 @@ std::vector<NodeIndex> all_nodes(const Mesh& mesh, std::span<const DrivenNodes> 
 
 Kinematics::Kinematics(const Mesh& mesh, std::vector<DrivenNodes> driven)
     : mesh_(&mesh), driven_(std::move(driven)), nodes_(all_nodes(mesh, driven_)) {}
+
+std::vector<NodeIndex> Kinematics::never_free() const {
+  std::vector<std::uint8_t> axes(mesh_ != nullptr ? mesh_->n_nodes() : 0, 0);
+  for (const DrivenNodes& driven : driven_) {
+    const auto* components = std::get_if<Components>(&driven.direction);
+    if (components == nullptr || !(driven.times == ActiveTimes{})) continue;
+    std::uint8_t set = 0;
+    for (unsigned i = 0; i < 3; ++i)
+      set = static_cast<std::uint8_t>(set | (components->is_set[i] ? 1U << i : 0U));
+    for (const NodeIndex node : driven.nodes)
+      axes[node.value] = static_cast<std::uint8_t>(axes[node.value] | set);
+  }
+  std::vector<NodeIndex> nodes;
+  std::copy_if(nodes_.begin(), nodes_.end(), std::back_inserter(nodes),
+               [&](NodeIndex node) { return axes[node.value] == 7; });
+  return nodes;
+}
 
 void Kinematics::constrain(const BetweenSteps& now, Eigen::Matrix3Xd& acceleration) const {
   for (const DrivenNodes& driven : driven_) {

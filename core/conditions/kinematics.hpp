@@ -26,6 +26,9 @@ class Kinematics {
   /// The nodes that any condition may act on, ascending, each once.
   std::span<const NodeIndex> nodes() const { return nodes_; }
 
+  /// Those that are held or driven along all three axes all the time, ascending.
+  std::vector<NodeIndex> never_free() const;
+
   /// Overwrites the accelerations of what is held or driven now. Throws SolveError when a condition has no
   /// finite value.
   ///   acceleration  [3 x n_nodes] of free motion [length/time^2]

@@ -20,8 +20,15 @@ std::span<const SolidElement* const> shell_elements() {
   return rows;
 }
 
+std::span<const SolidElement* const> membrane_elements() {
+  static constexpr std::array rows{&shell4_membrane, &quad4_membrane, &shell3_membrane};
+  return rows;
+}
+
 std::span<const SolidElement* const> line_elements() {
-  static constexpr std::array rows{&beam2_beam, &bar2_beam, &beam2_truss, &bar2_truss, &sphere_particle};
+  static constexpr std::array rows{&beam2_beam,      &bar2_beam,         &beam2_truss,         &bar2_truss,
+                                   &sphere_particle, &beam2_spring,      &bar2_spring,         &beam2_damper,
+                                   &bar2_damper,     &sphere_point_mass, &sphere_point_inertia};
   return rows;
 }
 
@@ -46,6 +53,10 @@ const SolidElement* find_shell_element(Shape shape, std::string_view formulation
   if (shape == Shape::shell3 && find(shell_elements(), Shape::shell4, formulation) != nullptr)
     return &shell3_c0_tri_shell;
   return find(shell_elements(), shape, formulation);
+}
+
+const SolidElement* find_membrane_element(Shape shape) {
+  return find(membrane_elements(), shape, "mean_quadrature");
 }
 
 const SolidElement* find_line_element(Shape shape, std::string_view formulation) {

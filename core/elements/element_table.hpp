@@ -21,6 +21,10 @@ struct ChunkStep {
   double viscous_work;           ///< [energy]
 };
 
+/// How the stable step of elements goes together with that of others. Elements of a material bring the mass
+/// that they move, so that the least of their steps is that of all; the others move the mass of others.
+enum class StepRule : std::uint8_t { material, stiffness, damping, none };
+
 /// Row of the element table: a solid element by shape and section formulation.
 struct SolidElement {
   Shape shape;
@@ -43,6 +47,10 @@ struct SolidElement {
   /// The axes, as rows, along which an element keeps its stress; null: the global axes.
   ///   coordinates  [3 x n_nodes] of the element now [length]
   Eigen::Matrix3d (*frame)(const ElementVectors& coordinates) = nullptr;
+
+  StepRule step_rule = StepRule::material;
+
+  bool has_material() const { return step_rule == StepRule::material; }
 };
 
 /// The rows of solids; the first of a shape is its default.
@@ -51,7 +59,11 @@ std::span<const SolidElement* const> solid_elements();
 /// The rows of shells, in the same order.
 std::span<const SolidElement* const> shell_elements();
 
-/// The rows of lines and particles: beam, truss, particle.
+/// The rows of membranes, one of each shape of shells.
+std::span<const SolidElement* const> membrane_elements();
+
+/// The rows of lines and particles: beam, truss, particle, spring, damper, point mass without and with
+/// inertia.
 std::span<const SolidElement* const> line_elements();
 
 /// The row of lines or particles of a shape and formulation, null when there is none.
@@ -63,6 +75,9 @@ const SolidElement* find_solid_element(Shape shape, std::string_view formulation
 /// The same of shells. The formulations of four-node shells mean the one of triangles there is, so that a
 /// section may be for both.
 const SolidElement* find_shell_element(Shape shape, std::string_view formulation);
+
+/// The row of membranes of a shape, null when there is none.
+const SolidElement* find_membrane_element(Shape shape);
 
 /// The formulations of a shape, for messages: "mean_quadrature, selective_deviatoric"; "" when it has none.
 std::string list_formulations(Shape shape);

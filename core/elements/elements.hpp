@@ -19,8 +19,19 @@ extern const SolidElement beam2_truss;
 extern const SolidElement bar2_truss;
 extern const SolidElement sphere_particle;
 
+extern const SolidElement beam2_spring;
+extern const SolidElement bar2_spring;
+extern const SolidElement beam2_damper;
+extern const SolidElement bar2_damper;
+extern const SolidElement sphere_point_mass;
+extern const SolidElement sphere_point_inertia;
+
 extern const SolidElement shell4_bt_shell;
 extern const SolidElement quad4_bt_shell;
 extern const SolidElement shell3_c0_tri_shell;
+
+extern const SolidElement shell4_membrane;
+extern const SolidElement quad4_membrane;
+extern const SolidElement shell3_membrane;
 
 }  // namespace contactsim

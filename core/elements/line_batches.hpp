@@ -16,6 +16,7 @@ struct LineMotion {
   NodeVectors<2> w;     ///< angular velocities at its middle, of lines with rotations [1/time]
   Lanes mass, inertia;  ///< of the elements [mass], [mass length^2]
   double dt = 0.0;      ///< size of the step; 0: forces at the start are asked for [time]
+  double time = 0.0;    ///< at its end [time]
 
   VectorLanes velocity_difference() const {
     return {v[0][1] - v[0][0], v[1][1] - v[1][0], v[2][1] - v[2][0]};
@@ -99,7 +100,8 @@ ChunkStep advance_lines(const SolidBlock& block, const BatchChunk& chunk, const 
                            gather<2>(nodes, w.data()),
                            block.mass[i],
                            inertia,
-                           motion.dt};
+                           motion.dt,
+                           motion.time};
     life.place(line_motion.x);
     life.stop(line_motion.v);
     life.stop(line_motion.w);

@@ -162,6 +162,26 @@ void QuadShell::set_forces(const Rates& r, NodeVectors<4>& force, NodeVectors<4>
          to_global(frame_, moment_of(on_psi_c, -0.25 * about_normal_c)), moment);
 }
 
+std::array<std::array<Lanes, 4>, 2> QuadShell::gradients() const {
+  std::array<std::array<Lanes, 4>, 2> gradients;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Lanes sum = 0.25 * (xi_[i] + eta_[i]), difference = 0.25 * (xi_[i] - eta_[i]);
+    gradients[i] = {-sum, difference, sum, -difference};
+  }
+  return gradients;
+}
+
+shells::SurfaceWarp QuadShell::warp() const {
+  shells::SurfaceWarp warp;
+  warp.height = 4.0 * z_;
+  const auto rows = gradients();
+  for (std::size_t a = 0; a < 4; ++a)
+    warp.pattern[a] = (a % 2 == 0 ? 1.0 : -1.0) - c_[0] * rows[0][a] - c_[1] * rows[1][a];
+  warp.slopes = {xi_[0] * xi_[0] + eta_[0] * eta_[0], xi_[1] * xi_[1] + eta_[1] * eta_[1],
+                 xi_[0] * xi_[1] + eta_[0] * eta_[1]};
+  return warp;
+}
+
 /// The rows of shear by fibres are those of their mean, of norm 1/2, and a part that grows with c.
 ShellSizes QuadShell::sizes() const {
   ShellSizes sizes;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/elements/membrane_tension.hpp"
 #include "core/elements/shell_frame.hpp"
 #include "core/elements/shell_kernel.hpp"
 
@@ -17,7 +18,8 @@ namespace contactsim {
 /// shear: Bathe and Dvorkin, Int. J. Numer. Meth. Eng. 21 (1985) 367-383.
 class QuadShell {
  public:
-  static constexpr std::size_t n_nodes = 4, n_patterns = 6;
+  static constexpr std::size_t n_nodes = 4, n_patterns = 6, n_membrane_patterns = 2;
+  static constexpr bool has_rotations = true;
   static constexpr std::array<PatternKind, n_patterns> kinds{PatternKind::membrane, PatternKind::membrane,
                                                              PatternKind::bending,  PatternKind::bending,
                                                              PatternKind::shear,    PatternKind::shear};
@@ -36,6 +38,10 @@ class QuadShell {
   /// Sets what resists the rates on the nodes: the transpose of `rates`, with the other sign.
   void set_forces(const Rates& resistance, NodeVectors<4>& force, NodeVectors<4>& moment) const;
 
+  /// Of the shape functions along x and y [1/length].
+  std::array<std::array<Lanes, 4>, 2> gradients() const;
+
+  shells::SurfaceWarp warp() const;
   ShellSizes sizes() const;
   std::array<PatternSizes, n_patterns> pattern_sizes() const;
 

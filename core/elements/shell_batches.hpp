@@ -29,6 +29,7 @@ void fade(ChunkLife& life, std::span<Lanes> values, ShellStep<n>& step) {
   life.fade(step.moment);
   life.fade(step.stress_work);
   life.fade(step.hourglass_work);
+  life.fade(step.viscous_work);
 }
 
 /// What the lanes in use add.
@@ -36,6 +37,14 @@ template <std::size_t n>
 void add_lanes(const ShellStep<n>& step, std::size_t first_element, Eigen::Index n_used, ChunkStep& sums) {
   add_extremes(step.stable_step, step.volume, first_element, n_used, sums);
   sums.hourglass_work += step.hourglass_work.head(n_used).sum();
+  sums.viscous_work += step.viscous_work.head(n_used).sum();
+}
+
+/// Nodes that do not turn are as if they had endless inertia.
+template <class Geometry>
+Lanes inertia_of_shells(const SolidBlock& block, std::size_t batch) {
+  if constexpr (Geometry::has_rotations) return block.inertia[batch];
+  return Lanes::Constant(std::numeric_limits<double>::infinity());
 }
 
 template <class Geometry>
@@ -44,27 +53,27 @@ ChunkStep advance_shells(const SolidBlock& block, const BatchChunk& chunk, const
   constexpr std::size_t n = Geometry::n_nodes;
   const auto numbers = block.nodes_of(chunk);
   const ChunkVectors x(numbers, motion.coordinates), v(numbers, motion.velocity);
-  const ChunkVectors w(numbers, *motion.angular_velocity);
+  const ChunkVectors w(numbers, Geometry::has_rotations ? *motion.angular_velocity : motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
-  NodeVector* moments = state.moments.data() + chunk.first_node;
+  NodeVector* moments = Geometry::has_rotations ? state.moments.data() + chunk.first_node : nullptr;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
-  std::fill_n(moments, chunk.n_nodes, NodeVector::Zero());
+  if (Geometry::has_rotations) std::fill_n(moments, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
   ChunkLife life(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
     if (!life.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
+    const std::span<Lanes> values = state.batch(block.layout, i);
     ShellMotion<n> shell_motion{gather<n>(nodes, x.data()),
                                 gather<n>(nodes, v.data()),
                                 gather<n>(nodes, w.data()),
                                 block.mass[i],
-                                block.inertia[i],
-                                block.thickness[i],
+                                inertia_of_shells<Geometry>(block, i),
+                                block.thickness[i] * (1.0 + values[block.thickness_growth()]),
                                 motion.dt};
     life.place(shell_motion.x);
     life.stop(shell_motion.v);
     life.stop(shell_motion.w);
-    const std::span<Lanes> values = state.batch(block.layout, i);
     life.keep(values);
     ShellStep<n> step;
     advance_shell<Geometry>(block.properties, block.shell, shell_motion, values.first(block.layout.energy()),
@@ -73,7 +82,7 @@ ChunkStep advance_shells(const SolidBlock& block, const BatchChunk& chunk, const
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);
-    scatter_add(step.moment, nodes, n_used, moments);
+    if constexpr (Geometry::has_rotations) scatter_add(step.moment, nodes, n_used, moments);
     add_lanes(step, i * n_lanes, static_cast<Eigen::Index>(n_used), sums);
   }
   return sums;
@@ -105,10 +114,10 @@ constexpr SolidElement shell_element(Shape shape, std::string_view formulation) 
           formulation,
           Geometry::n_nodes,
           0,
-          Geometry::n_patterns,
+          Geometry::n_patterns + 1,
           &batches::shell_volumes<Geometry>,
           &batches::advance_shells<Geometry>,
-          true,
+          Geometry::has_rotations,
           &batches::shell_frame<Geometry>};
 }
 

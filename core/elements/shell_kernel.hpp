@@ -17,7 +17,7 @@ struct ShellMotion {
   NodeVectors<n> w;  ///< angular velocities at its middle [1/time]
   Lanes mass;        ///< of the elements [mass]
   Lanes inertia;     ///< rotational, of the elements [mass length^2]
-  Lanes thickness;   ///< [length]
+  Lanes thickness;   ///< at the start of the step [length]
   double dt = 0.0;   ///< size of the step; 0: forces at the start are asked for [time]
 };
 
@@ -29,7 +29,8 @@ struct ShellStep {
   Lanes volume;           ///< at the end of the step [length^3]
   Lanes stable_step;      ///< [time]
   Lanes stress_work;      ///< done on the material's stress in the step [energy]
-  Lanes hourglass_work;   ///< done on the hourglass forces in the step [energy]
+  Lanes hourglass_work;   ///< done on the hourglass forces in the step, those of drilling too [energy]
+  Lanes viscous_work;     ///< done on the bulk viscosity in the step [energy]
 };
 
 /// How fast shells deform, in their frame; or the forces against it, such that the products of both sum to a

@@ -21,6 +21,8 @@ struct ShellSettings {
   double membrane_hourglass = 0.05;  ///< share of the membrane stiffness, >= 0 [1]
   double bending_hourglass = 0.05;   ///< share of the bending stiffness, >= 0 [1]
   double shear_hourglass = 0.05;     ///< share of the transverse shear stiffness, >= 0 [1]
+  double drilling =
+      0.0;  ///< share of the shear stiffness that fibres turn about themselves against, >= 0 [1]
 };
 
 /// The rules that there are: gauss, lobatto, simpsons, trapezoid.

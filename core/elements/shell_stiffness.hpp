@@ -13,7 +13,7 @@ namespace contactsim::shells {
 /// of at most lambda (tr D)^2 + 2 shear D : D, and angles across the thickness one of `across` times their
 /// squares.
 struct ShellModuli {
-  double lambda, shear, across, youngs;
+  double lambda, shear, across, youngs, bulk;
 
   explicit ShellModuli(const MaterialLaw& law) {
     const ElasticModuli moduli = moduli_of(law);
@@ -21,6 +21,7 @@ struct ShellModuli {
     lambda = std::max(plane.across, 0.0);
     shear = moduli.shear;
     across = moduli.shear;
+    bulk = moduli.bulk;
     youngs = 9.0 * moduli.bulk * moduli.shear / (3.0 * moduli.bulk + moduli.shear);
   }
 };

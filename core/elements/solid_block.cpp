@@ -101,9 +101,11 @@ SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const So
                             std::span<const double> thickness) {
   SolidBlock block = make_block(mesh, mesh_block, element, properties);
   block.layout.n_points = settings.layers.size();
+  if (settings.drilling > 0.0) block.layout.n_own += element.n_nodes;
   block.shell = settings;
   block.thickness = in_lanes(thickness, block.n_batches());
   set_masses(mesh, block);
+  if (!element.has_rotations) return block;
   const double across = 1.0 / 12.0 + settings.offset * settings.offset;
   for (std::size_t i = 0; i < block.n_batches(); ++i) {
     const Lanes& t = block.thickness[i];
@@ -130,6 +132,15 @@ SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const Sol
   return block;
 }
 
+SolidBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                               double density, std::span<const double> sizes) {
+  SolidBlock block = make_block(mesh, mesh_block, element, SolidProperties{ElasticLaw{}, density});
+  block.layout.n_points = 1;
+  block.section = in_lanes(sizes, block.n_batches());
+  set_masses(mesh, block);
+  return block;
+}
+
 SolidBlockState make_state(const SolidBlock& block) {
   SolidBlockState state;
   state.values.assign(block.n_batches() * block.layout.size(), Lanes::Zero());
@@ -140,6 +151,8 @@ SolidBlockState make_state(const SolidBlock& block) {
       const std::size_t size = block.layout.point_size;
       const auto material = state.batch(block.layout, batch).subspan(point * size + 6, size - 6);
       start_state(block.properties.law, material);
+      if (block.preload.load != 0.0 && block.preload.period == 0.0)
+        state.batch(block.layout, batch)[point * size] = block.preload.load / block.section[batch];
       if (block.directions.empty()) continue;
       const std::size_t place = 6 * state_of(block.properties.law).n_tensors;
       std::copy_n(block.directions.begin() + static_cast<std::ptrdiff_t>(6 * batch), 6,

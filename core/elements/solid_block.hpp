@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/elements/beam_shape.hpp"
+#include "core/elements/discrete_parts.hpp"
 #include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
 #include "core/elements/shell_settings.hpp"
@@ -55,8 +56,10 @@ struct SolidBlock {
   std::vector<ChunkNode> nodes;            ///< [n_batches x n_nodes x n_lanes] of the chunk
   std::vector<Lanes> mass;                 ///< [n_batches] [mass]
   ShellSettings shell;                     ///< of shells
-  std::vector<Lanes> thickness;            ///< [n_batches] of shells [length]
+  std::vector<Lanes> thickness;            ///< [n_batches] of shells at the start [length]
   BeamShapeSettings beam;                  ///< of lines
+  Preload preload;                         ///< of trusses
+  DiscreteParts discrete;                  ///< of springs, dampers and point masses
   std::vector<Lanes> section;  ///< [n_batches] of lines [length^2], of particles the radius [length]
   std::vector<Lanes> inertia;  ///< [n_batches] of elements whose nodes turn [mass length^2]
   /// [n_batches x 6] the material's directions 1 and 2 at rest: of solids in coordinates, of shells in their
@@ -65,6 +68,8 @@ struct SolidBlock {
   NodeSums sums;  ///< from the nodes of chunks to those of the mesh
 
   std::size_t n_batches() const { return mass.size(); }
+  /// Where shells remember how their thickness has grown, as ShellMemory [1].
+  std::size_t thickness_growth() const { return layout.energy() - 1; }
   std::span<const std::uint32_t> nodes_of(const BatchChunk& chunk) const {
     return {chunk_nodes.data() + chunk.first_node, chunk.n_nodes};
   }
@@ -96,9 +101,9 @@ struct SolidBlockState {
 SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
                             const SolidProperties& properties);
 
-/// The same of shells, whose nodes have an equal share of an inertia each: a sphere's of radius^2 = A / 8, or
-/// that of a bar across the thickness when it is larger, which is what keeps turning out of the stable step.
-/// Source: Hughes, Cohen and Haroun, Nucl. Eng. Des. 46 (1978) 203-222.
+/// The same of shells and membranes. The nodes of shells have an equal share of an inertia each: a sphere's
+/// of radius^2 = A / 8, or that of a bar across the thickness when it is larger, which is what keeps turning
+/// out of the stable step. Source: Hughes, Cohen and Haroun, Nucl. Eng. Des. 46 (1978) 203-222.
 ///   thickness  [n_elements] > 0 [length]
 SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
                             const SolidProperties& properties, const ShellSettings& settings,
@@ -110,6 +115,12 @@ SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const So
 SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
                            const SolidProperties& properties, const BeamShapeSettings& beam,
                            std::span<const double> sizes);
+
+/// The same of springs, dampers and point masses, whose mass is density x their volume; lengths, stiffness
+/// and inertia are still to be set.
+///   sizes  [n_elements] cross-section of lines [length^2]
+SolidBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+                               double density, std::span<const double> sizes);
 
 /// The state of undeformed elements at rest.
 SolidBlockState make_state(const SolidBlock& block);

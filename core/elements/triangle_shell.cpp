@@ -104,6 +104,10 @@ void TriangleShell::set_forces(const Rates& r, NodeVectors<3>& force, NodeVector
          to_global(frame_, moment_of(on_psi_b)), moment);
 }
 
+std::array<std::array<Lanes, 3>, 2> TriangleShell::gradients() const {
+  return {{{-xi_[0] - eta_[0], xi_[0], eta_[0]}, {-xi_[1] - eta_[1], xi_[1], eta_[1]}}};
+}
+
 ShellSizes TriangleShell::sizes() const {
   ShellSizes sizes;
   sizes.area = area_;

@@ -12,7 +12,8 @@ namespace contactsim {
 /// 1-24; shear: Lee and Bathe, Computers and Structures 82 (2004) 945-962.
 class TriangleShell {
  public:
-  static constexpr std::size_t n_nodes = 3, n_patterns = 1;
+  static constexpr std::size_t n_nodes = 3, n_patterns = 1, n_membrane_patterns = 0;
+  static constexpr bool has_rotations = true;
   static constexpr std::array<PatternKind, n_patterns> kinds{PatternKind::shear};
   using Rates = ShellRates<n_patterns>;
 
@@ -28,6 +29,9 @@ class TriangleShell {
 
   /// Sets what resists the rates on the nodes: the transpose of `rates`, with the other sign.
   void set_forces(const Rates& resistance, NodeVectors<3>& force, NodeVectors<3>& moment) const;
+
+  /// Of the shape functions along x and y [1/length].
+  std::array<std::array<Lanes, 3>, 2> gradients() const;
 
   ShellSizes sizes() const;
   std::array<PatternSizes, n_patterns> pattern_sizes() const;

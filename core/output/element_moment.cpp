@@ -67,9 +67,14 @@ double ElementMoment::strain_energy() const {
   return moment.state.blocks[range.block].at(block().layout, element(), block().layout.energy());
 }
 
+double ElementMoment::thickness_growth() const {
+  return moment.state.blocks[range.block].at(block().layout, element(), block().thickness_growth());
+}
+
 double ElementMoment::volume() const {
   const ElementVectors x = coordinates();
   if (shape().family == Family::shell) return surface_area(shape(), x) * thickness();
+  if (!block().element->has_material()) return 0.0;
   if (shape().family != Family::solid) return mass() / block().properties.density;
   return solid_volume(x, volume_gradient(shape(), x));
 }
@@ -78,7 +83,8 @@ Eigen::Matrix3d ElementMoment::deformation_gradient() const {
   const ElementVectors start = gathered(moment.model.mesh->coordinates()), now = coordinates();
   if (shape().family == Family::shell) {
     return now * surface_gradient(shape(), start).transpose() +
-           surface_normal(shape(), now) * surface_normal(shape(), start).transpose();
+           (1.0 + thickness_growth()) * surface_normal(shape(), now) *
+               surface_normal(shape(), start).transpose();
   }
   if (shape().family != Family::solid) return stretch_of_line(start, now);
   const ElementVectors gradient = volume_gradient(shape(), start);

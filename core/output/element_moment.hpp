@@ -25,8 +25,9 @@ struct ElementMoment {
   double of_lane(const std::vector<Lanes>& numbers) const {
     return numbers[element() / n_lanes](static_cast<Eigen::Index>(element() % n_lanes));
   }
-  double mass() const { return of_lane(block().mass); }            ///< [mass]
-  double thickness() const { return of_lane(block().thickness); }  ///< of shells [length]
+  double mass() const { return of_lane(block().mass); }  ///< [mass]
+  double thickness_growth() const;                       ///< of shells, over that of the start [1]
+  double thickness() const { return (1.0 + thickness_growth()) * of_lane(block().thickness); }  ///< [length]
   double volume() const;         ///< now; lines and particles keep theirs [length^3]
   double strain_energy() const;  ///< work of the stress so far [energy]
   /// 1 alive, 0 dead, in between while it dies [1]
@@ -34,7 +35,7 @@ struct ElementMoment {
   Eigen::Matrix3d stress() const { return stress_of(moment, range, i); }
 
   /// The motion from the mesh to now: its mean gradient by the mesh's coordinates. Of shells that of the
-  /// surface, whose thickness stays; of lines the stretch along them; particles do not deform.
+  /// surface and the stretch of the thickness; of lines the stretch along them; particles do not deform.
   Eigen::Matrix3d deformation_gradient() const;
   Eigen::Matrix3d log_strain() const;  ///< of the deformation gradient [1]
 

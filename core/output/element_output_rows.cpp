@@ -4,6 +4,7 @@
 #include <array>
 #include <tuple>
 
+#include "core/elements/element_table.hpp"
 #include "core/output/element_moment.hpp"
 #include "core/output/output_table.hpp"
 #include "core/output/strain_measures.hpp"
@@ -175,8 +176,11 @@ constexpr std::array other_rows{
         "Work of the material's stress so far, plastic work included [energy]"),
     make_row(
         "strain_energy_density", scalar,
-        [](const E& e) { return e.strain_energy() * e.block().properties.density / e.mass(); },
-        "By undeformed volume [energy/length^3]"),
+        [](const E& e) {
+          const bool has_volume = e.block().element->has_material();
+          return has_volume ? e.strain_energy() * e.block().properties.density / e.mass() : 0.0;
+        },
+        "By undeformed volume, 0 of springs and dampers [energy/length^3]"),
     make_row(
         "death_status", scalar, [](const E& e) { return e.life(); },
         "1 of an element that lives, 0 of a dead one, the share of its forces that is left while it dies "

@@ -77,6 +77,8 @@ MassMoments element_moments(const SolidBlock& block, const Topology& shape, std:
   MassMoments moments;
   for (Eigen::Index node = 0; node < x.cols(); ++node)
     moments.add(mass / static_cast<double>(x.cols()), x.col(node));
+  const Eigen::Matrix3d& inertia = block.discrete.inertia;
+  moments.second += 0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia;
   return moments;
 }
 

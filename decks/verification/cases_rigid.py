@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Rigid bodies without contact."""
+import math
+
+import numpy as np
+
 from cases import case
 from cases_solids import energy_check
 from mesh_maker import MeshMaker
-from runs import Check
+from runs import Check, at_most
 
 
 def two_bricks():
@@ -23,3 +27,31 @@ def rigid_motion(bench):
             Check("kinetic energy of the spin [J]", run["kinetic_energy"][0],
                   run["kinetic_energy"][-1] - run["external_energy"][-1], 1e-3),
             energy_check(run, ["kinetic_energy"])]
+
+
+def leaning_tops():
+    side, up = 0.5, math.sqrt(0.75)
+
+    def place(x, y, z):
+        shift = 2 if x > 1 else 0
+        return ((x - shift) * up + z * side + shift, y, z * up - (x - shift) * side)
+
+    mesh = MeshMaker(place)
+    mesh.hexes("heavy", (-0.1, -0.1, -0.2), (0.2, 0.2, 0.4), (2, 2, 2))
+    mesh.hexes("free", (1.9, -0.1, -0.2), (0.2, 0.2, 0.4), (2, 2, 2))
+    mesh.node_set("tip", lambda x, y, z: abs(x) < 1e-9 and y == 0 and z == 0.2)
+    return mesh
+
+
+@case()
+def tops(bench):
+    run = bench.run("tops", leaning_tops())
+    about, across = 16 * 0.04 / 6, 16 * 0.2 / 12
+    rates = {"heavy": 2, "free": about * 10 / ((across - about) * math.sqrt(0.75))}
+    checks = []
+    for name, centre in [("heavy", 0), ("free", 2)]:
+        azimuth = np.unwrap(np.arctan2(run[f"{name}_y"], run[f"{name}_x"] - centre))
+        lean = np.arccos(run[f"{name}_z"] / 0.2)
+        checks += [Check(f"{name}: rate of precession [1/s]", rates[name], np.polyfit(run["Time"], azimuth, 1)[0], 0.001),
+                   at_most(f"{name}: nutation over the lean", np.ptp(lean) / (math.pi / 6), 1e-3)]
+    return checks + [energy_check(run, ["kinetic_energy"])]

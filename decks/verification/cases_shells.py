@@ -94,6 +94,52 @@ def breathing_pipe(bench, n=32):
             energy_check(run, ["external_energy"])]
 
 
+def strip_mesh():
+    mesh = MeshMaker()
+    mesh.shells("strip", (0, 0, 0), (1, 0.1), (10, 2), 0.01)  # one half of it
+    mesh.node_set("held", lambda x, y, z: x == 0)
+    mesh.node_set("pulled", lambda x, y, z: x == 1)
+    mesh.node_set("axis", lambda x, y, z: y == 0)
+    return mesh
+
+
+@case()
+def pulled_strip(bench):
+    e, nu = math.log(1.5), 0.3
+    strains = np.linspace(0, e, 10001)
+    work = 1e6 * 0.001 * np.trapz(strains * np.exp((1 - 2 * nu) * strains), strains)  # of one half
+    checks = []
+    for section in ["membrane", "shell"]:
+        run = bench.run("pulled_strip", strip_mesh(), section=section)
+        checks += [Check(f"{section}: stress [Pa]", 1e6 * e, run["stress"][-1], 0.002),
+                   Check(f"{section}: thickness [m]", 0.01 * 1.5 ** -nu, run["thickness"][-1], 0.002),
+                   Check(f"{section}: half the width [m]", 0.1 * 1.5 ** -nu, 0.1 + run["side"][-1], 0.002),
+                   Check(f"{section}: work [J]", work, run["external_energy"][-1], 0.002)]
+    return checks + [energy_check(run, ["external_energy"])]
+
+
+def drum_mesh(n, has_triangles=False):
+    def place(x, y, z):
+        return (x * math.sqrt(1 - 0.5 * y * y), y * math.sqrt(1 - 0.5 * x * x), z)
+
+    mesh = MeshMaker(place)
+    (mesh.triangles if has_triangles else mesh.shells)("skin", (-1, -1, 0), (2, 2), (n, n), 0.001)
+    mesh.node_set("rim", lambda x, y, z: max(abs(x), abs(y)) > 1 - 1e-9)
+    mesh.side_set("below", [(element, 2) for element in range(1, (2 if has_triangles else 1) * n * n + 1)])
+    return mesh
+
+
+@case(refined=[8, 16, 32])
+def drum(bench, n=16):
+    exact = 0.653 * (8e4 / (200e9 * 0.001)) ** (1 / 3)
+    checks = []
+    for name, has_triangles in [("quadrilaterals", False), ("triangles", True)]:
+        run = bench.run("drum", drum_mesh(n, has_triangles))
+        late = run["Time"] > 0.15
+        checks.append(Check(f"{name}: deflection [m]", exact, steady_part(run["Time"][late], run["middle"][late]), 0.005))
+    return checks + [energy_check(run, ["external_energy"])]
+
+
 def beam_mesh(n):
     mesh = MeshMaker()
     mesh.lines("beam", (0, 0, 0), (1, 0, 0), n)

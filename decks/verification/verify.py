@@ -18,6 +18,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
 import cases_crash  # noqa: E402, F401
 import cases_death  # noqa: E402, F401
+import cases_discrete  # noqa: E402, F401
 import cases_figures  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401

@@ -143,3 +143,47 @@ TEST_CASE("options of a solid section that are not supported are told", "[core][
   CHECK(errors_of(definition, hexes) ==
         "block_1 has elements of type HEX8, but its section 's' is not a SOLID SECTION\n");
 }
+
+TEST_CASE("a membrane section makes membranes of shells' blocks", "[core][model][membranes]") {
+  const Mesh mesh = test::MeshBuilder().add_shells({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  MembraneSection membrane;
+  CHECK(errors_of(definition, mesh) != "");
+  membrane.thickness = 0.1;
+  membrane.thickness_scale_factor = 2.0;
+  definition.sections.push_back({named("s"), {}, membrane});
+  Diagnostics diagnostics;
+  const Model model = make_model(definition, {}, mesh, diagnostics);
+  CHECK(diagnostics.empty());
+  REQUIRE(model.blocks.size() == 1);
+  CHECK(model.blocks[0].element == find_membrane_element(mesh.blocks()[0].shape));
+  CHECK(model.blocks[0].thickness[0](0) == 0.2);
+  CHECK(model.blocks[0].layout.n_points == 1);
+  CHECK(model.inertia.cols() == 0);
+  membrane.formulation = named("selective_deviatoric");
+  definition.sections[0].properties = membrane;
+  CHECK(errors_of(definition, mesh) == "block_1: MEAN_QUADRATURE stands in for selective_deviatoric\n");
+  membrane.formulation = named("fully_integrated");
+  definition.sections[0].properties = membrane;
+  CHECK(errors_of(definition, mesh) ==
+        "block_1: there are no membranes with the formulation fully_integrated\n");
+}
+
+TEST_CASE("springs and point masses need no material, dampers do", "[core][model][springs]") {
+  const Mesh mesh = test::MeshBuilder().add_bars({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  BlockParameters& parameters = definition.finite_element_models[0].block_parameters[0];
+  parameters.material.reset();
+  parameters.model.reset();
+  parameters.section = named("s");
+  definition.sections.push_back({named("s"), {}, SpringSection{{}, 5.0, {}, 2.0}});
+  Diagnostics diagnostics;
+  const Model model = make_model(definition, {}, mesh, diagnostics);
+  CHECK(diagnostics.empty());
+  REQUIRE(model.blocks.size() == 1);
+  CHECK(model.blocks[0].material == "none");
+  CHECK(model.mass(0, 1) == Approx(1.0));
+  definition.sections[0].properties = DamperSection{};
+  CHECK(errors_of(definition, mesh) == "block_1 has no MATERIAL\n");
+}

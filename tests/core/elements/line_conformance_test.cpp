@@ -260,3 +260,29 @@ TEST_CASE("forces and moments of rubber beams and trusses are the derivatives of
     if (!is_truss) CHECK(line_of.stay().stable_step <= (1.0 + 1e-6) * stable_limit(line_of));
   }
 }
+
+TEST_CASE("a truss with an initial load pulls by it before it is stretched, and as its period has it",
+          "[core][beams]") {
+  const Matrix3Xd x = line();
+  LoneShell at_once = truss_of(0.01, x);
+  at_once.block.preload = {3e6, 0.0};
+  at_once.state = make_state(at_once.block);
+  at_once.stay();
+  const Vector3d axis = (x.col(1) - x.col(0)).normalized();
+  CHECK((at_once.forces().col(0) - 3e6 * axis).norm() < 1e-3);
+  Matrix3Xd there = x;
+  there.col(1) += 1e-6 * axis;
+  at_once.move_to(there, Matrix3Xd::Zero(3, 2));
+  CHECK(at_once.forces().col(0).norm() == Approx(3e6 + 1e-6 / 0.8 * youngs * 0.01).epsilon(1e-9));
+
+  LoneShell soon = truss_of(0.01, x);
+  soon.block.preload = {3e6, 4.0};
+  soon.state = make_state(soon.block);
+  const Matrix3Xd still = Matrix3Xd::Zero(3, 2);
+  for (const double time : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    const Motion motion{time, 1.0, x, still};
+    soon.block.element->advance(soon.block, soon.block.chunks[0], motion, soon.state);
+    CHECK(soon.forces().col(0).norm() == Approx(3e6 * std::min(time / 4.0, 1.0)));
+  }
+  CHECK(soon.stress_work() == 0.0);
+}

@@ -45,3 +45,17 @@ TEST_CASE("the moments of a sheet of shells are those of a thin brick", "[core][
   const Eigen::Matrix3d inertia = inertia_of(moments.second);
   CHECK(inertia.diagonal().isApprox(Eigen::Vector3d(4 + 0.09, 1 + 0.09, 1 + 4) * 0.1, 1e-12));
 }
+
+TEST_CASE("point masses of a rigid body count with their inertia", "[core][rigid][springs]") {
+  const Mesh mesh = MeshBuilder().add_spheres(1, "", {Eigen::Vector3d(1, 2, 3)}).build();
+  const double none = 1.0;
+  SolidBlock block = make_discrete_block(mesh, 0, sphere_point_mass, 5.0, {&none, 1});
+  block.discrete.inertia << 2.0, 0.1, 0.0, 0.1, 3.0, 0.0, 0.0, 0.0, 4.0;
+  const MassMoments moments = mass_moments(block, mesh, {0.0, 2.0, 3.0});
+  CHECK(moments.mass == 5.0);
+  CHECK(moments.first == Eigen::Vector3d(5, 0, 0));
+  Eigen::Matrix3d expected = block.discrete.inertia;
+  expected(1, 1) += 5.0;
+  expected(2, 2) += 5.0;
+  CHECK(inertia_of(moments.second).isApprox(expected, 1e-12));
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/elements/elements.hpp"
+#include "core/elements/membrane_surface.hpp"
+#include "core/elements/quad_shell.hpp"
+#include "core/elements/shell_batches.hpp"
+#include "core/elements/triangle_shell.hpp"
+
+namespace contactsim {
+
+const SolidElement shell4_membrane =
+    shell_element<MembraneSurface<QuadShell>>(Shape::shell4, "mean_quadrature");
+const SolidElement quad4_membrane =
+    shell_element<MembraneSurface<QuadShell>>(Shape::quad4, "mean_quadrature");
+const SolidElement shell3_membrane =
+    shell_element<MembraneSurface<TriangleShell>>(Shape::shell3, "mean_quadrature");
+
+}  // namespace contactsim
