@@ -12,8 +12,8 @@ namespace {
 /// Cosines of the angles between which the normal goes over from the mean to that of the blunter face.
 constexpr double no_lean = 0.985, full_lean = 0.866;
 
-/// A surface that turns by less than this is as good as smooth [rad].
-constexpr double next_to_smooth = 1e-3;
+/// A surface that turns by less than this is as good as smooth [degrees].
+constexpr double next_to_smooth = 0.1;
 
 /// What the normals of two faces count for in the common one.
 ///   cosine  of the angle that the faces lean by

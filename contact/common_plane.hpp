@@ -13,8 +13,9 @@ inline constexpr double most_aside = -0.3;
 
 /// Which way a face looks, and what is around it.
 struct FaceLook {
-  Eigen::Vector3d area;    ///< vector of any length, out of the element
-  double sharpness = 0.0;  ///< the angle that the surface turns by at the sharpest of the face's edges [rad]
+  Eigen::Vector3d area;  ///< vector of any length, out of the element
+  double sharpness =
+      0.0;  ///< the angle that the surface turns by at the sharpest of the face's edges [degrees]
 };
 
 /// Two faces that look at each other, seen along the normal of a plane between them.

@@ -30,7 +30,7 @@ struct ContactFace {
       corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
   std::uint32_t surface = 0;
   ElementSide side;
-  float sharpness = 0.0f;  ///< see measure_sharpness [rad]
+  float sharpness = 0.0f;  ///< see measure_sharpness [degrees]
   Backing backing;
 
   bool is_triangle() const { return corners[2] == corners[3]; }

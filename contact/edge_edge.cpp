@@ -10,6 +10,15 @@ namespace {
 /// Square of the sine of the angle below which segments count as parallel.
 constexpr double parallel = 0.01;
 
+/// Within this of a node a place is at the node: round-off must not have it inside both edges that meet
+/// there.
+constexpr double at_node = 1e-9;
+
+double at_node_or_inside(double share) {
+  if (share < at_node) return 0.0;
+  return share > 1.0 - at_node ? 1.0 : share;
+}
+
 /// Place of a point along a segment, within it.
 double along(const Segment& segment, const Eigen::Vector3d& point) {
   const Eigen::Vector3d way = segment.col(1) - segment.col(0);
@@ -37,6 +46,8 @@ EdgePlace nearest_points(const Segment& first, const Segment& second) {
   }
   if (place.t < 0.0 || place.t > 1.0) place.t = std::clamp(place.t, 0.0, 1.0);
   if (pp > 0.0) place.s = along(first, at(second, place.t));
+  place.s = at_node_or_inside(place.s);
+  place.t = at_node_or_inside(place.t);
   return place;
 }
 

@@ -46,14 +46,18 @@ struct ProjectedPair {
   FaceMap map_1, map_2;
 };
 
-/// Points where the overlap was cut have a gap of 0 but for this share of its size, and touch.
-constexpr double round_off = 1e-12;
+/// What touches and what may soon touch of two faces.
+struct Overlap {
+  OverlapPoints points;
+  double near_area = 0.0;  ///< [length^2]
+  bool touches = false;    ///< points are of the part where the gap has closed
+};
 
 /// Sums over the points of an overlap.
 class PressureSums {
  public:
-  PressureSums(const OverlapPoints& points, const ProjectedPair& pair, const PairPenalty& penalty)
-      : points_(points), penalty_(penalty), just_apart_(round_off * std::sqrt(points.area)) {
+  PressureSums(const Overlap& overlap, const ProjectedPair& pair, const PairPenalty& penalty)
+      : points_(overlap.points), penalty_(penalty), touches_(overlap.touches) {
     z1_ = component(pair.map_1, 2);
     z2_ = component(pair.map_2, 2);
   }
@@ -92,30 +96,28 @@ class PressureSums {
     const Lanes gap =
         evaluate(z1_, points_.xi_1[k], points_.eta_1[k]) - evaluate(z2_, points_.xi_2[k], points_.eta_2[k]);
     contact.gap = std::min(contact.gap, (w > 0.0).select(gap, contact.gap).minCoeff());
+    if (!touches_) return;
     const Lanes depth = (-gap).max(0.0);
-    const LaneMask touches = gap <= just_apart_ && depth <= penalty_.depth;
-    if (!touches.any()) return;
-    const Lanes area = touches.select(w, 0.0);
-    Lanes force = penalty_.stiffness * area * depth;
-    if (penalty_.damping > 0.0) force += add_damping(k, area, force, contact);
-    contact.area += area.sum();
+    Lanes force = penalty_.stiffness * w * depth;
+    if (penalty_.damping > 0.0) force += add_damping(k, force, contact);
+    contact.area += w.sum();
     work_ += (force * depth).sum();
     add_moments(force, points_.xi_1[k], points_.eta_1[k], forces_1_);
     add_moments(force, points_.xi_2[k], points_.eta_2[k], forces_2_);
   }
 
   /// Damping never pulls: what it takes from a separating point ends with the spring's force.
-  Lanes add_damping(std::size_t k, const Lanes& area, const Lanes& spring, FaceFaceContact& contact) const {
+  Lanes add_damping(std::size_t k, const Lanes& spring, FaceFaceContact& contact) const {
     const Lanes speed = evaluate(speed_1_, points_.xi_1[k], points_.eta_1[k]) -
                         evaluate(speed_2_, points_.xi_2[k], points_.eta_2[k]);
-    const Lanes damping = (-penalty_.damping * area * speed).max(-spring);
+    const Lanes damping = (-penalty_.damping * points_.weight[k] * speed).max(-spring);
     contact.damped_power -= (damping * speed).sum();
     return damping;
   }
 
   const OverlapPoints& points_;
   const PairPenalty& penalty_;
-  double just_apart_;
+  bool touches_;
   std::array<double, 4> z1_, z2_, speed_1_{}, speed_2_{};
   FaceMoments forces_1_{}, forces_2_{};
   double work_ = 0.0;
@@ -144,9 +146,28 @@ OverlapPolygon overlap_of(const ProjectedPair& pair) {
   return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
 }
 
-/// Not negative where a gap is at most `most`.
+/// Not negative where a gap is at most `most`, or at least `least`.
 PlaneFunction below(const PlaneFunction& gap, double most) {
   return {gap.u0, gap.v0, -gap.by_u, -gap.by_v, most - gap.value};
+}
+
+PlaneFunction above(const PlaneFunction& gap, double least) {
+  return {gap.u0, gap.v0, gap.by_u, gap.by_v, gap.value - least};
+}
+
+/// A warped face may be behind the other one somewhere before the middles of both say so. It touches then and
+/// not earlier, or forces would jump.
+Overlap find_overlap(const ProjectedPair& pair, double reach, double depth) {
+  Overlap overlap;
+  const PlaneFunction gap = plane_gap(pair.map_1, pair.map_2);
+  const OverlapPolygon near = part_of(part_of(overlap_of(pair), below(gap, reach)), above(gap, -depth));
+  if (!near.has_area()) return overlap;
+  const OverlapPolygon behind = part_of(near, below(gap, 0.0));
+  overlap.touches = behind.has_area();
+  overlap.points = place_points(overlap.touches ? behind : near, pair.map_1, pair.map_2);
+  overlap.points.spread(pair.plane.spread);
+  overlap.near_area = near.area() * pair.plane.spread;
+  return overlap;
 }
 
 }  // namespace
@@ -157,15 +178,10 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   auto pair = project_pair(first, second);
   if (!pair || !is_near(*pair, reach, penalty.depth)) return contact;
   make_maps(first, second, *pair);
-  const PlaneFunction gap = plane_gap(pair->map_1, pair->map_2);
-  const OverlapPolygon near = part_of(overlap_of(*pair), below(gap, reach));
-  if (!near.has_area()) return contact;
-  const OverlapPolygon deep = part_of(near, below(gap, 0.0));
-  OverlapPoints points = place_points(deep.has_area() ? deep : near, pair->map_1, pair->map_2);
-  if (!(points.area > 0.0)) return contact;
-  points.spread(pair->plane.spread);
-  contact.stiffness = penalty.stiffness * pair->plane.spread * near.area();
-  PressureSums sums(points, *pair, penalty);
+  const Overlap overlap = find_overlap(*pair, reach, penalty.depth);
+  if (!(overlap.points.area > 0.0)) return contact;
+  contact.stiffness = penalty.stiffness * overlap.near_area;
+  PressureSums sums(overlap, *pair, penalty);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;

@@ -20,7 +20,7 @@ struct MovingFace {
   FaceCorners x;  ///< [length]
   FaceCorners v;  ///< [length/time]
   bool is_triangle = false;
-  double sharpness = 0.0;  ///< see FaceLook [rad]
+  double sharpness = 0.0;  ///< see FaceLook [degrees]
 
   FaceLook look() const { return {area_vector(x), sharpness}; }
   /// Unit, out of the element [1].

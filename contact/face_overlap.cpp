@@ -47,17 +47,11 @@ struct PlanePoints {
   std::array<Lanes, OverlapPoints::max_batches> u, v;
 };
 
-/// Splits the polygon into triangles around its mean corner; each gives a third of its area to the middles of
-/// its edges, which is exact for quadratic polynomials. Points stand corner by corner: on the spoke, on the
-/// rim.
+/// Splits the polygon into triangles around its centroid, which does not jump when a corner is cut off; each
+/// gives a third of its area to the middles of its edges, which is exact for quadratic polynomials. Points
+/// stand corner by corner: on the spoke, on the rim.
 void spread_points(const OverlapPolygon& polygon, PlanePoints& placed, OverlapPoints& points) {
-  double mu = 0.0, mv = 0.0;
-  for (int i = 0; i < polygon.n; ++i) {
-    mu += polygon.u[i];
-    mv += polygon.v[i];
-  }
-  mu /= polygon.n;
-  mv /= polygon.n;
+  const auto [mu, mv] = polygon.centroid();
   points.n_batches = (2 * polygon.n + n_lanes - 1) / n_lanes;
   double *u = placed.u[0].data(), *v = placed.v[0].data(), *weight = points.weight[0].data();
   double last = 0.0;
@@ -133,6 +127,19 @@ double OverlapPolygon::area() const {
     twice += (u[i] - u[0]) * (v[i + 1] - v[0]) - (v[i] - v[0]) * (u[i + 1] - u[0]);
   }
   return 0.5 * twice;
+}
+
+std::array<double, 2> OverlapPolygon::centroid() const {
+  double area = 0.0, to_u = 0.0, to_v = 0.0;
+  for (int i = 1; i + 1 < n; ++i) {
+    const double u1 = u[i] - u[0], v1 = v[i] - v[0], u2 = u[i + 1] - u[0], v2 = v[i + 1] - v[0];
+    const double part = u1 * v2 - v1 * u2;
+    area += part;
+    to_u += part * (u1 + u2);
+    to_v += part * (v1 + v2);
+  }
+  if (!(area > 0.0)) return {u[0], v[0]};
+  return {u[0] + to_u / (3.0 * area), v[0] + to_v / (3.0 * area)};
 }
 
 PlaneFunction plane_gap(const FaceMap& map_1, const FaceMap& map_2) {

@@ -6,11 +6,11 @@
 
 namespace contactsim {
 
-/// A convex polygon of a common plane. Two quadrilaterals meet in eight corners at most, and one more line
-/// may cut one off. Left without values: most of it is never used, and filling it would take as long as the
-/// rest.
+/// A convex polygon of a common plane. Two quadrilaterals meet in eight corners at most, and two more lines
+/// may each cut one off. Left without values: most of it is never used, and filling it would take as long as
+/// the rest.
 struct OverlapPolygon {
-  static constexpr int max_corners = 9;
+  static constexpr int max_corners = 10;
 
   int n;
   double u[max_corners + 2], v[max_corners + 2];  // room for what round-off may add
@@ -21,7 +21,8 @@ struct OverlapPolygon {
     ++n;
   }
   bool has_area() const { return n > 2 && area() > 0.0; }
-  double area() const;  ///< of at least three corners, anticlockwise [length^2]
+  double area() const;                     ///< of at least three corners, anticlockwise [length^2]
+  std::array<double, 2> centroid() const;  ///< u and v [length]
 };
 
 /// The linear function value + by_u (u - u0) + by_v (v - v0) of a common plane.

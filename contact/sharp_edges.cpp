@@ -146,7 +146,7 @@ void measure_sharpness(const MovingSurface& start, ContactFaces& faces) {
       const auto beyond = find_face_beyond(faces, i, {face.corners[k], face.corners[(k + 1) % n]});
       sharpness = std::max(sharpness, beyond ? turn_between(start, face, faces.faces[*beyond]) : of_border);
     }
-    face.sharpness = static_cast<float>(sharpness);
+    face.sharpness = static_cast<float>(std::round(sharpness * 180.0 / std::numbers::pi));
   }
 }
 

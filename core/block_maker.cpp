@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/elements/element_table.hpp"
+#include "core/material_directions.hpp"
 #include "core/names.hpp"
 
 namespace contactsim {
@@ -21,6 +22,7 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
   if (!block) return;
   check_volumes(*block, *parameters);
   const SectionDefinition* section = find_section(definition_, *parameters);
+  if (has_directions(block->properties.law) && !give_directions(*parameters, section, *block)) return;
   block->is_rigid = section != nullptr && section->rigid_body;
   block->material = fmt::format("{} ({})", parameters->material->text, parameters->model->text);
   blocks.push_back(std::move(*block));
@@ -128,6 +130,28 @@ std::optional<SolidProperties> BlockMaker::make_properties(const BlockParameters
                          parameters.linear_bulk_viscosity,
                          parameters.quadratic_bulk_viscosity,
                          section != nullptr ? section->deviatoric_parameter.value_or(1.0) : 1.0};
+}
+
+/// The ORIENTATION of a shell section goes before the system of the material. False when an error was added.
+bool BlockMaker::give_directions(const BlockParameters& parameters, const SectionDefinition* section,
+                                 SolidBlock& block) {
+  const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
+  const auto& model = std::get<OrthotropicModel>(find_model(*material, parameters.model->text)->parameters);
+  const auto* shell = section != nullptr ? std::get_if<ShellSection>(&section->properties) : nullptr;
+  const auto& name = shell != nullptr && shell->orientation ? shell->orientation : model.coordinate_system;
+  MaterialDirections directions{{}, model.first_rotation, model.second_rotation};
+  if (name) {
+    const auto system = find_coordinate_system(*name, definition_, diagnostics_);
+    if (!system) return false;
+    directions.system = *system;
+  }
+  const auto lost = set_directions(directions, mesh_, block);
+  if (!lost) return true;
+  const auto id = mesh_.element_id({block.first_element.value + static_cast<std::uint32_t>(*lost)});
+  add_error(name ? name->location : parameters.location,
+            fmt::format("{}: direction 1 of the material is the normal of the shell {}", block_name_, id),
+            "turn the coordinate system, or the material in it by ALPHA");
+  return false;
 }
 
 /// Elements without a positive volume have no mass and no gradients.

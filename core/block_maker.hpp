@@ -44,6 +44,8 @@ class BlockMaker {
   std::optional<SolidProperties> make_properties(const BlockParameters& parameters,
                                                  const SolidSection* section);
   void check_options(const SolidSection& solid);
+  bool give_directions(const BlockParameters& parameters, const SectionDefinition* section,
+                       SolidBlock& block);
   void check_volumes(const SolidBlock& block, const BlockParameters& parameters);
   void add_error(const DeckLocation& location, std::string text, std::string hint);
 

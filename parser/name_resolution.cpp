@@ -33,6 +33,7 @@ class NameResolution {
     }
     for_each_used(simulation_.finite_element_models, models_, [&](const auto& model) { use_model(model); });
     for_each_used(simulation_.sections, sections_, [&](const auto& section) { use_section(section); });
+    for_each_used(simulation_.materials, outside_.materials, [&](const auto& material) { check(material); });
     for_each_used(simulation_.rigid_bodies, outside_.rigid_bodies, [&](const auto& body) { use_body(body); });
     for_each_used(simulation_.coordinate_systems, outside_.coordinate_systems, [&](const auto& system) {
       for (const DeckName* point : {&system.origin, &system.point_on_z, &system.point_in_xz})
@@ -43,7 +44,6 @@ class NameResolution {
       make_function(function, diagnostics_);
       used_keys_.insert(use_key("function", function.name.text));
     });
-    for_each_used(simulation_.materials, outside_.materials, [&](const auto& material) { check(material); });
   }
 
   void report(const HeldDiagnostics& held) const {
@@ -199,7 +199,11 @@ class NameResolution {
     check_used_material(material, diagnostics_);
     for (const MaterialModel& model : material.models) {
       const std::string key = model_use_key(fold(material.name.text), fold(model.name.text));
-      if (used_keys_.count(key) > 0) check_used_model(material, model, diagnostics_);
+      if (used_keys_.count(key) == 0) continue;
+      check_used_model(material, model, diagnostics_);
+      const auto* orthotropic = std::get_if<OrthotropicModel>(&model.parameters);
+      if (orthotropic != nullptr && orthotropic->coordinate_system)
+        outside_.coordinate_systems.use(*orthotropic->coordinate_system, diagnostics_);
     }
   }
 

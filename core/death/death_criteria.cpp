@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "core/death/death_sets.hpp"
 #include "core/output/variable_test.hpp"
@@ -67,7 +68,7 @@ void visit_elements(const VariablePick& pick, const OutputMoment& moment, const 
 DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
                              const RunVariables& variables, Diagnostics& diagnostics)
     : elements_(elements), model_(variables.model()) {
-  for (const DeathCriterion& definition : death.criteria) {
+  for (const DeathCriterion& definition : without_material(death, diagnostics)) {
     VariableLocation location{};
     const VariableTest* test = test_of(definition, location);
     Criterion criterion{definition, {}, {}};
@@ -89,6 +90,34 @@ DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementI
     }
     criteria_.push_back(std::move(criterion));
   }
+}
+
+/// The criteria of a block, tests of element values in place of MATERIAL CRITERION.
+std::vector<DeathCriterion> DeathCriteria::without_material(const ElementDeath& death,
+                                                            Diagnostics& diagnostics) const {
+  std::vector<DeathCriterion> criteria;
+  for (const DeathCriterion& criterion : death.criteria) {
+    const auto* material = std::get_if<MaterialCriterion>(&criterion);
+    if (material == nullptr) {
+      criteria.push_back(criterion);
+      continue;
+    }
+    std::set<std::string_view> failures;
+    for (const ElementIndex element : elements_)
+      failures.insert(failure_of(model_.blocks[find_model_block(model_, element)].properties.law));
+    failures.erase("");
+    for (const std::string_view failure : failures) {
+      const VariableReference variable{{std::string(failure), death.name.location}, "", std::nullopt};
+      criteria.push_back(ElementCriterion{{variable, Comparison::greater_equal, 1.0},
+                                          material->remaining_points.value_or(0)});
+    }
+    if (!failures.empty() || elements_.empty()) continue;
+    diagnostics.add_error(death.name.location,
+                          "MATERIAL CRITERION: no element of the set has a material that fails by itself",
+                          "johnson_cook with d1 to d4 does; CRITERION IS ELEMENT VALUE OF eqps >= <limit> "
+                          "kills by plastic strain");
+  }
+  return criteria;
 }
 
 std::vector<EntityRange> DeathCriteria::ranges_of(const VariablePick& pick) const {

@@ -14,8 +14,9 @@ namespace contactsim {
 /// Source: Sierra/SM 5.20, element death.
 class DeathCriteria {
  public:
-  /// A variable that is not known is an error, and so is one that no element of the set has. All must outlive
-  /// it.
+  /// A variable that is not known is an error, and so is one that no element of the set has. MATERIAL
+  /// CRITERION is a test of what the laws of the set's blocks fail by; none that fails is an error. All must
+  /// outlive it.
   ///   elements  of the set, ascending
   DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
                 const RunVariables& variables, Diagnostics& diagnostics);
@@ -32,6 +33,7 @@ class DeathCriteria {
     std::vector<EntityRange> ranges;  ///< of element values: the parts of the set that have the variable
   };
 
+  std::vector<DeathCriterion> without_material(const ElementDeath& death, Diagnostics& diagnostics) const;
   std::vector<EntityRange> ranges_of(const VariablePick& pick) const;
   void mark_all(std::vector<std::uint8_t>& marks) const;
   void mark_by_nodes(const Criterion& criterion, const NodalCriterion& nodal, const OutputMoment& moment,

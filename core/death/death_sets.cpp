@@ -55,14 +55,6 @@ EntitySet with_materials(const ElementDeath& death, const ConditionScope& scope)
 }
 
 void check_criteria(const ElementDeath& death, Diagnostics& diagnostics) {
-  const bool asks_material = std::ranges::any_of(death.criteria, [](const DeathCriterion& criterion) {
-    return std::holds_alternative<MaterialCriterion>(criterion);
-  });
-  if (asks_material) {
-    diagnostics.add_error(death.name.location,
-                          "MATERIAL CRITERION: no material model of this version fails by itself",
-                          "CRITERION IS ELEMENT VALUE OF eqps >= <limit> kills by plastic strain");
-  }
   if (!death.criteria.empty() || death.on_inversion || death.on_ill_defined_contact) return;
   diagnostics.add_error(death.name.location, "the element death has no criterion: nothing would die",
                         "CRITERION IS ..., or DEATH ON INVERSION = ON");

@@ -10,7 +10,7 @@ namespace contactsim {
 
 /// The elements of every ELEMENT DEATH block of the region, each list ascending. Elements of rigid bodies are
 /// left out, with a warning.
-/// Errors: wrong names; a block without criterion; MATERIAL CRITERION, as no material model fails by itself.
+/// Errors: wrong names; a block without criterion.
 ///   model  its blocks learn which of their elements die when they turn inside out
 std::vector<std::vector<ElementIndex>> find_death_sets(const ConditionScope& scope, Model& model);
 

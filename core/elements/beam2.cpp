@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/elements/elements.hpp"
+#include "core/elements/fibre_point.hpp"
 #include "core/elements/line_batches.hpp"
 
 namespace contactsim {
@@ -63,10 +64,17 @@ struct Turning {
   }
 };
 
+/// How a beam deforms in a step: along the axis, t and s.
+struct BeamStrain {
+  VectorLanes stretching, bending;  ///< [1/time], [1/(length time)]
+  double dt;                        ///< [time]
+};
+
 /// Forces and moments over a cross-section: along the axis, t and s.
 struct SectionForces {
   VectorLanes force, moment;
   Lanes work;
+  Lanes stiffening = Lanes::Ones();  ///< largest of the fibres
 };
 
 /// Factors of the angles that fibres see, and of what their stresses resist, so that the section has the
@@ -95,20 +103,21 @@ struct Beam {
                       std::span<Lanes> state, LineStep& step);
 
  private:
-  static SectionForces update_fibres(const SolidBlock& block, const VectorLanes& stretching,
-                                     const VectorLanes& bending, const AngleFactors& factors, double dt,
-                                     std::span<Lanes> fibres);
+  template <class Law>
+  static SectionForces update_fibres(const Law& law, const SolidBlock& block, const BeamStrain& strain,
+                                     const AngleFactors& factors, std::span<Lanes> fibres);
   static Lanes stable_step(const SolidBlock& block, const LineMotion& motion, const AngleFactors& factors,
                            const Lanes& length);
 };
 
-SectionForces Beam::update_fibres(const SolidBlock& block, const VectorLanes& stretching,
-                                  const VectorLanes& bending, const AngleFactors& factors, double dt,
-                                  std::span<Lanes> fibres) {
+template <class Law>
+SectionForces Beam::update_fibres(const Law& law, const SolidBlock& block, const BeamStrain& strain,
+                                  const AngleFactors& factors, std::span<Lanes> fibres) {
   SectionForces sums;
   for (Lanes& sum : sums.force) sum.setZero();
   for (Lanes& sum : sums.moment) sum.setZero();
   sums.work.setZero();
+  const auto& [stretching, bending, dt] = strain;
   const std::size_t size = block.layout.point_size;
   for (std::size_t i = 0; i < block.beam.fibres.size(); ++i) {
     const BeamFibre& fibre = block.beam.fibres[i];
@@ -117,8 +126,8 @@ SectionForces Beam::update_fibres(const SolidBlock& block, const VectorLanes& st
     step.strain[0] = dt * (stretching[0] - fibre.t * bending[2] + fibre.s * bending[1]);
     step.strain[1] = dt * (factors.along_t * stretching[1] - factors.torsion * fibre.s * bending[0]);
     step.strain[2] = dt * (factors.along_s * stretching[2] + factors.torsion * fibre.t * bending[0]);
-    const FibreLanes before = fibre_stress(point);
-    const FibreLanes after = update_fibre(block.properties.law, step, point);
+    const FibreLanes before = fibre_stress(law, point);
+    const FibreLanes after = update_fibre(law, step, point, sums.stiffening);
     for (std::size_t k = 0; k < 3; ++k)
       sums.work += 0.5 * fibre.area * (before[k] + after[k]) * step.strain[k];
     sums.force[0] += fibre.area * after[0];
@@ -170,18 +179,20 @@ void Beam::advance(const SolidBlock& block, std::size_t, const LineMotion& motio
 
   const VectorLanes v = motion.velocity_difference();
   const Lanes per_length = 1.0 / middle.length;
-  const VectorLanes stretching{per_length * dot(v, middle.axis),
-                               per_length * dot(v, amid.t) - dot(turning.mean, amid.s),
-                               per_length * dot(v, amid.s) + dot(turning.mean, amid.t)};
-  const VectorLanes bending{per_length * dot(turning.difference, middle.axis),
-                            per_length * dot(turning.difference, amid.t),
-                            per_length * dot(turning.difference, amid.s)};
+  const BeamStrain strain{
+      {per_length * dot(v, middle.axis), per_length * dot(v, amid.t) - dot(turning.mean, amid.s),
+       per_length * dot(v, amid.s) + dot(turning.mean, amid.t)},
+      {per_length * dot(turning.difference, middle.axis), per_length * dot(turning.difference, amid.t),
+       per_length * dot(turning.difference, amid.s)},
+      motion.dt};
   // By the end's length, which a turn of any size leaves alone.
   const AngleFactors factors(block.beam, moduli_of(block.properties.law), end.length);
-  const SectionForces sums =
-      update_fibres(block, stretching, bending, factors, motion.dt, state.first(state.size() - n_own));
+  SectionForces sums;
+  visit_fibre_law(block.properties.law, [&](const auto& law) {
+    sums = update_fibres(law, block, strain, factors, state.first(state.size() - n_own));
+  });
   step.stress_work = sums.work * middle.length;
-  step.stable_step = stable_step(block, motion, factors, middle.length);
+  step.stable_step = stable_step(block, motion, factors, middle.length) / sums.stiffening.sqrt();
   step.volume = block.beam.area * end.length;
   for (std::size_t i = 0; i < 3; ++i) {
     step.pull[i] = sums.force[0] * end.axis[i] + sums.force[1] * at_end.t[i] + sums.force[2] * at_end.s[i];

@@ -54,25 +54,6 @@ struct LineGeometry {
   }
 };
 
-/// The stress that a fibre keeps.
-inline FibreLanes fibre_stress(std::span<const Lanes> point) {
-  return {point[fibre_places[0]], point[fibre_places[1]], point[fibre_places[2]]};
-}
-
-/// Brings a fibre to the end of a step; returns its stress there. Precondition: the law has update_fibre.
-///   point  [6 + n_state]
-inline FibreLanes update_fibre(const MaterialLaw& law, const FibreStep& step, std::span<Lanes> point) {
-  FibreLanes stress = fibre_stress(point);
-  std::visit(
-      [&](const auto& held) {
-        if constexpr (requires { &std::decay_t<decltype(held)>::update_fibre; })
-          held.update_fibre(step, stress, point.subspan(6));
-      },
-      law);
-  for (std::size_t i = 0; i < 3; ++i) point[fibre_places[i]] = stress[i];
-  return stress;
-}
-
 namespace batches {
 
 inline void line_volumes(const SolidBlock& block, const BatchChunk& chunk,

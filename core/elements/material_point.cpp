@@ -17,6 +17,14 @@ void store(const SymmetricLanes& tensor, std::span<Lanes> numbers) {
   std::copy_n(tensor.components.begin(), 6, numbers.begin());
 }
 
+/// Turns vectors that stand one after another.
+void turn_each(const TensorLanes& rotation, std::span<Lanes> vectors) {
+  for (std::size_t i = 0; i < vectors.size(); i += 3) {
+    const std::array<Lanes, 3> v{vectors[i], vectors[i + 1], vectors[i + 2]};
+    for (std::size_t k = 0; k < 3; ++k) vectors[i + k] = dot(rotation[k], v);
+  }
+}
+
 }  // namespace
 
 PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::span<Lanes> point) {
@@ -28,6 +36,8 @@ PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::sp
       const std::span<Lanes> numbers = material.subspan(6 * i, 6);
       store(transformed(tensor_at(numbers), motion.rotation), numbers);
     }
+    if constexpr (requires { Law::n_vectors; })
+      turn_each(motion.rotation, material.subspan(6 * Law::n_tensors, 3 * Law::n_vectors));
     PointStep step{before, {}, {}};
     step.moduli = held.update(motion.strain, step.stress, material);
     store(step.stress, point);

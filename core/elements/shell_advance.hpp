@@ -1,59 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/elements/shell_layers.hpp"
 #include "core/elements/shell_stiffness.hpp"
 
 /// A step of shells whose Geometry is as QuadShell.
 namespace contactsim {
 
 namespace shells {
-
-/// Sums of the layers' stresses, per area, and the work of the step on them.
-struct Resultants {
-  std::array<Lanes, 3> membrane, curvature;
-  std::array<Lanes, 2> shear;
-  Lanes work;
-};
-
-/// Brings the layers to the end of the step.
-///   rates   in the middle of the step [1/time], [1/(length time)]
-///   layers  [n_layers x (6 + n_state)] xx yy zz xy yz zx, then what the material remembers
-template <class Law, std::size_t n>
-Resultants update_layers(const Law& law, const ShellSettings& settings, const ShellRates<n>& rates,
-                         const Lanes& thickness, double dt, std::span<Lanes> layers) {
-  Resultants sums;
-  for (Lanes& sum : sums.membrane) sum.setZero();
-  for (Lanes& sum : sums.curvature) sum.setZero();
-  for (Lanes& sum : sums.shear) sum.setZero();
-  sums.work.setZero();
-  constexpr std::size_t point_size = 6 + Law::n_state;
-  for (std::size_t layer = 0; layer < settings.layers.size(); ++layer) {
-    const ShellLayer& at = settings.layers[layer];
-    const std::span<Lanes> point = layers.subspan(layer * point_size, point_size);
-    const Lanes height = thickness * (0.5 * at.place + settings.offset), weight = at.weight * thickness;
-    PlaneStep step{{}, dt};
-    for (std::size_t i = 0; i < 3; ++i)
-      step.strain[i] = dt * (rates.membrane[i] + height * rates.curvature[i]);
-    step.strain[3] = dt * rates.shear[1];
-    step.strain[4] = dt * rates.shear[0];
-    PlaneLanes before, stress;
-    for (std::size_t i = 0; i < 5; ++i) stress[i] = before[i] = point[plane_places[i]];
-    law.update_plane(step, stress, point.subspan(6));
-    Lanes work = Lanes::Zero();
-    for (std::size_t i = 0; i < 5; ++i) {
-      point[plane_places[i]] = stress[i];
-      work += (i < 3 ? 0.5 : 0.5 * shear_correction) * step.strain[i] * (before[i] + stress[i]);
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      sums.membrane[i] += weight * stress[i];
-      sums.curvature[i] += weight * height * stress[i];
-    }
-    sums.shear[0] += shear_correction * weight * stress[4];
-    sums.shear[1] += shear_correction * weight * stress[3];
-    sums.work += weight * work;
-  }
-  return sums;
-}
 
 /// What the patterns of a step are resisted by.
 template <class Geometry>
@@ -121,7 +75,7 @@ void advance_shell(const SolidProperties& properties, const ShellSettings& setti
   step.stress_work = sums.work * sizes.area;
 
   const shells::ShellModuli moduli(properties.law);
-  Lanes frequency_squared = shells::strain_frequency(motion, settings, moduli, sizes);
+  Lanes frequency_squared = sums.stiffening * shells::strain_frequency(motion, settings, moduli, sizes);
   typename Geometry::Rates resistance;
   step.hourglass_work = shells::resist_patterns<Geometry>(
       shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates,

@@ -138,7 +138,12 @@ SolidBlockState make_state(const SolidBlock& block) {
   for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
     for (std::size_t point = 0; point < block.layout.n_points; ++point) {
       const std::size_t size = block.layout.point_size;
-      start_state(block.properties.law, state.batch(block.layout, batch).subspan(point * size + 6, size - 6));
+      const auto material = state.batch(block.layout, batch).subspan(point * size + 6, size - 6);
+      start_state(block.properties.law, material);
+      if (block.directions.empty()) continue;
+      const std::size_t place = 6 * state_of(block.properties.law).n_tensors;
+      std::copy_n(block.directions.begin() + static_cast<std::ptrdiff_t>(6 * batch), 6,
+                  material.begin() + static_cast<std::ptrdiff_t>(place));
     }
   }
   return state;

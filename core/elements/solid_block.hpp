@@ -59,7 +59,10 @@ struct SolidBlock {
   BeamShapeSettings beam;                  ///< of lines
   std::vector<Lanes> section;  ///< [n_batches] of lines [length^2], of particles the radius [length]
   std::vector<Lanes> inertia;  ///< [n_batches] of elements whose nodes turn [mass length^2]
-  NodeSums sums;               ///< from the nodes of chunks to those of the mesh
+  /// [n_batches x 6] the material's directions 1 and 2 at rest: of solids in coordinates, of shells in their
+  /// own axes; empty of materials without
+  std::vector<Lanes> directions;
+  NodeSums sums;  ///< from the nodes of chunks to those of the mesh
 
   std::size_t n_batches() const { return mass.size(); }
   std::span<const std::uint32_t> nodes_of(const BatchChunk& chunk) const {

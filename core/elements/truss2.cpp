@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/elements.hpp"
+#include "core/elements/fibre_point.hpp"
 #include "core/elements/line_batches.hpp"
 
 namespace contactsim {
@@ -18,12 +19,17 @@ struct Truss {
     FibreStep strain{{}, motion.dt};
     for (Lanes& component : strain.strain) component.setZero();
     strain.strain[0] = motion.dt * dot(motion.velocity_difference(), middle.axis) / middle.length;
-    const FibreLanes before = fibre_stress(state);
-    const FibreLanes after = update_fibre(block.properties.law, strain, state);
+    FibreLanes before, after;
+    Lanes stiffening = Lanes::Ones();
+    visit_fibre_law(block.properties.law, [&](const auto& law) {
+      before = fibre_stress(law, state);
+      after = update_fibre(law, strain, state, stiffening);
+    });
     const Lanes& area = block.section[batch];
     step.stress_work = 0.5 * (before[0] + after[0]) * strain.strain[0] * area * middle.length;
     const double youngs = moduli_of(block.properties.law).youngs();
-    step.stable_step = (motion.mass * middle.length / (youngs * area)).sqrt();
+    const Lanes stiffness = youngs * area * stiffening;
+    step.stable_step = (motion.mass * middle.length / stiffness).sqrt();
     step.volume = area * end.length;
     step.pull = scaled(end.axis, area * after[0]);
   }

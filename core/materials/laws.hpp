@@ -13,16 +13,22 @@
 ///   n_state    numbers in all
 ///   n_tensors  of them symmetric tensors, at the front, that turn with the material
 ///   variables  what of it can be written out
+///   n_vectors  of laws with directions: unit vectors that turn with the material, after the tensors; of
+///              shells and fibres in their axes, where they do not turn
+///   failure    of laws that fail by themselves: the variable that reaches 1 then
 /// and has
 ///   start      sets the state of undeformed material
 ///   update     brings stress and state to the end of a step; returns bounds of the stiffness then
 ///       stress  in: Cauchy stress at the start, turned to the end of the step; out: at the end
 ///       [force/length^2] state   [n_state], its tensors turned as well
 /// and, when shells may be made of it,
-///   update_plane  the same without stress along z, in axes that turn with the material; the stiffness must
-///                 not exceed the elastic one
+///   update_plane  the same without stress along z, in axes that turn with the material
 /// and, when beams and trusses may be,
 ///   update_fibre  the same with stress along x and shear on its cross-section alone
+/// and, when the thickness or the cross-section changes or the stiffness exceeds that of the moduli,
+///   plane_thinning(state), fibre_thinning(state)      thickness and area over those at rest [1]
+///   plane_stiffening(state), fibre_stiffening(state)  the stiffness, per thickness and area at rest, is at
+///                                                     most so many times that of the moduli [1]
 namespace contactsim {
 
 /// Hypoelastic: the stress rate is linear in the strain rate. Source: Sierra/SM, ELASTIC.

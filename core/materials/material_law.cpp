@@ -3,11 +3,28 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace contactsim {
 
 namespace {
+
+/// The bulk modulus that goes with a shear modulus and one more constant; of two constants, their own.
+double bulk_of(const ElasticConstants& given, double shear) {
+  ElasticConstants constants = given;
+  const int n_given = given.youngs_modulus.has_value() + given.poissons_ratio.has_value() +
+                      given.bulk_modulus.has_value() + given.lambda.has_value();
+  if (n_given == 0) throw std::invalid_argument("nothing gives the bulk modulus; add BULK MODULUS");
+  if (n_given == 1) constants.shear_modulus = shear;
+  const double bulk = make_elastic_moduli(constants).bulk;
+  const double other = make_elastic_moduli(constants).shear;
+  constexpr double tolerance = 0.01;  // what constants that are written down may be rounded by
+  const double said = given.shear_modulus.value_or(other);
+  if (std::abs(said - shear) <= tolerance * shear) return bulk;
+  throw std::invalid_argument(
+      fmt::format("the elastic constants give a shear modulus of {}, C10 and C01 one of {}", said, shear));
+}
 
 /// Makes laws of the models of the deck; throws std::invalid_argument with a text for the user.
 struct LawMaker {
@@ -18,6 +35,14 @@ struct LawMaker {
   MaterialLaw operator()(const NeoHookeanModel& model) const {
     return NeoHookeanLaw{make_elastic_moduli(model.elastic)};
   }
+
+  MaterialLaw operator()(const MooneyRivlinModel& model) const {
+    const double shear = 2.0 * (model.c10 + model.c01);
+    if (!(shear > 0.0)) throw std::invalid_argument("the sum of C10 and C01 must be positive");
+    return MooneyRivlinLaw{{bulk_of(model.elastic, shear), shear}, model.c01};
+  }
+
+  MaterialLaw operator()(const OrthotropicModel& model) const { return make_orthotropic_law(model); }
 
   MaterialLaw operator()(const ElasticPlasticModel& model) const {
     const double modulus = model.hardening_modulus;
@@ -36,20 +61,24 @@ struct LawMaker {
   }
 
   MaterialLaw operator()(const JohnsonCookModel& model) const {
-    if (model.d1 || model.d2 || model.d3 || model.d4 || model.d5) {
-      throw std::invalid_argument("failure of the model (d1 to d5) is not supported yet");
-    }
     const PowerHardening power{model.yield_stress, model.hardening_constant, model.hardening_exponent};
-    return PlasticLaw<JohnsonCookHardening>{make_elastic_moduli(model.elastic),
-                                            {power, model.rate_constant, model.reference_rate}};
+    const PlasticLaw<JohnsonCookHardening> plastic{make_elastic_moduli(model.elastic),
+                                                   {power, model.rate_constant, model.reference_rate}};
+    // Without temperature the factor of d5 is 1.
+    if (!model.d1 && !model.d2 && !model.d3 && !model.d4) return plastic;
+    const JohnsonCookFailure failure{model.d1.value_or(0.0), model.d2.value_or(0.0), model.d3.value_or(0.0),
+                                     model.d4.value_or(0.0), model.reference_rate};
+    if (!(failure.strain(Lanes::Zero(), Lanes::Zero())(0) > 0.0))
+      throw std::invalid_argument("d1 + d2, the failure strain in shear, must be positive");
+    return FailingJohnsonCookLaw{plastic, failure};
   }
 
   /// Models that are bound but not integrated.
   template <class Model>
   MaterialLaw operator()(const Model&) const {
     throw std::invalid_argument(
-        "the model is not supported; there are elastic, neo_hookean, elastic_plastic, ep_power_hard, "
-        "johnson_cook");
+        "the model is not supported; there are elastic, elastic_orthotropic, neo_hookean, mooney_rivlin, "
+        "elastic_plastic, ep_power_hard, johnson_cook");
   }
 };
 
@@ -66,6 +95,27 @@ LawState state_of(const MaterialLaw& law) {
 
 ElasticModuli moduli_of(const MaterialLaw& law) {
   return std::visit([](const auto& held) { return held.moduli; }, law);
+}
+
+bool has_directions(const MaterialLaw& law) {
+  return std::visit(
+      [](const auto& held) {
+        return requires { std::decay_t<decltype(held)>::n_vectors; };
+      },
+      law);
+}
+
+std::string_view failure_of(const MaterialLaw& law) {
+  return std::visit(
+      [](const auto& held) -> std::string_view {
+        using Law = std::decay_t<decltype(held)>;
+        if constexpr (requires { Law::failure; }) {
+          return Law::failure;
+        } else {
+          return {};
+        }
+      },
+      law);
 }
 
 bool can_be_plane(const MaterialLaw& law) {

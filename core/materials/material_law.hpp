@@ -7,14 +7,18 @@
 
 #include "core/definition/material.hpp"
 #include "core/diagnostics.hpp"
+#include "core/materials/failing_johnson_cook.hpp"
 #include "core/materials/laws.hpp"
+#include "core/materials/mooney_rivlin.hpp"
 #include "core/materials/neo_hookean.hpp"
+#include "core/materials/orthotropic.hpp"
 
 namespace contactsim {
 
 /// Every stress update there is.
-using MaterialLaw = std::variant<ElasticLaw, NeoHookeanLaw, PlasticLaw<LinearHardening>,
-                                 PlasticLaw<PowerHardening>, PlasticLaw<JohnsonCookHardening>>;
+using MaterialLaw =
+    std::variant<ElasticLaw, NeoHookeanLaw, PlasticLaw<LinearHardening>, PlasticLaw<PowerHardening>,
+                 PlasticLaw<JohnsonCookHardening>, MooneyRivlinLaw, OrthotropicLaw, FailingJohnsonCookLaw>;
 
 /// What a law keeps per element and integration point.
 struct LawState {
@@ -26,6 +30,13 @@ LawState state_of(const MaterialLaw& law);
 
 /// Elastic moduli of the law at rest.
 ElasticModuli moduli_of(const MaterialLaw& law);
+
+/// Whether the law has directions, which blocks have to give its state: Law::n_vectors.
+bool has_directions(const MaterialLaw& law);
+
+/// The state variable that reaches 1 where the law has failed by itself, Law::failure; empty of one that does
+/// not fail.
+std::string_view failure_of(const MaterialLaw& law);
 
 /// Whether shells may be made of the law: it has update_plane.
 bool can_be_plane(const MaterialLaw& law);

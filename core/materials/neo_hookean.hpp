@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/materials/elastic_moduli.hpp"
+#include "core/materials/plane_step.hpp"
 #include "core/materials/state_variable.hpp"
 #include "core/materials/strain_step.hpp"
 
@@ -25,6 +26,12 @@ struct NeoHookeanLaw {
   void start(std::span<Lanes> state) const;
   /// The bounds returned hold for the tangent of Cauchy stress and for the share of the stress itself.
   LaneModuli update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const;
+  void update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const;
+  void update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes> state) const;
+  Lanes plane_thinning(std::span<const Lanes> state) const { return state[2].sqrt(); }
+  Lanes plane_stiffening(std::span<const Lanes> state) const;
+  Lanes fibre_thinning(std::span<const Lanes> state) const { return state[1]; }
+  Lanes fibre_stiffening(std::span<const Lanes> state) const;
 };
 
 }  // namespace contactsim

@@ -32,6 +32,7 @@ import cases_shells  # noqa: E402, F401
 import cases_static  # noqa: E402, F401
 import cases_unit  # noqa: E402, F401
 import cases_solids  # noqa: E402, F401
+import cases_laws  # noqa: E402, F401
 from cases import CASES  # noqa: E402
 from runs import Bench  # noqa: E402
 

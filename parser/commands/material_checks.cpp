@@ -25,11 +25,26 @@ Required required_of(const JohnsonCookModel& model) {
           {"hardening exponent", model.hardening_exponent}};
 }
 
+Required required_of(const MooneyRivlinModel& model) { return {{"c10", model.c10}, {"c01", model.c01}}; }
+
+Required required_of(const OrthotropicModel& m) {
+  return {{"e11", m.e11},   {"e22", m.e22}, {"e33", m.e33}, {"nu12", m.nu12}, {"nu13", m.nu13},
+          {"nu23", m.nu23}, {"g12", m.g12}, {"g13", m.g13}, {"g23", m.g23}};
+}
+
 /// Elastic models need their elastic constants only, an opaque one is not understood.
 template <class Model>
 Required required_of(const Model&) {
   return {};
 }
+
+/// Which numbers of elastic constants will do.
+template <class Model>
+bool is_enough(const Model&, int n_given) {
+  return n_given == 2;
+}
+bool is_enough(const OrthotropicModel&, int n_given) { return n_given == 0 || n_given == 2; }
+bool is_enough(const MooneyRivlinModel&, int n_given) { return n_given == 1 || n_given == 2; }
 
 int count_given(const ElasticConstants& elastic) {
   return elastic.youngs_modulus.has_value() + elastic.poissons_ratio.has_value() +
@@ -43,12 +58,13 @@ void check_used_model(const MaterialDefinition& material, const MaterialModel& m
   const std::string what =
       fmt::format("the model '{}' of the material '{}'", model.name.text, material.name.text);
   const ElasticConstants* elastic = find_elastic_constants(model);
-  if (elastic != nullptr && count_given(*elastic) != 2) {
-    diagnostics.add_error(
-        model.name.location,
-        fmt::format("{} needs two elastic constants, found {}", what, count_given(*elastic)),
-        "give two of youngs modulus, poissons ratio, shear modulus, bulk modulus, lambda",
-        static_cast<int>(model.name.text.size()));
+  const int n_given = elastic != nullptr ? count_given(*elastic) : 0;
+  const auto will_do = [&](const auto& parameters) { return is_enough(parameters, n_given); };
+  if (elastic != nullptr && !std::visit(will_do, model.parameters)) {
+    diagnostics.add_error(model.name.location,
+                          fmt::format("{} needs two elastic constants, found {}", what, n_given),
+                          "give two of youngs modulus, poissons ratio, shear modulus, bulk modulus, lambda",
+                          static_cast<int>(model.name.text.size()));
   }
   const Required required = std::visit([](const auto& m) { return required_of(m); }, model.parameters);
   for (const auto& [name, value] : required) {

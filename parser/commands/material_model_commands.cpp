@@ -50,6 +50,67 @@ const Table<Model>& elastic_only_table() {
   return table;
 }
 
+const Table<MooneyRivlinModel>& mooney_rivlin_table() {
+  using M = MooneyRivlinModel;
+  static const Table<M> table(with_elastic_rows<M>({
+      row("c10", read::real, &M::c10, "Factor of the first invariant [force/length^2]", "required"),
+      row("c01", read::real, &M::c01, "Factor of the second invariant [force/length^2]", "required"),
+  }));
+  return table;
+}
+
+Row<OrthotropicModel> rotation_row(std::string_view phrase, AxisRotation OrthotropicModel::*rotation) {
+  return row<OrthotropicModel>(
+             phrase, "= {1|2|3}",
+             [rotation](Arguments& arguments, OrthotropicModel& model) {
+               static const std::vector<std::string> axes{"1", "2", "3"};
+               (model.*rotation).axis = static_cast<std::int64_t>(arguments.choice(axes)) + 1;
+             },
+             "Axis about which the directions are turned", "1")
+      .once();
+}
+
+Row<OrthotropicModel> angle_row(std::string_view phrase, AxisRotation OrthotropicModel::*rotation) {
+  return row<OrthotropicModel>(
+             phrase, "= <real>",
+             [rotation](Arguments& arguments, OrthotropicModel& model) {
+               (model.*rotation).angle = arguments.real();
+             },
+             "Angle of that turn [degrees]", "0")
+      .once();
+}
+
+const Table<OrthotropicModel>& orthotropic_table() {
+  using O = OrthotropicModel;
+  const auto modulus = [](std::string_view key, double O::*field, std::string_view help) {
+    return row(key, read::positive, field, help, "required");
+  };
+  const auto ratio = [](std::string_view key, double O::*field, std::string_view help) {
+    return row(key, read::real, field, help, "required");
+  };
+  static const Table<O> table(with_elastic_rows<O>({
+      modulus("e11", &O::e11, "Young's modulus along 1 [force/length^2]"),
+      modulus("e22", &O::e22, "Young's modulus along 2 [force/length^2]"),
+      modulus("e33", &O::e33, "Young's modulus along 3 [force/length^2]"),
+      ratio("nu12", &O::nu12, "Contraction along 2 under a stress along 1 [1]"),
+      ratio("nu13", &O::nu13, "Contraction along 3 under a stress along 1 [1]"),
+      ratio("nu23", &O::nu23, "Contraction along 3 under a stress along 2 [1]"),
+      modulus("g12", &O::g12, "Shear modulus of 1 and 2 [force/length^2]"),
+      modulus("g13", &O::g13, "Shear modulus of 1 and 3 [force/length^2]"),
+      modulus("g23", &O::g23, "Shear modulus of 2 and 3 [force/length^2]"),
+      row("coordinate system", read::name, &O::coordinate_system,
+          "System of the directions 1, 2, 3, else the global one"),
+      rotation_row("direction for rotation", &O::first_rotation),
+      angle_row("alpha", &O::first_rotation),
+      rotation_row("second direction for rotation", &O::second_rotation),
+      angle_row("second alpha", &O::second_rotation),
+      ignored<O>("thermal strain 11 function", "= <function>", "temperature has no effect on materials"),
+      ignored<O>("thermal strain 22 function", "= <function>", "temperature has no effect on materials"),
+      ignored<O>("thermal strain 33 function", "= <function>", "temperature has no effect on materials"),
+  }));
+  return table;
+}
+
 const Table<ElasticPlasticModel>& elastic_plastic_table() {
   using P = ElasticPlasticModel;
   static const Table<P> table(with_elastic_rows<P>({
@@ -162,6 +223,8 @@ std::vector<Row<MaterialDefinition>> material_model_rows() {
       model_row("elastic", elastic_only_table<ElasticModel>, "Hypoelastic, finite strain"),
       model_row("linear_elastic", elastic_only_table<LinearElasticModel>, "Linear elastic, small strain"),
       model_row("neo_hookean", elastic_only_table<NeoHookeanModel>, "Hyperelastic"),
+      model_row("mooney_rivlin", mooney_rivlin_table, "Hyperelastic, of two invariants"),
+      model_row("elastic_orthotropic", orthotropic_table, "Hypoelastic, with directions"),
       model_row("elastic_plastic", elastic_plastic_table, "Plasticity with linear hardening"),
       model_row("ep_power_hard", power_hardening_table, "Plasticity with power-law hardening"),
       model_row("power_law_hardening", power_hardening_table, "Plasticity with power-law hardening"),

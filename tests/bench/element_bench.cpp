@@ -16,6 +16,10 @@ constexpr ElasticModuli steel{160e9, 80e9};
 
 MaterialLaw elastic() { return ElasticLaw{steel}; }
 MaterialLaw neo_hookean() { return NeoHookeanLaw{steel}; }
+MaterialLaw mooney_rivlin() { return MooneyRivlinLaw{steel, 15e9}; }
+MaterialLaw orthotropic() {
+  return make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9, {}, {}, {}});
+}
 MaterialLaw elastic_plastic() { return PlasticLaw<LinearHardening>{steel, {200e6, 1e7, 0.0}}; }
 MaterialLaw kinematic() { return PlasticLaw<LinearHardening>{steel, {200e6, 0.0, 1e9}}; }
 MaterialLaw ep_power_hard() { return PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}}; }
@@ -75,6 +79,8 @@ void with_threads(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK(hexahedra<elastic>)->Apply(with_threads);
 BENCHMARK(hexahedra<neo_hookean>)->Apply(with_threads);
+BENCHMARK(hexahedra<mooney_rivlin>)->Apply(with_threads);
+BENCHMARK(hexahedra<orthotropic>)->Apply(with_threads);
 BENCHMARK(hexahedra<elastic_plastic>)->Apply(with_threads);
 BENCHMARK(hexahedra<kinematic>)->Apply(with_threads);
 BENCHMARK(hexahedra<ep_power_hard>)->Apply(with_threads);

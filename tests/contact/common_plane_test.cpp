@@ -48,14 +48,14 @@ TEST_CASE("a corner that leans is seen along the normal of the blunter face", "[
     return make_common_plane(floor.x, {floor.look().area, sharpness_of_floor}, {normal, sharpness}).value();
   };
   const Eigen::Vector3d down(0.0, 0.0, -1.0);
-  CHECK((plane_at(45.0, 0.0, 1.57).normal - down).norm() < 1e-3);
-  CHECK(plane_at(45.0, 0.0, 1.57).spread == Approx(std::sqrt(2.0)).epsilon(2e-3));
-  CHECK((plane_at(45.0, 1.57, 0.0).normal - Eigen::Vector3d(1.0, 0.0, -1.0).normalized()).norm() < 1e-3);
+  CHECK((plane_at(45.0, 0.0, 90.0).normal - down).norm() < 1e-3);
+  CHECK(plane_at(45.0, 0.0, 90.0).spread == Approx(std::sqrt(2.0)).epsilon(2e-3));
+  CHECK((plane_at(45.0, 90.0, 0.0).normal - Eigen::Vector3d(1.0, 0.0, -1.0).normalized()).norm() < 1e-3);
   // Neither is sharper, or they hardly lean: the mean.
-  CHECK(plane_at(45.0, 1.57, 1.57).normal.dot(down) == Approx(std::cos(22.5 * M_PI / 180.0)));
-  CHECK(plane_at(8.0, 0.0, 1.57).normal.dot(down) == Approx(std::cos(4.0 * M_PI / 180.0)));
-  CHECK(plane_at(8.0, 0.0, 1.57).spread == Approx(1.0 / std::cos(4.0 * M_PI / 180.0)));
-  const double between = plane_at(20.0, 0.0, 1.57).normal.dot(down);
+  CHECK(plane_at(45.0, 90.0, 90.0).normal.dot(down) == Approx(std::cos(22.5 * M_PI / 180.0)));
+  CHECK(plane_at(8.0, 0.0, 90.0).normal.dot(down) == Approx(std::cos(4.0 * M_PI / 180.0)));
+  CHECK(plane_at(8.0, 0.0, 90.0).spread == Approx(1.0 / std::cos(4.0 * M_PI / 180.0)));
+  const double between = plane_at(20.0, 0.0, 90.0).normal.dot(down);
   CHECK(between > std::cos(9.0 * M_PI / 180.0));
   CHECK(between < 0.99999);
 }

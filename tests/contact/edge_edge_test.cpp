@@ -74,3 +74,16 @@ TEST_CASE("crossing segments meet in one place, parallel ones along the part tha
   // Parallel, but one after the other.
   CHECK(EdgePlaces(first, segment({5, 0, 1}, {6, 0, 1})).get().size() == 1);
 }
+
+TEST_CASE("a place next to a node by round-off is at the node", "[contact][edge_edge]") {
+  Segment along_x, along_y;
+  along_x << 0.0, 1.0, 0.0, 0.0, 0.0, 0.0;
+  for (const double off : {1e-16, -1e-16, 1e-12, 0.0}) {
+    along_y << off, off, -1.0, 1.0, 0.1, 0.1;
+    CHECK(nearest_points(along_x, along_y).s == 0.0);
+    along_y.row(0).array() += 1.0;
+    CHECK(nearest_points(along_x, along_y).s == 1.0);
+  }
+  along_y << 1e-6, 1e-6, -1.0, 1.0, 0.1, 0.1;
+  CHECK(nearest_points(along_x, along_y).s == Approx(1e-6));
+}

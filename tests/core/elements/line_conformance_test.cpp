@@ -215,3 +215,48 @@ TEST_CASE("a truss pulls along itself alone, turns freely and yields", "[core][b
   const double expected = 200e6 + 1e9 * (youngs * strain - 200e6) / (youngs + 1e9);
   CHECK(plastic.forces().norm() / std::sqrt(2.0) == Approx(0.01 * expected).epsilon(1e-9));
 }
+
+TEST_CASE("a rubber cord pulled to twice its length has the stress by the area that is left",
+          "[core][beams]") {
+  const MaterialLaw rubber = NeoHookeanLaw{{1e9, 3.0}};  // next to incompressible
+  const Matrix3Xd x = line();
+  Matrix3Xd far = x;
+  far.col(1) += x.col(1) - x.col(0);
+  LoneShell truss = truss_of(0.01, x, rubber), beam = beam_of(shape_of(BeamShape::bar), x, rubber);
+  const double free = truss.stay().stable_step;
+  const double step = truss.move_to(far, Matrix3Xd::Zero(3, 2)).stable_step;
+  beam.stay();
+  beam.move_to(far, Matrix3Xd::Zero(3, 2));
+  const double expected = 3.0 * (4.0 - 0.5) / 2.0;  // mu (L^2 - 1 / L) / L
+  CHECK(truss.forces().col(0).norm() == Approx(0.01 * expected).epsilon(1e-6));
+  CHECK(beam.forces().col(0).norm() == Approx(0.02 * expected).epsilon(1e-6));
+  CHECK(step > 0.0);
+  CHECK(free == Approx(0.8 / std::sqrt(9.0 / 7800.0)).epsilon(1e-6));
+}
+
+TEST_CASE("forces and moments of rubber beams and trusses are the derivatives of the work", "[core][beams]") {
+  const MaterialLaw rubber = NeoHookeanLaw{steel};
+  for (const bool is_truss : {false, true}) {
+    LoneShell line_of =
+        is_truss ? truss_of(0.01, line(), rubber) : beam_of(shape_of(BeamShape::box, true), line(), rubber);
+    line_of.stay();
+    for (unsigned i = 1; i <= 4; ++i)
+      line_of.move_to(distorted(line_of.coordinates, 0.05, i), random_turns(0.05, 7 + i));
+    constexpr double h = 1e-6;
+    Eigen::MatrixXd expected(6, 2);
+    expected << line_of.forces(), is_truss ? Matrix3Xd::Zero(3, 2).eval() : line_of.moments();
+    REQUIRE(expected.norm() > 1e-3 * size_of_forces);
+    for (Eigen::Index i = 0; i < expected.size(); ++i) {
+      double work[2];
+      for (const int side : {0, 1}) {
+        LoneShell moved = line_of;
+        Eigen::MatrixXd change = Eigen::MatrixXd::Zero(6, 2);
+        change(i) = side == 0 ? -h : h;
+        moved.move_to(line_of.coordinates + change.topRows<3>(), change.bottomRows<3>());
+        work[side] = moved.stress_work();
+      }
+      CHECK(-(work[1] - work[0]) / (2.0 * h) == Approx(expected(i)).margin(1e-7 * size_of_forces));
+    }
+    if (!is_truss) CHECK(line_of.stay().stable_step <= (1.0 + 1e-6) * stable_limit(line_of));
+  }
+}

@@ -68,15 +68,52 @@ TEST_CASE("every model that can be integrated becomes its law", "[core][material
   CHECK(cook.hardening.reference_rate == 2.0);
 }
 
+TEST_CASE("Johnson-Cook with failure constants fails by its damage", "[core][materials]") {
+  JohnsonCookModel model = johnson_cook();
+  model.d1 = 0.1;
+  model.d3 = -2.0;
+  const auto law = law_of<FailingJohnsonCookLaw>(model);
+  CHECK(law.hardening.rate_constant == 0.015);
+  CHECK(law.failure_strain.d1 == 0.1);
+  CHECK(law.failure_strain.d2 == 0.0);
+  CHECK(law.failure_strain.d3 == -2.0);
+  CHECK(law.failure_strain.reference_rate == 2.0);
+  CHECK(failure_of(law) == "damage");
+  CHECK(failure_of(ElasticLaw{}) == "");
+  CHECK(has_directions(OrthotropicLaw{}));
+  CHECK_FALSE(has_directions(law));
+}
+
+TEST_CASE("a Mooney-Rivlin model takes the bulk modulus from one constant or from two that fit",
+          "[core][materials]") {
+  MooneyRivlinModel model{{}, 30e9, 10e9};
+  CHECK(error_of(model) == "model 'steel': nothing gives the bulk modulus; add BULK MODULUS");
+  model.elastic.bulk_modulus = 160e9;
+  CHECK(law_of<MooneyRivlinLaw>(model).c10() == Approx(30e9));
+  model.elastic.shear_modulus = 80.1e9;
+  CHECK(law_of<MooneyRivlinLaw>(model).c01 == 10e9);
+  model.elastic.shear_modulus = 90e9;
+  CHECK(error_of(model) ==
+        "model 'steel': the elastic constants give a shear modulus of 90000000000, C10 and C01 one of "
+        "80000000000");
+  MooneyRivlinModel by_ratio{{}, 30e9, 10e9};
+  by_ratio.elastic.poissons_ratio = 0.25;
+  Diagnostics diagnostics;
+  CHECK(moduli_of(*make(by_ratio, diagnostics)).bulk == Approx(80e9 * 2.5 / 1.5));
+  by_ratio.c10 = -10e9;
+  CHECK(error_of(by_ratio) == "model 'steel': the sum of C10 and C01 must be positive");
+}
+
 TEST_CASE("models without a law are refused by name", "[core][materials]") {
   const std::string text =
-      "model 'steel': the model is not supported; there are elastic, neo_hookean, elastic_plastic, "
-      "ep_power_hard, johnson_cook";
+      "model 'steel': the model is not supported; there are elastic, elastic_orthotropic, neo_hookean, "
+      "mooney_rivlin, elastic_plastic, ep_power_hard, johnson_cook";
   CHECK(error_of(OpaqueModel{}) == text);
   CHECK(error_of(LinearElasticModel{steel()}) == text);
   JohnsonCookModel failing = johnson_cook();
   failing.d1 = 0.1;
-  CHECK(error_of(failing) == "model 'steel': failure of the model (d1 to d5) is not supported yet");
+  failing.d2 = -0.2;
+  CHECK(error_of(failing) == "model 'steel': d1 + d2, the failure strain in shear, must be positive");
   CHECK(error_of(ElasticPlasticModel{steel(), 200e6, -250e9}) ==
         "model 'steel': the hardening modulus falls faster than three times the shear modulus");
   ElasticConstants soft;
@@ -102,7 +139,8 @@ TEST_CASE("a law says what it keeps, and starts with undeformed material", "[cor
   // Every variable lies within the state.
   for (const MaterialLaw& law :
        {MaterialLaw(ElasticLaw{}), MaterialLaw(NeoHookeanLaw{}), MaterialLaw(PlasticLaw<LinearHardening>{}),
-        MaterialLaw(PlasticLaw<JohnsonCookHardening>{})}) {
+        MaterialLaw(PlasticLaw<JohnsonCookHardening>{}), MaterialLaw(MooneyRivlinLaw{}),
+        MaterialLaw(FailingJohnsonCookLaw{})}) {
     for (const StateVariable& variable : state_of(law).variables)
       CHECK(variable.first + variable.n_components <= state_of(law).n_state);
   }

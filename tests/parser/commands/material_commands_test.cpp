@@ -88,6 +88,46 @@ TEST_CASE("the plastic models are bound", "[parser][material]") {
   CHECK_FALSE(model_of<JohnsonCookModel>(cook).d2);
 }
 
+TEST_CASE("Mooney-Rivlin is bound with one elastic constant or two", "[parser][material]") {
+  const std::string begin = "density = 1\nbegin parameters for model mooney_rivlin\nc10 = 3\n";
+  const ParsedDeck deck = using_model("mooney_rivlin", begin + "c01 = 2\nbulk modulus = 1000\nend\n");
+  CHECK(deck.messages == "");
+  CHECK(model_of<MooneyRivlinModel>(deck).c10 == 3.0);
+  CHECK(model_of<MooneyRivlinModel>(deck).c01 == 2.0);
+  CHECK(using_model("mooney_rivlin", begin + "c01 = 2\n" + elastic + "end\n").messages == "");
+  CHECK_THAT(using_model("mooney_rivlin", begin + "end\n").messages,
+             Catch::Contains("needs two elastic constants, found 0") && Catch::Contains("needs 'c01'"));
+}
+
+TEST_CASE("an orthotropic model is bound with its coordinate system and turns", "[parser][material]") {
+  const std::string moduli =
+      "e11 = 1\ne22 = 2\ne33 = 3\nnu12 = 0.1\nnu13 = 0.2\nnu23 = 0.3\ng12 = 4\ng13 = 5\ng23 = 6\n";
+  const std::string points =
+      "define point o with coordinates 0 0 0\ndefine point z with coordinates 0 0 1\n"
+      "define point x with coordinates 1 0 0\n"
+      "define coordinate system c rectangular with point o point z point x\n";
+  const auto with = [&](const std::string& more) {
+    return using_model("elastic_orthotropic",
+                       "density = 1\nbegin parameters for model elastic_orthotropic\n" + moduli + more +
+                           "end\nend\n" + points + "begin material other\n");
+  };
+  const ParsedDeck deck =
+      with(elastic + "coordinate system = c\ndirection for rotation = 3\nalpha = 30\nsecond alpha = 5\n");
+  CHECK(deck.messages == "");
+  const auto& model = model_of<OrthotropicModel>(deck);
+  CHECK(model.e33 == 3.0);
+  CHECK(model.nu23 == 0.3);
+  CHECK(model.g13 == 5.0);
+  CHECK(model.coordinate_system->text == "c");
+  CHECK(model.first_rotation.axis == 3);
+  CHECK(model.first_rotation.angle == 30.0);
+  CHECK(model.second_rotation.axis == 1);
+  CHECK(model.second_rotation.angle == 5.0);
+  CHECK(with("").messages == "");
+  CHECK_THAT(with("coordinate system = d\n").messages, Catch::Contains("unknown coordinate system 'd'"));
+  CHECK_THAT(with("bulk modulus = 1\n").messages, Catch::Contains("needs two elastic constants, found 1"));
+}
+
 TEST_CASE("the older spelling defines a material too", "[parser][material]") {
   const ParsedDeck deck = parsed_sierra("begin property specification for material m\n  density = 3\nend\n");
   CHECK(deck.messages == "");

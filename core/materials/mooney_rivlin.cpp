@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/materials/mooney_rivlin.hpp"
+
+#include "core/materials/thin_hyperelastic.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// tr(B) B - B^2, whose trace is twice the second invariant.
+SymmetricLanes second_tensor(const SymmetricLanes& b) {
+  const TensorLanes rows{{{b[0], b[3], b[5]}, {b[3], b[1], b[4]}, {b[5], b[4], b[2]}}};
+  SymmetricLanes tensor = squares(rows);
+  const Lanes first = trace(b);
+  for (std::size_t i = 0; i < 6; ++i) tensor[i] = first * b[i] - tensor[i];
+  return tensor;
+}
+
+}  // namespace
+
+void MooneyRivlinLaw::start(std::span<Lanes> state) const { hyperelastic::start(state); }
+
+/// The part of c01 bounds as that of c10, but for twice the largest eigenvalue of its deviator: with
+/// A = J^(2/3) B^-1, m = 2/3 c01 tr A and s = -2 c01 dev A,
+///   power = 2 m (D : D - tr^2 / 3) + 4/3 (s : D) tr - s : L L^T - 2 s : L L.
+hyperelastic::Response MooneyRivlinLaw::at(const SymmetricLanes& b) const {
+  const SymmetricLanes c = second_tensor(b);
+  const Lanes squared = hyperelastic::determinant(b), volume = squared.sqrt(), per_volume = 1.0 / volume;
+  const Lanes scale = (-1.0 / 3.0 * squared.log()).exp();  // J^(-2/3)
+  const Lanes first = 2.0 * c10() * scale, second = 2.0 * c01 * scale * scale;
+  SymmetricLanes stress, of_first = deviator(b), of_second = deviator(c);
+  for (std::size_t i = 0; i < 6; ++i) {
+    of_first[i] *= first;
+    of_second[i] *= second;
+    stress[i] = (of_first[i] + of_second[i]) * per_volume;
+  }
+  const Lanes pressure = 0.5 * moduli.bulk * (volume - per_volume);
+  for (std::size_t i = 0; i < 3; ++i) stress[i] += pressure;
+
+  const Lanes mean = ((first * trace(b) + 0.5 * second * trace(c)) / 3.0).max(0.0);
+  const Lanes of_c01 = contract(of_second, of_second).sqrt();
+  const Lanes deviation = contract(of_first, of_first).sqrt() + of_c01;
+  LaneModuli bounds = hyperelastic::tangent_bounds(moduli.bulk, volume, mean, deviation);
+  const Lanes more = hyperelastic::largest_share * of_c01 * per_volume;
+  bounds.shear += more;
+  bounds.bulk += 2.0 / 3.0 * more;
+  return {stress, bounds, mean * per_volume};
+}
+
+LaneModuli MooneyRivlinLaw::update(const StrainStep& step, SymmetricLanes& stress,
+                                   std::span<Lanes> state) const {
+  const hyperelastic::Response response = at(hyperelastic::carry_along(step, state));
+  stress = response.stress;
+  return response.bounds;
+}
+
+void MooneyRivlinLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const {
+  hyperelastic::update_plane(*this, step, stress, state);
+}
+
+Lanes MooneyRivlinLaw::plane_stiffening(std::span<const Lanes> state) const {
+  return hyperelastic::plane_stiffening(*this, state);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/materials/orthotropic.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace contactsim {
+
+namespace {
+
+using Eigen::Matrix3d;
+
+/// Strain along i by stress along j.
+Matrix3d compliance_of(const OrthotropicModel& m) {
+  return Matrix3d{{1.0 / m.e11, -m.nu12 / m.e11, -m.nu13 / m.e11},
+                  {-m.nu12 / m.e11, 1.0 / m.e22, -m.nu23 / m.e22},
+                  {-m.nu13 / m.e11, -m.nu23 / m.e22, 1.0 / m.e33}};
+}
+
+void check_stability(const OrthotropicModel& m) {
+  const auto is_positive = [](double modulus) { return std::isfinite(modulus) && modulus > 0.0; };
+  for (const double modulus : {m.e11, m.e22, m.e33, m.g12, m.g13, m.g23}) {
+    if (!is_positive(modulus)) throw std::invalid_argument("E11 to G23 must be positive");
+  }
+  const auto check = [](const char* name, double ratio, double limit) {
+    if (std::abs(ratio) < limit) return;
+    throw std::invalid_argument(
+        fmt::format("{} = {} gives no stable material: with these moduli it must be less than {:.6g} in size",
+                    name, ratio, limit));
+  };
+  check("NU12", m.nu12, std::sqrt(m.e11 / m.e22));
+  check("NU13", m.nu13, std::sqrt(m.e11 / m.e33));
+  check("NU23", m.nu23, std::sqrt(m.e22 / m.e33));
+  const Matrix3d unit = Eigen::Vector3d(m.e11, m.e22, m.e33).cwiseSqrt().asDiagonal();
+  const double determinant = (unit * compliance_of(m) * unit).determinant();
+  if (determinant > 0.0) return;
+  throw std::invalid_argument(fmt::format(
+      "NU12, NU13 and NU23 together give no stable material: 1 - NU12 NU21 - NU23 NU32 - NU31 NU13 - 2 NU21 "
+      "NU32 NU13 is {:.6g} and must be positive",
+      determinant));
+}
+
+/// Takes as much lambda as all pairs of directions have, and for the rest twice the largest stiffness that
+/// any strain of its norm meets, shears with 2 G each. Of an isotropic material these are its own moduli.
+ElasticModuli bounds_of(const Matrix3d& direct, const std::array<double, 3>& shear) {
+  const double lambda = std::max(0.0, std::min({direct(0, 1), direct(1, 2), direct(0, 2)}));
+  const Matrix3d rest = direct - Matrix3d::Constant(lambda);
+  const double largest =
+      Eigen::SelfAdjointEigenSolver<Matrix3d>(rest, Eigen::EigenvaluesOnly).eigenvalues()(2);
+  const double bound = std::max(0.5 * largest, *std::max_element(shear.begin(), shear.end()));
+  return {lambda + 2.0 / 3.0 * bound, bound};
+}
+
+/// The isotropic material that has the same energy on average over all directions. Source: Voigt (1928).
+ElasticModuli mean_of(const Matrix3d& direct, const std::array<double, 3>& shear) {
+  const double diagonal = direct.trace(), across = direct(0, 1) + direct(1, 2) + direct(0, 2);
+  const double shears = shear[0] + shear[1] + shear[2];
+  return {(diagonal + 2.0 * across) / 9.0, (diagonal - across + 3.0 * shears) / 15.0};
+}
+
+bool has_constants(const ElasticConstants& c) {
+  return c.youngs_modulus || c.poissons_ratio || c.shear_modulus || c.bulk_modulus || c.lambda;
+}
+
+double ratio_of_planes(const OrthotropicLaw& law) {
+  const PlaneModuli alike(law.moduli);
+  const double across = std::max(alike.across, 0.0);
+  const Eigen::Matrix2d plane{{law.plane[0], law.plane[2]}, {law.plane[2], law.plane[1]}};
+  const Eigen::Matrix2d other =
+      Eigen::Matrix2d::Constant(across) + 2.0 * alike.shear * Eigen::Matrix2d::Identity();
+  const double largest =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(plane, other, Eigen::EigenvaluesOnly)
+          .eigenvalues()(1);
+  return std::max(largest, *std::max_element(law.shear.begin(), law.shear.end()) / alike.shear);
+}
+
+/// The directions as rows.
+TensorLanes directions_of(std::span<const Lanes> state) {
+  const std::array<Lanes, 3> a{state[0], state[1], state[2]}, b{state[3], state[4], state[5]};
+  return {a, b, {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}};
+}
+
+TensorLanes transposed(const TensorLanes& a) {
+  TensorLanes b;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) b[i][j] = a[j][i];
+  }
+  return b;
+}
+
+}  // namespace
+
+void OrthotropicLaw::start(std::span<Lanes> state) const {
+  for (std::size_t i = 0; i < 6; ++i) state[i].setConstant(i == 0 || i == 4 ? 1.0 : 0.0);
+}
+
+LaneModuli OrthotropicLaw::update(const StrainStep& step, SymmetricLanes& stress,
+                                  std::span<Lanes> state) const {
+  const TensorLanes directions = directions_of(state);
+  const SymmetricLanes strain = transformed(step.strain, directions);
+  SymmetricLanes growth;
+  for (std::size_t i = 0; i < 3; ++i) {
+    growth[i] = direct[i][0] * strain[0] + direct[i][1] * strain[1] + direct[i][2] * strain[2];
+    growth[3 + i] = 2.0 * shear[i] * strain[3 + i];
+  }
+  growth = transformed(growth, transposed(directions));
+  for (std::size_t i = 0; i < 6; ++i) stress[i] += growth[i];
+  return {Lanes::Constant(bounds.bulk), Lanes::Constant(bounds.shear)};
+}
+
+void OrthotropicLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const {
+  const Lanes &c = state[0], &s = state[1];  // direction 1 along x and y
+  const Lanes cc = c * c, ss = s * s, cs = c * s;
+  const auto& [xx, yy, xy, yz, zx] = step.strain;
+  const Lanes e1 = cc * xx + ss * yy + cs * xy, e2 = ss * xx + cc * yy - cs * xy;
+  const Lanes s1 = plane[0] * e1 + plane[2] * e2, s2 = plane[2] * e1 + plane[1] * e2;
+  const Lanes t12 = shear[0] * (2.0 * cs * (yy - xx) + (cc - ss) * xy);
+  const Lanes t23 = shear[1] * (c * yz - s * zx), t13 = shear[2] * (s * yz + c * zx);
+  stress[0] += cc * s1 + ss * s2 - 2.0 * cs * t12;
+  stress[1] += ss * s1 + cc * s2 + 2.0 * cs * t12;
+  stress[2] += cs * (s1 - s2) + (cc - ss) * t12;
+  stress[3] += c * t23 + s * t13;
+  stress[4] += c * t13 - s * t23;
+}
+
+OrthotropicLaw make_orthotropic_law(const OrthotropicModel& model) {
+  check_stability(model);
+  const Matrix3d direct = compliance_of(model).inverse();
+  OrthotropicLaw law{};
+  law.shear = {model.g12, model.g23, model.g13};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j)
+      law.direct[i][j] = direct(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  }
+  const double scale = 1.0 / (1.0 - model.nu12 * model.nu12 * model.e22 / model.e11);
+  law.plane = {scale * model.e11, scale * model.e22, scale * model.nu12 * model.e22};
+  law.bounds = bounds_of(direct, law.shear);
+  law.moduli = has_constants(model.elastic) ? make_elastic_moduli(model.elastic) : mean_of(direct, law.shear);
+  law.plane_ratio = ratio_of_planes(law);
+  return law;
+}
+
+}  // namespace contactsim
