@@ -146,23 +146,14 @@ OverlapPolygon overlap_of(const ProjectedPair& pair) {
   return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
 }
 
-/// Not negative where a gap is at most `most`, or at least `least`.
-PlaneFunction below(const PlaneFunction& gap, double most) {
-  return {gap.u0, gap.v0, -gap.by_u, -gap.by_v, most - gap.value};
-}
-
-PlaneFunction above(const PlaneFunction& gap, double least) {
-  return {gap.u0, gap.v0, gap.by_u, gap.by_v, gap.value - least};
-}
-
-/// A warped face may be behind the other one somewhere before the middles of both say so. It touches then and
-/// not earlier, or forces would jump.
 Overlap find_overlap(const ProjectedPair& pair, double reach, double depth) {
   Overlap overlap;
-  const PlaneFunction gap = plane_gap(pair.map_1, pair.map_2);
-  const OverlapPolygon near = part_of(part_of(overlap_of(pair), below(gap, reach)), above(gap, -depth));
+  OverlapPolygon whole = overlap_of(pair);
+  if (!whole.has_area()) return overlap;
+  set_gaps(pair.map_1, pair.map_2, whole);
+  const OverlapPolygon near = part_between(-depth, reach, whole);
   if (!near.has_area()) return overlap;
-  const OverlapPolygon behind = part_of(near, below(gap, 0.0));
+  const OverlapPolygon behind = part_between(-depth, 0.0, near);
   overlap.touches = behind.has_area();
   overlap.points = place_points(overlap.touches ? behind : near, pair.map_1, pair.map_2);
   overlap.points.spread(pair.plane.spread);

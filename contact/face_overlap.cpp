@@ -18,24 +18,28 @@ void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, Ov
   }
 }
 
-/// Puts the part of a polygon where a function is not negative into `kept`; returns false, and leaves `kept`
-/// alone, when that is all of it. Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
-bool cut(const OverlapPolygon& polygon, const PlaneFunction& function, OverlapPolygon& kept) {
+/// Puts the part of a polygon where a function, linear from corner to corner, is not negative into `kept`;
+/// returns false, and leaves `kept` alone, when that is all of it.
+///   side  of a corner's number
+/// Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
+template <class Side>
+bool cut(const OverlapPolygon& polygon, const Side& side_of, OverlapPolygon& kept) {
   double side[OverlapPolygon::max_corners + 2];
   double least = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
-    side[i] = function.at(polygon.u[i], polygon.v[i]);
+    side[i] = side_of(i);
     least = std::min(least, side[i]);
   }
   if (least >= 0.0) return false;
   kept.n = 0;
   for (int i = 0; i < polygon.n; ++i) {
     const int next = i + 1 < polygon.n ? i + 1 : 0;
-    if (side[i] >= 0.0) kept.add(polygon.u[i], polygon.v[i]);
+    if (side[i] >= 0.0) kept.add(polygon.u[i], polygon.v[i], polygon.gap[i]);
     if ((side[i] >= 0.0) == (side[next] >= 0.0)) continue;
     const double t = side[i] / (side[i] - side[next]);
     kept.add(polygon.u[i] + t * (polygon.u[next] - polygon.u[i]),
-             polygon.v[i] + t * (polygon.v[next] - polygon.v[i]));
+             polygon.v[i] + t * (polygon.v[next] - polygon.v[i]),
+             polygon.gap[i] + t * (polygon.gap[next] - polygon.gap[i]));
     if (kept.n >= OverlapPolygon::max_corners) break;
   }
   kept.n = std::min(kept.n, OverlapPolygon::max_corners);
@@ -77,13 +81,6 @@ void spread_points(const OverlapPolygon& polygon, PlanePoints& placed, OverlapPo
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
-/// How the height of a face grows along the plane in its middle [1].
-Eigen::Vector2d slope(const FaceMap& map) {
-  const auto& c = map.c;
-  const double area = cross(c[1], c[2]);
-  return {(c[1][2] * c[2][1] - c[2][2] * c[1][1]) / area, (c[2][2] * c[1][0] - c[1][2] * c[2][0]) / area};
-}
-
 /// Finds where points of the plane lie on a face. With d the way from c0 to the point, d - c2 eta is parallel
 /// to c1 + c3 eta: a quadratic equation for eta, of which the root is taken that stays when the face is
 /// straightened.
@@ -99,6 +96,11 @@ void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes
   xi = ((du - c[2][0] * eta) * pu + (dv - c[2][1] * eta) * pv) / (pu * pu + pv * pv);
 }
 
+Lanes height(const FaceMap& map, const Lanes& xi, const Lanes& eta) {
+  const auto& c = map.c;
+  return c[0][2] + c[1][2] * xi + (c[2][2] + c[3][2] * xi) * eta;
+}
+
 }  // namespace
 
 OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const FaceCorners& second,
@@ -109,16 +111,37 @@ OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const Fac
   OverlapPolygon *now = &polygon, *next = &other;
   for (int i = 0; i < window.n && now->n > 2; ++i) {
     const int k = i + 1 < window.n ? i + 1 : 0;
-    const PlaneFunction inwards{window.u[i], window.v[i], window.v[i] - window.v[k],
-                                window.u[k] - window.u[i], 0.0};
+    const double du = window.u[k] - window.u[i], dv = window.v[k] - window.v[i];
+    const auto inwards = [&](int corner) {
+      return du * (now->v[corner] - window.v[i]) - dv * (now->u[corner] - window.u[i]);
+    };
     if (cut(*now, inwards, *next)) std::swap(now, next);
   }
   return *now;
 }
 
-OverlapPolygon part_of(const OverlapPolygon& polygon, const PlaneFunction& function) {
-  OverlapPolygon part;
-  return cut(polygon, function, part) ? part : polygon;
+void set_gaps(const FaceMap& map_1, const FaceMap& map_2, OverlapPolygon& polygon) {
+  static_assert(n_lanes >= 8, "intersect() makes up to eight corners");
+  Lanes u = Lanes::Constant(polygon.u[0]), v = Lanes::Constant(polygon.v[0]);
+  const int n = std::min(polygon.n, n_lanes);
+  for (int i = 0; i < n; ++i) u(i) = polygon.u[i], v(i) = polygon.v[i];
+  Lanes xi_1, eta_1, xi_2, eta_2;
+  locate(map_1, u, v, xi_1, eta_1);
+  locate(map_2, u, v, xi_2, eta_2);
+  const Lanes gap = height(map_1, xi_1, eta_1) - height(map_2, xi_2, eta_2);
+  for (int i = 0; i < n; ++i) polygon.gap[i] = gap(i);
+}
+
+OverlapPolygon part_between(double least, double most, const OverlapPolygon& polygon) {
+  OverlapPolygon low, part;
+  const OverlapPolygon& below = cut(
+                                    polygon, [&](int i) { return most - polygon.gap[i]; }, low)
+                                    ? low
+                                    : polygon;
+  return cut(
+             below, [&](int i) { return below.gap[i] - least; }, part)
+             ? part
+             : below;
 }
 
 double OverlapPolygon::area() const {
@@ -140,13 +163,6 @@ std::array<double, 2> OverlapPolygon::centroid() const {
   }
   if (!(area > 0.0)) return {u[0], v[0]};
   return {u[0] + to_u / (3.0 * area), v[0] + to_v / (3.0 * area)};
-}
-
-PlaneFunction plane_gap(const FaceMap& map_1, const FaceMap& map_2) {
-  const Eigen::Vector3d &at = map_1.c[0], away = at - map_2.c[0];
-  const Eigen::Vector2d slope_1 = slope(map_1), slope_2 = slope(map_2);
-  const Eigen::Vector2d by = slope_1 - slope_2;
-  return {at[0], at[1], by[0], by[1], away[2] - slope_2.dot(away.head<2>())};
 }
 
 OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2) {

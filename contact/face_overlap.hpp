@@ -13,11 +13,12 @@ struct OverlapPolygon {
   static constexpr int max_corners = 10;
 
   int n;
-  double u[max_corners + 2], v[max_corners + 2];  // room for what round-off may add
+  double u[max_corners + 2], v[max_corners + 2], gap[max_corners + 2];  // room for what round-off may add
 
-  void add(double pu, double pv) {
+  void add(double pu, double pv, double its_gap = 0.0) {
     u[n] = pu;
     v[n] = pv;
+    gap[n] = its_gap;
     ++n;
   }
   bool has_area() const { return n > 2 && area() > 0.0; }
@@ -25,23 +26,17 @@ struct OverlapPolygon {
   std::array<double, 2> centroid() const;  ///< u and v [length]
 };
 
-/// The linear function value + by_u (u - u0) + by_v (v - v0) of a common plane.
-struct PlaneFunction {
-  double u0, v0, by_u, by_v, value;
-
-  double at(double u, double v) const { return value + by_u * (u - u0) + by_v * (v - v0); }
-};
-
 /// What two faces have in common, seen along the normal.
 ///   first, second  in the coordinates of the plane
 OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const FaceCorners& second,
                          bool is_triangle_2);
 
-/// The part of a polygon where a function is not negative.
-OverlapPolygon part_of(const OverlapPolygon& polygon, const PlaneFunction& function);
+/// Sets the gaps of a polygon that intersect() made: the height of the first face over the second, as they
+/// are.
+void set_gaps(const FaceMap& map_1, const FaceMap& map_2, OverlapPolygon& polygon);
 
-/// The height of the first face over the second as of planes that touch them in the middle [length].
-PlaneFunction plane_gap(const FaceMap& map_1, const FaceMap& map_2);
+/// The part of a polygon where gaps, linear from corner to corner, are within bounds [length].
+OverlapPolygon part_between(double least, double most, const OverlapPolygon& polygon);
 
 /// Points at which pressure is integrated over the overlap of two faces, and where they lie on both.
 struct OverlapPoints {

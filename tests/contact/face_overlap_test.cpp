@@ -45,6 +45,19 @@ struct Overlap {
   }
 };
 
+/// The height of a face at the place of a point, by Newton's method.
+double height_over(const FaceCorners& face, bool is_triangle, const Eigen::Vector3d& at) {
+  const FaceMap map = make_face_map(face, is_triangle);
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  for (int i = 0; i < 50; ++i) {
+    const Eigen::Vector3d by_xi = map.c[1] + place[1] * map.c[3], by_eta = map.c[2] + place[0] * map.c[3];
+    Eigen::Matrix2d slope;
+    slope << by_xi.head<2>(), by_eta.head<2>();
+    place += slope.inverse() * (at - map.at(place[0], place[1])).head<2>();
+  }
+  return map.at(place[0], place[1]).z();
+}
+
 /// Where a line of constant v meets a convex face: its ends in u, the first above the second if it does not.
 std::array<double, 2> chord(const FaceCorners& face, double v) {
   double low = 1e300, high = -1e300;
@@ -138,31 +151,41 @@ TEST_CASE("a face inside another one overlaps wholly, faces side by side do not"
   CHECK(Overlap(floor, make_square(1.5, 0.0, false)).points.area == 0.0);
 }
 
-TEST_CASE("a polygon is cut where a linear function changes its sign", "[contact][face_overlap]") {
-  const Overlap found(make_square(0.0, 0.0, true), make_square(0.0, 0.1, false));
-  const Eigen::Vector3d middle =
-      project(Eigen::Vector3d(0.5, 0.5, 0.0).replicate<1, 4>(), found.plane).col(0);
-  const auto part = [&](double by_u, double by_v, double value) {
-    const OverlapPolygon kept = part_of(found.polygon, {middle.x(), middle.y(), by_u, by_v, value});
-    return kept.has_area() ? kept.area() : 0.0;
+TEST_CASE("a polygon is cut where the gap leaves its bounds", "[contact][face_overlap]") {
+  // The gap goes from 0.1 at x = 0 to 0.3 at x = 1.
+  MovingFace upper = make_square(0.0, 0.2, false);
+  upper.x.row(2) += 0.2 * (upper.x.row(0).array() - 0.5).matrix();
+  Overlap found(upper, make_square(0.0, 0.0, true));
+  set_gaps(found.map_1, found.map_2, found.polygon);
+  const double whole = found.polygon.area();
+  const auto share = [&](double least, double most) {
+    const OverlapPolygon part = part_between(least, most, found.polygon);
+    return part.has_area() ? part.area() / whole : 0.0;
   };
-  // The axes of the plane run along the diagonals.
-  CHECK(part(1.0, 0.0, 0.0) == Approx(0.5));
-  CHECK(part(0.0, -2.0, 0.0) == Approx(0.5));
-  CHECK(part(1.0, 0.0, 1.0) == Approx(1.0));
-  CHECK(part(1.0, 0.0, -1.0) == 0.0);
-  CHECK(part(1.0, 0.0, -0.5) == Approx(std::pow(std::sqrt(0.5) - 0.5, 2)));
-  CHECK(part(0.0, 0.0, -1.0) == 0.0);
+  CHECK(share(-1.0, 1.0) == Approx(1.0));
+  CHECK(share(-1.0, 0.2) == Approx(0.5).epsilon(0.05));
+  CHECK(share(-1.0, 0.2) + share(0.2, 1.0) == Approx(1.0));
+  CHECK(share(0.15, 0.25) + share(-1.0, 0.15) + share(0.25, 1.0) == Approx(1.0));
+  CHECK(share(-1.0, 0.05) == 0.0);
+  CHECK(share(0.35, 1.0) == 0.0);
 }
 
-TEST_CASE("the gap of two planes is linear", "[contact][face_overlap]") {
+TEST_CASE("gaps at the corners of an overlap are those of the faces, warped or not",
+          "[contact][face_overlap]") {
   Random random(5);
   for (int i = 0; i < 20; ++i) {
-    const MovingFace a = random_face(random, true, true, 0.0), b = random_face(random, true, false, 0.2);
-    const Overlap found(a, b);
-    const PlaneFunction gap = plane_gap(found.map_1, found.map_2);
-    CHECK(found.sum([&](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
-      return std::abs(gap.at(x.x(), x.y()) - (x - y).z());
-    }) < 1e-14);
+    const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
+                     b = random_face(random, i % 3 == 0, false, 0.2);
+    Overlap found(a, b);
+    set_gaps(found.map_1, found.map_2, found.polygon);
+    // Corners of the first face that the second one covers are corners of the overlap.
+    for (int k = 0; k < found.polygon.n; ++k) {
+      for (int c = 0; c < 4; ++c) {
+        const Eigen::Vector3d x = found.first.col(c);
+        if (std::hypot(x.x() - found.polygon.u[k], x.y() - found.polygon.v[k]) > 1e-12) continue;
+        CHECK(found.polygon.gap[k] + height_over(found.second, b.is_triangle, x) ==
+              Approx(x.z()).margin(1e-12));
+      }
+    }
   }
 }
