@@ -146,6 +146,7 @@ OverlapPolygon overlap_of(const ProjectedPair& pair) {
   return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
 }
 
+/// What lies deeper than the depth is another wall, as is what lies behind it.
 Overlap find_overlap(const ProjectedPair& pair, double reach, double depth) {
   Overlap overlap;
   OverlapPolygon whole = overlap_of(pair);

@@ -217,5 +217,32 @@ def shell_box(bench):
         checks += [at_most(f"{form}: change of angular momentum over that of the flight about the edge of the box",
                            np.max(np.linalg.norm(momentum - momentum[0], axis=1)) / scale, 1e-10),
                    at_most(f"{form}: turned by 30 and 20 degrees: change of displacements",
-                           np.max(np.abs(change)) / np.max(np.abs(run.nodal("displacement")[-1])), 1e-6)]
+                           np.max(np.abs(change)) / np.max(np.abs(run.nodal("displacement")[-1])), 1e-6),
+                   kept_energy(form, run)]
     return checks + balances(runs, is_free=True)
+
+
+def kept_energy(label, run):
+    """What contact still has after the bodies have parted, or has given out."""
+    return at_most(f"{label}: energy of contact afterwards over that of the flight",
+                   abs(run["contact_energy"][-1]) / run["kinetic_energy"][0], 0.01)
+
+
+def tilted_cube_over_block(n, turn):
+    mesh = MeshMaker()
+    mesh.hexes("block", (-0.08, -0.08, -0.04), (0.16, 0.16, 0.04), (7, 7, 2))
+    lowest = np.sum(np.abs(turn[2])) * 0.05
+    mesh.new_body()
+    mesh.place = lambda *point: tuple(turn @ point + (0.005, 0.003, lowest + 3e-3))
+    mesh.hexes("box", (-0.05, -0.05, -0.05), (0.1, 0.1, 0.1), (n, n, n))
+    return mesh
+
+
+@case()
+def solid_corners(bench):
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        for label, turn in (("edge", turned(0, 30)), ("corner", turned(20, 40) @ turned(40, 25))):
+            runs.append(bench.run("shell_box", tilted_cube_over_block(6, turn), form=form, solid=1))
+            checks.append(kept_energy(f"{form}, {label}", runs[-1]))
+    return checks + balances(runs)

@@ -11,6 +11,9 @@
 # {ifndef(vx)}
 # {vx = 0} {vy = 0} {vz = -20}
 # {endif}
+# {ifndef(solid)}
+# {solid = 0}
+# {endif}
 # {frame = 1e-4}
 begin sierra shell box
   begin material aluminium
@@ -21,16 +24,20 @@ begin sierra shell box
     end
   end
 
+{if(solid == 0)}
   begin shell section wall
     number of integration points = 3
   end
+{endif}
 
   begin finite element model bodies
     database name = shell_box.g
     begin parameters for block box
       material = aluminium
       model = elastic
+{if(solid == 0)}
       section = wall
+{endif}
     end
     begin parameters for block block
       material = aluminium
@@ -85,7 +92,9 @@ begin sierra shell box
         database name = %B.e
         at time 0 increment = {frame}
         nodal variables = displacement coordinates velocity mass force_contact moment_contact
+{if(solid == 0)}
         nodal variables = rotational_velocity rotational_mass
+{endif}
       end
     end
   end
