@@ -119,6 +119,14 @@ std::optional<SolidBlock> BlockMaker::make_lines(std::uint32_t index, const Bloc
               "");
     return std::nullopt;
   }
+  const bool has_load_at_once = setup->preload.load != 0.0 && setup->preload.period == 0.0;
+  if (has_load_at_once && std::holds_alternative<NeoHookeanLaw>(properties->law)) {
+    add_error(
+        section->name.location,
+        fmt::format("{}: a truss of NEO_HOOKEAN cannot have its INITIAL LOAD from the start", block_name_),
+        "its stress follows its stretch; give a PERIOD over which the load comes up");
+    return std::nullopt;
+  }
   SolidBlock block = make_line_block(mesh_, index, *setup->element, *properties, setup->beam, setup->sizes);
   block.preload = setup->preload;
   return block;

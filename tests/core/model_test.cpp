@@ -4,6 +4,7 @@
 #include "core/elements/element_table.hpp"
 
 #include "support/catch.hpp"
+#include "support/lone_element.hpp"
 #include "support/mesh_builder.hpp"
 
 using namespace contactsim;
@@ -117,6 +118,25 @@ TEST_CASE("a hexahedron that turns inside out at a point is refused where points
   definition.sections = {{named("s"), {}, solid}};
   definition.finite_element_models[0].block_parameters[0].section = named("s");
   CHECK(errors_of(definition, mesh) == "block_1: element 1 is without a positive volume\n");
+}
+
+TEST_CASE("a truss of rubber takes its initial load over a period only", "[core][model]") {
+  Eigen::Matrix3Xd x(3, 2);
+  x << 0, 1, 0, 0, 0, 0;
+  const Mesh mesh = test::one_element_mesh(Shape::bar2, x);
+  SimulationDefinition definition = definition_for("block_1");
+  NeoHookeanModel rubber;
+  rubber.elastic.youngs_modulus = 1e6;
+  rubber.elastic.poissons_ratio = 0.45;
+  definition.materials[0].models[0] = {named("elastic"), rubber};
+  const auto errors_with = [&](double load, double period) {
+    definition.sections = {{named("s"), {}, TrussSection{0.01, load, period}}};
+    definition.finite_element_models[0].block_parameters[0].section = named("s");
+    return errors_of(definition, mesh);
+  };
+  CHECK(errors_with(0.0, 0.0).empty());
+  CHECK(errors_with(5.0, 1.0).empty());
+  CHECK_THAT(errors_with(5.0, 0.0), Catch::Contains("cannot have its INITIAL LOAD from the start"));
 }
 
 TEST_CASE("quadratic elements are refused", "[core][model]") {
