@@ -81,6 +81,13 @@ void spread_points(const OverlapPolygon& polygon, PlanePoints& placed, OverlapPo
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
+/// A face that folds over itself, seen along the normal, has places without coordinates: its middle stands
+/// for them.
+Lanes within_face(const Lanes& coordinate) {
+  constexpr double beyond = 2.0;
+  return (coordinate.abs() <= beyond).select(coordinate, 0.0);
+}
+
 /// Finds where points of the plane lie on a face. With d the way from c0 to the point, d - c2 eta is parallel
 /// to c1 + c3 eta: a quadratic equation for eta, of which the root is taken that stays when the face is
 /// straightened.
@@ -91,9 +98,9 @@ void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes
   const Lanes b = area + du * c[3][1] - dv * c[3][0];
   const Lanes e = du * c[1][1] - dv * c[1][0];
   const Lanes root = (b * b - (4.0 * a) * e).max(0.0).sqrt();
-  eta = -2.0 * e / (b + (area < 0.0 ? Lanes(-root) : root));
+  eta = within_face(-2.0 * e / (b + (area < 0.0 ? Lanes(-root) : root)));
   const Lanes pu = c[1][0] + c[3][0] * eta, pv = c[1][1] + c[3][1] * eta;
-  xi = ((du - c[2][0] * eta) * pu + (dv - c[2][1] * eta) * pv) / (pu * pu + pv * pv);
+  xi = within_face(((du - c[2][0] * eta) * pu + (dv - c[2][1] * eta) * pv) / (pu * pu + pv * pv));
 }
 
 Lanes height(const FaceMap& map, const Lanes& xi, const Lanes& eta) {
