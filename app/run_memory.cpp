@@ -14,7 +14,7 @@ void archive(const RunMemory& memory, StateArchive& saved) {
   State& state = memory.state;
   saved.expect("run/mesh", digest_of(*model.mesh), "nodes or elements");
   saved.expect("run/n_blocks", model.blocks.size(), "blocks");
-  for (const SolidBlock& block : model.blocks) {
+  for (const ModelBlock& block : model.blocks) {
     const std::string name = fmt::format("run/materials/{}", block.mesh_block + 1);
     saved.expect(name, digest_of(block.material), "materials");
   }

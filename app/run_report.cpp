@@ -10,7 +10,7 @@ namespace contactsim {
 namespace {
 
 /// Sum over the elements, the copies that fill up the last batch left out.
-double mass_of(const SolidBlock& block) {
+double mass_of(const ModelBlock& block) {
   double mass = 0.0;
   for (std::size_t i = 0; i < block.n_elements; ++i)
     mass += block.mass[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
@@ -24,7 +24,7 @@ std::string format_model(const Model& model, const StepReport& at_start) {
   std::string text =
       "\nModel\n" + fmt::format(row, "block", "elements", "type", "formulation", "material", "mass");
   double mass = 0.0;
-  for (const SolidBlock& block : model.blocks) {
+  for (const ModelBlock& block : model.blocks) {
     mass += mass_of(block);
     text += fmt::format(row, model.mesh->name({EntityKind::block, block.mesh_block}), block.n_elements,
                         topology(block.element->shape).name, block.element->formulation, block.material,

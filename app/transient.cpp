@@ -199,7 +199,7 @@ class Run {
     if (death_ != nullptr) parts.push_back({"element death", death});
     if (contact_ != nullptr) parts.insert(parts.begin() + 1, {"contact", contact});
     std::size_t n_elements = 0;
-    for (const SolidBlock& block : model_.blocks) n_elements += block.n_elements;
+    for (const ModelBlock& block : model_.blocks) n_elements += block.n_elements;
     log_.write(format_wall_times(parts, whole, state_.step, n_elements));
   }
 

@@ -185,12 +185,12 @@ void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position
 class Materials {
  public:
   explicit Materials(const Model& model) : model_(model), of_block_(model.mesh->blocks().size(), nullptr) {
-    for (const SolidBlock& block : model.blocks) of_block_[block.mesh_block] = &block;
+    for (const ModelBlock& block : model.blocks) of_block_[block.mesh_block] = &block;
   }
 
   void add(ElementSide side, Backing& backing) const {
-    const SolidBlock& block = block_of(side);
-    const SolidProperties& properties = block.properties;
+    const ModelBlock& block = block_of(side);
+    const ElementProperties& properties = block.properties;
     const bool is_shell = !block.thickness.empty();
     const double thickness = is_shell ? thickness_of(block, side.element()) : backing.thickness;
     backing.stiffness = penalty_over_element * moduli_of(properties.law).bulk / thickness;
@@ -206,16 +206,16 @@ class Materials {
   }
 
  private:
-  const SolidBlock& block_of(ElementSide side) const {
+  const ModelBlock& block_of(ElementSide side) const {
     return *of_block_[model_.mesh->block_of(side.element())];
   }
-  static double thickness_of(const SolidBlock& block, ElementIndex element) {
+  static double thickness_of(const ModelBlock& block, ElementIndex element) {
     const std::size_t i = element.value - block.first_element.value;
     return block.thickness[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
   }
 
   const Model& model_;
-  std::vector<const SolidBlock*> of_block_;
+  std::vector<const ModelBlock*> of_block_;
 };
 
 }  // namespace

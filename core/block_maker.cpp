@@ -10,7 +10,7 @@
 namespace contactsim {
 
 void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
-                     std::vector<SolidBlock>& blocks) {
+                     std::vector<ModelBlock>& blocks) {
   const BlockParameters* parameters = find_block_parameters(model_, names);
   block_name_ = mesh_.name({EntityKind::block, index});
   if (parameters == nullptr) {
@@ -30,16 +30,16 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
   blocks.push_back(std::move(*block));
 }
 
-std::optional<SolidBlock> BlockMaker::make(Family family, std::uint32_t index,
+std::optional<ModelBlock> BlockMaker::make(Family family, std::uint32_t index,
                                            const BlockParameters& parameters) {
   if (family == Family::shell) return make_shells(index, parameters);
   const bool is_thin = family == Family::line || family == Family::particle;
   return is_thin ? make_lines(index, parameters) : make_solids(index, parameters);
 }
 
-std::optional<SolidBlock> BlockMaker::make_solids(std::uint32_t index, const BlockParameters& parameters) {
+std::optional<ModelBlock> BlockMaker::make_solids(std::uint32_t index, const BlockParameters& parameters) {
   const SolidSection* section = find_solid_section(index, parameters);
-  const SolidElement* element =
+  const ElementFormulation* element =
       section ? find_formulation(topology(mesh_.blocks()[index].shape), *section, parameters) : nullptr;
   const auto properties = make_properties(parameters, section);
   if (element == nullptr || !properties) return std::nullopt;
@@ -88,9 +88,9 @@ void BlockMaker::check_options(const SolidSection& solid) {
   }
 }
 
-const SolidElement* BlockMaker::find_formulation(const Topology& shape, const SolidSection& solid,
-                                                 const BlockParameters& parameters) {
-  const SolidElement* element = find_solid_element(shape.shape, solid.formulation.text);
+const ElementFormulation* BlockMaker::find_formulation(const Topology& shape, const SolidSection& solid,
+                                                       const BlockParameters& parameters) {
+  const ElementFormulation* element = find_solid_element(shape.shape, solid.formulation.text);
   if (element != nullptr) return element;
   const bool is_known = !list_formulations(shape.shape).empty();
   const DeckLocation& location =
@@ -108,8 +108,8 @@ const SolidElement* BlockMaker::find_formulation(const Topology& shape, const So
   return nullptr;
 }
 
-std::optional<SolidProperties> BlockMaker::make_properties(const BlockParameters& parameters,
-                                                           const SolidSection* section) {
+std::optional<ElementProperties> BlockMaker::make_properties(const BlockParameters& parameters,
+                                                             const SolidSection* section) {
   if (!parameters.material || !parameters.model) {
     add_error(parameters.location,
               fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
@@ -125,18 +125,18 @@ std::optional<SolidProperties> BlockMaker::make_properties(const BlockParameters
   }
   const auto law = make_material_law(*model, diagnostics_);
   if (!law) return std::nullopt;
-  return SolidProperties{*law,
-                         material->density,
-                         parameters.hourglass_stiffness,
-                         parameters.hourglass_viscosity,
-                         parameters.linear_bulk_viscosity,
-                         parameters.quadratic_bulk_viscosity,
-                         section != nullptr ? section->deviatoric_parameter.value_or(1.0) : 1.0};
+  return ElementProperties{*law,
+                           material->density,
+                           parameters.hourglass_stiffness,
+                           parameters.hourglass_viscosity,
+                           parameters.linear_bulk_viscosity,
+                           parameters.quadratic_bulk_viscosity,
+                           section != nullptr ? section->deviatoric_parameter.value_or(1.0) : 1.0};
 }
 
 /// The ORIENTATION of a shell section goes before the system of the material. False when an error was added.
 bool BlockMaker::give_directions(const BlockParameters& parameters, const SectionDefinition* section,
-                                 SolidBlock& block) {
+                                 ModelBlock& block) {
   const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
   const auto& model = std::get<OrthotropicModel>(find_model(*material, parameters.model->text)->parameters);
   const auto* shell = section != nullptr ? std::get_if<ShellSection>(&section->properties) : nullptr;
@@ -157,7 +157,7 @@ bool BlockMaker::give_directions(const BlockParameters& parameters, const Sectio
 }
 
 /// Elements without a positive volume have no mass and no gradients.
-void BlockMaker::check_volumes(const SolidBlock& block, const BlockParameters& parameters) {
+void BlockMaker::check_volumes(const ModelBlock& block, const BlockParameters& parameters) {
   std::size_t n_bad = 0, first = 0;
   for (std::size_t element = 0; element < block.n_elements; ++element) {
     if (block.mass[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) > 0.0) continue;

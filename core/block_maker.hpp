@@ -8,7 +8,7 @@
 
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -26,31 +26,31 @@ class BlockMaker {
   /// Adds a block of the mesh, unless an error was added.
   ///   index  position in the mesh
   ///   names  that the deck may call it by
-  void add(std::uint32_t index, std::span<const std::string> names, std::vector<SolidBlock>& blocks);
+  void add(std::uint32_t index, std::span<const std::string> names, std::vector<ModelBlock>& blocks);
 
  private:
-  using Made = std::optional<SolidBlock>;
+  using Made = std::optional<ModelBlock>;
 
   Made make(Family family, std::uint32_t index, const BlockParameters& parameters);
   Made make_lines(std::uint32_t index, const BlockParameters& parameters);
   Made make_solids(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters, const ShellSection& section,
-                   const SolidElement* element);
+                   const ElementFormulation* element);
   const ShellSection* find_shell_section(std::uint32_t index, const SectionDefinition* section);
   const SolidSection* find_solid_section(std::uint32_t index, const BlockParameters& parameters);
-  const SolidElement* find_formulation(std::uint32_t index, const ShellSection& section,
-                                       const BlockParameters& parameters);
-  const SolidElement* find_formulation(std::uint32_t index, const MembraneSection& section,
-                                       const BlockParameters& parameters);
-  const SolidElement* find_formulation(const Topology& shape, const SolidSection& solid,
-                                       const BlockParameters& parameters);
-  std::optional<SolidProperties> make_properties(const BlockParameters& parameters,
-                                                 const SolidSection* section);
+  const ElementFormulation* find_formulation(std::uint32_t index, const ShellSection& section,
+                                             const BlockParameters& parameters);
+  const ElementFormulation* find_formulation(std::uint32_t index, const MembraneSection& section,
+                                             const BlockParameters& parameters);
+  const ElementFormulation* find_formulation(const Topology& shape, const SolidSection& solid,
+                                             const BlockParameters& parameters);
+  std::optional<ElementProperties> make_properties(const BlockParameters& parameters,
+                                                   const SolidSection* section);
   void check_options(const SolidSection& solid);
   bool give_directions(const BlockParameters& parameters, const SectionDefinition* section,
-                       SolidBlock& block);
-  void check_volumes(const SolidBlock& block, const BlockParameters& parameters);
+                       ModelBlock& block);
+  void check_volumes(const ModelBlock& block, const BlockParameters& parameters);
   void add_error(const DeckLocation& location, std::string text, std::string hint);
 
   const SimulationDefinition& definition_;

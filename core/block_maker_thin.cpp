@@ -11,7 +11,7 @@
 
 namespace contactsim {
 
-std::optional<SolidBlock> BlockMaker::make_shells(std::uint32_t index, const BlockParameters& parameters) {
+std::optional<ModelBlock> BlockMaker::make_shells(std::uint32_t index, const BlockParameters& parameters) {
   const SectionDefinition* section = find_section(definition_, parameters);
   section_location_ = section != nullptr ? section->name.location : parameters.location;
   const auto* membrane = section != nullptr ? std::get_if<MembraneSection>(&section->properties) : nullptr;
@@ -24,8 +24,9 @@ std::optional<SolidBlock> BlockMaker::make_shells(std::uint32_t index, const Blo
   return make_shells(index, parameters, *shell, find_formulation(index, *shell, parameters));
 }
 
-std::optional<SolidBlock> BlockMaker::make_shells(std::uint32_t index, const BlockParameters& parameters,
-                                                  const ShellSection& section, const SolidElement* element) {
+std::optional<ModelBlock> BlockMaker::make_shells(std::uint32_t index, const BlockParameters& parameters,
+                                                  const ShellSection& section,
+                                                  const ElementFormulation* element) {
   const auto properties = make_properties(parameters, nullptr);
   if (!properties) return std::nullopt;
   if (!can_be_plane(properties->law)) {
@@ -54,8 +55,8 @@ const ShellSection* BlockMaker::find_shell_section(std::uint32_t index, const Se
   return shell;
 }
 
-const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const ShellSection& section,
-                                                 const BlockParameters& parameters) {
+const ElementFormulation* BlockMaker::find_formulation(std::uint32_t index, const ShellSection& section,
+                                                       const BlockParameters& parameters) {
   const Topology& shape = topology(mesh_.blocks()[index].shape);
   const std::string wanted = fold(section.formulation.text);
   const bool is_alike = wanted == "bl_shell" || wanted == "kh_shell";
@@ -65,7 +66,7 @@ const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const Shel
         fmt::format("{}: BT_SHELL stands in for {}", block_name_, section.formulation.text),
         "both have one point of integration in the surface");
   }
-  const SolidElement* element = find_shell_element(shape.shape, is_alike ? "bt_shell" : wanted);
+  const ElementFormulation* element = find_shell_element(shape.shape, is_alike ? "bt_shell" : wanted);
   if (element != nullptr) return element;
   const std::string known = list_formulations(shape.shape);
   add_error(section.formulation.location.is_known() ? section.formulation.location : parameters.location,
@@ -77,11 +78,11 @@ const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const Shel
   return nullptr;
 }
 
-const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const MembraneSection& section,
-                                                 const BlockParameters& parameters) {
+const ElementFormulation* BlockMaker::find_formulation(std::uint32_t index, const MembraneSection& section,
+                                                       const BlockParameters& parameters) {
   const Topology& shape = topology(mesh_.blocks()[index].shape);
   const std::string wanted = fold(section.formulation.text);
-  const SolidElement* element = find_membrane_element(shape.shape);
+  const ElementFormulation* element = find_membrane_element(shape.shape);
   if (element == nullptr) {
     add_error(parameters.location,
               fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
@@ -101,10 +102,10 @@ const SolidElement* BlockMaker::find_formulation(std::uint32_t index, const Memb
   return element;
 }
 
-std::optional<SolidBlock> BlockMaker::make_lines(std::uint32_t index, const BlockParameters& parameters) {
+std::optional<ModelBlock> BlockMaker::make_lines(std::uint32_t index, const BlockParameters& parameters) {
   const SectionDefinition* section = find_section(definition_, parameters);
   if (section != nullptr && is_discrete(*section)) {
-    std::optional<SolidProperties> material;
+    std::optional<ElementProperties> material;
     if (std::holds_alternative<DamperSection>(section->properties))
       material = make_properties(parameters, nullptr);
     return make_discrete(*section, material, {mesh_, index, definition_.functions, diagnostics_});
@@ -127,7 +128,7 @@ std::optional<SolidBlock> BlockMaker::make_lines(std::uint32_t index, const Bloc
         "its stress follows its stretch; give a PERIOD over which the load comes up");
     return std::nullopt;
   }
-  SolidBlock block = make_line_block(mesh_, index, *setup->element, *properties, setup->beam, setup->sizes);
+  ModelBlock block = make_line_block(mesh_, index, *setup->element, *properties, setup->beam, setup->sizes);
   block.preload = setup->preload;
   return block;
 }

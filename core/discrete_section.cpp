@@ -28,7 +28,7 @@ std::optional<double> steepest_slope(const FunctionDefinition& definition) {
 /// Reads sections for one block.
 class DiscreteReader {
  public:
-  DiscreteReader(const SectionDefinition& section, const std::optional<SolidProperties>& material,
+  DiscreteReader(const SectionDefinition& section, const std::optional<ElementProperties>& material,
                  const DiscreteScope& scope)
       : section_(section),
         material_(material),
@@ -36,41 +36,41 @@ class DiscreteReader {
         source_(scope.mesh.blocks()[scope.block]),
         name_(scope.mesh.name({EntityKind::block, scope.block})) {}
 
-  std::optional<SolidBlock> read(const PointMassSection& section) const;
-  std::optional<SolidBlock> read(const SpringSection& section) const;
-  std::optional<SolidBlock> read(const DamperSection& section) const;
+  std::optional<ModelBlock> read(const PointMassSection& section) const;
+  std::optional<ModelBlock> read(const SpringSection& section) const;
+  std::optional<ModelBlock> read(const DamperSection& section) const;
   template <class Section>
-  std::optional<SolidBlock> read(const Section&) const {
+  std::optional<ModelBlock> read(const Section&) const {
     return std::nullopt;
   }
 
  private:
-  std::optional<SolidBlock> fail(std::string text) const {
+  std::optional<ModelBlock> fail(std::string text) const {
     scope_.diagnostics.add_error(section_.name.location, fmt::format("{}{}", name_, text));
     return std::nullopt;
   }
 
   /// Nothing when the shape is not one of the formulation, or a line has no length.
-  std::optional<SolidBlock> make(std::string_view formulation, double density, double area) const;
+  std::optional<ModelBlock> make(std::string_view formulation, double density, double area) const;
   std::vector<Lanes> lengths() const;
-  bool set_function(const SpringSection& section, SolidBlock& block) const;
+  bool set_function(const SpringSection& section, ModelBlock& block) const;
   bool is_sound(const Eigen::Matrix3d& inertia) const;
 
   const SectionDefinition& section_;
-  const std::optional<SolidProperties>& material_;
+  const std::optional<ElementProperties>& material_;
   const DiscreteScope& scope_;
   const ElementBlock& source_;
   std::string name_;
 };
 
-std::optional<SolidBlock> DiscreteReader::make(std::string_view formulation, double density,
+std::optional<ModelBlock> DiscreteReader::make(std::string_view formulation, double density,
                                                double area) const {
-  const SolidElement* element = find_line_element(source_.shape, formulation);
+  const ElementFormulation* element = find_line_element(source_.shape, formulation);
   if (element == nullptr) {
     return fail(fmt::format(" has elements of type {}, which its {} is not for", topology(source_.shape).name,
                             source_.shape == Shape::sphere ? "spring or damper section" : "section"));
   }
-  SolidBlock block = make_discrete_block(scope_.mesh, scope_.block, *element, density,
+  ModelBlock block = make_discrete_block(scope_.mesh, scope_.block, *element, density,
                                          std::vector<double>(source_.n_elements, area));
   if (source_.shape == Shape::sphere) return block;
   block.discrete.length = lengths();
@@ -100,7 +100,7 @@ bool DiscreteReader::is_sound(const Eigen::Matrix3d& inertia) const {
   return axes[0] >= -round_off && axes[0] + axes[1] >= axes[2] - round_off;
 }
 
-std::optional<SolidBlock> DiscreteReader::read(const PointMassSection& s) const {
+std::optional<ModelBlock> DiscreteReader::read(const PointMassSection& s) const {
   if (!s.mass) return fail(" is of point masses, but its section has no MASS");
   const double ixy = s.ixy.value_or(0.0), iyz = s.iyz.value_or(0.0), izx = s.izx.value_or(0.0);
   Eigen::Matrix3d inertia;
@@ -121,7 +121,7 @@ std::optional<SolidBlock> DiscreteReader::read(const PointMassSection& s) const 
   return block;
 }
 
-std::optional<SolidBlock> DiscreteReader::read(const SpringSection& s) const {
+std::optional<ModelBlock> DiscreteReader::read(const SpringSection& s) const {
   if (!s.default_stiffness && !s.force_strain_function)
     return fail(" is of springs, but its section has neither DEFAULT STIFFNESS nor FORCE STRAIN FUNCTION");
   const double area = s.area.value_or(1.0);
@@ -135,7 +135,7 @@ std::optional<SolidBlock> DiscreteReader::read(const SpringSection& s) const {
   return block;
 }
 
-bool DiscreteReader::set_function(const SpringSection& section, SolidBlock& block) const {
+bool DiscreteReader::set_function(const SpringSection& section, ModelBlock& block) const {
   const DeckName& name = *section.force_strain_function;
   auto function = make_named_function(name, scope_.functions, scope_.diagnostics);
   if (!function) return false;
@@ -159,7 +159,7 @@ bool DiscreteReader::set_function(const SpringSection& section, SolidBlock& bloc
   return true;
 }
 
-std::optional<SolidBlock> DiscreteReader::read(const DamperSection& s) const {
+std::optional<ModelBlock> DiscreteReader::read(const DamperSection& s) const {
   if (!material_) return std::nullopt;  // whoever looked for it has said so
   const double youngs = moduli_of(material_->law).youngs(), area = s.area.value_or(1.0);
   auto block = make("damper", material_->density, area);
@@ -177,8 +177,8 @@ bool is_discrete(const SectionDefinition& section) {
          std::holds_alternative<DamperSection>(is);
 }
 
-std::optional<SolidBlock> make_discrete(const SectionDefinition& section,
-                                        const std::optional<SolidProperties>& material,
+std::optional<ModelBlock> make_discrete(const SectionDefinition& section,
+                                        const std::optional<ElementProperties>& material,
                                         const DiscreteScope& scope) {
   const DiscreteReader reader(section, material, scope);
   return std::visit([&](const auto& properties) { return reader.read(properties); }, section.properties);

@@ -7,7 +7,7 @@
 #include "core/definition/function.hpp"
 #include "core/definition/section.hpp"
 #include "core/diagnostics.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 namespace contactsim {
 
@@ -29,8 +29,8 @@ struct DiscreteScope {
 /// is not the same about all axes on a free node.
 ///   material  of the block, if it has one
 /// Precondition: the section is discrete.
-std::optional<SolidBlock> make_discrete(const SectionDefinition& section,
-                                        const std::optional<SolidProperties>& material,
+std::optional<ModelBlock> make_discrete(const SectionDefinition& section,
+                                        const std::optional<ElementProperties>& material,
                                         const DiscreteScope& scope);
 
 }  // namespace contactsim

@@ -68,7 +68,7 @@ class Ends {
 /// Calls act(block, element, its nodes) for all elements of a rule.
 template <class Act>
 void for_each(Model& model, StepRule rule, const Act& act) {
-  for (SolidBlock& block : model.blocks) {
+  for (ModelBlock& block : model.blocks) {
     if (block.element->step_rule != rule || block.is_rigid) continue;
     const ElementBlock& source = model.mesh->blocks()[block.mesh_block];
     for (std::uint32_t i = 0; i < source.n_elements; ++i) act(block, i, source.element_nodes(i));
@@ -84,10 +84,10 @@ double& lane(std::vector<Lanes>& values, std::uint32_t element) {
 void set_discrete_steps(Model& model) {
   for (const StepRule rule : {StepRule::stiffness, StepRule::damping}) {
     Ends ends(model);
-    for_each(model, rule, [&](SolidBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes) {
+    for_each(model, rule, [&](ModelBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes) {
       ends.add(nodes, lane(block.discrete.stiffness, element));
     });
-    for_each(model, rule, [&](SolidBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes) {
+    for_each(model, rule, [&](ModelBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes) {
       const double bound = ends.row(nodes);
       if (bound > 0.0)
         lane(block.discrete.stable_step, element) =

@@ -16,7 +16,7 @@ namespace contactsim {
 namespace {
 
 /// The first element of the block whose volume is not positive.
-std::size_t find_inverted(const SolidBlock& block, const Eigen::Matrix3Xd& coordinates) {
+std::size_t find_inverted(const ModelBlock& block, const Eigen::Matrix3Xd& coordinates) {
   std::vector<Lanes> volumes(block.n_batches());
   for (const BatchChunk& chunk : block.chunks) block.element->volumes(block, chunk, coordinates, volumes);
   for (std::size_t element = 0; element < block.n_elements; ++element) {
@@ -28,9 +28,9 @@ std::size_t find_inverted(const SolidBlock& block, const Eigen::Matrix3Xd& coord
 /// As all elements, or those of rigid bodies, would be stable at rest in the mesh if they were elastic.
 double find_step_at_rest(const Model& model, bool only_rigid) {
   double step = std::numeric_limits<double>::infinity();
-  for (const SolidBlock& block : model.blocks) {
+  for (const ModelBlock& block : model.blocks) {
     if (only_rigid && !block.is_rigid) continue;
-    SolidBlockState state = make_state(block);
+    ModelBlockState state = make_state(block);
     const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, model.mesh->n_nodes());
     Motion motion{0.0, 0.0, model.mesh->coordinates(), still};
     motion.angular_velocity = &still;
@@ -45,13 +45,13 @@ double find_step_at_rest(const Model& model, bool only_rigid) {
 InternalForce::InternalForce(const Model& model, State& state)
     : model_(model), state_(state), idle_step_(find_step_at_rest(model, true)) {
   std::size_t most = 0;
-  for (const SolidBlock& block : model.blocks) most = std::max(most, block.chunks.size());
+  for (const ModelBlock& block : model.blocks) most = std::max(most, block.chunks.size());
   chunks_.resize(most);
 }
 
 void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
-  const SolidBlock& block = model_.blocks[index];
-  SolidBlockState& state = state_.blocks[index];
+  const ModelBlock& block = model_.blocks[index];
+  ModelBlockState& state = state_.blocks[index];
 #pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements * 10))
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(block.chunks.size()); ++i) {
     const auto chunk = static_cast<std::size_t>(i);
@@ -59,7 +59,7 @@ void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
   }
 }
 
-void InternalForce::stop_at_inverted(const SolidBlock& block, const Motion& motion) const {
+void InternalForce::stop_at_inverted(const ModelBlock& block, const Motion& motion) const {
   const std::size_t element = find_inverted(block, motion.coordinates);
   const auto position = block.first_element.value + static_cast<std::uint32_t>(element);
   throw SolveError(motion.time,
@@ -89,7 +89,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
   ForceReport report;
   StableSteps steps;
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
-    const SolidBlock& block = model_.blocks[index];
+    const ModelBlock& block = model_.blocks[index];
     if (block.is_rigid) continue;
     advance_chunks(index, motion);
     for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
@@ -116,7 +116,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
 void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
   moments.setZero();
   for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
-    const SolidBlock& block = model_.blocks[index];
+    const ModelBlock& block = model_.blocks[index];
     if (block.element->has_rotations && !block.is_rigid)
       block.sums.add(state_.blocks[index].moments, moments);
   }

@@ -20,7 +20,7 @@ class InternalForce final : public ForceTerm {
 
  private:
   void advance_chunks(std::size_t index, const Motion& motion);
-  [[noreturn]] void stop_at_inverted(const SolidBlock& block, const Motion& motion) const;
+  [[noreturn]] void stop_at_inverted(const ModelBlock& block, const Motion& motion) const;
 
   const Model& model_;
   State& state_;

@@ -6,13 +6,13 @@
 
 #include "core/definition/section.hpp"
 #include "core/diagnostics.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 namespace contactsim {
 
 /// What makes a block of lines or particles besides the mesh and the material.
 struct LineSetup {
-  const SolidElement* element = nullptr;
+  const ElementFormulation* element = nullptr;
   BeamShapeSettings beam;     ///< of beams; a truss has one fibre
   std::vector<double> sizes;  ///< [n_elements] cross-section [length^2], of particles the radius [length]
   Preload preload;            ///< of trusses

@@ -33,7 +33,7 @@ Eigen::Matrix3d MaterialDirections::at(const Eigen::Vector3d& place) const {
 }
 
 std::optional<std::size_t> set_directions(const MaterialDirections& choice, const Mesh& mesh,
-                                          SolidBlock& block) {
+                                          ModelBlock& block) {
   const ElementBlock& source = mesh.blocks()[block.mesh_block];
   block.directions.resize(6 * block.n_batches());
   for (std::size_t lane = 0; lane < block.n_batches() * n_lanes; ++lane) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/coordinate_system.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 namespace contactsim {
 
@@ -15,10 +15,10 @@ struct MaterialDirections {
   Eigen::Matrix3d at(const Eigen::Vector3d& place) const;
 };
 
-/// Sets SolidBlock::directions, of every element at the mean of its nodes. Of shells, direction 1 is laid
+/// Sets ModelBlock::directions, of every element at the mean of its nodes. Of shells, direction 1 is laid
 /// into the surface, the others follow. Returns the place in the block of the first shell of which direction
 /// 1 is the normal, when there is one.
 std::optional<std::size_t> set_directions(const MaterialDirections& choice, const Mesh& mesh,
-                                          SolidBlock& block);
+                                          ModelBlock& block);
 
 }  // namespace contactsim

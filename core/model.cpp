@@ -14,7 +14,7 @@ namespace {
 
 /// An element gives each of its nodes an equal share of what it has.
 ///   of_elements  [n_batches]
-void add_shares(const SolidBlock& block, const Mesh& mesh, std::span<const Lanes> of_elements,
+void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> of_elements,
                 Eigen::Matrix3Xd& sums) {
   const ElementBlock& source = mesh.blocks()[block.mesh_block];
   for (std::uint32_t element = 0; element < source.n_elements; ++element) {
@@ -27,17 +27,17 @@ void add_shares(const SolidBlock& block, const Mesh& mesh, std::span<const Lanes
 
 }  // namespace
 
-Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const SolidBlock> blocks) {
+Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks) {
   Eigen::Matrix3Xd mass = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
-  for (const SolidBlock& block : blocks) add_shares(block, mesh, block.mass, mass);
+  for (const ModelBlock& block : blocks) add_shares(block, mesh, block.mass, mass);
   return mass.cwiseMax(least_mass);
 }
 
-Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const SolidBlock> blocks) {
-  const auto turns = [](const SolidBlock& block) { return block.element->has_rotations; };
+Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks) {
+  const auto turns = [](const ModelBlock& block) { return block.element->has_rotations; };
   if (std::none_of(blocks.begin(), blocks.end(), turns)) return Eigen::Matrix3Xd(3, 0);
   Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
-  for (const SolidBlock& block : blocks) {
+  for (const ModelBlock& block : blocks) {
     if (turns(block)) add_shares(block, mesh, block.inertia, inertia);
   }
   return inertia.cwiseMax(least_mass);

@@ -7,7 +7,7 @@
 #include "core/conditions/kinematics.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 #include "core/least_mass.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/rigid/rigid_bodies.hpp"
@@ -19,7 +19,7 @@ namespace contactsim {
 /// set-up; the mesh must outlive it.
 struct Model {
   const Mesh* mesh = nullptr;
-  std::vector<SolidBlock> blocks;  ///< in the order of the mesh, blocks of no elements left out
+  std::vector<ModelBlock> blocks;  ///< in the order of the mesh, blocks of no elements left out
   Eigen::Matrix3Xd mass;  ///< [3 x n_nodes] lumped, the same in every row; least_mass without elements [mass]
   Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0);  ///< [3 x n_nodes] lumped, about any axis, as mass;
                                                       ///< 3 x 0 when no node turns [mass length^2]
@@ -29,10 +29,10 @@ struct Model {
 };
 
 /// The masses of the nodes, as Model::mass.
-Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const SolidBlock> blocks);
+Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks);
 
 /// The rotational inertias of the nodes, as Model::inertia.
-Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const SolidBlock> blocks);
+Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks);
 
 /// Builds the model of a region. Errors: blocks without material, with one that is not supported or with a
 /// density that is missing; element shapes and section formulations that are not supported; wrong conditions.

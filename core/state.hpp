@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 #include "core/rigid/rigid_body.hpp"
 
 namespace contactsim {
@@ -60,7 +60,7 @@ struct DyingElement {
   std::int64_t n_left = 1;   ///< of them
 };
 
-/// What element death knows besides SolidBlockState::life.
+/// What element death knows besides ModelBlockState::life.
 struct DeathState {
   std::vector<DyingElement> dying;  ///< in the order in which they began
   std::vector<double> checked;      ///< [n_deaths] when the criteria of each were looked at last [time]
@@ -82,13 +82,13 @@ struct State {
   Energies energies;
   HalfStepWork begun;  ///< of the half step that begins here: the forces of now along the velocity to come
   Eigen::Vector3d momentum = Eigen::Vector3d::Zero();  ///< [mass length/time]
-  std::vector<SolidBlockState> blocks;                 ///< as Model::blocks
+  std::vector<ModelBlockState> blocks;                 ///< as Model::blocks
   DeathState death;
 };
 
 /// The state of a mesh at rest: nothing is known yet of forces, energies and step sizes.
 ///   blocks  of the model
-State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const SolidBlock> blocks, double time);
+State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time);
 
 /// Saves a state between two steps, or restores it; what every step works out anew is left out.
 ///   state  when it is restored, that of the start of the same model

@@ -116,7 +116,7 @@ void InitialConditionSetter::set_nodal(const InitialCondition& condition) {
 
 std::vector<std::string> InitialConditionSetter::element_variables() const {
   std::vector<std::string> names{"stress"};
-  for (const SolidBlock& block : blocks_) {
+  for (const ModelBlock& block : blocks_) {
     for (const StateVariable& variable : state_of(block.properties.law).variables) {
       if (std::find(names.begin(), names.end(), variable.name) == names.end())
         names.emplace_back(variable.name);
@@ -128,7 +128,7 @@ std::vector<std::string> InitialConditionSetter::element_variables() const {
 /// 0 when no material has the variable.
 std::size_t InitialConditionSetter::count_components(const std::string& element_variable) const {
   if (element_variable == "stress") return 6;
-  for (const SolidBlock& block : blocks_) {
+  for (const ModelBlock& block : blocks_) {
     for (const StateVariable& variable : state_of(block.properties.law).variables) {
       if (variable.name == element_variable) return variable.n_components;
     }
@@ -139,7 +139,7 @@ std::size_t InitialConditionSetter::count_components(const std::string& element_
 void InitialConditionSetter::check_has(const std::string& variable, std::span<const ElementIndex> elements,
                                        const DeckName& name) const {
   if (variable == "stress") return;
-  for (const SolidBlock& block : blocks_) {
+  for (const ModelBlock& block : blocks_) {
     const auto known = state_of(block.properties.law).variables;
     const bool has = std::any_of(known.begin(), known.end(),
                                  [&](const StateVariable& one) { return one.name == variable; });

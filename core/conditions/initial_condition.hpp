@@ -9,7 +9,7 @@ namespace contactsim {
 /// Carries out one INITIAL CONDITION after the other; see make_initial_state.
 class InitialConditionSetter {
  public:
-  InitialConditionSetter(const ConditionScope& scope, std::span<const SolidBlock> blocks, InitialState& state)
+  InitialConditionSetter(const ConditionScope& scope, std::span<const ModelBlock> blocks, InitialState& state)
       : scope_(scope), blocks_(blocks), state_(state) {}
 
   void set(const InitialCondition& condition);
@@ -36,7 +36,7 @@ class InitialConditionSetter {
   void report(const DeckName& name, std::string text, std::string hint = "") const;
 
   const ConditionScope& scope_;
-  std::span<const SolidBlock> blocks_;
+  std::span<const ModelBlock> blocks_;
   InitialState& state_;
 };
 

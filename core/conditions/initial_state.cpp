@@ -13,7 +13,7 @@ namespace contactsim {
 namespace {
 
 /// Place of a number among those of an integration point; nothing when the material does not have it.
-std::optional<std::size_t> find_place(const SolidBlock& block, const InitialElementValues& given) {
+std::optional<std::size_t> find_place(const ModelBlock& block, const InitialElementValues& given) {
   constexpr std::size_t n_stresses = 6;
   if (given.variable == "stress") return given.component;
   for (const StateVariable& variable : state_of(block.properties.law).variables) {
@@ -23,7 +23,7 @@ std::optional<std::size_t> find_place(const SolidBlock& block, const InitialElem
 }
 
 /// The lanes that fill up the last batch follow the last element.
-void set_block(const InitialElementValues& given, const SolidBlock& block, SolidBlockState& state) {
+void set_block(const InitialElementValues& given, const ModelBlock& block, ModelBlockState& state) {
   const auto place = find_place(block, given);
   if (!place) return;
   for (std::size_t i = 0; i < block.n_batches() * n_lanes; ++i) {
@@ -38,7 +38,7 @@ void set_block(const InitialElementValues& given, const SolidBlock& block, Solid
 
 }  // namespace
 
-InitialState make_initial_state(const ConditionScope& scope, std::span<const SolidBlock> blocks) {
+InitialState make_initial_state(const ConditionScope& scope, std::span<const ModelBlock> blocks) {
   InitialState state;
   state.velocity = state.displacement = Eigen::Matrix3Xd::Zero(3, scope.mesh.n_nodes());
   state.angular_velocity = state.velocity;
@@ -48,7 +48,7 @@ InitialState make_initial_state(const ConditionScope& scope, std::span<const Sol
   return state;
 }
 
-void set_initial_state(const InitialState& initial, std::span<const SolidBlock> blocks, State& state) {
+void set_initial_state(const InitialState& initial, std::span<const ModelBlock> blocks, State& state) {
   state.velocity = initial.velocity;
   state.coordinates += initial.displacement;
   if (state.rotations.exist()) state.rotations.velocity = initial.angular_velocity;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 #include "core/state.hpp"
 
 namespace contactsim {
@@ -34,10 +34,10 @@ struct InitialState {
 /// Errors: unknown names, other variables, MAGNITUDE lines of a wrong length, what the mesh file does not
 /// hold, values that are not finite. Temperatures are ignored with a warning. Throws FileError.
 ///   blocks  of the model
-InitialState make_initial_state(const ConditionScope& scope, std::span<const SolidBlock> blocks);
+InitialState make_initial_state(const ConditionScope& scope, std::span<const ModelBlock> blocks);
 
 /// Brings a state at rest to the start.
 ///   state  of the blocks
-void set_initial_state(const InitialState& initial, std::span<const SolidBlock> blocks, State& state);
+void set_initial_state(const InitialState& initial, std::span<const ModelBlock> blocks, State& state);
 
 }  // namespace contactsim

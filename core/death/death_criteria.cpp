@@ -159,7 +159,7 @@ void DeathCriteria::mark_by_elements(const Criterion& criterion, const ElementCr
                                      const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
   std::vector<std::size_t> n_meeting;
   for (const EntityRange& range : criterion.ranges) {
-    const SolidBlock& block = model_.blocks[range.block];
+    const ModelBlock& block = model_.blocks[range.block];
     const std::size_t first = block.first_element.value + range.first;
     const bool has_points = criterion.pick.variable->is_at_points && !criterion.pick.point;
     if (!element.remaining_points || !has_points) {

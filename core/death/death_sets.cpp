@@ -72,7 +72,7 @@ void leave_out_rigid(const ElementDeath& death, const ConditionScope& scope, con
 
 void mark_inverting(std::span<const ElementIndex> elements, Model& model) {
   for (const ElementIndex element : elements) {
-    SolidBlock& block = model.blocks[find_model_block(model, element)];
+    ModelBlock& block = model.blocks[find_model_block(model, element)];
     block.dies_inverted.resize(block.n_batches(), LaneMask::Constant(false));
     const std::size_t i = element.value - block.first_element.value;
     block.dies_inverted[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes)) = true;
@@ -82,7 +82,7 @@ void mark_inverting(std::span<const ElementIndex> elements, Model& model) {
 }  // namespace
 
 std::size_t find_model_block(const Model& model, ElementIndex element) {
-  const auto after = std::ranges::upper_bound(model.blocks, element, {}, &SolidBlock::first_element);
+  const auto after = std::ranges::upper_bound(model.blocks, element, {}, &ModelBlock::first_element);
   return static_cast<std::size_t>(after - model.blocks.begin()) - 1;
 }
 

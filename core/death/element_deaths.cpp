@@ -29,7 +29,7 @@ void ElementDeaths::begin(State& state) {
   for (const auto& set : sets_) {
     for (const ElementIndex element : set) {
       const std::size_t b = find_model_block(model_, element);
-      const SolidBlock& block = model_.blocks[b];
+      const ModelBlock& block = model_.blocks[b];
       std::vector<Lanes>& life = state.blocks[b].life;
       if (!life.empty()) continue;
       life.resize(block.n_batches(), Lanes::Constant(1.0));
@@ -38,7 +38,7 @@ void ElementDeaths::begin(State& state) {
     }
   }
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-    const SolidBlock& block = model_.blocks[b];
+    const ModelBlock& block = model_.blocks[b];
     for (std::size_t e = 0; e < block.n_elements; ++e) {
       if (state.blocks[b].life_of(e) == 0.0) alive_[block.first_element.value + e] = 0;
     }
@@ -110,7 +110,7 @@ void ElementDeaths::check(std::size_t death, State& state, std::span<const Eleme
 /// The kernels let them die in the middle of a step.
 void ElementDeaths::find_inverted(const State& state) {
   for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-    const SolidBlock& block = model_.blocks[b];
+    const ModelBlock& block = model_.blocks[b];
     if (block.dies_inverted.empty()) continue;
     for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {
       if (!(state.blocks[b].life[batch] == 0.0).any()) continue;

@@ -99,19 +99,19 @@ struct Beam {
   static constexpr std::size_t n_own = 3;  ///< the t axis; zero until it is known
   static constexpr bool has_rotations = true;
 
-  static void advance(const SolidBlock& block, std::size_t /*batch*/, const LineMotion& motion,
+  static void advance(const ModelBlock& block, std::size_t /*batch*/, const LineMotion& motion,
                       std::span<Lanes> state, LineStep& step);
 
  private:
   template <class Law>
-  static SectionForces update_fibres(const Law& law, const SolidBlock& block, const BeamStrain& strain,
+  static SectionForces update_fibres(const Law& law, const ModelBlock& block, const BeamStrain& strain,
                                      const AngleFactors& factors, std::span<Lanes> fibres);
-  static Lanes stable_step(const SolidBlock& block, const LineMotion& motion, const AngleFactors& factors,
+  static Lanes stable_step(const ModelBlock& block, const LineMotion& motion, const AngleFactors& factors,
                            const Lanes& length);
 };
 
 template <class Law>
-SectionForces Beam::update_fibres(const Law& law, const SolidBlock& block, const BeamStrain& strain,
+SectionForces Beam::update_fibres(const Law& law, const ModelBlock& block, const BeamStrain& strain,
                                   const AngleFactors& factors, std::span<Lanes> fibres) {
   SectionForces sums;
   for (Lanes& sum : sums.force) sum.setZero();
@@ -142,7 +142,7 @@ SectionForces Beam::update_fibres(const Law& law, const SolidBlock& block, const
 
 /// 2 / omega with a bound for the squared frequencies of stretching, of bending in either plane with its
 /// shear, and of torsion; when the centre lies beside the nodes these mix, and their sum bounds them.
-Lanes Beam::stable_step(const SolidBlock& block, const LineMotion& motion, const AngleFactors& factors,
+Lanes Beam::stable_step(const ModelBlock& block, const LineMotion& motion, const AngleFactors& factors,
                         const Lanes& length) {
   const ElasticModuli moduli = moduli_of(block.properties.law);
   const double youngs = moduli.youngs();
@@ -163,7 +163,7 @@ Lanes Beam::stable_step(const SolidBlock& block, const LineMotion& motion, const
   return 2.0 / squared.sqrt();
 }
 
-void Beam::advance(const SolidBlock& block, std::size_t, const LineMotion& motion, std::span<Lanes> state,
+void Beam::advance(const ModelBlock& block, std::size_t, const LineMotion& motion, std::span<Lanes> state,
                    LineStep& step) {
   const LineGeometry start(motion.x, motion.v, motion.dt), middle(motion.x, motion.v, 0.5 * motion.dt),
       end(motion.x);
@@ -203,7 +203,7 @@ void Beam::advance(const SolidBlock& block, std::size_t, const LineMotion& motio
 
 }  // namespace
 
-const SolidElement beam2_beam = line_element<Beam>(Shape::beam2, "beam");
-const SolidElement bar2_beam = line_element<Beam>(Shape::bar2, "beam");
+const ElementFormulation beam2_beam = line_element<Beam>(Shape::beam2, "beam");
+const ElementFormulation bar2_beam = line_element<Beam>(Shape::bar2, "beam");
 
 }  // namespace contactsim

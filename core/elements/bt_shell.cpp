@@ -5,7 +5,7 @@
 
 namespace contactsim {
 
-const SolidElement shell4_bt_shell = shell_element<QuadShell>(Shape::shell4, "bt_shell");
-const SolidElement quad4_bt_shell = shell_element<QuadShell>(Shape::quad4, "bt_shell");
+const ElementFormulation shell4_bt_shell = shell_element<QuadShell>(Shape::shell4, "bt_shell");
+const ElementFormulation quad4_bt_shell = shell_element<QuadShell>(Shape::quad4, "bt_shell");
 
 }  // namespace contactsim

@@ -5,6 +5,6 @@
 
 namespace contactsim {
 
-const SolidElement shell3_c0_tri_shell = shell_element<TriangleShell>(Shape::shell3, "c0_tri_shell");
+const ElementFormulation shell3_c0_tri_shell = shell_element<TriangleShell>(Shape::shell3, "c0_tri_shell");
 
 }  // namespace contactsim

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 namespace contactsim {
 
@@ -14,7 +14,7 @@ namespace contactsim {
 /// nowhere. Without death every call does nothing.
 class ChunkLife {
  public:
-  ChunkLife(const SolidBlock& block, SolidBlockState& state)
+  ChunkLife(const ModelBlock& block, ModelBlockState& state)
       : block_(block), life_(state.life), is_on_(!state.life.empty()) {}
 
   /// Goes on to a batch. False when all of it is dead.
@@ -83,7 +83,7 @@ class ChunkLife {
     }
   }
 
-  const SolidBlock& block_;
+  const ModelBlock& block_;
   std::vector<Lanes>& life_;
   bool is_on_, is_mixed_ = false;
   Lanes* now_ = nullptr;     // of the batch

@@ -6,9 +6,10 @@
 
 #include "core/elements/chunk_life.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/elements/solid_kernel.hpp"
 
 /// Makes a row of the element table from an element type, which states
-///   shape, formulation, n_nodes, n_points, n_own  as SolidElement
+///   shape, formulation, n_nodes, n_points, n_own  as ElementFormulation
 /// and has
 ///   volume(x)  of eight elements [length^3]
 ///   advance(properties, motion, state, step)      state: [layout.energy()]
@@ -27,7 +28,7 @@ class ChunkVectors {
   const NodeVector* data() const { return vectors_.data(); }
 
  private:
-  std::array<NodeVector, SolidBlock::batches_per_chunk * n_lanes * 8> vectors_;
+  std::array<NodeVector, ModelBlock::batches_per_chunk * n_lanes * 8> vectors_;
 };
 
 /// The step of no element.
@@ -69,7 +70,7 @@ void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index
 }
 
 template <class Element>
-void volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
+void volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
              std::span<Lanes> volumes) {
   const ChunkVectors x(block.nodes_of(chunk), coordinates);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
@@ -79,8 +80,8 @@ void volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matr
 }
 
 template <class Element>
-ChunkStep advance(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
-                  SolidBlockState& state) {
+ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
+                  ModelBlockState& state) {
   constexpr std::size_t n = Element::n_nodes;
   const ChunkVectors x(block.nodes_of(chunk), motion.coordinates), v(block.nodes_of(chunk), motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
@@ -110,7 +111,7 @@ ChunkStep advance(const SolidBlock& block, const BatchChunk& chunk, const Motion
 }  // namespace batches
 
 template <class Element>
-constexpr SolidElement solid_element() {
+constexpr ElementFormulation solid_element() {
   return {Element::shape, Element::formulation,       Element::n_nodes,          Element::n_points,
           Element::n_own, &batches::volumes<Element>, &batches::advance<Element>};
 }

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/elements/element_vectors.hpp"
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 #include "core/force_term.hpp"
 #include "core/mesh/topology.hpp"
 
@@ -25,10 +25,10 @@ struct ChunkStep {
 /// that they move, so that the least of their steps is that of all; the others move the mass of others.
 enum class StepRule : std::uint8_t { material, stiffness, damping, none };
 
-/// Row of the element table: a solid element by shape and section formulation.
-struct SolidElement {
+/// Row of the element table: what a formulation makes of elements of a shape.
+struct ElementFormulation {
   Shape shape;
-  std::string_view formulation;  ///< as SOLID SECTION names it
+  std::string_view formulation;  ///< as their section names it
   std::size_t n_nodes;
   std::size_t n_points;  ///< integration points with a stress and a material state
   std::size_t n_own;     ///< further Lanes that a batch remembers
@@ -36,12 +36,12 @@ struct SolidElement {
   /// Sets the volumes of the elements of a chunk.
   ///   coordinates  [3 x n_nodes] [length]
   ///   volumes      [n_batches of the block] [length^3]
-  void (*volumes)(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
+  void (*volumes)(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
                   std::span<Lanes> volumes);
 
   /// Brings the elements of a chunk to the end of a step, forces on their nodes and all.
-  ChunkStep (*advance)(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
-                       SolidBlockState& state);
+  ChunkStep (*advance)(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
+                       ModelBlockState& state);
   bool has_rotations = false;  ///< whether its nodes turn: Motion has angular velocities, it sets moments
 
   /// The axes, as rows, along which an element keeps its stress; null: the global axes.
@@ -54,30 +54,30 @@ struct SolidElement {
 };
 
 /// The rows of solids; the first of a shape is its default.
-std::span<const SolidElement* const> solid_elements();
+std::span<const ElementFormulation* const> solid_elements();
 
 /// The rows of shells, in the same order.
-std::span<const SolidElement* const> shell_elements();
+std::span<const ElementFormulation* const> shell_elements();
 
 /// The rows of membranes, one of each shape of shells.
-std::span<const SolidElement* const> membrane_elements();
+std::span<const ElementFormulation* const> membrane_elements();
 
 /// The rows of lines and particles: beam, truss, particle, spring, damper, point mass without and with
 /// inertia.
-std::span<const SolidElement* const> line_elements();
+std::span<const ElementFormulation* const> line_elements();
 
 /// The row of lines or particles of a shape and formulation, null when there is none.
-const SolidElement* find_line_element(Shape shape, std::string_view formulation);
+const ElementFormulation* find_line_element(Shape shape, std::string_view formulation);
 
 /// The row of a shape and formulation (compared without case), null when there is none.
-const SolidElement* find_solid_element(Shape shape, std::string_view formulation);
+const ElementFormulation* find_solid_element(Shape shape, std::string_view formulation);
 
 /// The same of shells. The formulations of four-node shells mean the one of triangles there is, so that a
 /// section may be for both.
-const SolidElement* find_shell_element(Shape shape, std::string_view formulation);
+const ElementFormulation* find_shell_element(Shape shape, std::string_view formulation);
 
 /// The row of membranes of a shape, null when there is none.
-const SolidElement* find_membrane_element(Shape shape);
+const ElementFormulation* find_membrane_element(Shape shape);
 
 /// The formulations of a shape, for messages: "mean_quadrature, selective_deviatoric"; "" when it has none.
 std::string list_formulations(Shape shape);

@@ -6,6 +6,6 @@
 
 namespace contactsim {
 
-const SolidElement hex8_mean_quadrature = solid_element<UniformGradient<Shape::hex8, HexGeometry>>();
+const ElementFormulation hex8_mean_quadrature = solid_element<UniformGradient<Shape::hex8, HexGeometry>>();
 
 }  // namespace contactsim

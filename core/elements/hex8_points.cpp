@@ -115,8 +115,8 @@ struct PointHex {
 
   static Lanes volume(const NodeVectors<8>& x) { return volume_of_points(vector_slopes(x)); }
   ///   state  [n_points x (6 + material) + n_own]
-  static void advance(const SolidProperties& properties, const SolidMotion<8>& motion, std::span<Lanes> state,
-                      SolidStep<8>& step) {
+  static void advance(const ElementProperties& properties, const SolidMotion<8>& motion,
+                      std::span<Lanes> state, SolidStep<8>& step) {
     const MiddleOfStep<HexGeometry> middle(motion);
     const std::span<Lanes> points = state.first(state.size() - n_own), own = state.subspan(points.size());
     const PointSums sums = update_points(properties, motion, middle, points);
@@ -133,11 +133,11 @@ struct PointHex {
 
  private:
   /// How much of a point's deviation from the mean counts.
-  static double share_of(const SolidProperties& properties) {
+  static double share_of(const ElementProperties& properties) {
     return Quadrature::has_mean_dilatation ? properties.deviatoric_parameter : 1.0;
   }
 
-  static PointSums update_points(const SolidProperties& properties, const SolidMotion<8>& motion,
+  static PointSums update_points(const ElementProperties& properties, const SolidMotion<8>& motion,
                                  const MiddleOfStep<HexGeometry>& middle, std::span<Lanes> points) {
     const VectorSlopes x = vector_slopes(middle.x), v = vector_slopes(motion.v);
     const std::size_t size = points.size() / n_points;
@@ -155,12 +155,12 @@ struct PointHex {
     return sums;
   }
 
-  static double pattern_modulus(const SolidProperties& properties) {
+  static double pattern_modulus(const ElementProperties& properties) {
     return (1.0 - share_of(properties)) * properties.hourglass_stiffness * moduli_of(properties.law).shear;
   }
 
   /// Sets stable step and work of bulk viscosity; returns its stress [force/length^2].
-  static Lanes damp(const SolidProperties& properties, const SolidMotion<8>& motion,
+  static Lanes damp(const ElementProperties& properties, const SolidMotion<8>& motion,
                     const MiddleOfStep<HexGeometry>& middle, const PointSums& sums, SolidStep<8>& step) {
     const Lanes per_mass = 1.0 / motion.mass, mean_norm = middle.gradient_norm * middle.per_volume;
     const Lanes& dilatation_norm = Quadrature::has_mean_dilatation ? mean_norm : sums.squared_gradient;
@@ -175,7 +175,7 @@ struct PointHex {
     return viscosity.stress;
   }
 
-  static HourglassStep<HexGeometry> resist_hourglass(const SolidProperties& properties,
+  static HourglassStep<HexGeometry> resist_hourglass(const ElementProperties& properties,
                                                      const SolidMotion<8>& motion,
                                                      const MiddleOfStep<HexGeometry>& middle,
                                                      std::span<Lanes> own) {
@@ -193,7 +193,7 @@ struct PointHex {
     return update_hourglass<HexGeometry>(motion, middle, stiffness, damping, own);
   }
 
-  static PointForces split_stresses(const SolidProperties& properties, const NodeVectors<8>& x,
+  static PointForces split_stresses(const ElementProperties& properties, const NodeVectors<8>& x,
                                     std::span<const Lanes> points) {
     const VectorSlopes slopes = vector_slopes(x);
     const std::size_t size = points.size() / n_points;
@@ -232,7 +232,7 @@ struct PointHex {
 
 }  // namespace
 
-const SolidElement hex8_selective_deviatoric = solid_element<PointHex<SelectiveDeviatoric>>();
-const SolidElement hex8_fully_integrated = solid_element<PointHex<FullQuadrature>>();
+const ElementFormulation hex8_selective_deviatoric = solid_element<PointHex<SelectiveDeviatoric>>();
+const ElementFormulation hex8_fully_integrated = solid_element<PointHex<FullQuadrature>>();
 
 }  // namespace contactsim

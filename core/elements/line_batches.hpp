@@ -57,7 +57,7 @@ struct LineGeometry {
 
 namespace batches {
 
-inline void line_volumes(const SolidBlock& block, const BatchChunk& chunk,
+inline void line_volumes(const ModelBlock& block, const BatchChunk& chunk,
                          const Eigen::Matrix3Xd& coordinates, std::span<Lanes> volumes) {
   const ChunkVectors x(block.nodes_of(chunk), coordinates);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
@@ -80,8 +80,8 @@ inline void fade(bool has_rotations, ChunkLife& life, std::span<Lanes> values, L
 }
 
 template <class Line>
-ChunkStep advance_lines(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
-                        SolidBlockState& state) {
+ChunkStep advance_lines(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
+                        ModelBlockState& state) {
   const auto numbers = block.nodes_of(chunk);
   const ChunkVectors x(numbers, motion.coordinates), v(numbers, motion.velocity);
   const ChunkVectors w(numbers, Line::has_rotations ? *motion.angular_velocity : motion.velocity);
@@ -129,7 +129,7 @@ ChunkStep advance_lines(const SolidBlock& block, const BatchChunk& chunk, const 
 
 ///   n_points  of the layout comes from the block
 template <class Line>
-constexpr SolidElement line_element(Shape shape, std::string_view formulation) {
+constexpr ElementFormulation line_element(Shape shape, std::string_view formulation) {
   return {shape,
           formulation,
           2,

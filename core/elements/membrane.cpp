@@ -7,11 +7,11 @@
 
 namespace contactsim {
 
-const SolidElement shell4_membrane =
+const ElementFormulation shell4_membrane =
     shell_element<MembraneSurface<QuadShell>>(Shape::shell4, "mean_quadrature");
-const SolidElement quad4_membrane =
+const ElementFormulation quad4_membrane =
     shell_element<MembraneSurface<QuadShell>>(Shape::quad4, "mean_quadrature");
-const SolidElement shell3_membrane =
+const ElementFormulation shell3_membrane =
     shell_element<MembraneSurface<TriangleShell>>(Shape::shell3, "mean_quadrature");
 
 }  // namespace contactsim

@@ -7,7 +7,7 @@ namespace contactsim {
 namespace {
 
 /// Spheres about one node: mass and size, no stress.
-void sphere_volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd&,
+void sphere_volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd&,
                     std::span<Lanes> volumes) {
   constexpr double unit_sphere = 4.18879020478639098;  // 4/3 pi
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
@@ -16,12 +16,12 @@ void sphere_volumes(const SolidBlock& block, const BatchChunk& chunk, const Eige
   }
 }
 
-ChunkStep stay(const SolidBlock&, const BatchChunk&, const Motion&, SolidBlockState&) {
+ChunkStep stay(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {
   return batches::no_step();
 }
 
 }  // namespace
 
-const SolidElement sphere_particle{Shape::sphere, "particle", 1, 0, 0, &sphere_volumes, &stay};
+const ElementFormulation sphere_particle{Shape::sphere, "particle", 1, 0, 0, &sphere_volumes, &stay};
 
 }  // namespace contactsim

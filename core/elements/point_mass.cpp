@@ -7,24 +7,24 @@ namespace contactsim {
 namespace {
 
 /// Points have none; their density is their mass.
-void unit_volumes(const SolidBlock&, const BatchChunk& chunk, const Eigen::Matrix3Xd&,
+void unit_volumes(const ModelBlock&, const BatchChunk& chunk, const Eigen::Matrix3Xd&,
                   std::span<Lanes> volumes) {
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) volumes[i].setOnes();
 }
 
-ChunkStep stay(const SolidBlock&, const BatchChunk&, const Motion&, SolidBlockState&) {
+ChunkStep stay(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {
   return batches::no_step();
 }
 
-constexpr SolidElement point_mass(std::string_view formulation, bool has_rotations) {
-  SolidElement element{Shape::sphere, formulation, 1, 0, 0, &unit_volumes, &stay, has_rotations};
+constexpr ElementFormulation point_mass(std::string_view formulation, bool has_rotations) {
+  ElementFormulation element{Shape::sphere, formulation, 1, 0, 0, &unit_volumes, &stay, has_rotations};
   element.step_rule = StepRule::none;
   return element;
 }
 
 }  // namespace
 
-const SolidElement sphere_point_mass = point_mass("point_mass", false);
-const SolidElement sphere_point_inertia = point_mass("point_inertia", true);
+const ElementFormulation sphere_point_mass = point_mass("point_mass", false);
+const ElementFormulation sphere_point_inertia = point_mass("point_inertia", true);
 
 }  // namespace contactsim

@@ -32,7 +32,7 @@ struct PyramidGeometry {
 
 }  // namespace
 
-const SolidElement pyramid5_mean_quadrature =
+const ElementFormulation pyramid5_mean_quadrature =
     solid_element<UniformGradient<Shape::pyramid5, PyramidGeometry>>();
 
 }  // namespace contactsim

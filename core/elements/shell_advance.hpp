@@ -18,7 +18,7 @@ struct SurfaceViscosity {
 
   ///   undamped    stable step without viscosity [time]
   ///   dilatation  rate of area change [1/time]
-  SurfaceViscosity(const SolidProperties& properties, const ShellModuli& moduli, const Lanes& undamped,
+  SurfaceViscosity(const ElementProperties& properties, const ShellModuli& moduli, const Lanes& undamped,
                    const Lanes& dilatation) {
     const double quadratic = properties.quadratic_bulk_viscosity * properties.quadratic_bulk_viscosity;
     const double direct = moduli.lambda + 2.0 * moduli.shear;
@@ -63,7 +63,7 @@ void set_end_forces(const ShellMotion<Geometry::n_nodes>& motion, const Resultan
 /// in critical damping.
 ///   state  as ShellMemory
 template <class Geometry>
-void advance_shell(const SolidProperties& properties, const ShellSettings& settings,
+void advance_shell(const ElementProperties& properties, const ShellSettings& settings,
                    const ShellMotion<Geometry::n_nodes>& motion, std::span<Lanes> state,
                    ShellStep<Geometry::n_nodes>& step) {
   NodeVectors<Geometry::n_nodes> middle = motion.x;

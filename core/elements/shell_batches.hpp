@@ -10,7 +10,7 @@ namespace contactsim {
 namespace batches {
 
 template <class Geometry>
-void shell_volumes(const SolidBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
+void shell_volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
                    std::span<Lanes> volumes) {
   constexpr std::size_t n = Geometry::n_nodes;
   const ChunkVectors x(block.nodes_of(chunk), coordinates);
@@ -42,14 +42,14 @@ void add_lanes(const ShellStep<n>& step, std::size_t first_element, Eigen::Index
 
 /// Nodes that do not turn are as if they had endless inertia.
 template <class Geometry>
-Lanes inertia_of_shells(const SolidBlock& block, std::size_t batch) {
+Lanes inertia_of_shells(const ModelBlock& block, std::size_t batch) {
   if constexpr (Geometry::has_rotations) return block.inertia[batch];
   return Lanes::Constant(std::numeric_limits<double>::infinity());
 }
 
 template <class Geometry>
-ChunkStep advance_shells(const SolidBlock& block, const BatchChunk& chunk, const Motion& motion,
-                         SolidBlockState& state) {
+ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
+                         ModelBlockState& state) {
   constexpr std::size_t n = Geometry::n_nodes;
   const auto numbers = block.nodes_of(chunk);
   const ChunkVectors x(numbers, motion.coordinates), v(numbers, motion.velocity);
@@ -109,7 +109,7 @@ Eigen::Matrix3d shell_frame(const ElementVectors& coordinates) {
 
 ///   n_points  of the layout comes from the block's layers, not from the row
 template <class Geometry>
-constexpr SolidElement shell_element(Shape shape, std::string_view formulation) {
+constexpr ElementFormulation shell_element(Shape shape, std::string_view formulation) {
   return {shape,
           formulation,
           Geometry::n_nodes,

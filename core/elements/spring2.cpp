@@ -7,7 +7,7 @@ namespace contactsim {
 namespace {
 
 /// Sets what a force along springs or dampers gives besides work; the stress is that of their cross-section.
-void pull(const SolidBlock& block, std::size_t batch, const LineGeometry& end, const Lanes& force,
+void pull(const ModelBlock& block, std::size_t batch, const LineGeometry& end, const Lanes& force,
           std::span<Lanes> state, LineStep& step) {
   const Lanes& area = block.section[batch];
   state[0] = force / area;
@@ -30,7 +30,7 @@ struct Spring {
   }
 
   /// As LineStep.
-  static void advance(const SolidBlock& block, std::size_t batch, const LineMotion& motion,
+  static void advance(const ModelBlock& block, std::size_t batch, const LineMotion& motion,
                       std::span<Lanes> state, LineStep& step) {
     const LineGeometry start(motion.x, motion.v, motion.dt), end(motion.x);
     const Lanes before = force(block.discrete, batch, start.length);
@@ -46,7 +46,7 @@ struct Damper {
   static constexpr bool has_rotations = false;
 
   /// As LineStep.
-  static void advance(const SolidBlock& block, std::size_t batch, const LineMotion& motion,
+  static void advance(const ModelBlock& block, std::size_t batch, const LineMotion& motion,
                       std::span<Lanes> state, LineStep& step) {
     const LineGeometry middle(motion.x, motion.v, 0.5 * motion.dt), end(motion.x);
     const Lanes rate = dot(motion.velocity_difference(), middle.axis);
@@ -57,17 +57,17 @@ struct Damper {
 };
 
 template <class Line>
-constexpr SolidElement discrete_line(Shape shape, std::string_view formulation, StepRule rule) {
-  SolidElement element = line_element<Line>(shape, formulation);
+constexpr ElementFormulation discrete_line(Shape shape, std::string_view formulation, StepRule rule) {
+  ElementFormulation element = line_element<Line>(shape, formulation);
   element.step_rule = rule;
   return element;
 }
 
 }  // namespace
 
-const SolidElement bar2_spring = discrete_line<Spring>(Shape::bar2, "spring", StepRule::stiffness);
-const SolidElement beam2_spring = discrete_line<Spring>(Shape::beam2, "spring", StepRule::stiffness);
-const SolidElement bar2_damper = discrete_line<Damper>(Shape::bar2, "damper", StepRule::damping);
-const SolidElement beam2_damper = discrete_line<Damper>(Shape::beam2, "damper", StepRule::damping);
+const ElementFormulation bar2_spring = discrete_line<Spring>(Shape::bar2, "spring", StepRule::stiffness);
+const ElementFormulation beam2_spring = discrete_line<Spring>(Shape::beam2, "spring", StepRule::stiffness);
+const ElementFormulation bar2_damper = discrete_line<Damper>(Shape::bar2, "damper", StepRule::damping);
+const ElementFormulation beam2_damper = discrete_line<Damper>(Shape::beam2, "damper", StepRule::damping);
 
 }  // namespace contactsim

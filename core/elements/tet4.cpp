@@ -36,6 +36,6 @@ struct TetGeometry {
 
 }  // namespace
 
-const SolidElement tet4_mean_quadrature = solid_element<UniformGradient<Shape::tet4, TetGeometry>>();
+const ElementFormulation tet4_mean_quadrature = solid_element<UniformGradient<Shape::tet4, TetGeometry>>();
 
 }  // namespace contactsim

@@ -14,7 +14,7 @@ struct Truss {
   static constexpr bool has_rotations = false;
 
   /// As LineStep; the middle of a step makes a turn of any size free of strain.
-  static void advance(const SolidBlock& block, std::size_t batch, const LineMotion& motion,
+  static void advance(const ModelBlock& block, std::size_t batch, const LineMotion& motion,
                       std::span<Lanes> state, LineStep& step) {
     const LineGeometry middle(motion.x, motion.v, 0.5 * motion.dt), end(motion.x);
     FibreStep strain{{}, motion.dt};
@@ -41,7 +41,7 @@ struct Truss {
 
 }  // namespace
 
-const SolidElement bar2_truss = line_element<Truss>(Shape::bar2, "truss");
-const SolidElement beam2_truss = line_element<Truss>(Shape::beam2, "truss");
+const ElementFormulation bar2_truss = line_element<Truss>(Shape::bar2, "truss");
+const ElementFormulation beam2_truss = line_element<Truss>(Shape::beam2, "truss");
 
 }  // namespace contactsim

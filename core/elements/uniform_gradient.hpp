@@ -28,7 +28,7 @@ struct BulkViscosity {
   ///   dilatation  rate of volume change [1/time]
   ///   density     [mass/length^3]
   ///   wave_speed  of pressure [length/time]
-  BulkViscosity(const SolidProperties& properties, const Lanes& undamped, const Lanes& dilatation,
+  BulkViscosity(const ElementProperties& properties, const Lanes& undamped, const Lanes& dilatation,
                 const Lanes& density, const Lanes& wave_speed) {
     const double linear = properties.linear_bulk_viscosity;
     const double quadratic = properties.quadratic_bulk_viscosity * properties.quadratic_bulk_viscosity;
@@ -74,9 +74,9 @@ void set_forces(const SymmetricLanes& stress, const PatternVectors<Geometry>& ho
 /// (1981), Int. J. Numer. Meth. Eng. 17, 679-706, and (1984), J. Appl. Mech. 51, 35-40.
 ///   own  [3 x n_patterns] hourglass forces
 template <class Geometry>
-void advance_uniform_gradient(const SolidProperties& properties, const SolidMotion<Geometry::n_nodes>& motion,
-                              std::span<Lanes> point, std::span<Lanes> own,
-                              SolidStep<Geometry::n_nodes>& step) {
+void advance_uniform_gradient(const ElementProperties& properties,
+                              const SolidMotion<Geometry::n_nodes>& motion, std::span<Lanes> point,
+                              std::span<Lanes> own, SolidStep<Geometry::n_nodes>& step) {
   const MiddleOfStep<Geometry> middle(motion);
   const StepMotion split = split_motion(middle.velocity_gradient, motion.dt);
   PointStep at_point = update_point(properties.law, split, point);
@@ -115,7 +115,7 @@ struct UniformGradient {
   static Lanes volume(const NodeVectors<n_nodes>& x) { return dot(x[0], Geometry::volume_gradient(x)[0]); }
   /// As advance_uniform_gradient.
   ///   state  [6 + material + n_own]
-  static void advance(const SolidProperties& properties, const SolidMotion<n_nodes>& motion,
+  static void advance(const ElementProperties& properties, const SolidMotion<n_nodes>& motion,
                       std::span<Lanes> state, SolidStep<n_nodes>& step) {
     const std::size_t point = state.size() - n_own;
     advance_uniform_gradient<Geometry>(properties, motion, state.first(point), state.subspan(point), step);

@@ -41,6 +41,7 @@ struct WedgeGeometry {
 
 }  // namespace
 
-const SolidElement wedge6_mean_quadrature = solid_element<UniformGradient<Shape::wedge6, WedgeGeometry>>();
+const ElementFormulation wedge6_mean_quadrature =
+    solid_element<UniformGradient<Shape::wedge6, WedgeGeometry>>();
 
 }  // namespace contactsim

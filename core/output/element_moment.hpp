@@ -12,7 +12,7 @@ struct ElementMoment {
   const EntityRange& range;
   std::size_t i;  ///< element range.first + i of the block
 
-  const SolidBlock& block() const { return moment.model.blocks[range.block]; }
+  const ModelBlock& block() const { return moment.model.blocks[range.block]; }
   const ElementBlock& mesh_block() const { return moment.model.mesh->blocks()[block().mesh_block]; }
   const Topology& shape() const { return topology(mesh_block().shape); }
   std::size_t element() const { return range.first + i; }

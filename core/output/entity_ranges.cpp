@@ -52,7 +52,7 @@ std::vector<EntityRange> find_element_ranges(const EntitySet& set, const Conditi
   const ElementMarks marks = mark_elements(set, label, scope);
   std::vector<EntityRange> ranges;
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    const SolidBlock& block = model.blocks[b];
+    const ModelBlock& block = model.blocks[b];
     for (std::uint32_t e = 0; e < block.n_elements; ++e) {
       if (marks.has({block.first_element.value + e})) append(ranges, b, e);
     }

@@ -25,7 +25,7 @@ constexpr OutputRow energy_row(std::string_view name, std::string_view help) {
 void fill_strain_energy(const OutputMoment& m, const EntityRange&, Values values) {
   double sum = 0.0;
   for (std::size_t b = 0; b < m.model.blocks.size(); ++b) {
-    const SolidBlock& block = m.model.blocks[b];
+    const ModelBlock& block = m.model.blocks[b];
     for (std::size_t e = 0; e < block.n_elements; ++e)
       sum += m.state.blocks[b].at(block.layout, e, block.layout.energy());
   }

@@ -48,7 +48,7 @@ void RunVariables::add_rows(std::span<const OutputRow> rows) {
     RunVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
                          row.is_at_points,      /*in_blocks*/ {}, row.fill};
     if (row.location == FieldLocation::element) {
-      for (const SolidBlock& block : model_.blocks)
+      for (const ModelBlock& block : model_.blocks)
         variable.in_blocks.push_back(!row.is_of_shells || !block.thickness.empty() ? 1 : 0);
     }
     if (row.is_of_shells && std::ranges::count(variable.in_blocks, 1) == 0) continue;

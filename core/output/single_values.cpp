@@ -108,7 +108,7 @@ class ValueMaker {
       return std::nullopt;
     }
     for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-      const SolidBlock& block = model_.blocks[b];
+      const ModelBlock& block = model_.blocks[b];
       const std::uint32_t first = block.first_element.value;
       if (element->value < first || element->value - first >= block.n_elements) continue;
       if (pick.is_in_block(model_, b)) return at_element(b, element->value - first);

@@ -15,7 +15,7 @@ std::vector<std::size_t> count_entities(const Model& model, FieldLocation locati
   if (location == FieldLocation::global) return {1};
   if (location == FieldLocation::node) return {model.mesh->n_nodes()};
   std::vector<std::size_t> counts;
-  for (const SolidBlock& block : model.blocks) counts.push_back(block.n_elements);
+  for (const ModelBlock& block : model.blocks) counts.push_back(block.n_elements);
   return counts;
 }
 

@@ -25,8 +25,8 @@ class RigidBodyMaker {
         mesh_(*model.mesh),
         diagnostics_(diagnostics) {
     model.rigid.nodes.body_of.assign(mesh_.n_nodes(), RigidNodes::free);
-    std::vector<SolidBlock> rigid;
-    for (const SolidBlock& block : model.blocks) {
+    std::vector<ModelBlock> rigid;
+    for (const ModelBlock& block : model.blocks) {
       if (block.is_rigid) rigid.push_back(block);
     }
     mass_of_rigid_ = lumped_mass(mesh_, rigid);
@@ -86,7 +86,7 @@ bool RigidBodyMaker::claim_nodes(const RigidBodyDefinition& definition, std::spa
 /// About the body's centre: its elements, and what neighbours that are not rigid give its nodes.
 MassMoments RigidBodyMaker::moments_of(std::span<const std::uint32_t> blocks, const RigidBody& body) const {
   MassMoments sum;
-  for (const SolidBlock& block : model_.blocks) {
+  for (const ModelBlock& block : model_.blocks) {
     if (std::find(blocks.begin(), blocks.end(), block.mesh_block) == blocks.end()) continue;
     const MassMoments one = mass_moments(block, mesh_, body.centre);
     sum.mass += one.mass;

@@ -69,7 +69,7 @@ double at(const std::vector<Lanes>& values, std::size_t element) {
   return values[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes));
 }
 
-MassMoments element_moments(const SolidBlock& block, const Topology& shape, std::size_t element,
+MassMoments element_moments(const ModelBlock& block, const Topology& shape, std::size_t element,
                             const ElementVectors& x) {
   if (shape.family == Family::solid) return solid_moments(shape, x, block.properties.density);
   const double mass = at(block.mass, element);
@@ -94,7 +94,7 @@ Eigen::Matrix3d inertia_of(const Eigen::Matrix3d& second_moment) {
   return second_moment.trace() * Eigen::Matrix3d::Identity() - second_moment;
 }
 
-MassMoments mass_moments(const SolidBlock& block, const Mesh& mesh, const Eigen::Vector3d& origin) {
+MassMoments mass_moments(const ModelBlock& block, const Mesh& mesh, const Eigen::Vector3d& origin) {
   const ElementBlock& source = mesh.blocks()[block.mesh_block];
   const Topology& shape = topology(source.shape);
   MassMoments sum;

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 namespace contactsim {
 
@@ -23,6 +23,6 @@ Eigen::Matrix3d inertia_of(const Eigen::Matrix3d& second_moment);
 /// their faces, shells by triangles of their thickness, whatever else by equal masses at its nodes. Faces of
 /// four corners are split both ways, each for half.
 ///   origin  [length]
-MassMoments mass_moments(const SolidBlock& block, const Mesh& mesh, const Eigen::Vector3d& origin);
+MassMoments mass_moments(const ModelBlock& block, const Mesh& mesh, const Eigen::Vector3d& origin);
 
 }  // namespace contactsim

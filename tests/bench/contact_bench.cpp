@@ -94,8 +94,8 @@ Model make_model(const Mesh& mesh) {
   Model model;
   model.mesh = &mesh;
   for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) {
-    model.blocks.push_back(
-        make_solid_block(mesh, b, hex8_mean_quadrature, SolidProperties{ElasticLaw{{160e9, 80e9}}, 7800.0}));
+    model.blocks.push_back(make_solid_block(mesh, b, hex8_mean_quadrature,
+                                            ElementProperties{ElasticLaw{{160e9, 80e9}}, 7800.0}));
   }
   model.mass = lumped_mass(mesh, model.blocks);
   return model;

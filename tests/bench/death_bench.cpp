@@ -39,7 +39,7 @@ Model make_model(const Mesh& mesh) {
   Model model;
   model.mesh = &mesh;
   model.blocks.push_back(
-      make_solid_block(mesh, 0, hex8_mean_quadrature, SolidProperties{ElasticLaw{{160e9, 80e9}}, 7800.0}));
+      make_solid_block(mesh, 0, hex8_mean_quadrature, ElementProperties{ElasticLaw{{160e9, 80e9}}, 7800.0}));
   model.mass = lumped_mass(mesh, model.blocks);
   return model;
 }

@@ -32,8 +32,8 @@ void advance(benchmark::State& bench, const Mesh& mesh, const char* formulation,
   omp_set_num_threads(static_cast<int>(bench.range(0)));
   Model model;
   model.mesh = &mesh;
-  const SolidElement& row = *find_solid_element(mesh.blocks()[0].shape, formulation);
-  model.blocks.push_back(make_solid_block(mesh, 0, row, SolidProperties{law, 7800.0}));
+  const ElementFormulation& row = *find_solid_element(mesh.blocks()[0].shape, formulation);
+  model.blocks.push_back(make_solid_block(mesh, 0, row, ElementProperties{law, 7800.0}));
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   InternalForce internal(model, state);
   Eigen::Matrix3Xd x = mesh.coordinates(), v = x, forces(3, x.cols());

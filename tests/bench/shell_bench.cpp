@@ -31,7 +31,7 @@ void shells(benchmark::State& bench) {
   settings.layers = make_layers("gauss", bench.range(0));
   const std::vector<double> thickness(mesh.n_elements(), 0.1);
   model.blocks.push_back(
-      make_shell_block(mesh, 0, shell4_bt_shell, SolidProperties{make_law(), 7800.0}, settings, thickness));
+      make_shell_block(mesh, 0, shell4_bt_shell, ElementProperties{make_law(), 7800.0}, settings, thickness));
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   InternalForce internal(model, state);
   Eigen::Matrix3Xd x = mesh.coordinates(), v = x, w = x, forces(3, x.cols()), moments = forces;

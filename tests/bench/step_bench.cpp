@@ -29,7 +29,7 @@ void whole_step(benchmark::State& bench) {
   Model model;
   model.mesh = &mesh;
   model.blocks.push_back(make_solid_block(mesh, 0, *find_solid_element(Shape::hex8, "mean_quadrature"),
-                                          SolidProperties{ElasticLaw{{160e9, 80e9}}, 7800.0}));
+                                          ElementProperties{ElasticLaw{{160e9, 80e9}}, 7800.0}));
   model.mass = lumped_mass(mesh, model.blocks);
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   for (Eigen::Index i = 0; i < state.velocity.cols(); ++i)

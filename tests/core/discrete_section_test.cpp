@@ -30,12 +30,12 @@ FunctionDefinition kinked() {
 
 /// What a section makes of the first block, and what is said.
 struct Made {
-  std::optional<SolidBlock> block;
+  std::optional<ModelBlock> block;
   std::string messages;
 };
 
-Made make(const SectionProperties& properties, const Mesh& mesh, std::optional<SolidProperties> material = {},
-          bool is_rigid = false) {
+Made make(const SectionProperties& properties, const Mesh& mesh,
+          std::optional<ElementProperties> material = {}, bool is_rigid = false) {
   Diagnostics diagnostics;
   SectionDefinition section{named("s"), {}, properties};
   if (is_rigid) section.rigid_body = named("body");
@@ -49,7 +49,7 @@ Made make(const SectionProperties& properties, const Mesh& mesh, std::optional<S
 Mesh bar() { return MeshBuilder().add_bars({.to = {2, 0, 0}}).build(); }
 Mesh point() { return MeshBuilder().add_spheres(1, "", {Vector3d(1, 2, 3)}).build(); }
 
-LoneShell lone(const SectionProperties& properties, std::optional<SolidProperties> material = {}) {
+LoneShell lone(const SectionProperties& properties, std::optional<ElementProperties> material = {}) {
   const Mesh mesh = bar();
   return {*make(properties, mesh, std::move(material)).block, mesh.coordinates()};
 }
@@ -92,7 +92,7 @@ TEST_CASE("a damper resists the rate of its length", "[core][springs]") {
   const ElasticModuli moduli{4.0, 4.0 * 3 / 8};  // of a Young's modulus of 4
   DamperSection section;
   section.area = 0.5;
-  LoneShell damper = lone(section, SolidProperties{ElasticLaw{moduli}, 0.25});
+  LoneShell damper = lone(section, ElementProperties{ElasticLaw{moduli}, 0.25});
   CHECK(damper.block.discrete.stiffness[0](0) == Approx(moduli.youngs() * 0.5 / 2.0));
   CHECK(damper.block.mass[0](0) == Approx(0.25));
   Matrix3Xd there = bar().coordinates();
@@ -114,7 +114,7 @@ TEST_CASE("point masses give their node mass, and inertia when they have one", "
   section.ixx = section.iyy = section.izz = 0.5;
   const auto turning = make(section, mesh).block;
   REQUIRE(turning);
-  const std::vector<SolidBlock> blocks{*turning};
+  const std::vector<ModelBlock> blocks{*turning};
   CHECK(lumped_mass(mesh, blocks)(2, 0) == 4.0);
   CHECK(lumped_inertia(mesh, blocks)(1, 0) == 0.5);
 }

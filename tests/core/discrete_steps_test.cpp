@@ -21,11 +21,11 @@ struct Chain {
   Mesh mesh;
   Model model;
 
-  Chain(const SolidElement& element, const std::vector<double>& masses, double stiffness)
+  Chain(const ElementFormulation& element, const std::vector<double>& masses, double stiffness)
       : mesh(MeshBuilder().add_bars({.cells = static_cast<int>(masses.size()) - 1}).build()) {
     model.mesh = &mesh;
     const std::vector<double> areas(mesh.n_elements(), 1.0);
-    SolidBlock block = make_discrete_block(mesh, 0, element, 0.0, areas);
+    ModelBlock block = make_discrete_block(mesh, 0, element, 0.0, areas);
     block.discrete.stiffness.assign(block.n_batches(), Lanes::Constant(stiffness));
     block.discrete.stable_step.assign(block.n_batches(), Lanes::Constant(infinity));
     model.blocks.push_back(block);

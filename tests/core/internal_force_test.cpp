@@ -23,13 +23,13 @@ Eigen::Matrix3Xd random_velocities(Eigen::Index n) {
   return Eigen::Matrix3Xd::NullaryExpr(3, n, [&](Eigen::Index, Eigen::Index) { return speed(random); });
 }
 
-SolidProperties damped_elastic() { return {ElasticLaw{{160e9, 80e9}}, 7800.0}; }
+ElementProperties damped_elastic() { return {ElasticLaw{{160e9, 80e9}}, 7800.0}; }
 
 Model model_of(const Mesh& mesh) {
   Model model;
   model.mesh = &mesh;
   for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
-    const SolidElement& row = *find_solid_element(mesh.blocks()[i].shape, "mean_quadrature");
+    const ElementFormulation& row = *find_solid_element(mesh.blocks()[i].shape, "mean_quadrature");
     model.blocks.push_back(make_solid_block(mesh, i, row, damped_elastic()));
   }
   return model;

@@ -92,7 +92,7 @@ TEST_CASE("a run of shells gives the same bits with one thread and with two", "[
 
 TEST_CASE("a model without shells has no rotations", "[core][shells]") {
   const Mesh mesh = MeshBuilder().add_hexes({}).build();
-  std::vector<SolidBlock> blocks;
+  std::vector<ModelBlock> blocks;
   blocks.push_back(make_solid_block(mesh, 0, hex8_mean_quadrature, {ElasticLaw{{160e9, 80e9}}, 7800.0}));
   CHECK(lumped_inertia(mesh, blocks).cols() == 0);
   CHECK_FALSE(make_state(mesh.coordinates(), blocks, 0.0).rotations.exist());

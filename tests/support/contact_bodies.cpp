@@ -16,8 +16,8 @@ const Modelled& checked(const Modelled& made) {
   return made;
 }
 
-SolidBlock make_block(const Mesh& mesh, std::uint32_t index) {
-  SolidProperties properties;
+ModelBlock make_block(const Mesh& mesh, std::uint32_t index) {
+  ElementProperties properties;
   properties.law = ElasticLaw{{1.0, 0.5}};
   properties.density = 1.0;
   const ElementBlock& block = mesh.blocks()[index];
@@ -26,7 +26,7 @@ SolidBlock make_block(const Mesh& mesh, std::uint32_t index) {
     return make_solid_block(mesh, index, *find_solid_element(block.shape, "mean_quadrature"), properties);
   const std::vector<double> sizes(block.n_elements, block.attributes.at(0));
   if (family == Family::shell) {
-    const SolidElement& shell = *find_shell_element(block.shape, "bt_shell");
+    const ElementFormulation& shell = *find_shell_element(block.shape, "bt_shell");
     return make_shell_block(mesh, index, shell, properties, {}, sizes);
   }
   const char* formulation = family == Family::particle ? "particle" : "beam";

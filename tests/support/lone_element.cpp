@@ -72,15 +72,15 @@ Eigen::Matrix3d rotation_of(double angle) {
   return Eigen::AngleAxisd(angle, Eigen::Vector3d(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
 }
 
-SolidProperties undamped(const MaterialLaw& law) { return {law, 7800.0, 0.05, 0.0, 0.0, 0.0}; }
+ElementProperties undamped(const MaterialLaw& law) { return {law, 7800.0, 0.05, 0.0, 0.0, 0.0}; }
 
-SolidProperties undamped_elastic() { return undamped(ElasticLaw{{160e9, 80e9}}); }
+ElementProperties undamped_elastic() { return undamped(ElasticLaw{{160e9, 80e9}}); }
 
-std::string name_of(const SolidElement& row) {
+std::string name_of(const ElementFormulation& row) {
   return std::string(topology(row.shape).name) + " " + std::string(row.formulation);
 }
 
-LoneElement::LoneElement(const SolidElement& row, const SolidProperties& properties,
+LoneElement::LoneElement(const ElementFormulation& row, const ElementProperties& properties,
                          const Eigen::Matrix3Xd& at_rest, std::vector<std::uint32_t> nodes)
     : block(make_solid_block(one_element_mesh(row.shape, at_rest, nodes), 0, row, properties)),
       state(make_state(block)),

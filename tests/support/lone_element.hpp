@@ -24,11 +24,11 @@ Eigen::Matrix3Xd flat_and_warped(Shape shape, unsigned seed);
 Eigen::Matrix3d rotation_of(double angle);
 
 /// Steel-like moduli (bulk 160e9, shear 80e9) without bulk viscosity and hourglass viscosity.
-SolidProperties undamped(const MaterialLaw& law);
-SolidProperties undamped_elastic();
+ElementProperties undamped(const MaterialLaw& law);
+ElementProperties undamped_elastic();
 
 /// "HEX8 mean_quadrature".
-std::string name_of(const SolidElement& row);
+std::string name_of(const ElementFormulation& row);
 
 /// A mesh of one element over these coordinates.
 ///   nodes  of the element by columns of the coordinates, when they are not 0, 1, 2...
@@ -37,13 +37,13 @@ Mesh one_element_mesh(Shape shape, const Eigen::Matrix3Xd& coordinates,
 
 /// One solid element that a test moves as it likes.
 struct LoneElement {
-  SolidBlock block;
-  SolidBlockState state;
+  ModelBlock block;
+  ModelBlockState state;
   Eigen::Matrix3Xd coordinates;  ///< now [3 x n_nodes]
 
   ///   nodes  of the element by columns of at_rest, when they are not 0, 1, 2...
-  LoneElement(const SolidElement& row, const SolidProperties& properties, const Eigen::Matrix3Xd& at_rest,
-              std::vector<std::uint32_t> nodes = {});
+  LoneElement(const ElementFormulation& row, const ElementProperties& properties,
+              const Eigen::Matrix3Xd& at_rest, std::vector<std::uint32_t> nodes = {});
 
   /// Moves the nodes along straight lines in one step; dt 0 asks for the forces where it stands.
   ChunkStep move_to(const Eigen::Matrix3Xd& there, double dt = 1.0);

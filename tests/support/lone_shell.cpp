@@ -36,14 +36,14 @@ ShellSettings gauss_layers(std::int64_t n_layers) {
   return settings;
 }
 
-LoneShell::LoneShell(const SolidElement& row, const MaterialLaw& law, const Eigen::Matrix3Xd& at_rest,
+LoneShell::LoneShell(const ElementFormulation& row, const MaterialLaw& law, const Eigen::Matrix3Xd& at_rest,
                      double thickness, const ShellSettings& settings)
     : block(make_shell_block(one_element_mesh(row.shape, at_rest), 0, row, undamped(law), settings,
                              {&thickness, 1})),
       state(make_state(block)),
       coordinates(at_rest) {}
 
-LoneShell::LoneShell(SolidBlock its_block, const Eigen::Matrix3Xd& at_rest)
+LoneShell::LoneShell(ModelBlock its_block, const Eigen::Matrix3Xd& at_rest)
     : block(std::move(its_block)), state(make_state(block)), coordinates(at_rest) {}
 
 ChunkStep LoneShell::move_to(const Eigen::Matrix3Xd& there, const Eigen::Matrix3Xd& turns, double dt) {

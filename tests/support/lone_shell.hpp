@@ -15,15 +15,15 @@ ShellSettings gauss_layers(std::int64_t n_layers = 3);
 
 /// One shell, or another element whose nodes may turn, that a test moves as it likes.
 struct LoneShell {
-  SolidBlock block;
-  SolidBlockState state;
+  ModelBlock block;
+  ModelBlockState state;
   Eigen::Matrix3Xd coordinates;  ///< now [3 x n_nodes]
 
-  LoneShell(const SolidElement& row, const MaterialLaw& law, const Eigen::Matrix3Xd& at_rest,
+  LoneShell(const ElementFormulation& row, const MaterialLaw& law, const Eigen::Matrix3Xd& at_rest,
             double thickness, const ShellSettings& settings = gauss_layers());
 
   /// Any block of one element.
-  LoneShell(SolidBlock its_block, const Eigen::Matrix3Xd& at_rest);
+  LoneShell(ModelBlock its_block, const Eigen::Matrix3Xd& at_rest);
 
   /// Moves the nodes along straight lines in one step, and turns them.
   ///   turns  [3 x n_nodes] angular velocity times dt [1]

@@ -23,8 +23,8 @@ Mesh make_mesh() {
   return Mesh(std::move(parts));
 }
 
-SolidProperties make_properties(const MaterialLaw& law, double density) {
-  SolidProperties properties;
+ElementProperties make_properties(const MaterialLaw& law, double density) {
+  ElementProperties properties;
   properties.law = law;
   properties.density = density;
   return properties;

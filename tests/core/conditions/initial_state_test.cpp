@@ -22,13 +22,13 @@ const Mesh& two_rows() {
   return mesh;
 }
 
-std::vector<SolidBlock> make_blocks() {
-  const SolidElement& element = *find_solid_element(Shape::hex8, "mean_quadrature");
-  SolidProperties plastic, elastic;
+std::vector<ModelBlock> make_blocks() {
+  const ElementFormulation& element = *find_solid_element(Shape::hex8, "mean_quadrature");
+  ElementProperties plastic, elastic;
   plastic.law = PlasticLaw<LinearHardening>{};
   elastic.law = ElasticLaw{};
   plastic.density = elastic.density = 1.0;
-  std::vector<SolidBlock> blocks;
+  std::vector<ModelBlock> blocks;
   blocks.push_back(make_solid_block(two_rows(), 0, element, plastic));
   blocks.push_back(make_solid_block(two_rows(), 1, element, elastic));
   return blocks;
@@ -75,7 +75,7 @@ struct Made {
     return state.blocks[block].at(blocks[block].layout, element, place);
   }
 
-  std::vector<SolidBlock> blocks = make_blocks();
+  std::vector<ModelBlock> blocks = make_blocks();
   State state;
   std::string messages;
 };

@@ -19,7 +19,7 @@ namespace {
 /// The hard block is of a law that fails by itself.
 struct FailingSample : SampleRun {
   FailingSample() {
-    SolidBlock& hard = model.blocks[1];
+    ModelBlock& hard = model.blocks[1];
     hard.properties.law = FailingJohnsonCookLaw{};
     hard.layout.point_size = 6 + FailingJohnsonCookLaw::n_state;
     state.blocks[1] = make_state(hard);

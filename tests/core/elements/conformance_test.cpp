@@ -48,7 +48,7 @@ std::vector<MaterialLaw> all_laws() {
 /// Calls check(row, law) for every row of the element table and each of some laws.
 template <class Check>
 void for_each_row(const std::vector<MaterialLaw>& laws, const Check& check) {
-  for (const SolidElement* row : solid_elements()) {
+  for (const ElementFormulation* row : solid_elements()) {
     for (const MaterialLaw& law : laws) {
       INFO(name_of(*row) << ", law " << law.index());
       check(*row, law);
@@ -56,7 +56,7 @@ void for_each_row(const std::vector<MaterialLaw>& laws, const Check& check) {
   }
 }
 
-LoneElement make_element(const SolidElement& row, const MaterialLaw& law, double distortion = 0.1,
+LoneElement make_element(const ElementFormulation& row, const MaterialLaw& law, double distortion = 0.1,
                          unsigned seed = 1) {
   return {row, undamped(law), distorted(regular_element(row.shape), distortion, seed)};
 }
@@ -111,7 +111,7 @@ std::optional<double> plastic_strain(const LoneElement& element, std::size_t poi
 }  // namespace
 
 TEST_CASE("a distorted patch deforms uniformly and its inner nodes stay in balance", "[core][conformance]") {
-  for_each_row(all_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(all_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     const Mesh mesh = make_patch(row.shape);
     Model model;
     model.mesh = &mesh;
@@ -125,7 +125,7 @@ TEST_CASE("a distorted patch deforms uniformly and its inner nodes stay in balan
       const ForceReport report = internal.set_forces({0.0, 1.0, x, v}, forces);
       CHECK(std::abs(report.hourglass_work) < 1e-20 * size_of_forces);
     }
-    const SolidBlock& block = model.blocks[0];
+    const ModelBlock& block = model.blocks[0];
     const double greatest = std::abs(state.blocks[0].at(block.layout, 0, 0));
     CHECK(greatest > 1e8);
     for (std::size_t element = 0; element < block.n_elements; ++element) {
@@ -144,7 +144,7 @@ TEST_CASE("a distorted patch deforms uniformly and its inner nodes stay in balan
 }
 
 TEST_CASE("a small strain gives Hooke's stress in an element of any form", "[core][conformance]") {
-  for_each_row(all_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(all_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
     element.move_to((Matrix3d::Identity() + gradient_of(1e-7)) * element.coordinates);
     const Matrix3d expected = hooke(law, gradient_of(1e-7));
@@ -154,7 +154,7 @@ TEST_CASE("a small strain gives Hooke's stress in an element of any form", "[cor
 }
 
 TEST_CASE("a rotation in large steps strains nothing and turns stress and forces", "[core][conformance]") {
-  for_each_row(all_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(all_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
     const Matrix3Xd x = element.coordinates;
     for (int i = 1; i <= 5; ++i) element.move_to(rotation_of(0.3 * i) * x);
@@ -179,7 +179,7 @@ TEST_CASE("a rotation in large steps strains nothing and turns stress and forces
 
 TEST_CASE("volume and mass are those of the element's faces, and those of a patch add up to the body",
           "[core][conformance]") {
-  for_each_row({ElasticLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row({ElasticLaw{steel}}, [](const ElementFormulation& row, const MaterialLaw& law) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
       const LoneElement element = make_element(row, law, 0.1, seed);
       std::vector<NodeIndex> nodes;
@@ -189,13 +189,13 @@ TEST_CASE("volume and mass are those of the element's faces, and those of a patc
       CHECK(element.mass() == Approx(7800.0 * expected).epsilon(1e-13));
     }
     const Mesh mesh = make_patch(row.shape);
-    const SolidBlock block = make_solid_block(mesh, 0, row, undamped(law));
+    const ModelBlock block = make_solid_block(mesh, 0, row, undamped(law));
     CHECK(lumped_mass(mesh, {&block, 1}).row(1).sum() == Approx(7800.0).epsilon(1e-13));
   });
 }
 
 TEST_CASE("the forces are the derivatives of the work", "[core][conformance]") {
-  for_each_row(elastic_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(elastic_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
     const Matrix3Xd x = element.coordinates;
     for (int i = 1; i <= 4; ++i)
@@ -217,7 +217,7 @@ TEST_CASE("the forces are the derivatives of the work", "[core][conformance]") {
 }
 
 TEST_CASE("asking for the forces where an element stands changes nothing", "[core][conformance]") {
-  for_each_row(all_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(all_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
     element.stay();
     CHECK(element.forces() == Matrix3Xd::Zero(3, element.coordinates.cols()));
@@ -230,7 +230,7 @@ TEST_CASE("asking for the forces where an element stands changes nothing", "[cor
 }
 
 TEST_CASE("the work on a neo-Hookean element is its strain energy", "[core][conformance]") {
-  for_each_row({NeoHookeanLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row({NeoHookeanLaw{steel}}, [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
     const Matrix3Xd x = element.coordinates;
     const double volume = element.volume();
@@ -246,7 +246,7 @@ TEST_CASE("the work on a neo-Hookean element is its strain energy", "[core][conf
 }
 
 TEST_CASE("internal forces balance in force and moment", "[core][conformance]") {
-  for_each_row(all_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(all_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element(row, {law, 7800.0, 0.05, 0.03}, distorted(regular_element(row.shape), 0.1, 1));
     element.move_to(distorted(element.coordinates, 0.02, 2), 1e-4);
     const Matrix3Xd force = element.forces();
@@ -260,7 +260,7 @@ TEST_CASE("internal forces balance in force and moment", "[core][conformance]") 
 }
 
 TEST_CASE("only rigid motions are free of resistance", "[core][conformance]") {
-  for_each_row({ElasticLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row({ElasticLaw{steel}}, [](const ElementFormulation& row, const MaterialLaw& law) {
     for (const double distortion : {0.0, 0.1}) {
       const Eigen::MatrixXd stiffness = stiffness_of(make_element(row, law, distortion));
       CHECK((stiffness - stiffness.transpose()).norm() < 1e-5 * stiffness.norm());
@@ -274,7 +274,7 @@ TEST_CASE("only rigid motions are free of resistance", "[core][conformance]") {
 }
 
 TEST_CASE("the stable step is below that of the highest frequency", "[core][conformance]") {
-  for_each_row(elastic_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(elastic_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     for (unsigned seed = 1; seed <= 6; ++seed) {
       LoneElement element = make_element(row, law, 0.03 * seed, seed);
       CHECK(element.stay().stable_step <= (1.0 + 1e-6) * stable_limit(element));
@@ -288,8 +288,8 @@ TEST_CASE("the stable step is below that of the highest frequency", "[core][conf
 
 TEST_CASE("the stable step of flat and warped elements is below that of the highest frequency",
           "[core][conformance]") {
-  for_each_row({ElasticLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
-    SolidProperties properties = undamped(law);
+  for_each_row({ElasticLaw{steel}}, [](const ElementFormulation& row, const MaterialLaw& law) {
+    ElementProperties properties = undamped(law);
     for (unsigned seed = 1; seed <= 12; ++seed) {
       properties.deviatoric_parameter = seed % 2 == 0 ? 0.0 : 0.5;
       LoneElement element(row, properties, flat_and_warped(row.shape, seed));
@@ -301,7 +301,7 @@ TEST_CASE("the stable step of flat and warped elements is below that of the high
 }
 
 TEST_CASE("bulk viscosity pushes against closing and shortens the stable step", "[core][conformance]") {
-  for_each_row({ElasticLaw{steel}}, [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row({ElasticLaw{steel}}, [](const ElementFormulation& row, const MaterialLaw& law) {
     const Matrix3Xd x = distorted(regular_element(row.shape), 0.1, 1);
     LoneElement damped(row, {law, 7800.0}, x), free(row, undamped(law), x);
     const ChunkStep slow = damped.move_to(0.999 * x, 1e-6), fast = free.move_to(0.999 * x, 1e-6);
@@ -313,7 +313,7 @@ TEST_CASE("bulk viscosity pushes against closing and shortens the stable step", 
 }
 
 TEST_CASE("plastic strain only grows, whatever an element suffers", "[core][conformance]") {
-  for_each_row(plastic_laws(), [](const SolidElement& row, const MaterialLaw& law) {
+  for_each_row(plastic_laws(), [](const ElementFormulation& row, const MaterialLaw& law) {
     LoneElement element = make_element(row, law);
     const Matrix3Xd x = element.coordinates;
     std::vector<double> before(row.n_points, 0.0);

@@ -25,7 +25,7 @@ const Collapse collapses[] = {{Shape::wedge6, {0, 1, 2, 2, 3, 4, 5, 5}},
 
 template <class Check>
 void for_each_collapse(const Check& check) {
-  for (const SolidElement* row : solid_elements()) {
+  for (const ElementFormulation* row : solid_elements()) {
     if (row->shape != Shape::hex8) continue;
     for (const Collapse& collapse : collapses) {
       INFO(name_of(*row) << " as " << topology(collapse.shape).name);
@@ -58,7 +58,7 @@ Mesh collapsed_patch(const Collapse& collapse) {
   return Mesh(std::move(parts));
 }
 
-LoneElement collapsed_element(const SolidElement& row, const Collapse& collapse, unsigned seed) {
+LoneElement collapsed_element(const ElementFormulation& row, const Collapse& collapse, unsigned seed) {
   const Matrix3Xd x = distorted(regular_element(collapse.shape), 0.1, seed);
   return {row, undamped_elastic(), x, collapse.corners};
 }
@@ -66,12 +66,12 @@ LoneElement collapsed_element(const SolidElement& row, const Collapse& collapse,
 }  // namespace
 
 TEST_CASE("a patch of degenerate hexahedra deforms uniformly and stays in balance", "[core][elements]") {
-  for_each_collapse([](const SolidElement& row, const Collapse& collapse) {
+  for_each_collapse([](const ElementFormulation& row, const Collapse& collapse) {
     const Mesh mesh = collapsed_patch(collapse);
     Model model;
     model.mesh = &mesh;
     model.blocks.push_back(make_solid_block(mesh, 0, row, undamped_elastic()));
-    const SolidBlock& block = model.blocks[0];
+    const ModelBlock& block = model.blocks[0];
     CHECK(lumped_mass(mesh, model.blocks).row(0).sum() == Approx(7800.0).epsilon(1e-13));
     State state = make_state(mesh.coordinates(), model.blocks, 0.0);
     InternalForce internal(model, state);
@@ -97,7 +97,7 @@ TEST_CASE("a patch of degenerate hexahedra deforms uniformly and stays in balanc
 
 TEST_CASE("degenerate hexahedra are stable at their stable step, balance and turn freely",
           "[core][elements]") {
-  for_each_collapse([](const SolidElement& row, const Collapse& collapse) {
+  for_each_collapse([](const ElementFormulation& row, const Collapse& collapse) {
     for (unsigned seed = 1; seed <= 4; ++seed) {
       LoneElement element = collapsed_element(row, collapse, seed);
       CHECK(element.stay().stable_step <= (1.0 + 1e-6) * stable_limit(element));

@@ -12,7 +12,7 @@ constexpr ElasticModuli moduli{160e9, 80e9};
 constexpr double size = 1e-6;
 
 LoneElement make_hex(const char* formulation, double deviatoric_parameter, double distortion = 0.0) {
-  SolidProperties properties = undamped_elastic();
+  ElementProperties properties = undamped_elastic();
   properties.deviatoric_parameter = deviatoric_parameter;
   return {*find_solid_element(Shape::hex8, formulation), properties,
           distorted(regular_element(Shape::hex8), distortion, 1)};

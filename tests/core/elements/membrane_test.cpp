@@ -22,7 +22,7 @@ constexpr double size_of_forces = 1e11 * thickness;
 /// Calls check(shell) for every row, in the plane or warped.
 template <class Check>
 void for_each_membrane(const Check& check) {
-  for (const SolidElement* row : membrane_elements()) {
+  for (const ElementFormulation* row : membrane_elements()) {
     for (const double warp : {0.0, 0.1}) {
       INFO(name_of(*row) << ", warp " << warp);
       Matrix3Xd x = distorted(regular_shell(row->shape), 0.15, 4);

@@ -30,7 +30,7 @@ std::vector<MaterialLaw> elastic_laws() {
 /// Calls check(row, coordinates, thickness, law) for every row and law, in a distorted and warped form.
 template <class Check>
 void for_each_law(const Check& check) {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     for (const MaterialLaw& law : elastic_laws()) {
       INFO(name_of(*row) << ", law " << law.index());
       const Matrix3Xd x = distorted(regular_shell(row->shape), 0.1, 4);
@@ -42,7 +42,7 @@ void for_each_law(const Check& check) {
 /// Calls check(row, coordinates, thickness) for every row: regular, distorted in the plane, and warped.
 template <class Check>
 void for_each_form(const Check& check) {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     for (const double distortion : {0.0, 0.15}) {
       for (const double warp : {0.0, 0.1}) {
         for (const double thickness : {0.02, 0.3}) {
@@ -90,7 +90,7 @@ void check_derivatives(const LoneShell& shell) {
 
 TEST_CASE("a rigid motion of a shell in large steps strains nothing and turns its forces",
           "[core][shells][conformance]") {
-  for_each_form([](const SolidElement& row, const Matrix3Xd& x, double thickness) {
+  for_each_form([](const ElementFormulation& row, const Matrix3Xd& x, double thickness) {
     const Eigen::Index n = x.cols();
     LoneShell shell(row, elastic, x, thickness);
     for (int i = 1; i <= 5; ++i) {
@@ -114,7 +114,7 @@ TEST_CASE("a rigid motion of a shell in large steps strains nothing and turns it
 }
 
 TEST_CASE("a shell of any law turns with its forces", "[core][shells][conformance]") {
-  for_each_law([](const SolidElement& row, const Matrix3Xd& x, double thickness, const MaterialLaw& law) {
+  for_each_law([](const ElementFormulation& row, const Matrix3Xd& x, double thickness, const MaterialLaw& law) {
     LoneShell shell(row, law, x, thickness);
     const Matrix3Xd there = distorted(x, 0.05, 2);
     shell.move_to(there, random_turns(x.cols(), 0.01, 5));
@@ -131,7 +131,7 @@ TEST_CASE("a shell of any law turns with its forces", "[core][shells][conformanc
 
 TEST_CASE("forces and moments of a shell of any law are the derivatives of the work",
           "[core][shells][conformance]") {
-  for_each_law([](const SolidElement& row, const Matrix3Xd& x, double thickness, const MaterialLaw& law) {
+  for_each_law([](const ElementFormulation& row, const Matrix3Xd& x, double thickness, const MaterialLaw& law) {
     LoneShell shell(row, law, x, thickness);
     for (unsigned i = 1; i <= 4; ++i)
       shell.move_to(distorted(shell.coordinates, 0.05, i), random_turns(x.cols(), 0.05, 7 + i));
@@ -141,7 +141,7 @@ TEST_CASE("forces and moments of a shell of any law are the derivatives of the w
 
 TEST_CASE("the stable step of a stretched shell of any law is below that of its highest frequency",
           "[core][shells][conformance]") {
-  for_each_law([](const SolidElement& row, const Matrix3Xd& x, double thickness, const MaterialLaw& law) {
+  for_each_law([](const ElementFormulation& row, const Matrix3Xd& x, double thickness, const MaterialLaw& law) {
     LoneShell shell(row, law, x, thickness);
     CHECK(shell.stay().stable_step <= (1.0 + 1e-6) * stable_limit(shell));
     for (const double stretch : {1.6, 0.7}) {
@@ -157,7 +157,7 @@ TEST_CASE("the stable step of a stretched shell of any law is below that of its 
 }
 
 TEST_CASE("forces and moments of a shell balance", "[core][shells][conformance]") {
-  for_each_form([](const SolidElement& row, const Matrix3Xd& x, double thickness) {
+  for_each_form([](const ElementFormulation& row, const Matrix3Xd& x, double thickness) {
     LoneShell shell(row, elastic, x, thickness);
     shell.move_to(distorted(x, 0.01, 2), random_turns(x.cols(), 0.01, 3));
     const Matrix3Xd force = shell.forces();
@@ -170,7 +170,7 @@ TEST_CASE("forces and moments of a shell balance", "[core][shells][conformance]"
 }
 
 TEST_CASE("forces and moments of a shell are the derivatives of the work", "[core][shells][conformance]") {
-  for_each_form([](const SolidElement& row, const Matrix3Xd& x, double thickness) {
+  for_each_form([](const ElementFormulation& row, const Matrix3Xd& x, double thickness) {
     const Eigen::Index n = x.cols();
     LoneShell shell(row, elastic, x, thickness);
     for (unsigned i = 1; i <= 4; ++i)
@@ -181,7 +181,7 @@ TEST_CASE("forces and moments of a shell are the derivatives of the work", "[cor
 
 TEST_CASE("rigid motions and fibres that turn about themselves are all that a shell does not resist",
           "[core][shells][conformance]") {
-  for_each_form([](const SolidElement& row, const Matrix3Xd& x, double thickness) {
+  for_each_form([](const ElementFormulation& row, const Matrix3Xd& x, double thickness) {
     const Eigen::MatrixXd stiffness = stiffness_of(LoneShell(row, elastic, x, thickness));
     CHECK((stiffness - stiffness.transpose()).norm() < 1e-5 * stiffness.norm());
     const Eigen::MatrixXd symmetric = 0.5 * (stiffness + stiffness.transpose());
@@ -197,7 +197,7 @@ TEST_CASE("rigid motions and fibres that turn about themselves are all that a sh
 
 TEST_CASE("the stable step of a shell is below that of its highest frequency",
           "[core][shells][conformance]") {
-  for_each_form([](const SolidElement& row, const Matrix3Xd& x, double thickness) {
+  for_each_form([](const ElementFormulation& row, const Matrix3Xd& x, double thickness) {
     for (const double offset : {0.0, 0.5}) {
       ShellSettings settings = gauss_layers();
       settings.offset = offset;
@@ -210,7 +210,7 @@ TEST_CASE("the stable step of a shell is below that of its highest frequency",
 }
 
 TEST_CASE("asking for the forces where a shell stands changes nothing", "[core][shells][conformance]") {
-  for_each_form([](const SolidElement& row, const Matrix3Xd& x, double thickness) {
+  for_each_form([](const ElementFormulation& row, const Matrix3Xd& x, double thickness) {
     LoneShell shell(row, elastic, x, thickness);
     shell.stay();
     CHECK(shell.forces() == Matrix3Xd::Zero(3, x.cols()));
@@ -224,7 +224,7 @@ TEST_CASE("asking for the forces where a shell stands changes nothing", "[core][
 
 TEST_CASE("a flat shell of any form has the membrane forces, moments and shear of a uniform strain",
           "[core][shells][conformance]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     INFO(name_of(*row));
     const double t = 0.1, size = 1e-7;
     const Matrix3Xd x = [&] {

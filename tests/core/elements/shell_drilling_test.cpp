@@ -18,7 +18,7 @@ namespace {
 constexpr double thickness = 0.05;
 
 /// A warped and distorted shell that resists drilling.
-LoneShell drilled_shell(const SolidElement& row) {
+LoneShell drilled_shell(const ElementFormulation& row) {
   ShellSettings settings = gauss_layers();
   settings.drilling = 0.1;
   const Matrix3Xd x = rotation_of(0.7) * distorted(regular_shell(row.shape), 0.1, 4);
@@ -32,7 +32,7 @@ Matrix3Xd random_turns(Eigen::Index n, double size, unsigned seed) {
 }  // namespace
 
 TEST_CASE("fibres that turn about themselves are held by drilling stiffness", "[core][shells][drilling]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     INFO(name_of(*row));
     const LoneShell shell = drilled_shell(*row);
     const Eigen::MatrixXd stiffness = stiffness_of(shell);
@@ -46,7 +46,7 @@ TEST_CASE("fibres that turn about themselves are held by drilling stiffness", "[
 }
 
 TEST_CASE("one node that turns feels its share of the shear stiffness", "[core][shells][drilling]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     INFO(name_of(*row));
     ShellSettings settings = gauss_layers();
     settings.drilling = 0.1;
@@ -65,7 +65,7 @@ TEST_CASE("one node that turns feels its share of the shear stiffness", "[core][
 
 TEST_CASE("drilling neither moves nor turns a shell as a whole, and turns with it",
           "[core][shells][drilling]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     INFO(name_of(*row));
     LoneShell shell = drilled_shell(*row);
     const Matrix3Xd x = shell.coordinates;
@@ -87,7 +87,7 @@ TEST_CASE("drilling neither moves nor turns a shell as a whole, and turns with i
 }
 
 TEST_CASE("drilling's forces and moments are the derivatives of the work", "[core][shells][drilling]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     INFO(name_of(*row));
     LoneShell shell = drilled_shell(*row);
     const Eigen::Index n = shell.coordinates.cols();
@@ -113,7 +113,7 @@ TEST_CASE("drilling's forces and moments are the derivatives of the work", "[cor
 
 TEST_CASE("the stable step of a shell that resists drilling is below that of its highest frequency",
           "[core][shells][drilling]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     for (const double factor : {0.01, 1.0, 100.0}) {
       INFO(name_of(*row) << ", factor " << factor);
       ShellSettings settings = gauss_layers();

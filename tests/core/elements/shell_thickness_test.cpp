@@ -16,8 +16,8 @@ constexpr ElasticModuli steel{160e9, 80e9};
 constexpr double poissons = (3 * 160e9 - 2 * 80e9) / (2 * (3 * 160e9 + 80e9));
 constexpr double thickness = 0.1;
 
-std::vector<const SolidElement*> thin_elements() {
-  std::vector<const SolidElement*> rows;
+std::vector<const ElementFormulation*> thin_elements() {
+  std::vector<const ElementFormulation*> rows;
   for (const auto part : {shell_elements(), membrane_elements()})
     rows.insert(rows.end(), part.begin(), part.end());
   return rows;
@@ -45,7 +45,7 @@ ChunkStep stretch(LoneShell& shell, double x, double y) {
 
 TEST_CASE("the thickness of an elastic shell follows the strain of its surface",
           "[core][shells][membranes]") {
-  for (const SolidElement* row : thin_elements()) {
+  for (const ElementFormulation* row : thin_elements()) {
     INFO(name_of(*row) << ", rotations " << row->has_rotations);
     LoneShell shell(*row, ElasticLaw{steel}, regular_shell(row->shape), thickness);
     stretch(shell, 1.2, 0.9);
@@ -61,7 +61,7 @@ TEST_CASE("the thickness of an elastic shell follows the strain of its surface",
 TEST_CASE("a shell that flows keeps its volume and pulls by its thickness of now",
           "[core][shells][membranes]") {
   constexpr double yield = 1e6;  // next to nothing of it is elastic
-  for (const SolidElement* row : thin_elements()) {
+  for (const ElementFormulation* row : thin_elements()) {
     if (row->n_nodes == 3) continue;
     INFO(name_of(*row) << ", rotations " << row->has_rotations);
     LoneShell shell(*row, PlasticLaw<LinearHardening>{steel, {yield, 0.0, 0.0}}, regular_shell(row->shape),
@@ -75,7 +75,7 @@ TEST_CASE("a shell that flows keeps its volume and pulls by its thickness of now
 }
 
 TEST_CASE("bending alone leaves the thickness of a shell", "[core][shells]") {
-  for (const SolidElement* row : shell_elements()) {
+  for (const ElementFormulation* row : shell_elements()) {
     const Matrix3Xd x = regular_shell(row->shape);
     LoneShell shell(*row, ElasticLaw{steel}, x, thickness);
     Matrix3Xd turns = Matrix3Xd::Zero(3, x.cols());
@@ -88,12 +88,12 @@ TEST_CASE("bending alone leaves the thickness of a shell", "[core][shells]") {
 
 TEST_CASE("bulk viscosity resists the rate of a shell's area and shortens its step",
           "[core][shells][membranes]") {
-  for (const SolidElement* row : thin_elements()) {
+  for (const ElementFormulation* row : thin_elements()) {
     if (row->n_nodes == 3) continue;
     INFO(name_of(*row) << ", rotations " << row->has_rotations);
     const Matrix3Xd x = regular_shell(row->shape), none = Matrix3Xd::Zero(3, 4);
     const auto shell_of = [&](double linear, double quadratic) {
-      SolidProperties properties = undamped(ElasticLaw{steel});
+      ElementProperties properties = undamped(ElasticLaw{steel});
       properties.linear_bulk_viscosity = linear;
       properties.quadratic_bulk_viscosity = quadratic;
       return LoneShell(make_shell_block(one_element_mesh(row->shape, x), 0, *row, properties, gauss_layers(1),

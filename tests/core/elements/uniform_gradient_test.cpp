@@ -15,9 +15,9 @@ namespace {
 constexpr double natural[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
                                   {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
-const SolidElement& hex8() { return *find_solid_element(Shape::hex8, "mean_quadrature"); }
+const ElementFormulation& hex8() { return *find_solid_element(Shape::hex8, "mean_quadrature"); }
 
-LoneElement distorted_hex(unsigned seed, const SolidProperties& properties = undamped_elastic()) {
+LoneElement distorted_hex(unsigned seed, const ElementProperties& properties = undamped_elastic()) {
   return {hex8(), properties, distorted(regular_element(Shape::hex8), 0.15, seed)};
 }
 
@@ -58,7 +58,7 @@ TEST_CASE("an hourglass motion is resisted, and a linear one is not taken for it
 }
 
 TEST_CASE("hourglass viscosity takes up work and keeps none", "[core][elements]") {
-  SolidProperties viscous = undamped_elastic();
+  ElementProperties viscous = undamped_elastic();
   viscous.hourglass_stiffness = 0.0;
   viscous.hourglass_viscosity = 0.05;
   LoneElement element = distorted_hex(1, viscous);
@@ -76,7 +76,7 @@ TEST_CASE("hourglass viscosity takes up work and keeps none", "[core][elements]"
 }
 
 TEST_CASE("bulk viscosity resists and shortens the stable step", "[core][elements]") {
-  SolidProperties properties = undamped_elastic();
+  ElementProperties properties = undamped_elastic();
   LoneElement free = distorted_hex(2, properties);
   properties.linear_bulk_viscosity = 0.06;
   properties.quadratic_bulk_viscosity = 1.2;

@@ -20,7 +20,7 @@ constexpr double youngs = 9.0 * 160e9 * 80e9 / (3.0 * 160e9 + 80e9);
 
 /// One element that a linear map moves in one step.
 struct Moved {
-  Moved(Mesh its_mesh, SolidBlock block, const Eigen::Matrix3d& f) : mesh(std::move(its_mesh)) {
+  Moved(Mesh its_mesh, ModelBlock block, const Eigen::Matrix3d& f) : mesh(std::move(its_mesh)) {
     model.mesh = &mesh;
     model.blocks.push_back(std::move(block));
     model.mass = lumped_mass(mesh, model.blocks);

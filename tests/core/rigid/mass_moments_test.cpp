@@ -12,9 +12,9 @@ using namespace contactsim::test;
 namespace {
 
 /// A brick of 1 x 2 x 3 with its corner in the origin.
-MassMoments brick_of(MeshBuilder builder, const SolidElement& element) {
+MassMoments brick_of(MeshBuilder builder, const ElementFormulation& element) {
   const Mesh mesh = builder.build();
-  const SolidBlock block = make_solid_block(mesh, 0, element, {ElasticLaw{{1.0, 1.0}}, 2.0});
+  const ModelBlock block = make_solid_block(mesh, 0, element, {ElasticLaw{{1.0, 1.0}}, 2.0});
   return mass_moments(block, mesh, {0.5, 1.0, 1.5});
 }
 
@@ -38,7 +38,7 @@ TEST_CASE("the moments of a brick are exact for any cells", "[core][rigid]") {
 TEST_CASE("the moments of a sheet of shells are those of a thin brick", "[core][rigid]") {
   const Mesh mesh = MeshBuilder().add_shells({.cells = {3, 2}, .u = {1, 0, 0}, .v = {0, 2, 0}}).build();
   const std::vector<double> thickness(6, 0.3);
-  const SolidBlock block =
+  const ModelBlock block =
       make_shell_block(mesh, 0, shell4_bt_shell, {ElasticLaw{{1.0, 1.0}}, 2.0}, gauss_layers(), thickness);
   const MassMoments moments = mass_moments(block, mesh, {0.5, 1.0, 0.0});
   CHECK(moments.mass == Approx(1.2));
@@ -49,7 +49,7 @@ TEST_CASE("the moments of a sheet of shells are those of a thin brick", "[core][
 TEST_CASE("point masses of a rigid body count with their inertia", "[core][rigid][springs]") {
   const Mesh mesh = MeshBuilder().add_spheres(1, "", {Eigen::Vector3d(1, 2, 3)}).build();
   const double none = 1.0;
-  SolidBlock block = make_discrete_block(mesh, 0, sphere_point_mass, 5.0, {&none, 1});
+  ModelBlock block = make_discrete_block(mesh, 0, sphere_point_mass, 5.0, {&none, 1});
   block.discrete.inertia << 2.0, 0.1, 0.0, 0.1, 3.0, 0.0, 0.0, 0.0, 4.0;
   const MassMoments moments = mass_moments(block, mesh, {0.0, 2.0, 3.0});
   CHECK(moments.mass == 5.0);

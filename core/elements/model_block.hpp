@@ -8,15 +8,16 @@
 
 #include "core/elements/beam_shape.hpp"
 #include "core/elements/discrete_parts.hpp"
+#include "core/elements/element_properties.hpp"
 #include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
 #include "core/elements/shell_settings.hpp"
-#include "core/elements/solid_kernel.hpp"
+#include "core/lanes.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
 
-struct SolidElement;
+struct ElementFormulation;
 
 /// Where the numbers of a batch stand in its state: at each integration point the stress (xx yy zz xy yz zx)
 /// and what the material remembers, then the element's own (hourglass forces), then the work of the stress.
@@ -33,19 +34,19 @@ struct StateLayout {
 /// and forces of the chunk fit into a cache. Chunks do not depend on the number of threads.
 struct BatchChunk {
   std::size_t first_batch = 0, n_batches = 0;
-  std::size_t first_node = 0, n_nodes = 0;  ///< in SolidBlock::chunk_nodes
+  std::size_t first_node = 0, n_nodes = 0;  ///< in ModelBlock::chunk_nodes
 };
 
 /// The elements of one block of the mesh, in batches of n_lanes; the last batch is filled up with copies of
 /// the last element, whose numbers count nowhere. Const after set-up.
-struct SolidBlock {
+struct ModelBlock {
   static constexpr std::size_t batches_per_chunk = 64;
 
-  const SolidElement* element = nullptr;
+  const ElementFormulation* element = nullptr;
   std::uint32_t mesh_block = 0;  ///< position in the mesh
   ElementIndex first_element;
   std::size_t n_elements = 0;
-  SolidProperties properties;
+  ElementProperties properties;
   bool is_rigid = false;  ///< a part of a rigid body: it has no stress
   /// [n_batches] which elements die when they turn inside out; empty when none does
   std::vector<LaneMask> dies_inverted;
@@ -76,7 +77,7 @@ struct SolidBlock {
 };
 
 /// What the elements of a block remember.
-struct SolidBlockState {
+struct ModelBlockState {
   std::vector<Lanes> values;        ///< [n_batches x layout.size()] [as StateLayout]
   std::vector<NodeVector> forces;   ///< [chunk_nodes] on the nodes of each chunk, of the last step [force]
   std::vector<NodeVector> moments;  ///< the same of elements whose nodes turn, else empty [force length]
@@ -98,31 +99,31 @@ struct SolidBlockState {
 
 /// Builds the block. Precondition: the element is of the mesh block's shape; it has elements.
 ///   mesh_block  position in the mesh
-SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                            const SolidProperties& properties);
+ModelBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                            const ElementProperties& properties);
 
 /// The same of shells and membranes. The nodes of shells have an equal share of an inertia each: a sphere's
 /// of radius^2 = A / 8, or that of a bar across the thickness when it is larger, which is what keeps turning
 /// out of the stable step. Source: Hughes, Cohen and Haroun, Nucl. Eng. Des. 46 (1978) 203-222.
 ///   thickness  [n_elements] > 0 [length]
-SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                            const SolidProperties& properties, const ShellSettings& settings,
+ModelBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                            const ElementProperties& properties, const ShellSettings& settings,
                             std::span<const double> thickness);
 
 /// The same of lines and particles. The nodes of beams have inertias of 4 times the larger second moment over
 /// area, which is what keeps bending out of the stable step of slender beams.
 ///   sizes  [n_elements] cross-section of lines [length^2], radius of particles [length]
-SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                           const SolidProperties& properties, const BeamShapeSettings& beam,
+ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                           const ElementProperties& properties, const BeamShapeSettings& beam,
                            std::span<const double> sizes);
 
 /// The same of springs, dampers and point masses, whose mass is density x their volume; lengths, stiffness
 /// and inertia are still to be set.
 ///   sizes  [n_elements] cross-section of lines [length^2]
-SolidBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+ModelBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
                                double density, std::span<const double> sizes);
 
 /// The state of undeformed elements at rest.
-SolidBlockState make_state(const SolidBlock& block);
+ModelBlockState make_state(const ModelBlock& block);
 
 }  // namespace contactsim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
@@ -10,8 +10,8 @@ using namespace contactsim::test;
 
 TEST_CASE("a block's last batch is filled up with copies of its last element", "[core][elements]") {
   const Mesh mesh = MeshBuilder().add_hexes({.cells = {3, 1, 1}}).build();
-  const SolidElement& row = *find_solid_element(Shape::hex8, "MEAN_QUADRATURE");
-  const SolidBlock block = make_solid_block(mesh, 0, row, undamped_elastic());
+  const ElementFormulation& row = *find_solid_element(Shape::hex8, "MEAN_QUADRATURE");
+  const ModelBlock block = make_solid_block(mesh, 0, row, undamped_elastic());
   CHECK(block.n_elements == 3);
   REQUIRE(block.n_batches() == 1);
   CHECK((block.mass[0] - 2600.0).abs().maxCoeff() < 1e-9);
@@ -27,8 +27,8 @@ TEST_CASE("a block's last batch is filled up with copies of its last element", "
 
 TEST_CASE("a block stands in chunks, each with nodes of its own", "[core][elements]") {
   const Mesh mesh = MeshBuilder().add_hexes({.cells = {11, 10, 10}}).build();  // 1100 elements, 138 batches
-  const SolidElement& row = *find_solid_element(Shape::hex8, "mean_quadrature");
-  const SolidBlock block = make_solid_block(mesh, 0, row, undamped_elastic());
+  const ElementFormulation& row = *find_solid_element(Shape::hex8, "mean_quadrature");
+  const ModelBlock block = make_solid_block(mesh, 0, row, undamped_elastic());
   REQUIRE(block.n_batches() == 138);
   REQUIRE(block.chunks.size() == 3);
   std::size_t batch = 0, node = 0;
@@ -46,7 +46,7 @@ TEST_CASE("a block stands in chunks, each with nodes of its own", "[core][elemen
 }
 
 TEST_CASE("a state holds per point a stress and what the material remembers", "[core][elements]") {
-  const SolidElement& row = *find_solid_element(Shape::hex8, "mean_quadrature");
+  const ElementFormulation& row = *find_solid_element(Shape::hex8, "mean_quadrature");
   const MaterialLaw law = PlasticLaw<LinearHardening>{{160e9, 80e9}, {200e6, 1e9, 1e9}};
   LoneElement element(row, undamped(law), regular_element(Shape::hex8));
   const StateLayout& layout = element.block.layout;

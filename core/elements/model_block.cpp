@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/elements/solid_block.hpp"
+#include "core/elements/model_block.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,7 +10,7 @@ namespace contactsim {
 
 namespace {
 
-static_assert(SolidBlock::batches_per_chunk * n_lanes * 8 <= std::numeric_limits<ChunkNode>::max() + 1,
+static_assert(ModelBlock::batches_per_chunk * n_lanes * 8 <= std::numeric_limits<ChunkNode>::max() + 1,
               "the nodes of a chunk of hexahedra have numbers");
 
 /// Numbers the nodes of a block chunk by chunk, in the order in which its elements name them first.
@@ -19,7 +19,7 @@ class ChunkNumbering {
   ChunkNumbering(const Mesh& mesh, const ElementBlock& source)
       : source_(source), number_(mesh.n_nodes(), none) {}
 
-  void add_chunk(std::size_t first_batch, std::size_t n_batches, SolidBlock& block) {
+  void add_chunk(std::size_t first_batch, std::size_t n_batches, ModelBlock& block) {
     const std::size_t first_node = block.chunk_nodes.size();
     for (std::size_t batch = first_batch; batch < first_batch + n_batches; ++batch)
       add_batch(batch, first_node, block);
@@ -31,7 +31,7 @@ class ChunkNumbering {
  private:
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-  void add_batch(std::size_t batch, std::size_t first_node, SolidBlock& block) {
+  void add_batch(std::size_t batch, std::size_t first_node, ModelBlock& block) {
     for (int corner = 0; corner < source_.nodes_per_element; ++corner) {
       for (std::size_t lane = 0; lane < n_lanes; ++lane) {
         const std::size_t element = std::min<std::size_t>(batch * n_lanes + lane, source_.n_elements - 1);
@@ -56,10 +56,10 @@ class ChunkNumbering {
 namespace {
 
 /// All but the masses.
-SolidBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                      const SolidProperties& properties) {
+ModelBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                      const ElementProperties& properties) {
   const ElementBlock& source = mesh.blocks()[mesh_block];
-  SolidBlock block;
+  ModelBlock block;
   block.element = &element;
   block.mesh_block = mesh_block;
   block.first_element = source.first_element;
@@ -68,8 +68,8 @@ SolidBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidEle
   block.layout = {element.n_points, 6 + state_of(properties.law).n_state, element.n_own};
   block.mass.resize((source.n_elements + n_lanes - 1) / n_lanes);
   ChunkNumbering numbering(mesh, source);
-  for (std::size_t batch = 0; batch < block.n_batches(); batch += SolidBlock::batches_per_chunk)
-    numbering.add_chunk(batch, std::min(SolidBlock::batches_per_chunk, block.n_batches() - batch), block);
+  for (std::size_t batch = 0; batch < block.n_batches(); batch += ModelBlock::batches_per_chunk)
+    numbering.add_chunk(batch, std::min(ModelBlock::batches_per_chunk, block.n_batches() - batch), block);
   block.sums = NodeSums(block.chunk_nodes, mesh.n_nodes());
   return block;
 }
@@ -81,7 +81,7 @@ std::vector<Lanes> in_lanes(std::span<const double> numbers, std::size_t n_batch
   return lanes;
 }
 
-void set_masses(const Mesh& mesh, SolidBlock& block) {
+void set_masses(const Mesh& mesh, ModelBlock& block) {
   for (const BatchChunk& chunk : block.chunks)
     block.element->volumes(block, chunk, mesh.coordinates(), block.mass);
   for (Lanes& mass : block.mass) mass *= block.properties.density;
@@ -89,17 +89,17 @@ void set_masses(const Mesh& mesh, SolidBlock& block) {
 
 }  // namespace
 
-SolidBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                            const SolidProperties& properties) {
-  SolidBlock block = make_block(mesh, mesh_block, element, properties);
+ModelBlock make_solid_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                            const ElementProperties& properties) {
+  ModelBlock block = make_block(mesh, mesh_block, element, properties);
   set_masses(mesh, block);
   return block;
 }
 
-SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                            const SolidProperties& properties, const ShellSettings& settings,
+ModelBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                            const ElementProperties& properties, const ShellSettings& settings,
                             std::span<const double> thickness) {
-  SolidBlock block = make_block(mesh, mesh_block, element, properties);
+  ModelBlock block = make_block(mesh, mesh_block, element, properties);
   block.layout.n_points = settings.layers.size();
   if (settings.drilling > 0.0) block.layout.n_own += element.n_nodes;
   block.shell = settings;
@@ -115,10 +115,10 @@ SolidBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const So
   return block;
 }
 
-SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
-                           const SolidProperties& properties, const BeamShapeSettings& beam,
+ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
+                           const ElementProperties& properties, const BeamShapeSettings& beam,
                            std::span<const double> sizes) {
-  SolidBlock block = make_block(mesh, mesh_block, element, properties);
+  ModelBlock block = make_block(mesh, mesh_block, element, properties);
   block.layout.n_points = beam.fibres.size();
   block.beam = beam;
   block.section = in_lanes(sizes, block.n_batches());
@@ -132,17 +132,17 @@ SolidBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const Sol
   return block;
 }
 
-SolidBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const SolidElement& element,
+ModelBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
                                double density, std::span<const double> sizes) {
-  SolidBlock block = make_block(mesh, mesh_block, element, SolidProperties{ElasticLaw{}, density});
+  ModelBlock block = make_block(mesh, mesh_block, element, ElementProperties{ElasticLaw{}, density});
   block.layout.n_points = 1;
   block.section = in_lanes(sizes, block.n_batches());
   set_masses(mesh, block);
   return block;
 }
 
-SolidBlockState make_state(const SolidBlock& block) {
-  SolidBlockState state;
+ModelBlockState make_state(const ModelBlock& block) {
+  ModelBlockState state;
   state.values.assign(block.n_batches() * block.layout.size(), Lanes::Zero());
   state.forces.assign(block.chunk_nodes.size(), NodeVector::Zero());
   if (block.element->has_rotations) state.moments = state.forces;
