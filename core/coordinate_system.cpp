@@ -5,21 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "core/find_definition.hpp"
+
 namespace contactsim {
-
-namespace {
-
-template <class T>
-const T* find_named(const std::vector<T>& list, const DeckName& name, std::string_view kind,
-                    Diagnostics& diagnostics) {
-  const T* found = find_by_name(list, name.text);
-  if (found != nullptr) return found;
-  diagnostics.add_error(name.location, fmt::format("there is no {} '{}'", kind, name.text), "",
-                        static_cast<int>(name.text.size()));
-  return nullptr;
-}
-
-}  // namespace
 
 Eigen::Matrix3d CoordinateSystem::directions_at(const Eigen::Vector3d& place) const {
   if (kind == CoordinateSystemKind::rectangular) return axes;
@@ -37,11 +25,11 @@ Eigen::Matrix3d CoordinateSystem::directions_at(const Eigen::Vector3d& place) co
 std::optional<CoordinateSystem> find_coordinate_system(const DeckName& name,
                                                        const SimulationDefinition& definition,
                                                        Diagnostics& diagnostics) {
-  const auto* found = find_named(definition.coordinate_systems, name, "coordinate system", diagnostics);
+  const auto* found = find_definition(definition.coordinate_systems, name, "coordinate system", diagnostics);
   if (found == nullptr) return std::nullopt;
-  const auto* origin = find_named(definition.points, found->origin, "point", diagnostics);
-  const auto* on_z = find_named(definition.points, found->point_on_z, "point", diagnostics);
-  const auto* in_xz = find_named(definition.points, found->point_in_xz, "point", diagnostics);
+  const auto* origin = find_definition(definition.points, found->origin, "point", diagnostics);
+  const auto* on_z = find_definition(definition.points, found->point_on_z, "point", diagnostics);
+  const auto* in_xz = find_definition(definition.points, found->point_in_xz, "point", diagnostics);
   if (origin == nullptr || on_z == nullptr || in_xz == nullptr) return std::nullopt;
   const auto fail = [&](std::string text) {
     diagnostics.add_error(found->name.location, std::move(text), "",

@@ -3,42 +3,29 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
+#include "core/find_definition.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// The definition of a name; nothing when an error was added.
-template <class T>
-const T* find_defined(const std::vector<T>& list, const DeckName& name, std::string_view kind,
-                      Diagnostics& diagnostics) {
-  const T* found = find_by_name(list, name.text);
-  if (found != nullptr) return found;
-  std::vector<std::string> known;
-  for (const T& item : list) known.push_back(item.name.text);
-  diagnostics.add_error(name.location, fmt::format("there is no {} '{}'", kind, name.text),
-                        suggest(name.text, known), static_cast<int>(name.text.size()));
-  return nullptr;
-}
-
 std::optional<Eigen::Vector3d> find_unit(const DeckName& name, const ConditionScope& scope) {
-  const auto* found = find_defined(scope.definition.directions, name, "direction", scope.diagnostics);
+  const auto* found = find_definition(scope.definition.directions, name, "direction", scope.diagnostics);
   if (found == nullptr) return std::nullopt;
   return found->vector.stableNormalized();
 }
 
 std::optional<Axis> find_axis(const DeckName& name, const ConditionScope& scope) {
-  const auto* found = find_defined(scope.definition.axes, name, "axis", scope.diagnostics);
+  const auto* found = find_definition(scope.definition.axes, name, "axis", scope.diagnostics);
   if (found == nullptr) return std::nullopt;
-  const auto* point = find_defined(scope.definition.points, found->point, "point", scope.diagnostics);
+  const auto* point = find_definition(scope.definition.points, found->point, "point", scope.diagnostics);
   if (point == nullptr) return std::nullopt;
   if (found->direction) {
     const auto unit = find_unit(*found->direction, scope);
     return unit ? std::optional(Axis{point->coordinates, *unit}) : std::nullopt;
   }
   const auto* second =
-      find_defined(scope.definition.points, *found->second_point, "point", scope.diagnostics);
+      find_definition(scope.definition.points, *found->second_point, "point", scope.diagnostics);
   if (second == nullptr) return std::nullopt;
   const Eigen::Vector3d unit = (second->coordinates - point->coordinates).stableNormalized();
   if (unit.norm() > 0.5) return Axis{point->coordinates, unit};

@@ -21,7 +21,8 @@ SimulationDefinition with_system(CoordinateSystemKind kind, const std::string& t
 std::string error_of(const std::string& name, const SimulationDefinition& definition) {
   Diagnostics diagnostics;
   CHECK_FALSE(find_coordinate_system({name, {}}, definition, diagnostics));
-  return diagnostics.all().at(0).text;
+  const Diagnostic& error = diagnostics.all().at(0);
+  return error.hint.empty() ? error.text : error.text + ": " + error.hint;
 }
 
 }  // namespace
@@ -49,8 +50,11 @@ TEST_CASE("a cylindrical system points outwards, around and along its axis", "[c
 }
 
 TEST_CASE("coordinate systems that give no directions are errors", "[core][directions]") {
-  CHECK(error_of("d", with_system(CoordinateSystemKind::rectangular)) == "there is no coordinate system 'd'");
-  CHECK(error_of("c", with_system(CoordinateSystemKind::rectangular, "y")) == "there is no point 'y'");
+  CHECK(error_of("wheel", with_system(CoordinateSystemKind::rectangular)) ==
+        "there is no coordinate system 'wheel'");
+  SimulationDefinition definition = with_system(CoordinateSystemKind::rectangular, "corne");
+  definition.points[2].name.text = "corner";
+  CHECK(error_of("c", definition) == "there is no point 'corne': did you mean 'corner'?");
   CHECK(error_of("c", with_system(CoordinateSystemKind::rectangular, "z")) ==
         "the three points of the coordinate system 'c' lie on one line");
   CHECK(error_of("c", with_system(CoordinateSystemKind::spherical)) ==
