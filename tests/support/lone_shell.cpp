@@ -2,8 +2,10 @@
 #include "support/lone_shell.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <cmath>
 
+#include "support/catch.hpp"
 #include "support/lone_element.hpp"
 
 namespace contactsim::test {
@@ -12,8 +14,14 @@ namespace {
 
 Eigen::Matrix3Xd summed(const NodeSums& sums, const std::vector<NodeVector>& parts, Eigen::Index n) {
   Eigen::Matrix3Xd all = Eigen::Matrix3Xd::Zero(3, n);
-  sums.add(parts, all);
+  if (!parts.empty()) sums.add(parts, all);
   return all;
+}
+
+/// Of a step that displaces and turns the nodes [6 x n_nodes], and of all before [energy].
+double work_after(LoneShell shell, const Eigen::MatrixXd& change) {
+  const ChunkStep step = shell.move_to(shell.coordinates + change.topRows<3>(), change.bottomRows<3>());
+  return step.hourglass_work + shell.stress_work();
 }
 
 }  // namespace
@@ -71,6 +79,36 @@ Eigen::Matrix3d LoneShell::stress(std::size_t layer) const {
         state.at(block.layout, 0, layer * block.layout.point_size + places[i / 3][i % 3]);
   }
   return tensor;
+}
+
+Eigen::Matrix3Xd turns_of(double angle, Eigen::Index n) {
+  const Eigen::AngleAxisd turn(rotation_of(angle));
+  return (2.0 * std::tan(0.5 * turn.angle()) * turn.axis()).replicate(1, n);
+}
+
+Eigen::Matrix3Xd random_turns(Eigen::Index n, double size, unsigned seed) {
+  return distorted(Eigen::Matrix3Xd::Zero(3, n), size, seed);
+}
+
+Eigen::Vector3d total_moment(const LoneShell& shell) {
+  const Eigen::Matrix3Xd force = shell.forces();
+  Eigen::Vector3d sum = shell.moments().rowwise().sum();
+  for (Eigen::Index i = 0; i < force.cols(); ++i)
+    sum += Eigen::Vector3d(shell.coordinates.col(i)).cross(Eigen::Vector3d(force.col(i)));
+  return sum;
+}
+
+void check_derivatives_of_work(const LoneShell& shell, double margin) {
+  constexpr double h = 1e-6;  // of edges near 1
+  const Eigen::Index n = shell.coordinates.cols();
+  Eigen::MatrixXd expected(6, n);
+  expected << shell.forces(), shell.moments();
+  for (Eigen::Index i = 0; i < expected.size(); ++i) {
+    Eigen::MatrixXd change = Eigen::MatrixXd::Zero(6, n);
+    change(i) = h;
+    const double slope = (work_after(shell, change) - work_after(shell, -change)) / (2.0 * h);
+    CHECK(-slope == Approx(expected(i)).margin(margin));
+  }
 }
 
 Eigen::MatrixXd stiffness_of(const LoneShell& shell) {

@@ -31,7 +31,7 @@ struct LoneShell {
   /// Asks for the forces where it stands.
   ChunkStep stay();
 
-  /// On the nodes, of the last move [3 x n_nodes] [force], [force length].
+  /// On the nodes, of the last move [3 x n_nodes] [force], [force length]; no moments: zeros.
   Eigen::Matrix3Xd forces() const;
   Eigen::Matrix3Xd moments() const;
   /// Along the axes of the shell [force/length^2].
@@ -39,6 +39,21 @@ struct LoneShell {
   /// Work of the stress so far [energy].
   double stress_work() const { return state.at(block.layout, 0, block.layout.energy()); }
 };
+
+/// How nodes turn that rotation_of(angle) takes along a chord: twice the tangent of half the angle [3 x n]
+/// [1].
+Eigen::Matrix3Xd turns_of(double angle, Eigen::Index n);
+
+/// Turns of nodes at random, of up to a size [3 x n] [1].
+Eigen::Matrix3Xd random_turns(Eigen::Index n, double size, unsigned seed);
+
+/// The moment about the origin of all forces and moments of the last move [force length].
+Eigen::Vector3d total_moment(const LoneShell& shell);
+
+/// Checks that the forces and moments of the last move are minus the derivatives of the work, of stress and
+/// of hourglass forces, by displacements and turns of the nodes.
+///   margin  [force]
+void check_derivatives_of_work(const LoneShell& shell, double margin);
 
 /// Derivatives of the restoring forces and moments by displacements and turns of the nodes, by differences:
 /// nodes in turn, each three displacements and three turns.

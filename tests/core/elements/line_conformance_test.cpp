@@ -66,13 +66,6 @@ LoneShell truss_of(double area, const Matrix3Xd& x, const MaterialLaw& law = ela
       x};
 }
 
-Matrix3Xd turns_of(double angle) {
-  const Eigen::AngleAxisd turn(rotation_of(angle));
-  return (2.0 * std::tan(0.5 * turn.angle()) * turn.axis()).replicate(1, 2);
-}
-
-Matrix3Xd random_turns(double size, unsigned seed) { return distorted(Matrix3Xd::Zero(3, 2), size, seed); }
-
 }  // namespace
 
 TEST_CASE("cross-sections have the areas and second moments of their shapes", "[core][beams]") {
@@ -115,15 +108,15 @@ TEST_CASE("a rigid motion of a beam in large steps strains nothing and turns its
     const Matrix3Xd x = line(), there = distorted(x, 1e-3, 2);
     LoneShell beam = beam_of(shape, x);
     beam.stay();
-    for (int i = 1; i <= 5; ++i) beam.move_to(rotation_of(0.3 * i) * x, turns_of(0.3));
+    for (int i = 1; i <= 5; ++i) beam.move_to(rotation_of(0.3 * i) * x, turns_of(0.3, 2));
     CHECK(beam.forces().norm() < 1e-13 * size_of_forces);
     CHECK(beam.moments().norm() < 1e-13 * size_of_forces);
     LoneShell strained = beam_of(shape, x);
     strained.stay();
-    strained.move_to(there, random_turns(1e-2, 5));
+    strained.move_to(there, random_turns(2, 1e-2, 5));
     const LoneShell before = strained;
     REQUIRE(before.moments().norm() > 1e-6 * size_of_forces);
-    for (int i = 1; i <= 5; ++i) strained.move_to(rotation_of(0.3 * i) * there, turns_of(0.3));
+    for (int i = 1; i <= 5; ++i) strained.move_to(rotation_of(0.3 * i) * there, turns_of(0.3, 2));
     const Matrix3d turn = rotation_of(1.5);
     CHECK((strained.forces() - turn * before.forces()).norm() < 1e-12 * size_of_forces);
     CHECK((strained.moments() - turn * before.moments()).norm() < 1e-12 * size_of_forces);
@@ -136,28 +129,11 @@ TEST_CASE("forces and moments of a beam balance and are the derivatives of its w
     LoneShell beam = beam_of(shape, x);
     beam.stay();
     for (unsigned i = 1; i <= 3; ++i)
-      beam.move_to(distorted(beam.coordinates, 1e-3, i), random_turns(1e-2, 7 + i));
+      beam.move_to(distorted(beam.coordinates, 1e-3, i), random_turns(2, 1e-2, 7 + i));
     const Matrix3Xd force = beam.forces();
     CHECK(force.rowwise().sum().norm() < 1e-12 * force.norm());
-    Vector3d moment = beam.moments().rowwise().sum();
-    for (Eigen::Index node = 0; node < 2; ++node)
-      moment += Vector3d(beam.coordinates.col(node)).cross(Vector3d(force.col(node)));
-    CHECK(moment.norm() < 1e-11 * force.norm());
-
-    constexpr double h = 1e-6;
-    Eigen::MatrixXd expected(6, 2);
-    expected << force, beam.moments();
-    for (Eigen::Index i = 0; i < 12; ++i) {
-      double work[2];
-      for (const int side : {0, 1}) {
-        LoneShell moved = beam;
-        Eigen::MatrixXd change = Eigen::MatrixXd::Zero(6, 2);
-        change(i) = side == 0 ? -h : h;
-        moved.move_to(beam.coordinates + change.topRows<3>(), change.bottomRows<3>());
-        work[side] = moved.stress_work();
-      }
-      CHECK(-(work[1] - work[0]) / (2.0 * h) == Approx(expected(i)).margin(1e-4 * force.norm()));
-    }
+    CHECK(total_moment(beam).norm() < 1e-11 * force.norm());
+    check_derivatives_of_work(beam, 1e-4 * force.norm());
   }
 }
 
@@ -241,22 +217,9 @@ TEST_CASE("forces and moments of rubber beams and trusses are the derivatives of
         is_truss ? truss_of(0.01, line(), rubber) : beam_of(shape_of(BeamShape::box, true), line(), rubber);
     line_of.stay();
     for (unsigned i = 1; i <= 4; ++i)
-      line_of.move_to(distorted(line_of.coordinates, 0.05, i), random_turns(0.05, 7 + i));
-    constexpr double h = 1e-6;
-    Eigen::MatrixXd expected(6, 2);
-    expected << line_of.forces(), is_truss ? Matrix3Xd::Zero(3, 2).eval() : line_of.moments();
-    REQUIRE(expected.norm() > 1e-3 * size_of_forces);
-    for (Eigen::Index i = 0; i < expected.size(); ++i) {
-      double work[2];
-      for (const int side : {0, 1}) {
-        LoneShell moved = line_of;
-        Eigen::MatrixXd change = Eigen::MatrixXd::Zero(6, 2);
-        change(i) = side == 0 ? -h : h;
-        moved.move_to(line_of.coordinates + change.topRows<3>(), change.bottomRows<3>());
-        work[side] = moved.stress_work();
-      }
-      CHECK(-(work[1] - work[0]) / (2.0 * h) == Approx(expected(i)).margin(1e-7 * size_of_forces));
-    }
+      line_of.move_to(distorted(line_of.coordinates, 0.05, i), random_turns(2, 0.05, 7 + i));
+    REQUIRE(line_of.forces().norm() > 1e-3 * size_of_forces);
+    check_derivatives_of_work(line_of, 1e-7 * size_of_forces);
     if (!is_truss) CHECK(line_of.stay().stable_step <= (1.0 + 1e-6) * stable_limit(line_of));
   }
 }

@@ -66,10 +66,7 @@ TEST_CASE("forces of a membrane balance, and it has no moments", "[core][membran
     move(shell, 1.01 * distorted(shell.coordinates, 0.01, 2));
     const Matrix3Xd force = shell.forces();
     CHECK(force.rowwise().sum().norm() < 1e-13 * force.norm());
-    Vector3d moment = Vector3d::Zero();
-    for (Eigen::Index node = 0; node < force.cols(); ++node)
-      moment += Vector3d(shell.coordinates.col(node)).cross(Vector3d(force.col(node)));
-    CHECK(moment.norm() < 1e-12 * force.norm());
+    CHECK(total_moment(shell).norm() < 1e-12 * force.norm());
     CHECK(shell.state.moments.empty());
     CHECK(shell.block.inertia.empty());
   });
@@ -78,18 +75,7 @@ TEST_CASE("forces of a membrane balance, and it has no moments", "[core][membran
 TEST_CASE("forces of a membrane are the derivatives of the work", "[core][membranes]") {
   for_each_membrane([](LoneShell shell) {
     for (unsigned i = 1; i <= 4; ++i) move(shell, 1.005 * distorted(shell.coordinates, 0.002, i));
-    const Matrix3Xd force = shell.forces();
-    constexpr double h = 1e-6;
-    for (Eigen::Index i = 0; i < force.size(); ++i) {
-      double work[2];
-      for (const int side : {0, 1}) {
-        LoneShell moved = shell;
-        Matrix3Xd there = shell.coordinates;
-        there(i) += side == 0 ? -h : h;
-        work[side] = move(moved, there).hourglass_work + moved.stress_work();
-      }
-      CHECK(-(work[1] - work[0]) / (2.0 * h) == Approx(force(i)).margin(1e-6 * size_of_forces));
-    }
+    check_derivatives_of_work(shell, 1e-6 * size_of_forces);
   });
 }
 

@@ -25,10 +25,6 @@ LoneShell drilled_shell(const ElementFormulation& row) {
   return LoneShell(row, ElasticLaw{{160e9, 80e9}}, x, thickness, settings);
 }
 
-Matrix3Xd random_turns(Eigen::Index n, double size, unsigned seed) {
-  return distorted(Matrix3Xd::Zero(3, n), size, seed);
-}
-
 }  // namespace
 
 TEST_CASE("fibres that turn about themselves are held by drilling stiffness", "[core][shells][drilling]") {
@@ -72,15 +68,10 @@ TEST_CASE("drilling neither moves nor turns a shell as a whole, and turns with i
     shell.move_to(distorted(x, 0.01, 2), random_turns(x.cols(), 0.01, 3));
     const Matrix3Xd force = shell.forces(), moment = shell.moments();
     CHECK(force.rowwise().sum().norm() < 1e-13 * force.norm());
-    Vector3d sum = moment.rowwise().sum();
-    for (Eigen::Index node = 0; node < x.cols(); ++node)
-      sum += Vector3d(shell.coordinates.col(node)).cross(Vector3d(force.col(node)));
-    CHECK(sum.norm() < 1e-12 * force.norm());
+    CHECK(total_moment(shell).norm() < 1e-12 * force.norm());
 
-    const Eigen::AngleAxisd turn(rotation_of(0.3));
-    const Matrix3Xd turns = (2.0 * std::tan(0.5 * turn.angle()) * turn.axis()).replicate(1, x.cols());
     const Matrix3Xd there = shell.coordinates;
-    for (int i = 1; i <= 5; ++i) shell.move_to(rotation_of(0.3 * i) * there, turns);
+    for (int i = 1; i <= 5; ++i) shell.move_to(rotation_of(0.3 * i) * there, turns_of(0.3, x.cols()));
     CHECK((shell.forces() - rotation_of(1.5) * force).norm() < 1e-12 * force.norm());
     CHECK((shell.moments() - rotation_of(1.5) * moment).norm() < 1e-12 * force.norm());
   }
@@ -93,21 +84,7 @@ TEST_CASE("drilling's forces and moments are the derivatives of the work", "[cor
     const Eigen::Index n = shell.coordinates.cols();
     for (unsigned i = 1; i <= 4; ++i)
       shell.move_to(distorted(shell.coordinates, 0.01, i), random_turns(n, 0.01, 7 + i));
-    constexpr double h = 1e-6;
-    Eigen::MatrixXd expected(6, n);
-    expected << shell.forces(), shell.moments();
-    for (Eigen::Index i = 0; i < expected.size(); ++i) {
-      double work[2];
-      for (const int side : {0, 1}) {
-        LoneShell moved = shell;
-        Eigen::MatrixXd change = Eigen::MatrixXd::Zero(6, n);
-        change(i) = side == 0 ? -h : h;
-        work[side] =
-            moved.move_to(shell.coordinates + change.topRows<3>(), change.bottomRows<3>()).hourglass_work +
-            moved.stress_work();
-      }
-      CHECK(-(work[1] - work[0]) / (2.0 * h) == Approx(expected(i)).margin(1e-8 * 1e11));
-    }
+    check_derivatives_of_work(shell, 1e-8 * 1e11);
   }
 }
 
