@@ -79,8 +79,8 @@ TEST_CASE("each node that stands over a face is tied once, to the nearest", "[co
     CHECK(tied.faces.faces[tie.second_place].surface != node.surface);
     CHECK(tie.is_swapped == (node.surface == 1));
     n_of_cube += node.surface == 1 ? 1 : 0;
-    // A node of the cube stands a quarter of the way to the node under the cube in each direction; of the face
-    // over that one all corners are tied.
+    // A node of the cube stands a quarter of the way to the node under the cube in each direction; of the
+    // face over that one all corners are tied.
     const double share = node.surface == 1 ? 1.0 - 0.5 * 0.25 * 0.25 : 0.5;
     CHECK(tie.share == Approx(share));
     CHECK(tie.area == Approx(share * (node.surface == 1 ? 0.5625 : 1.0)));
