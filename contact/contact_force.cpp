@@ -225,7 +225,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     surface_.bound_watched();
   }
   sums_.begin_step();
-  add_places({surface_, rules_, glued_, motion.dt});
+  add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
   write_forces(forces);
   if (is_first) stored_at_start_ = stored();
   note_histories(motion);

@@ -9,10 +9,6 @@
 /// What all kinds of places of contact share.
 namespace contactsim {
 
-/// Steps over which a gap that closes counts as one that is about to touch: the next step must be small
-/// enough for the penalty of what it brings into touch.
-inline constexpr double steps_ahead = 2.0;
-
 /// What touched in the last step may be this much deeper than what did not.
 inline constexpr double known_depth = 1.5;
 

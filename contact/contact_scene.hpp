@@ -139,6 +139,14 @@ struct ContactScene {
   const GluedPlaces& glued;
   double dt = 0.0;         ///< of the step that ended, 0 at the start [time]
   bool is_frozen = false;  ///< nothing is remembered: the step has been taken, someone only looks
+  double first_dt = 0.0;   ///< of the step to come, at the start [time]
+
+  /// What closes within this time counts as about to touch: the next step must be small enough for the
+  /// penalty of what it brings into touch [time].
+  double ahead() const {
+    constexpr double steps = 2.0;
+    return steps * (dt > 0.0 ? dt : first_dt);
+  }
 };
 
 }  // namespace contactsim

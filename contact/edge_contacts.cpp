@@ -182,8 +182,8 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   record.gap = found->gap;
   const Eigen::Vector3d relative = velocity_at(scene.surface, record.first, -first.radius * record.normal) -
                                    velocity_at(scene.surface, record.second, second.radius * record.normal);
-  const double closed = std::max(0.0, -relative.dot(record.normal)) * scene.dt;
-  if (record.gap > steps_ahead * closed) return record;
+  const double closing = std::max(0.0, -relative.dot(record.normal)), closed = closing * scene.dt;
+  if (record.gap > closing * scene.ahead()) return record;
   // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
   const bool is_sharp = first.is_sharp() || second.is_sharp();
   const double shallow = shallow_depth * std::min(first.backing.thickness, second.backing.thickness);

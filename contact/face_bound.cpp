@@ -32,7 +32,9 @@ FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangl
   const Eigen::Vector3f p = away.col(2) - away.col(0), q = away.col(1) - away.col(3);
   radius_ = std::sqrt(away.colwise().squaredNorm().maxCoeff());
   set(2, q.cross(p).normalized());
-  set(3, mean(v, is_triangle).cast<float>());
+  const Eigen::Vector3d velocity = mean(v, is_triangle);
+  set(3, velocity.cast<float>());
+  stir_ = (normal().transpose() * (v.colwise() - velocity).cast<float>()).maxCoeff();
   if (is_triangle) {
     set(0, 0.5f * (away.col(1) - away.col(0)));
     set(1, 0.5f * p);

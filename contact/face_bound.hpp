@@ -24,6 +24,8 @@ class FaceBound {
   float radius() const { return radius_; }                   ///< of the ball around the centre [length]
   Eigen::Vector3f normal() const { return vector(2); }       ///< unit, out of the element [1]
   Eigen::Vector3f velocity() const { return vector(3); }     ///< mean of the corners [length/time]
+  /// How much faster than their mean a corner moves along the normal, at most [length/time].
+  float stir() const { return stir_; }
   /// The face lies within twist of the parallelogram centre +- half(0) +- half(1) [length].
   Eigen::Vector3f half(std::size_t i) const { return vector(i); }
   float twist() const { return twist_; }
@@ -50,7 +52,7 @@ class FaceBound {
 
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   std::array<std::array<float, 4>, 3> rows_{};  // components of halves, normal, velocity
-  float twist_ = 0.0f, radius_ = 0.0f;
+  float twist_ = 0.0f, radius_ = 0.0f, stir_ = 0.0f;
 };
 
 /// Whether two faces may touch: they look at each other, are not farther apart along the normal than the

@@ -93,8 +93,8 @@ void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
 void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& candidate,
                                 std::vector<ContactRecord>& records) {
   const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
-  const double closed = above_zero((b.velocity() - a.velocity()).dot(b.normal())) * scene.dt;
-  const double reach = steps_ahead * closed;
+  const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
+  const double closed = closing * scene.dt, reach = closing * scene.ahead();
   const PairRule& rule = candidate.rule;
   const bool did_touch = touched_[candidate.place] != 0;
   if (!scene.is_frozen) touched_[candidate.place] = 0;

@@ -40,6 +40,7 @@ struct NodeFaceContacts::Hit {
   PairPenalty penalty;
   double share = 1.0;     ///< of the node's area, where it stands over several faces alike [1]
   double distance = 0.0;  ///< of the node, the middle of a ball, from the face [length]
+  double near = 0.0;      ///< gaps up to it may close soon [length]
 };
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
@@ -117,7 +118,7 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
   if (work.hits.n > 1) choose(scene, work.memory, work.hits);
   for (Hit& hit : work.hits) {
     const PairRule& rule = scene.rules.of_node(hit.pair, row);
-    if (scene.dt == 0.0 && hit.point.gap > 0.0 && !rule.acts_apart()) continue;
+    if (scene.dt == 0.0 && hit.point.gap > hit.near && !rule.acts_apart()) continue;
     hit.share *= share_of(scene, row, hit);
     records.push_back(make_record(scene, row, hit));
     ContactRecord& record = records.back();
@@ -142,13 +143,16 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const FaceBound& bound = scene.surface.bound(face_index);
   const Eigen::Vector3d x = scene.surface.x(node.node);
   const Eigen::Vector3f closing = bound.velocity() - scene.surface.v(node.node).cast<float>();
-  const double closed = above_zero(closing.dot(bound.normal())) * scene.dt;
+  const float mean = closing.dot(bound.normal());
+  const double closed = above_zero(mean) * scene.dt;
+  const double near = above_zero(mean + bound.stir()) * scene.ahead();
   // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
   Hit hit;
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
   const PairRule& rule = scene.rules.of_node(hit.pair, row);
-  const double reach = std::max(rule.reach, scene.dt > 0.0 ? steps_ahead * closed : bound.radius());
+  const double reach = std::max(rule.reach, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius()));
+  hit.near = near;
   const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.

@@ -61,7 +61,7 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     const Eigen::Vector3d velocity =
         scene.surface.velocity_beside(node.node, -static_cast<double>(node.radius) * place.normal);
     const double speed = velocity.dot(place.normal);
-    if (!rule.is_active || gap > std::max(rule.reach, -steps_ahead * scene.dt * speed)) {
+    if (!rule.is_active || gap > std::max(rule.reach, -scene.ahead() * speed)) {
       if (!scene.is_frozen) place.elastic.setZero();
       continue;
     }
