@@ -98,6 +98,21 @@ struct JohnsonCookModel {
   std::optional<double> d1, d2, d3, d4, d5;  ///< of the failure strain; absent: no failure [1]
 };
 
+/// PARAMETERS FOR MODEL MULTILINEAR_EP: hardening along a curve.
+struct MultilinearModel {
+  ElasticConstants elastic;
+  double yield_stress = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
+  double beta = 1.0;                                               ///< 1 isotropic, 0 kinematic hardening [1]
+  std::optional<DeckName> hardening_function;  ///< [force/length^2] over the plastic strain
+};
+
+/// PARAMETERS FOR MODEL ML_EP_FAIL: the same with failure.
+struct TearingModel {
+  MultilinearModel plastic;
+  double critical_tearing = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [1]
+  double critical_opening = std::numeric_limits<double>::quiet_NaN();  ///< strain of a crack, > 0 [1]
+};
+
 /// One line of a model that contactsim does not know.
 struct ModelParameter {
   DeckName key;  ///< words joined by blanks
@@ -113,11 +128,15 @@ struct OpaqueModel {
 struct MaterialModel {
   DeckName name;
   std::variant<OpaqueModel, ElasticModel, LinearElasticModel, NeoHookeanModel, MooneyRivlinModel,
-               OrthotropicModel, ElasticPlasticModel, PowerHardeningModel, JohnsonCookModel>
+               OrthotropicModel, ElasticPlasticModel, PowerHardeningModel, JohnsonCookModel, MultilinearModel,
+               TearingModel>
       parameters;
 };
 
 /// The elastic constants of a model, null for an opaque one. `model` must outlive the pointer.
 const ElasticConstants* find_elastic_constants(const MaterialModel& model);
+
+/// The hardening curve of a model that may have one, null for others. `model` must outlive the pointer.
+const MultilinearModel* find_multilinear(const MaterialModel& model);
 
 }  // namespace contactsim

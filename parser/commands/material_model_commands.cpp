@@ -154,6 +154,40 @@ const Table<JohnsonCookModel>& johnson_cook_table() {
   return table;
 }
 
+std::vector<Row<MultilinearModel>> multilinear_rows() {
+  using M = MultilinearModel;
+  const auto of_temperature = [](std::string_view phrase) {
+    return ignored<M>(phrase, "= <function>", "temperature has no effect on materials");
+  };
+  return with_elastic_rows<M>({
+      row("yield stress", read::positive, &M::yield_stress, "Initial yield stress [force/length^2]"),
+      row("beta", read::real, &M::beta, "Share of isotropic hardening, 0 to 1 [1]"),
+      row("hardening function", read::name, &M::hardening_function,
+          "Flow stress, or what is added to the yield stress, over the plastic strain; piecewise linear",
+          "required"),
+      of_temperature("youngs modulus function"),
+      of_temperature("poissons ratio function"),
+      of_temperature("yield stress function"),
+  });
+}
+
+const Table<MultilinearModel>& multilinear_table() {
+  static const Table<MultilinearModel> table(multilinear_rows());
+  return table;
+}
+
+const Table<TearingModel>& tearing_table() {
+  using T = TearingModel;
+  static const Table<T> table(joined<T>({
+      lift_all(multilinear_rows(), &T::plastic),
+      {row("critical tearing parameter", read::positive, &T::critical_tearing,
+           "Tearing parameter at which a crack begins to open [1]"),
+       row("critical crack opening strain", read::positive, &T::critical_opening,
+           "Strain across the crack at which nothing is carried [1]")},
+  }));
+  return table;
+}
+
 bool is_separator(const Word& word) {
   return word.kind == WordKind::symbol ||
          (word.kind == WordKind::bare && (fold(word.text) == "is" || fold(word.text) == "are"));
@@ -229,6 +263,8 @@ std::vector<Row<MaterialDefinition>> material_model_rows() {
       model_row("ep_power_hard", power_hardening_table, "Plasticity with power-law hardening"),
       model_row("power_law_hardening", power_hardening_table, "Plasticity with power-law hardening"),
       model_row("johnson_cook", johnson_cook_table, "Plasticity with rate dependence and failure strain"),
+      model_row("multilinear_ep", multilinear_table, "Plasticity with hardening along a curve"),
+      model_row("ml_ep_fail", tearing_table, "The same, torn apart by plastic strain under tension"),
       model_row("", opaque_table, "Any other model: kept, an error only when a block uses it"),
   };
 }

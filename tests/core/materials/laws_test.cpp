@@ -129,11 +129,14 @@ TEST_CASE("a Johnson-Cook flow stress grows with the logarithm of the rate", "[c
 }
 
 TEMPLATE_TEST_CASE("plastic work is never negative, and the stress never leaves the surface",
-                   "[core][materials]", LinearHardening, PowerHardening, JohnsonCookHardening) {
+                   "[core][materials]", LinearHardening, PowerHardening, JohnsonCookHardening,
+                   MultilinearHardening) {
   TestType hardening;
   if constexpr (std::is_same_v<TestType, LinearHardening>) hardening = {200e6, 1e9, 1e9};
   if constexpr (std::is_same_v<TestType, PowerHardening>) hardening = {200e6, 500e6, 0.3, 0.001};
   if constexpr (std::is_same_v<TestType, JohnsonCookHardening>) hardening = {{200e6, 500e6, 0.3}, 0.015, 1.0};
+  if constexpr (std::is_same_v<TestType, MultilinearHardening>)
+    hardening = {HardeningCurve(std::vector<FunctionPoint>{{0.0, 200e6}, {0.02, 250e6}, {0.1, 300e6}}), 0.5};
   Element<PlasticLaw<TestType>> element{{steel, hardening}};
   std::mt19937 random(7);
   std::normal_distribution<double> normal(0.0, 1e-3);
