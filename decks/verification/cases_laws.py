@@ -118,14 +118,14 @@ def tearing_bar(bench):
     cracked = 0.15 + flow_stress(0.15) / 200e9
     half_open = 0.15 + 0.03 / (1 + 0.4e9 / 200e9)  # plastic strain then: hardening goes on in what is whole
     checks = []
-    for name, bound in (("bar", 0.002), ("sheet", 0.004), ("wire", 0.002)):  # a surface is viscous as it flows
+    for name in ("bar", "sheet", "wire"):
         def stress_at(strain):
             return np.interp(time_of(strain), run["Time"], run[f"{name}_stress"])
         checks += [Check(f"{name}: stress at a plastic strain of 0.1 [Pa]", flow_stress(0.1),
-                         stress_at(0.1 + flow_stress(0.1) / 200e9), 0.005),
+                         stress_at(0.1 + flow_stress(0.1) / 200e9), 0.002),
                    Check(f"{name}: stress with the crack half open [Pa]", 0.5 * flow_stress(half_open),
-                         stress_at(cracked + 0.03), 0.01),
-                   Check(f"{name}: time of death [s]", time_of(cracked + 0.06), run["Time"][np.argmax(run[name] < 1)], bound)]
-    tearing = run["tearing"][run["eqps"] <= 0.2] / np.maximum(run["eqps"][run["eqps"] <= 0.2], 1e-6)
-    return checks + [Check("tearing parameter over the plastic strain", 1.0, np.max(tearing), 0.002),
+                         stress_at(cracked + 0.03), 0.002),
+                   Check(f"{name}: time of death [s]", time_of(cracked + 0.06), run["Time"][np.argmax(run[name] < 1)], 0.002)]
+    at_tear = np.argmax(run["tearing"] >= 0.15)
+    return checks + [Check("plastic strain at tearing", 0.15, run["eqps"][at_tear], 0.002),
                      Check("damage at death", 1.0, np.max(run["damage"]), 1e-12), energy_check(run, ["external_energy"])]
