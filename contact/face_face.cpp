@@ -16,17 +16,8 @@ bool boxes_meet(const FaceCorners& first, const FaceCorners& second) {
   return true;
 }
 
-/// One component of a face's map at the points of a batch.
-Lanes evaluate(const std::array<double, 4>& c, const Lanes& xi, const Lanes& eta) {
-  return c[0] + c[1] * xi + (c[2] + c[3] * xi) * eta;
-}
-
-std::array<double, 4> component(const FaceMap& map, int i) {
-  return {map.c[0][i], map.c[1][i], map.c[2][i], map.c[3][i]};
-}
-
 /// The component of a face's velocity along the normal, as a function on the face.
-std::array<double, 4> normal_speed(const MovingFace& face, const Eigen::Vector3d& normal) {
+FaceFunction normal_speed(const MovingFace& face, const Eigen::Vector3d& normal) {
   const FaceMap map = make_face_map(face.v, face.is_triangle);
   return {map.c[0].dot(normal), map.c[1].dot(normal), map.c[2].dot(normal), map.c[3].dot(normal)};
 }
@@ -56,11 +47,8 @@ struct Overlap {
 /// Sums over the points of an overlap.
 class PressureSums {
  public:
-  PressureSums(const Overlap& overlap, const ProjectedPair& pair, const PairPenalty& penalty)
-      : points_(overlap.points), penalty_(penalty), touches_(overlap.touches) {
-    z1_ = component(pair.map_1, 2);
-    z2_ = component(pair.map_2, 2);
-  }
+  PressureSums(const Overlap& overlap, const PairPenalty& penalty)
+      : points_(overlap.points), penalty_(penalty), touches_(overlap.touches) {}
 
   void set_damping(const MovingFace& first, const MovingFace& second, const Eigen::Vector3d& normal) {
     speed_1_ = normal_speed(first, normal);
@@ -69,7 +57,7 @@ class PressureSums {
 
   void add(FaceFaceContact& contact) {
     contact.gap = std::numeric_limits<double>::infinity();
-    for (int b = 0; b < points_.n_batches; ++b) add_batch(static_cast<std::size_t>(b), contact);
+    for (const OverlapBatch& batch : points_.batches()) add(batch, contact);
     const double n = forces_1_[0];
     if (n > 0.0) {
       contact.force = n;
@@ -82,35 +70,31 @@ class PressureSums {
     const FaceMoments& forces = is_first ? forces_1_ : forces_2_;
     if (forces[0] > 0.0) return corner_shares(forces, is_triangle) / forces[0];
     FaceMoments areas{};
-    for (int b = 0; b < points_.n_batches; ++b) {
-      const auto k = static_cast<std::size_t>(b);
-      add_moments(points_.weight[k], is_first ? points_.xi_1[k] : points_.xi_2[k],
-                  is_first ? points_.eta_1[k] : points_.eta_2[k], areas);
+    for (const OverlapBatch& batch : points_.batches()) {
+      add_moments(batch.weight, is_first ? batch.xi_1 : batch.xi_2, is_first ? batch.eta_1 : batch.eta_2,
+                  areas);
     }
     return corner_shares(areas, is_triangle) / areas[0];
   }
 
  private:
-  void add_batch(std::size_t k, FaceFaceContact& contact) {
-    const Lanes& w = points_.weight[k];
-    const Lanes gap =
-        evaluate(z1_, points_.xi_1[k], points_.eta_1[k]) - evaluate(z2_, points_.xi_2[k], points_.eta_2[k]);
-    contact.gap = std::min(contact.gap, (w > 0.0).select(gap, contact.gap).minCoeff());
+  void add(const OverlapBatch& batch, FaceFaceContact& contact) {
+    contact.gap = std::min(contact.gap, (batch.weight > 0.0).select(batch.gap, contact.gap).minCoeff());
     if (!touches_) return;
-    const Lanes depth = (-gap).max(0.0);
-    Lanes force = penalty_.stiffness * w * depth;
-    if (penalty_.damping > 0.0) force += add_damping(k, force, contact);
-    contact.area += w.sum();
+    const Lanes depth = (-batch.gap).max(0.0);
+    Lanes force = penalty_.stiffness * batch.weight * depth;
+    if (penalty_.damping > 0.0) force += add_damping(batch, force, contact);
+    contact.area += batch.weight.sum();
     work_ += (force * depth).sum();
-    add_moments(force, points_.xi_1[k], points_.eta_1[k], forces_1_);
-    add_moments(force, points_.xi_2[k], points_.eta_2[k], forces_2_);
+    add_moments(force, batch.xi_1, batch.eta_1, forces_1_);
+    add_moments(force, batch.xi_2, batch.eta_2, forces_2_);
   }
 
   /// Damping never pulls: what it takes from a separating point ends with the spring's force.
-  Lanes add_damping(std::size_t k, const Lanes& spring, FaceFaceContact& contact) const {
-    const Lanes speed = evaluate(speed_1_, points_.xi_1[k], points_.eta_1[k]) -
-                        evaluate(speed_2_, points_.xi_2[k], points_.eta_2[k]);
-    const Lanes damping = (-penalty_.damping * points_.weight[k] * speed).max(-spring);
+  Lanes add_damping(const OverlapBatch& batch, const Lanes& spring, FaceFaceContact& contact) const {
+    const Lanes speed =
+        evaluate(speed_1_, batch.xi_1, batch.eta_1) - evaluate(speed_2_, batch.xi_2, batch.eta_2);
+    const Lanes damping = (-penalty_.damping * batch.weight * speed).max(-spring);
     contact.damped_power -= (damping * speed).sum();
     return damping;
   }
@@ -118,7 +102,7 @@ class PressureSums {
   const OverlapPoints& points_;
   const PairPenalty& penalty_;
   bool touches_;
-  std::array<double, 4> z1_, z2_, speed_1_{}, speed_2_{};
+  FaceFunction speed_1_{}, speed_2_{};
   FaceMoments forces_1_{}, forces_2_{};
   double work_ = 0.0;
 };
@@ -153,12 +137,13 @@ Overlap find_overlap(const ProjectedPair& pair, double reach, double depth) {
   if (!whole.has_area()) return overlap;
   set_gaps(pair.map_1, pair.map_2, whole);
   const OverlapPolygon near = part_between(-depth, reach, whole);
-  if (!near.has_area()) return overlap;
+  const double near_area = near.area();
+  if (!(near_area > 0.0)) return overlap;
   const OverlapPolygon behind = part_between(-depth, 0.0, near);
   overlap.touches = behind.has_area();
   overlap.points = place_points(overlap.touches ? behind : near, pair.map_1, pair.map_2);
   overlap.points.spread(pair.plane.spread);
-  overlap.near_area = near.area() * pair.plane.spread;
+  overlap.near_area = near_area * pair.plane.spread;
   return overlap;
 }
 
@@ -173,7 +158,7 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   const Overlap overlap = find_overlap(*pair, reach, penalty.depth);
   if (!(overlap.points.area > 0.0)) return contact;
   contact.stiffness = penalty.stiffness * overlap.near_area;
-  PressureSums sums(overlap, *pair, penalty);
+  PressureSums sums(overlap, penalty);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
@@ -189,20 +174,9 @@ std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, con
   if (!pair || !boxes_meet(pair->first, pair->second)) return std::nullopt;
   make_maps(first, second, *pair);
   const OverlapPolygon overlap = overlap_of(*pair);
-  if (overlap.n < 3) return std::nullopt;
-  FaceFacePoints found{pair->plane,
-                       place_points(overlap, pair->map_1, pair->map_2),
-                       {},
-                       first.is_triangle,
-                       second.is_triangle};
-  if (!(found.points.area > 0.0)) return std::nullopt;
-  const auto z1 = component(pair->map_1, 2), z2 = component(pair->map_2, 2);
-  for (int b = 0; b < found.points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    found.gap[k] = evaluate(z1, found.points.xi_1[k], found.points.eta_1[k]) -
-                   evaluate(z2, found.points.xi_2[k], found.points.eta_2[k]);
-  }
-  return found;
+  if (!overlap.has_area()) return std::nullopt;
+  return FaceFacePoints{pair->plane, place_points(overlap, pair->map_1, pair->map_2), first.is_triangle,
+                        second.is_triangle};
 }
 
 }  // namespace contactsim
