@@ -19,9 +19,18 @@ const ElasticConstants* find_elastic_constants(const MaterialModel& model) {
       model.parameters);
 }
 
-const MultilinearModel* find_multilinear(const MaterialModel& model) {
-  const auto* tearing = std::get_if<TearingModel>(&model.parameters);
-  return tearing != nullptr ? &tearing->plastic : std::get_if<MultilinearModel>(&model.parameters);
+std::optional<DeckName> hardening_function_of(const MaterialModel& model) {
+  return std::visit(
+      [](const auto& parameters) -> std::optional<DeckName> {
+        if constexpr (requires { parameters.hardening_function; }) {
+          return parameters.hardening_function;
+        } else if constexpr (requires { parameters.plastic.hardening_function; }) {
+          return parameters.plastic.hardening_function;
+        } else {
+          return std::nullopt;
+        }
+      },
+      model.parameters);
 }
 
 }  // namespace contactsim

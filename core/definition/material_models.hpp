@@ -113,6 +113,30 @@ struct TearingModel {
   double critical_opening = std::numeric_limits<double>::quiet_NaN();  ///< strain of a crack, > 0 [1]
 };
 
+enum class HardeningModel : std::uint8_t { linear, power_law, voce, user_defined, decoupled_flow_stress };
+
+/// PARAMETERS FOR MODEL J2_PLASTICITY, without rates and temperature: the hardening is chosen by name. Voce's
+/// flow stress is yield_stress + hardening_modulus * (1 - exp(-exponential_coefficient * eqps)); the others
+/// are those of the models above.
+struct J2Model {
+  ElasticConstants elastic;
+  std::optional<HardeningModel> hardening;                         ///< HARDENING MODEL
+  std::optional<HardeningModel> isotropic_hardening;               ///< of DECOUPLED_FLOW_STRESS
+  double yield_stress = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
+  double beta = 1.0;                                               ///< 1 isotropic, 0 kinematic hardening [1]
+  double hardening_modulus = std::numeric_limits<double>::quiet_NaN();        ///< [force/length^2]
+  double exponential_coefficient = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [1]
+  double hardening_constant = std::numeric_limits<double>::quiet_NaN();       ///< >= 0 [force/length^2]
+  double hardening_exponent = std::numeric_limits<double>::quiet_NaN();       ///< > 0 [1]
+  double luders_strain = 0.0;                                                 ///< >= 0 [1]
+  std::optional<DeckName> hardening_function;  ///< [force/length^2] over the plastic strain
+
+  /// How the yield surface grows; nothing when the deck does not say so.
+  std::optional<HardeningModel> flow_stress() const {
+    return hardening == HardeningModel::decoupled_flow_stress ? isotropic_hardening : hardening;
+  }
+};
+
 /// One line of a model that contactsim does not know.
 struct ModelParameter {
   DeckName key;  ///< words joined by blanks
@@ -129,14 +153,14 @@ struct MaterialModel {
   DeckName name;
   std::variant<OpaqueModel, ElasticModel, LinearElasticModel, NeoHookeanModel, MooneyRivlinModel,
                OrthotropicModel, ElasticPlasticModel, PowerHardeningModel, JohnsonCookModel, MultilinearModel,
-               TearingModel>
+               TearingModel, J2Model>
       parameters;
 };
 
 /// The elastic constants of a model, null for an opaque one. `model` must outlive the pointer.
 const ElasticConstants* find_elastic_constants(const MaterialModel& model);
 
-/// The hardening curve of a model that may have one, null for others. `model` must outlive the pointer.
-const MultilinearModel* find_multilinear(const MaterialModel& model);
+/// HARDENING FUNCTION of a model, nothing when it has none.
+std::optional<DeckName> hardening_function_of(const MaterialModel& model);
 
 }  // namespace contactsim

@@ -52,6 +52,20 @@ struct PowerHardening {
   double least_slope() const { return 0.0; }
 };
 
+/// Flow stress that grows towards an end. Source: Voce, J. Inst. Metals 74 (1948) 537-562; Sierra/SM,
+/// J2_PLASTICITY.
+struct VoceHardening {
+  double yield_stress = 0.0;  ///< > 0 [force/length^2]
+  double growth = 0.0;        ///< from the first to the last flow stress, >= 0 [force/length^2]
+  double coefficient = 1.0;   ///< > 0 [1]
+  static constexpr bool has_back_stress = false;
+  static constexpr std::array variables = plastic_strain_only;
+  static constexpr double kinematic_modulus = 0.0;
+
+  FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
+  double least_slope() const { return 0.0; }
+};
+
 /// Flow stress that grows with a power of the plastic strain and the logarithm of its rate; rates below the
 /// reference count as the reference. Source: Johnson and Cook, 7th Int. Symp. on Ballistics (1983) 541-547,
 /// without temperature.

@@ -102,5 +102,6 @@ template struct PlasticLaw<LinearHardening>;
 template struct PlasticLaw<PowerHardening>;
 template struct PlasticLaw<JohnsonCookHardening>;
 template struct PlasticLaw<MultilinearHardening>;
+template struct PlasticLaw<VoceHardening>;
 
 }  // namespace contactsim

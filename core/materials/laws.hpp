@@ -66,5 +66,6 @@ extern template struct PlasticLaw<LinearHardening>;
 extern template struct PlasticLaw<PowerHardening>;
 extern template struct PlasticLaw<JohnsonCookHardening>;
 extern template struct PlasticLaw<MultilinearHardening>;
+extern template struct PlasticLaw<VoceHardening>;
 
 }  // namespace contactsim

@@ -97,12 +97,34 @@ struct LawMaker {
     return TearingLaw{std::move(*plastic), model.critical_tearing, model.critical_opening};
   }
 
+  std::optional<MaterialLaw> voce(const J2Model& model) const {
+    if (model.hardening_modulus < 0.0)
+      throw std::invalid_argument(fmt::format("the hardening modulus of voce must not be negative, found {}",
+                                              model.hardening_modulus));
+    return PlasticLaw<VoceHardening>{
+        make_elastic_moduli(model.elastic),
+        {model.yield_stress, model.hardening_modulus, model.exponential_coefficient}};
+  }
+
+  std::optional<MaterialLaw> operator()(const J2Model& m) const {
+    const HardeningModel kind = m.flow_stress().value();
+    if (kind == HardeningModel::linear)
+      return (*this)(ElasticPlasticModel{m.elastic, m.yield_stress, m.hardening_modulus, m.beta});
+    if (kind == HardeningModel::user_defined)
+      return (*this)(MultilinearModel{m.elastic, m.yield_stress, m.beta, m.hardening_function});
+    if (m.beta != 1.0)
+      throw std::invalid_argument("beta other than 1 goes with linear and user_defined hardening only");
+    if (kind == HardeningModel::voce) return voce(m);
+    return (*this)(PowerHardeningModel{m.elastic, m.yield_stress, m.hardening_constant, m.hardening_exponent,
+                                       m.luders_strain});
+  }
+
   /// Models that are bound but not integrated.
   template <class Model>
   std::optional<MaterialLaw> operator()(const Model&) const {
     throw std::invalid_argument(
         "the model is not supported; there are elastic, elastic_orthotropic, neo_hookean, mooney_rivlin, "
-        "elastic_plastic, ep_power_hard, johnson_cook, multilinear_ep, ml_ep_fail");
+        "elastic_plastic, ep_power_hard, johnson_cook, multilinear_ep, ml_ep_fail, j2_plasticity");
   }
 };
 

@@ -20,7 +20,7 @@ namespace contactsim {
 using MaterialLaw =
     std::variant<ElasticLaw, NeoHookeanLaw, PlasticLaw<LinearHardening>, PlasticLaw<PowerHardening>,
                  PlasticLaw<JohnsonCookHardening>, MooneyRivlinLaw, OrthotropicLaw, FailingJohnsonCookLaw,
-                 PlasticLaw<MultilinearHardening>, TearingLaw>;
+                 PlasticLaw<MultilinearHardening>, TearingLaw, PlasticLaw<VoceHardening>>;
 
 /// What a law keeps per element and integration point.
 struct LawState {

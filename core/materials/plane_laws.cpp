@@ -173,6 +173,7 @@ template void PlasticLaw<JohnsonCookHardening>::update_plane(const PlaneStep&, P
                                                              std::span<Lanes>) const;
 template void PlasticLaw<MultilinearHardening>::update_plane(const PlaneStep&, PlaneLanes&,
                                                              std::span<Lanes>) const;
+template void PlasticLaw<VoceHardening>::update_plane(const PlaneStep&, PlaneLanes&, std::span<Lanes>) const;
 
 template void PlasticLaw<LinearHardening>::update_fibre(const FibreStep&, FibreLanes&,
                                                         std::span<Lanes>) const;
@@ -181,5 +182,6 @@ template void PlasticLaw<JohnsonCookHardening>::update_fibre(const FibreStep&, F
                                                              std::span<Lanes>) const;
 template void PlasticLaw<MultilinearHardening>::update_fibre(const FibreStep&, FibreLanes&,
                                                              std::span<Lanes>) const;
+template void PlasticLaw<VoceHardening>::update_fibre(const FibreStep&, FibreLanes&, std::span<Lanes>) const;
 
 }  // namespace contactsim

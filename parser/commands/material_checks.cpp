@@ -41,6 +41,30 @@ Required required_of(const TearingModel& model) {
   return required;
 }
 
+Required required_of(const J2Model& model) {
+  Required required{{"yield stress", is_given(model.yield_stress)},
+                    {"hardening model", model.hardening.has_value()}};
+  if (!model.hardening) return required;
+  switch (model.flow_stress().value_or(HardeningModel::decoupled_flow_stress)) {
+    case HardeningModel::voce:
+      required.emplace_back("exponential coefficient", is_given(model.exponential_coefficient));
+      [[fallthrough]];
+    case HardeningModel::linear:
+      required.emplace_back("hardening modulus", is_given(model.hardening_modulus));
+      break;
+    case HardeningModel::power_law:
+      required.emplace_back("hardening constant", is_given(model.hardening_constant));
+      required.emplace_back("hardening exponent", is_given(model.hardening_exponent));
+      break;
+    case HardeningModel::user_defined:
+      required.emplace_back("hardening function", model.hardening_function.has_value());
+      break;
+    case HardeningModel::decoupled_flow_stress:
+      required.emplace_back("isotropic hardening model", false);
+  }
+  return required;
+}
+
 Required required_of(const MooneyRivlinModel& model) {
   return {{"c10", is_given(model.c10)}, {"c01", is_given(model.c01)}};
 }

@@ -188,6 +188,60 @@ const Table<TearingModel>& tearing_table() {
   return table;
 }
 
+/// What multiplies the flow stress of J2_PLASTICITY; only that which changes nothing is there.
+Row<J2Model> multiplier_row(std::string_view phrase, const std::string& word) {
+  return row<J2Model>(
+             phrase, "= " + word, [word](Arguments& arguments, J2Model&) { arguments.choice({word}); },
+             "Factor of the flow stress", word)
+      .once();
+}
+
+const Table<J2Model>& j2_table() {
+  using J = J2Model;
+  const std::vector<std::string> words{"linear", "power_law", "voce", "user_defined"};
+  std::vector<std::string> all_words = words;
+  all_words.push_back("decoupled_flow_stress");
+  const auto no_rate = [](std::string_view phrase) {
+    return refused<J>(phrase, "= <real>", "the flow stress does not depend on the rate; use johnson_cook");
+  };
+  static const Table<J> table(with_elastic_rows<J>({
+      row("hardening model", choice_of<HardeningModel>(all_words), &J::hardening, "How the flow stress grows",
+          "required"),
+      row("isotropic hardening model", choice_of<HardeningModel>(words), &J::isotropic_hardening,
+          "The same, of decoupled_flow_stress"),
+      row("yield stress", read::positive, &J::yield_stress, "Initial yield stress [force/length^2]"),
+      row("beta", read::real, &J::beta,
+          "Share of isotropic hardening, 0 to 1, of linear and user_defined [1]"),
+      row("hardening modulus", read::real, &J::hardening_modulus,
+          "Linear: slope of stress over plastic strain; voce: what is added in the end [force/length^2]"),
+      row("exponential coefficient", read::positive, &J::exponential_coefficient,
+          "Voce: one over the plastic strain in which most of it is added [1]"),
+      row("hardening constant", read::non_negative, &J::hardening_constant,
+          "Factor of the power law [force/length^2]"),
+      row("hardening exponent", read::positive, &J::hardening_exponent, "Exponent of the power law [1]"),
+      row("luders strain", read::non_negative, &J::luders_strain,
+          "Plastic strain before hardening begins [1]"),
+      row("hardening function", read::name, &J::hardening_function,
+          "User_defined: flow stress, or what is added to the yield stress, over the plastic strain; "
+          "piecewise "
+          "linear"),
+      multiplier_row("yield rate multiplier", "rate_independent"),
+      multiplier_row("hardening rate multiplier", "rate_independent"),
+      multiplier_row("yield temperature multiplier", "temperature_independent"),
+      multiplier_row("hardening temperature multiplier", "temperature_independent"),
+      no_rate("yield rate coefficient"),
+      no_rate("yield rate exponent"),
+      no_rate("yield rate constant"),
+      no_rate("hardening rate coefficient"),
+      no_rate("hardening rate exponent"),
+      no_rate("hardening rate constant"),
+      refused<J>("thermal softening model", "= <name>", "temperature has no effect on materials"),
+      ignored<J>("beta_tq", "= <real>", "temperature has no effect on materials"),
+      ignored<J>("specific heat", "= <real>", "temperature has no effect on materials"),
+  }));
+  return table;
+}
+
 bool is_separator(const Word& word) {
   return word.kind == WordKind::symbol ||
          (word.kind == WordKind::bare && (fold(word.text) == "is" || fold(word.text) == "are"));
@@ -265,6 +319,8 @@ std::vector<Row<MaterialDefinition>> material_model_rows() {
       model_row("johnson_cook", johnson_cook_table, "Plasticity with rate dependence and failure strain"),
       model_row("multilinear_ep", multilinear_table, "Plasticity with hardening along a curve"),
       model_row("ml_ep_fail", tearing_table, "The same, torn apart by plastic strain under tension"),
+      model_row("j2_plasticity", j2_table,
+                "Plasticity with hardening by choice: linear, power law, Voce, curve"),
       model_row("", opaque_table, "Any other model: kept, an error only when a block uses it"),
   };
 }

@@ -39,7 +39,8 @@ std::vector<MaterialLaw> plastic_laws() {
           PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}},
           FailingJohnsonCookLaw{{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}}, {0.05, 0.3, -2.0, 0.01, 1.0}},
           multilinear,
-          TearingLaw{multilinear, 1e-4, 0.02}};
+          TearingLaw{multilinear, 1e-4, 0.02},
+          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}}};
 }
 
 std::vector<MaterialLaw> all_laws() {

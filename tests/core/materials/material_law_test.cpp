@@ -108,6 +108,35 @@ TEST_CASE("hardening along a curve becomes its law, with failure or without", "[
              Catch::StartsWith("the hardening function 'f' begins at"));
 }
 
+TEST_CASE("J2 plasticity becomes the law of the hardening that it names", "[core][materials]") {
+  J2Model model;
+  model.elastic = steel();
+  model.yield_stress = 200e6;
+  model.hardening = HardeningModel::linear;
+  model.hardening_modulus = 1e9;
+  model.beta = 0.25;
+  CHECK(law_of<PlasticLaw<LinearHardening>>(model).hardening.kinematic_modulus == 0.75e9);
+  model.hardening = HardeningModel::user_defined;
+  model.hardening_function = DeckName{"f", {}};
+  CHECK(law_of<PlasticLaw<MultilinearHardening>>(model).hardening.beta == 0.25);
+  model.hardening = HardeningModel::decoupled_flow_stress;
+  model.isotropic_hardening = HardeningModel::voce;
+  model.exponential_coefficient = 12.0;
+  CHECK(error_of(model) ==
+        "model 'steel': beta other than 1 goes with linear and user_defined hardening only");
+  model.beta = 1.0;
+  const auto voce = law_of<PlasticLaw<VoceHardening>>(model);
+  CHECK(voce.hardening.growth == 1e9);
+  CHECK(voce.hardening.coefficient == 12.0);
+  model.hardening = HardeningModel::power_law;
+  model.hardening_constant = 5e8;
+  model.hardening_exponent = 0.3;
+  CHECK(law_of<PlasticLaw<PowerHardening>>(model).hardening.constant == 5e8);
+  model.hardening = HardeningModel::voce;
+  model.hardening_modulus = -1.0;
+  CHECK(error_of(model) == "model 'steel': the hardening modulus of voce must not be negative, found -1");
+}
+
 TEST_CASE("a Mooney-Rivlin model takes the bulk modulus from one constant or from two that fit",
           "[core][materials]") {
   MooneyRivlinModel model{{}, 30e9, 10e9};
@@ -131,7 +160,8 @@ TEST_CASE("a Mooney-Rivlin model takes the bulk modulus from one constant or fro
 TEST_CASE("models without a law are refused by name", "[core][materials]") {
   const std::string text =
       "model 'steel': the model is not supported; there are elastic, elastic_orthotropic, neo_hookean, "
-      "mooney_rivlin, elastic_plastic, ep_power_hard, johnson_cook, multilinear_ep, ml_ep_fail";
+      "mooney_rivlin, elastic_plastic, ep_power_hard, johnson_cook, multilinear_ep, ml_ep_fail, "
+      "j2_plasticity";
   CHECK(error_of(OpaqueModel{}) == text);
   CHECK(error_of(LinearElasticModel{steel()}) == text);
   JohnsonCookModel failing = johnson_cook();

@@ -23,7 +23,8 @@ std::vector<MaterialLaw> plastic_laws() {
           PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}},
           PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 1.0}},
           PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 0.3}},
-          PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 0.0}}};
+          PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 0.0}},
+          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}}};
 }
 
 /// A material point of eight equal elements by both ways.

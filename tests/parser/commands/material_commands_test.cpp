@@ -118,6 +118,37 @@ TEST_CASE("hardening along a curve is bound with its function, with failure or w
              Catch::Contains("has no effect on materials"));
 }
 
+TEST_CASE("J2 plasticity is bound with the hardening that it names", "[parser][material]") {
+  const auto with = [](const std::string& lines) {
+    return using_model("j2_plasticity", "density = 1\nbegin parameters for model j2_plasticity\n" + elastic +
+                                            "yield stress = 2\n" + lines + "end\n");
+  };
+  const std::string voce = "hardening modulus = 3\nexponential coefficient = 4\n";
+  const ParsedDeck plain = with("hardening model = voce\n" + voce);
+  CHECK(plain.messages == "");
+  CHECK(model_of<J2Model>(plain).flow_stress() == HardeningModel::voce);
+  CHECK(model_of<J2Model>(plain).exponential_coefficient == 4.0);
+  const ParsedDeck decoupled = with(
+      "hardening model = decoupled_flow_stress\nisotropic hardening model = voce\n"
+      "yield rate multiplier = rate_independent\n" +
+      voce);
+  CHECK(decoupled.messages == "");
+  CHECK(model_of<J2Model>(decoupled).flow_stress() == HardeningModel::voce);
+  CHECK_THAT(
+      with("hardening model = voce\n").messages,
+      Catch::Contains("needs 'hardening modulus'") && Catch::Contains("needs 'exponential coefficient'"));
+  CHECK_THAT(with("").messages, Catch::Contains("needs 'hardening model'"));
+  CHECK_THAT(with("hardening model = decoupled_flow_stress\n").messages,
+             Catch::Contains("needs 'isotropic hardening model'"));
+  CHECK_THAT(with("hardening model = power_law\n").messages, Catch::Contains("needs 'hardening exponent'"));
+  CHECK_THAT(with("hardening model = user_defined\n").messages,
+             Catch::Contains("needs 'hardening function'"));
+  CHECK_THAT(with("hardening model = voce\nyield rate multiplier = power_law_breakdown\n" + voce).messages,
+             Catch::Contains("error") && Catch::Contains("power_law_breakdown"));
+  CHECK_THAT(with("hardening model = voce\nyield rate exponent = 8\n" + voce).messages,
+             Catch::Contains("error") && Catch::Contains("does not depend on the rate"));
+}
+
 TEST_CASE("Mooney-Rivlin is bound with one elastic constant or two", "[parser][material]") {
   const std::string begin = "density = 1\nbegin parameters for model mooney_rivlin\nc10 = 3\n";
   const ParsedDeck deck = using_model("mooney_rivlin", begin + "c01 = 2\nbulk modulus = 1000\nend\n");
