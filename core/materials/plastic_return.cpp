@@ -10,11 +10,11 @@ Lanes kinematic_modulus(const MultilinearHardening& hardening, const Lanes& grow
   return (increment > 0.0).select((1.0 - hardening.beta) * growth / increment, 0.0);
 }
 
-/// The yield condition of a shell or a fibre along a line of the curve.
+/// The yield condition of a shell or a fibre along the curve.
 struct YieldCondition {
   const PlaneTrial& trial;
-  Lanes start_radius,
-      start_stress;  ///< at the start: of the yield surface, and on the curve [force/length^2]
+  Lanes start_radius;  ///< of the yield surface [force/length^2]
+  Lanes start_stress;  ///< on the curve [force/length^2]
 
   /// Denominators at a plastic increment and a stress of the curve.
   Lanes sum_at(const Lanes& increment, const Lanes& stress) const {
@@ -34,8 +34,8 @@ struct YieldCondition {
   Lanes rest_from(const HardeningCurve::Place& place) const {
     constexpr int max_iterations = 50;  // a few do
     const Lanes passed = place.strain - trial.eqps;
-    const Lanes sum_start = sum_at(passed, place.stress),
-                difference_start = difference_at(passed, place.stress);
+    const Lanes sum_start = sum_at(passed, place.stress);
+    const Lanes difference_start = difference_at(passed, place.stress);
     const Lanes sum_slope = place.slope + 1.5 * trial.a, difference_slope = place.slope + 1.5 * trial.b;
     Lanes rest = Lanes::Zero();
     for (int i = 0; i < max_iterations; ++i) {

@@ -9,9 +9,9 @@ namespace contactsim {
 
 namespace {
 
-/// How much faster the tearing parameter grows than the plastic strain, by the deviator's angle c:
-/// with q the von Mises stress, the largest principal stress is q y / 3 above the mean, y = 2 cos(acos(c) /
-/// 3).
+/// How much faster the tearing parameter grows than the plastic strain. The largest principal stress is
+/// y / 3 times the von Mises stress above the mean, y = 2 cos(acos(c) / 3), c = 27/2 det(deviator) over the
+/// cube of the von Mises stress.
 Lanes tearing_rate(const SymmetricLanes& stress) {
   const SymmetricLanes s = deviator(stress);
   const Lanes von_mises = (1.5 * contract(s, s)).sqrt();
