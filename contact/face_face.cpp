@@ -34,6 +34,7 @@ void add_moments(const Lanes& f, const Lanes& xi, const Lanes& eta, FaceMoments&
 struct ProjectedPair {
   CommonPlane plane;
   FaceCorners first, second;
+  double least_gap, most_gap;  ///< bounds of the height of the first over the second [length]
   FaceMap map_1, map_2;
 };
 
@@ -110,15 +111,16 @@ class PressureSums {
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second) {
   const auto plane = make_common_plane(first.x, first.look(), second.look());
   if (!plane) return std::nullopt;
-  ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), {}, {}};
+  ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), 0.0, 0.0, {}, {}};
+  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
+  pair.least_gap = z1.minCoeff() - z2.maxCoeff();
+  pair.most_gap = z1.maxCoeff() - z2.minCoeff();
   return pair;
 }
 
 /// Whether some point of the first face may be nearer to the second than the reach, and none is too deep.
 bool is_near(const ProjectedPair& pair, double reach, double depth) {
-  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
-  return z1.minCoeff() - z2.maxCoeff() < reach && z2.minCoeff() - z1.maxCoeff() < depth &&
-         boxes_meet(pair.first, pair.second);
+  return pair.least_gap < reach && -pair.most_gap < depth && boxes_meet(pair.first, pair.second);
 }
 
 void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair& pair) {
@@ -130,21 +132,35 @@ OverlapPolygon overlap_of(const ProjectedPair& pair) {
   return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
 }
 
-/// What lies deeper than the depth is another wall, as is what lies behind it.
-Overlap find_overlap(const ProjectedPair& pair, double reach, double depth) {
-  Overlap overlap;
-  OverlapPolygon whole = overlap_of(pair);
-  if (!whole.has_area()) return overlap;
-  set_gaps(pair.map_1, pair.map_2, whole);
-  const OverlapPolygon near = part_between(-depth, reach, whole);
-  const double near_area = near.area();
-  if (!(near_area > 0.0)) return overlap;
-  const OverlapPolygon behind = part_between(-depth, 0.0, near);
-  overlap.touches = behind.has_area();
-  overlap.points = place_points(overlap.touches ? behind : near, pair.map_1, pair.map_2);
+/// Whether all of the overlap is near, and on one side of where the gap closes.
+bool is_uncut(const ProjectedPair& pair, double reach, double depth) {
+  return pair.least_gap >= -depth && pair.most_gap <= reach && (pair.most_gap <= 0.0 || pair.least_gap > 0.0);
+}
+
+void set_points(const OverlapPolygon& polygon, const ProjectedPair& pair, Overlap& overlap) {
+  place_points(polygon, pair.map_1, pair.map_2, overlap.points);
   overlap.points.spread(pair.plane.spread);
+}
+
+/// What lies deeper than the depth is another wall, as is what lies behind it.
+void find_overlap(const ProjectedPair& pair, double reach, double depth, Overlap& overlap) {
+  OverlapPolygon whole = overlap_of(pair);
+  const double area = whole.area();
+  if (!(area > 0.0)) return;
+  if (is_uncut(pair, reach, depth)) {
+    overlap.touches = pair.most_gap <= 0.0;
+    overlap.near_area = area * pair.plane.spread;
+    return set_points(whole, pair, overlap);
+  }
+  set_gaps(pair.map_1, pair.map_2, whole);
+  std::array<OverlapPolygon, 2> for_near, for_behind;
+  const OverlapPolygon& near = part_between(-depth, reach, whole, for_near);
+  const double near_area = near.area();
+  if (!(near_area > 0.0)) return;
   overlap.near_area = near_area * pair.plane.spread;
-  return overlap;
+  const OverlapPolygon& behind = part_between(-depth, 0.0, near, for_behind);
+  overlap.touches = behind.has_area();
+  set_points(overlap.touches ? behind : near, pair, overlap);
 }
 
 }  // namespace
@@ -155,7 +171,8 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   auto pair = project_pair(first, second);
   if (!pair || !is_near(*pair, reach, penalty.depth)) return contact;
   make_maps(first, second, *pair);
-  const Overlap overlap = find_overlap(*pair, reach, penalty.depth);
+  Overlap overlap;
+  find_overlap(*pair, reach, penalty.depth, overlap);
   if (!(overlap.points.area > 0.0)) return contact;
   contact.stiffness = penalty.stiffness * overlap.near_area;
   PressureSums sums(overlap, penalty);
@@ -175,8 +192,9 @@ std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, con
   make_maps(first, second, *pair);
   const OverlapPolygon overlap = overlap_of(*pair);
   if (!overlap.has_area()) return std::nullopt;
-  return FaceFacePoints{pair->plane, place_points(overlap, pair->map_1, pair->map_2), first.is_triangle,
-                        second.is_triangle};
+  FaceFacePoints found{pair->plane, {}, first.is_triangle, second.is_triangle};
+  place_points(overlap, pair->map_1, pair->map_2, found.points);
+  return found;
 }
 
 }  // namespace contactsim

@@ -144,12 +144,12 @@ void set_gaps(const FaceMap& map_1, const FaceMap& map_2, OverlapPolygon& polygo
   for (int i = 0; i < n; ++i) polygon.gap[i] = corners.gap(i);
 }
 
-OverlapPolygon part_between(double least, double most, const OverlapPolygon& polygon) {
-  OverlapPolygon kept, part;
+const OverlapPolygon& part_between(double least, double most, const OverlapPolygon& polygon,
+                                   std::array<OverlapPolygon, 2>& scratch) {
   const auto below_most = [&](int corner) { return most - polygon.gap[corner]; };
-  const OverlapPolygon& low = cut(polygon, below_most, kept);
+  const OverlapPolygon& low = cut(polygon, below_most, scratch[0]);
   const auto above_least = [&](int corner) { return low.gap[corner] - least; };
-  return cut(low, above_least, part);
+  return cut(low, above_least, scratch[1]);
 }
 
 double OverlapPolygon::area() const {
@@ -173,17 +173,17 @@ std::array<double, 2> OverlapPolygon::centroid() const {
   return {u[0] + to_u / (3.0 * area), v[0] + to_v / (3.0 * area)};
 }
 
-OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2) {
+void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                  OverlapPoints& points) {
   const PlanePoints placed = spread_points(polygon);
-  OverlapPoints points;
   points.n_batches = static_cast<std::size_t>(placed.n_batches);
+  points.area = 0.0;
   for (std::size_t k = 0; k < points.n_batches; ++k) {
     OverlapBatch& batch = points.all[k];
     batch.weight = placed.weight[k];
     locate_on_both(map_1, map_2, placed.u[k], placed.v[k], batch);
     points.area += batch.weight.sum();
   }
-  return points;
 }
 
 }  // namespace contactsim

@@ -38,8 +38,10 @@ OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const Fac
 /// are.
 void set_gaps(const FaceMap& map_1, const FaceMap& map_2, OverlapPolygon& polygon);
 
-/// The part of a polygon where gaps, linear from corner to corner, are within bounds [length].
-OverlapPolygon part_between(double least, double most, const OverlapPolygon& polygon);
+/// The part of a polygon where gaps, linear from corner to corner, are within bounds [length]: the polygon
+/// itself when that is all of it, else one in the scratch.
+const OverlapPolygon& part_between(double least, double most, const OverlapPolygon& polygon,
+                                   std::array<OverlapPolygon, 2>& scratch);
 
 /// Eight points at which pressure is integrated over the overlap of two faces, and where they lie on both.
 struct OverlapBatch {
@@ -64,9 +66,10 @@ struct OverlapPoints {
   }
 };
 
-/// The points of a quadrature over a polygon of at least three corners that is exact for quadratic
+/// Sets the points of a quadrature over a polygon of at least three corners that is exact for quadratic
 /// polynomials.
 ///   maps  of the faces in the coordinates of the plane
-OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2);
+void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                  OverlapPoints& points);
 
 }  // namespace contactsim

@@ -27,7 +27,7 @@ struct Overlap {
         map_1(make_face_map(first, a.is_triangle)),
         map_2(make_face_map(second, b.is_triangle)),
         polygon(intersect(first, a.is_triangle, second, b.is_triangle)) {
-    if (polygon.has_area()) points = place_points(polygon, map_1, map_2);
+    if (polygon.has_area()) place_points(polygon, map_1, map_2, points);
   }
 
   /// The sum of a function of the place on the first face over the points.
@@ -156,7 +156,8 @@ TEST_CASE("a polygon is cut where the gap leaves its bounds", "[contact][face_ov
   set_gaps(found.map_1, found.map_2, found.polygon);
   const double whole = found.polygon.area();
   const auto share = [&](double least, double most) {
-    const OverlapPolygon part = part_between(least, most, found.polygon);
+    std::array<OverlapPolygon, 2> scratch;
+    const OverlapPolygon& part = part_between(least, most, found.polygon, scratch);
     return part.has_area() ? part.area() / whole : 0.0;
   };
   CHECK(share(-1.0, 1.0) == Approx(1.0));
