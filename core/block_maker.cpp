@@ -123,7 +123,7 @@ std::optional<ElementProperties> BlockMaker::make_properties(const BlockParamete
                              fmt::format("{}: EFFECTIVE MODULI MODEL has no effect", block_name_),
                              "viscosity and hourglass resistance follow the elastic moduli");
   }
-  const auto law = make_material_law(*model, diagnostics_);
+  const auto law = make_material_law(*model, definition_.functions, diagnostics_);
   if (!law) return std::nullopt;
   return ElementProperties{*law,
                            material->density,

@@ -204,6 +204,7 @@ class NameResolution {
       const auto* orthotropic = std::get_if<OrthotropicModel>(&model.parameters);
       if (orthotropic != nullptr && orthotropic->coordinate_system)
         outside_.coordinate_systems.use(*orthotropic->coordinate_system, diagnostics_);
+      if (const auto function = hardening_function_of(model)) outside_.functions.use(*function, diagnostics_);
     }
   }
 

@@ -112,10 +112,10 @@ std::vector<DeathCriterion> DeathCriteria::without_material(const ElementDeath& 
                                           material->remaining_points.value_or(0)});
     }
     if (!failures.empty() || elements_.empty()) continue;
-    diagnostics.add_error(death.name.location,
-                          "MATERIAL CRITERION: no element of the set has a material that fails by itself",
-                          "johnson_cook with d1 to d4 does; CRITERION IS ELEMENT VALUE OF eqps >= <limit> "
-                          "kills by plastic strain");
+    diagnostics.add_error(
+        death.name.location, "MATERIAL CRITERION: no element of the set has a material that fails by itself",
+        "ml_ep_fail and johnson_cook with d1 to d4 do; CRITERION IS ELEMENT VALUE OF eqps >= "
+        "<limit> kills by plastic strain");
   }
   return criteria;
 }

@@ -8,18 +8,11 @@
 #include <variant>
 #include <vector>
 
+#include "core/definition/elastic_constants.hpp"
+#include "core/definition/plastic_models.hpp"
 #include "core/names.hpp"
 
 namespace contactsim {
-
-/// The constants of isotropic elasticity; a model that is used has exactly two of them.
-struct ElasticConstants {
-  std::optional<double> youngs_modulus;  ///< > 0 [force/length^2]
-  std::optional<double> poissons_ratio;  ///< > -1, < 0.5 [1]
-  std::optional<double> shear_modulus;   ///< > 0 [force/length^2]
-  std::optional<double> bulk_modulus;    ///< > 0 [force/length^2]
-  std::optional<double> lambda;          ///< Lame's first constant [force/length^2]
-};
 
 /// PARAMETERS FOR MODEL ELASTIC: hypoelastic, finite strain.
 struct ElasticModel {
@@ -67,37 +60,6 @@ struct OrthotropicModel {
   AxisRotation first_rotation, second_rotation;            ///< of them, the second about turned axes
 };
 
-/// PARAMETERS FOR MODEL ELASTIC_PLASTIC: linear hardening.
-struct ElasticPlasticModel {
-  ElasticConstants elastic;
-  double yield_stress = std::numeric_limits<double>::quiet_NaN();       ///< > 0 [force/length^2]
-  double hardening_modulus = std::numeric_limits<double>::quiet_NaN();  ///< [force/length^2]
-  double beta = 1.0;  ///< 1 isotropic, 0 kinematic hardening [1]
-};
-
-/// PARAMETERS FOR MODEL EP_POWER_HARD, also POWER_LAW_HARDENING:
-/// flow stress = yield_stress + hardening_constant * (eqps - luders_strain)^hardening_exponent.
-struct PowerHardeningModel {
-  ElasticConstants elastic;
-  double yield_stress = std::numeric_limits<double>::quiet_NaN();        ///< > 0 [force/length^2]
-  double hardening_constant = std::numeric_limits<double>::quiet_NaN();  ///< >= 0 [force/length^2]
-  double hardening_exponent = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [1]
-  double luders_strain = 0.0;                                            ///< >= 0 [1]
-};
-
-/// PARAMETERS FOR MODEL JOHNSON_COOK, without temperature:
-/// flow stress = (yield_stress + hardening_constant * eqps^hardening_exponent) * (1 + rate_constant * ln(rate
-/// / reference_rate)). Source: Johnson and Cook, 7th Int. Symp. on Ballistics (1983) 541-547.
-struct JohnsonCookModel {
-  ElasticConstants elastic;
-  double yield_stress = std::numeric_limits<double>::quiet_NaN();        ///< > 0 [force/length^2]
-  double hardening_constant = std::numeric_limits<double>::quiet_NaN();  ///< >= 0 [force/length^2]
-  double hardening_exponent = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [1]
-  double rate_constant = 0.0;                                            ///< >= 0 [1]
-  double reference_rate = 1.0;                                           ///< > 0 [1/time]
-  std::optional<double> d1, d2, d3, d4, d5;  ///< of the failure strain; absent: no failure [1]
-};
-
 /// One line of a model that contactsim does not know.
 struct ModelParameter {
   DeckName key;  ///< words joined by blanks
@@ -113,11 +75,15 @@ struct OpaqueModel {
 struct MaterialModel {
   DeckName name;
   std::variant<OpaqueModel, ElasticModel, LinearElasticModel, NeoHookeanModel, MooneyRivlinModel,
-               OrthotropicModel, ElasticPlasticModel, PowerHardeningModel, JohnsonCookModel>
+               OrthotropicModel, ElasticPlasticModel, PowerHardeningModel, JohnsonCookModel, MultilinearModel,
+               TearingModel, J2Model>
       parameters;
 };
 
 /// The elastic constants of a model, null for an opaque one. `model` must outlive the pointer.
 const ElasticConstants* find_elastic_constants(const MaterialModel& model);
+
+/// HARDENING FUNCTION of a model, nothing when it has none.
+std::optional<DeckName> hardening_function_of(const MaterialModel& model);
 
 }  // namespace contactsim

@@ -10,6 +10,11 @@ FlowStress PowerHardening::at(const Lanes& eqps, const Lanes& increment, double 
   return {yield_stress + hardened, slope};
 }
 
+FlowStress VoceHardening::at(const Lanes& eqps, const Lanes& increment, double /*dt*/) const {
+  const Lanes missing = growth * (-coefficient * (eqps + increment)).exp();
+  return {yield_stress + growth - missing, coefficient * missing};
+}
+
 FlowStress JohnsonCookHardening::at(const Lanes& eqps, const Lanes& increment, double dt) const {
   const FlowStress slow = power.at(eqps, increment, dt);
   const Lanes rate = increment / (dt * reference_rate);

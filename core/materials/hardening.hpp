@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/lanes.hpp"
+#include "core/materials/hardening_curve.hpp"
 #include "core/materials/state_variable.hpp"
 
 /// Flow stresses of the plastic laws: how large the equivalent stress may be.
@@ -51,6 +52,20 @@ struct PowerHardening {
   double least_slope() const { return 0.0; }
 };
 
+/// Flow stress that grows towards an end. Source: Voce, J. Inst. Metals 74 (1948) 537-562; Sierra/SM,
+/// J2_PLASTICITY.
+struct VoceHardening {
+  double yield_stress = 0.0;  ///< > 0 [force/length^2]
+  double growth = 0.0;        ///< from the first to the last flow stress, >= 0 [force/length^2]
+  double coefficient = 1.0;   ///< > 0 [1]
+  static constexpr bool has_back_stress = false;
+  static constexpr std::array variables = plastic_strain_only;
+  static constexpr double kinematic_modulus = 0.0;
+
+  FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
+  double least_slope() const { return 0.0; }
+};
+
 /// Flow stress that grows with a power of the plastic strain and the logarithm of its rate; rates below the
 /// reference count as the reference. Source: Johnson and Cook, 7th Int. Symp. on Ballistics (1983) 541-547,
 /// without temperature.
@@ -64,6 +79,22 @@ struct JohnsonCookHardening {
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
   double least_slope() const { return 0.0; }
+};
+
+/// Flow stress along a curve, of whose growth a back stress takes a part.
+/// Source: Sierra/SM, MULTILINEAR_EP; Simo and Hughes, Computational Inelasticity (1998), box 3.1.
+struct MultilinearHardening {
+  HardeningCurve curve;  ///< of the flow stress under growing load
+  double beta = 1.0;     ///< share of isotropic hardening, 0 to 1 [1]
+  static constexpr bool has_back_stress = true;
+  static constexpr std::array variables = LinearHardening::variables;
+
+  /// Radius of the yield surface where the curve has come to a stress [force/length^2].
+  Lanes radius(const Lanes& stress) const { return (1.0 - beta) * curve.first_stress() + beta * stress; }
+  FlowStress at(const Lanes& eqps, const Lanes& increment, double /*dt*/) const {
+    const HardeningCurve::Place place = curve.at(eqps + increment);
+    return {radius(place.stress), beta * place.slope};
+  }
 };
 
 }  // namespace contactsim

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/materials/plastic_return.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -54,6 +56,18 @@ struct Consistency {
   }
 };
 
+/// Nothing where all lanes are elastic.
+template <class Hardening>
+std::optional<PlasticFlow<double>> return_to(const Hardening& hardening, const SolidTrial& trial) {
+  const double dt = trial.dt;
+  // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
+  if (dt == 0.0 || (trial.equivalent <= hardening.at(trial.eqps, Lanes::Zero(), dt).value).all())
+    return std::nullopt;
+  const double stiffness = 3.0 * trial.shear + hardening.kinematic_modulus;
+  const Consistency<Hardening> consistency{hardening, trial.equivalent, trial.eqps, stiffness, dt};
+  return PlasticFlow<double>{consistency.solve(), hardening.kinematic_modulus};
+}
+
 }  // namespace
 
 LaneModuli ElasticLaw::update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes>) const {
@@ -64,7 +78,6 @@ LaneModuli ElasticLaw::update(const StrainStep& step, SymmetricLanes& stress, st
 template <class Hardening>
 LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes& stress,
                                          std::span<Lanes> state) const {
-  const double dt = step.dt;
   stress = elastic_stress(moduli, step.strain, stress);
   SymmetricLanes relative = deviator(stress);  // to the back stress
   if constexpr (Hardening::has_back_stress) {
@@ -72,16 +85,14 @@ LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes&
   }
   Lanes& eqps = state[n_state - 1];
   const Lanes trial = (1.5 * contract(relative, relative)).sqrt();
-  // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
-  if (dt == 0.0 || (trial <= hardening.at(eqps, Lanes::Zero(), dt).value).all()) return bounds_of(moduli);
-
-  const double stiffness = 3.0 * moduli.shear + hardening.kinematic_modulus;
-  const Lanes increment = Consistency<Hardening>{hardening, trial, eqps, stiffness, dt}.solve();
+  const auto flown = return_to(hardening, SolidTrial{trial, eqps, moduli.shear, step.dt});
+  if (!flown) return bounds_of(moduli);
+  const auto& [increment, kinematic] = *flown;
   const Lanes per_trial = (increment > 0.0).select(increment / trial, 0.0);
   for (std::size_t i = 0; i < 6; ++i) {
     const Lanes flow = per_trial * relative[i];
     stress[i] -= 3.0 * moduli.shear * flow;
-    if constexpr (Hardening::has_back_stress) state[i] += hardening.kinematic_modulus * flow;
+    if constexpr (Hardening::has_back_stress) state[i] += kinematic * flow;
   }
   eqps += increment;
   return bounds_of(moduli);
@@ -90,5 +101,7 @@ LaneModuli PlasticLaw<Hardening>::update(const StrainStep& step, SymmetricLanes&
 template struct PlasticLaw<LinearHardening>;
 template struct PlasticLaw<PowerHardening>;
 template struct PlasticLaw<JohnsonCookHardening>;
+template struct PlasticLaw<MultilinearHardening>;
+template struct PlasticLaw<VoceHardening>;
 
 }  // namespace contactsim

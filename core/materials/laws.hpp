@@ -65,5 +65,7 @@ struct PlasticLaw {
 extern template struct PlasticLaw<LinearHardening>;
 extern template struct PlasticLaw<PowerHardening>;
 extern template struct PlasticLaw<JohnsonCookHardening>;
+extern template struct PlasticLaw<MultilinearHardening>;
+extern template struct PlasticLaw<VoceHardening>;
 
 }  // namespace contactsim

@@ -26,25 +26,31 @@ double bulk_of(const ElasticConstants& given, double shear) {
       fmt::format("the elastic constants give a shear modulus of {}, C10 and C01 one of {}", said, shear));
 }
 
-/// Makes laws of the models of the deck; throws std::invalid_argument with a text for the user.
+/// Makes laws of the models of the deck; throws std::invalid_argument with a text for the user. Nothing when
+/// an error was added.
 struct LawMaker {
-  MaterialLaw operator()(const ElasticModel& model) const {
+  std::span<const FunctionDefinition> functions;
+  Diagnostics& diagnostics;
+
+  std::optional<MaterialLaw> operator()(const ElasticModel& model) const {
     return ElasticLaw{make_elastic_moduli(model.elastic)};
   }
 
-  MaterialLaw operator()(const NeoHookeanModel& model) const {
+  std::optional<MaterialLaw> operator()(const NeoHookeanModel& model) const {
     return NeoHookeanLaw{make_elastic_moduli(model.elastic)};
   }
 
-  MaterialLaw operator()(const MooneyRivlinModel& model) const {
+  std::optional<MaterialLaw> operator()(const MooneyRivlinModel& model) const {
     const double shear = 2.0 * (model.c10 + model.c01);
     if (!(shear > 0.0)) throw std::invalid_argument("the sum of C10 and C01 must be positive");
     return MooneyRivlinLaw{{bulk_of(model.elastic, shear), shear}, model.c01};
   }
 
-  MaterialLaw operator()(const OrthotropicModel& model) const { return make_orthotropic_law(model); }
+  std::optional<MaterialLaw> operator()(const OrthotropicModel& model) const {
+    return make_orthotropic_law(model);
+  }
 
-  MaterialLaw operator()(const ElasticPlasticModel& model) const {
+  std::optional<MaterialLaw> operator()(const ElasticPlasticModel& model) const {
     const double modulus = model.hardening_modulus;
     const LinearHardening hardening{model.yield_stress, model.beta * modulus, (1.0 - model.beta) * modulus};
     const ElasticModuli moduli = make_elastic_moduli(model.elastic);
@@ -54,13 +60,13 @@ struct LawMaker {
     return PlasticLaw<LinearHardening>{moduli, hardening};
   }
 
-  MaterialLaw operator()(const PowerHardeningModel& model) const {
+  std::optional<MaterialLaw> operator()(const PowerHardeningModel& model) const {
     return PlasticLaw<PowerHardening>{
         make_elastic_moduli(model.elastic),
         {model.yield_stress, model.hardening_constant, model.hardening_exponent, model.luders_strain}};
   }
 
-  MaterialLaw operator()(const JohnsonCookModel& model) const {
+  std::optional<MaterialLaw> operator()(const JohnsonCookModel& model) const {
     const PowerHardening power{model.yield_stress, model.hardening_constant, model.hardening_exponent};
     const PlasticLaw<JohnsonCookHardening> plastic{make_elastic_moduli(model.elastic),
                                                    {power, model.rate_constant, model.reference_rate}};
@@ -73,12 +79,52 @@ struct LawMaker {
     return FailingJohnsonCookLaw{plastic, failure};
   }
 
+  std::optional<PlasticLaw<MultilinearHardening>> multilinear(const MultilinearModel& model) const {
+    const ElasticModuli moduli = make_elastic_moduli(model.elastic);
+    if (!(model.beta >= 0.0 && model.beta <= 1.0))
+      throw std::invalid_argument(fmt::format("beta must be from 0 to 1, found {}", model.beta));
+    auto curve =
+        make_hardening_curve(model.hardening_function.value(), model.yield_stress, functions, diagnostics);
+    if (!curve) return std::nullopt;
+    return PlasticLaw<MultilinearHardening>{moduli, {std::move(*curve), model.beta}};
+  }
+
+  std::optional<MaterialLaw> operator()(const MultilinearModel& model) const { return multilinear(model); }
+
+  std::optional<MaterialLaw> operator()(const TearingModel& model) const {
+    auto plastic = multilinear(model.plastic);
+    if (!plastic) return std::nullopt;
+    return TearingLaw{std::move(*plastic), model.critical_tearing, model.critical_opening};
+  }
+
+  std::optional<MaterialLaw> voce(const J2Model& model) const {
+    if (model.hardening_modulus < 0.0)
+      throw std::invalid_argument(fmt::format("the hardening modulus of voce must not be negative, found {}",
+                                              model.hardening_modulus));
+    return PlasticLaw<VoceHardening>{
+        make_elastic_moduli(model.elastic),
+        {model.yield_stress, model.hardening_modulus, model.exponential_coefficient}};
+  }
+
+  std::optional<MaterialLaw> operator()(const J2Model& m) const {
+    const HardeningModel kind = m.flow_stress().value();
+    if (kind == HardeningModel::linear)
+      return (*this)(ElasticPlasticModel{m.elastic, m.yield_stress, m.hardening_modulus, m.beta});
+    if (kind == HardeningModel::user_defined)
+      return (*this)(MultilinearModel{m.elastic, m.yield_stress, m.beta, m.hardening_function});
+    if (m.beta != 1.0)
+      throw std::invalid_argument("beta other than 1 goes with linear and user_defined hardening only");
+    if (kind == HardeningModel::voce) return voce(m);
+    return (*this)(PowerHardeningModel{m.elastic, m.yield_stress, m.hardening_constant, m.hardening_exponent,
+                                       m.luders_strain});
+  }
+
   /// Models that are bound but not integrated.
   template <class Model>
-  MaterialLaw operator()(const Model&) const {
+  std::optional<MaterialLaw> operator()(const Model&) const {
     throw std::invalid_argument(
         "the model is not supported; there are elastic, elastic_orthotropic, neo_hookean, mooney_rivlin, "
-        "elastic_plastic, ep_power_hard, johnson_cook");
+        "elastic_plastic, ep_power_hard, johnson_cook, multilinear_ep, ml_ep_fail, j2_plasticity");
   }
 };
 
@@ -138,9 +184,11 @@ void start_state(const MaterialLaw& law, std::span<Lanes> state) {
   std::visit([&](const auto& held) { held.start(state); }, law);
 }
 
-std::optional<MaterialLaw> make_material_law(const MaterialModel& model, Diagnostics& diagnostics) {
+std::optional<MaterialLaw> make_material_law(const MaterialModel& model,
+                                             std::span<const FunctionDefinition> functions,
+                                             Diagnostics& diagnostics) {
   try {
-    return std::visit(LawMaker{}, model.parameters);
+    return std::visit(LawMaker{functions, diagnostics}, model.parameters);
   } catch (const std::invalid_argument& problem) {
     diagnostics.add_error(model.name.location, fmt::format("model '{}': {}", model.name.text, problem.what()),
                           "", static_cast<int>(model.name.text.size()));

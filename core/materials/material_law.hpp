@@ -12,13 +12,15 @@
 #include "core/materials/mooney_rivlin.hpp"
 #include "core/materials/neo_hookean.hpp"
 #include "core/materials/orthotropic.hpp"
+#include "core/materials/tearing.hpp"
 
 namespace contactsim {
 
 /// Every stress update there is.
 using MaterialLaw =
     std::variant<ElasticLaw, NeoHookeanLaw, PlasticLaw<LinearHardening>, PlasticLaw<PowerHardening>,
-                 PlasticLaw<JohnsonCookHardening>, MooneyRivlinLaw, OrthotropicLaw, FailingJohnsonCookLaw>;
+                 PlasticLaw<JohnsonCookHardening>, MooneyRivlinLaw, OrthotropicLaw, FailingJohnsonCookLaw,
+                 PlasticLaw<MultilinearHardening>, TearingLaw, PlasticLaw<VoceHardening>>;
 
 /// What a law keeps per element and integration point.
 struct LawState {
@@ -48,7 +50,10 @@ bool can_be_fibre(const MaterialLaw& law);
 void start_state(const MaterialLaw& law, std::span<Lanes> state);
 
 /// The law of a model of the deck. Nothing when an error was added, at the model: it is not one that can be
-/// integrated, or its constants give no stable material.
-std::optional<MaterialLaw> make_material_law(const MaterialModel& model, Diagnostics& diagnostics);
+/// integrated, or its constants give no stable material; or at its function: see make_hardening_curve.
+///   functions  of the deck, that the model may name
+std::optional<MaterialLaw> make_material_law(const MaterialModel& model,
+                                             std::span<const FunctionDefinition> functions,
+                                             Diagnostics& diagnostics);
 
 }  // namespace contactsim

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/materials/laws.hpp"
+#include "core/materials/plastic_return.hpp"
 
 namespace contactsim {
 
@@ -18,9 +19,10 @@ template <class Hardening>
 struct PlaneConsistency {
   const Hardening& hardening;
   Lanes sum_part, difference_part;  ///< of q^2 at g = 0 [force^2/length^4]
-  double a, b;                      ///< [force/length^2]
-  Lanes eqps;                       ///< equivalent plastic strain at the start [1]
+  double a, b;                      ///< with the hardening of the back stress [force/length^2]
+  const Lanes& eqps;                ///< equivalent plastic strain at the start [1]
   double dt;                        ///< [time]
+  double kinematic;                 ///< what the back stress has of a and b [force/length^2]
 
   Lanes equivalent(const Lanes& g) const {
     const Lanes ra = 1.0 / (1.0 + a * g), rb = 1.0 / (1.0 + b * g);
@@ -42,12 +44,13 @@ struct PlaneConsistency {
   }
 
   /// Zero where the step is elastic; nothing where all of it is.
-  std::optional<Lanes> solve() const {
+  std::optional<PlaneFlow<double>> solve() const {
     const Lanes trial = (sum_part + difference_part).sqrt();
     const Lanes start = hardening.at(eqps, Lanes::Zero(), dt).value;
     // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
     if (dt == 0.0 || (trial <= start).all()) return std::nullopt;
-    return solve(trial, start);
+    const Lanes flow = solve(trial, start);
+    return PlaneFlow<double>{flow, 2.0 / 3.0 * flow * equivalent(flow), kinematic};
   }
 
  private:
@@ -73,6 +76,15 @@ struct PlaneConsistency {
   }
 };
 
+template <class Hardening>
+std::optional<PlaneFlow<double>> return_to(const Hardening& hardening, const PlaneTrial& trial) {
+  const double kinematic = 2.0 / 3.0 * hardening.kinematic_modulus;
+  return PlaneConsistency<Hardening>{
+      hardening, trial.sum_part, trial.difference_part, trial.a + kinematic, trial.b + kinematic, trial.eqps,
+      trial.dt,  kinematic}
+      .solve();
+}
+
 }  // namespace
 
 void ElasticLaw::update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes>) const {
@@ -91,19 +103,17 @@ void PlasticLaw<Hardening>::update_fibre(const FibreStep& step, FibreLanes& stre
     for (std::size_t i = 1; i < 3; ++i) relative[i] -= state[fibre_places[i]];
   }
   Lanes& eqps = state[n_state - 1];
-  const double kinematic = 2.0 / 3.0 * hardening.kinematic_modulus;
-  const PlaneConsistency<Hardening> consistency{hardening,
-                                                relative[0] * relative[0],
-                                                3.0 * (relative[1] * relative[1] + relative[2] * relative[2]),
-                                                2.0 / 3.0 * moduli.youngs() + kinematic,
-                                                2.0 * moduli.shear + kinematic,
-                                                eqps,
-                                                step.dt};
-  const auto flows = consistency.solve();
-  if (!flows) return;
-  const Lanes& flow = *flows;
-  const Lanes per_shear = 1.0 / (1.0 + consistency.b * flow);
-  const FibreLanes end{relative[0] / (1.0 + consistency.a * flow), relative[1] * per_shear,
+  const PlaneTrial trial{relative[0] * relative[0],
+                         3.0 * (relative[1] * relative[1] + relative[2] * relative[2]),
+                         2.0 / 3.0 * moduli.youngs(),
+                         2.0 * moduli.shear,
+                         eqps,
+                         step.dt};
+  const auto flown = return_to(hardening, trial);
+  if (!flown) return;
+  const auto& [flow, increment, kinematic] = *flown;
+  const Lanes per_shear = 1.0 / (1.0 + (trial.b + kinematic) * flow);
+  const FibreLanes end{relative[0] / (1.0 + (trial.a + kinematic) * flow), relative[1] * per_shear,
                        relative[2] * per_shear};
   for (std::size_t i = 0; i < 3; ++i) stress[i] += end[i] * (1.0 + kinematic * flow) - relative[i];
   if constexpr (Hardening::has_back_stress) {
@@ -113,7 +123,7 @@ void PlasticLaw<Hardening>::update_fibre(const FibreStep& step, FibreLanes& stre
     state[2] -= across;
     for (std::size_t i = 1; i < 3; ++i) state[fibre_places[i]] += kinematic * flow * end[i];
   }
-  eqps += 2.0 / 3.0 * flow * consistency.equivalent(flow);
+  eqps += increment;
 }
 
 void ElasticLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes>) const {
@@ -133,19 +143,17 @@ void PlasticLaw<Hardening>::update_plane(const PlaneStep& step, PlaneLanes& stre
   Lanes& eqps = state[n_state - 1];
   const Lanes sum = relative[0] + relative[1], difference = relative[0] - relative[1];
   const Lanes shears = relative[2] * relative[2] + relative[3] * relative[3] + relative[4] * relative[4];
-  const double kinematic = 2.0 / 3.0 * hardening.kinematic_modulus;
-  const PlaneConsistency<Hardening> consistency{hardening,
-                                                0.25 * sum * sum,
-                                                0.75 * difference * difference + 3.0 * shears,
-                                                (plane.direct + plane.across) / 3.0 + kinematic,
-                                                2.0 * plane.shear + kinematic,
-                                                eqps,
-                                                step.dt};
-  const auto flows = consistency.solve();
-  if (!flows) return;
-  const Lanes& flow = *flows;
-  const Lanes new_sum = sum / (1.0 + consistency.a * flow);
-  const Lanes per_flow = 1.0 / (1.0 + consistency.b * flow), new_difference = difference * per_flow;
+  const PlaneTrial trial{0.25 * sum * sum,
+                         0.75 * difference * difference + 3.0 * shears,
+                         (plane.direct + plane.across) / 3.0,
+                         2.0 * plane.shear,
+                         eqps,
+                         step.dt};
+  const auto flown = return_to(hardening, trial);
+  if (!flown) return;
+  const auto& [flow, increment, kinematic] = *flown;
+  const Lanes new_sum = sum / (1.0 + (trial.a + kinematic) * flow);
+  const Lanes per_flow = 1.0 / (1.0 + (trial.b + kinematic) * flow), new_difference = difference * per_flow;
   const PlaneLanes end{0.5 * (new_sum + new_difference), 0.5 * (new_sum - new_difference),
                        relative[2] * per_flow, relative[3] * per_flow, relative[4] * per_flow};
   for (std::size_t i = 0; i < 5; ++i) stress[i] += end[i] * (1.0 + kinematic * flow) - relative[i];
@@ -155,7 +163,7 @@ void PlasticLaw<Hardening>::update_plane(const PlaneStep& step, PlaneLanes& stre
       state[plane_places[i]] += kinematic * flow * (end[i] - (i < 2 ? mean : Lanes::Zero()));
     state[2] -= kinematic * flow * mean;
   }
-  eqps += 2.0 / 3.0 * flow * consistency.equivalent(flow);
+  eqps += increment;
 }
 
 template void PlasticLaw<LinearHardening>::update_plane(const PlaneStep&, PlaneLanes&,
@@ -163,11 +171,17 @@ template void PlasticLaw<LinearHardening>::update_plane(const PlaneStep&, PlaneL
 template void PlasticLaw<PowerHardening>::update_plane(const PlaneStep&, PlaneLanes&, std::span<Lanes>) const;
 template void PlasticLaw<JohnsonCookHardening>::update_plane(const PlaneStep&, PlaneLanes&,
                                                              std::span<Lanes>) const;
+template void PlasticLaw<MultilinearHardening>::update_plane(const PlaneStep&, PlaneLanes&,
+                                                             std::span<Lanes>) const;
+template void PlasticLaw<VoceHardening>::update_plane(const PlaneStep&, PlaneLanes&, std::span<Lanes>) const;
 
 template void PlasticLaw<LinearHardening>::update_fibre(const FibreStep&, FibreLanes&,
                                                         std::span<Lanes>) const;
 template void PlasticLaw<PowerHardening>::update_fibre(const FibreStep&, FibreLanes&, std::span<Lanes>) const;
 template void PlasticLaw<JohnsonCookHardening>::update_fibre(const FibreStep&, FibreLanes&,
                                                              std::span<Lanes>) const;
+template void PlasticLaw<MultilinearHardening>::update_fibre(const FibreStep&, FibreLanes&,
+                                                             std::span<Lanes>) const;
+template void PlasticLaw<VoceHardening>::update_fibre(const FibreStep&, FibreLanes&, std::span<Lanes>) const;
 
 }  // namespace contactsim

@@ -103,3 +103,29 @@ def breaking_bar(bench):
     checks = [Check(f"{name}: time of death [s]", (length - 1) / 10, run["Time"][np.argmax(run[name] < 1)], bound)
               for name, bound in (("bar", 0.002), ("sheet", 0.004), ("wire", 0.002))]  # a surface is viscous as it flows
     return checks + [Check("damage at death", 1.0, np.max(run["damage"]), 0.002), energy_check(run, ["external_energy"])]
+
+
+@case()
+def tearing_bar(bench):
+    mesh = bars(0.1, "bar")
+    mesh.lines("wire", (0, 0, 5), (1, 0, 5), 1, "BAR2")
+    hold(mesh, lambda x, y, z: z == 0 or z > 1)
+    run = bench.run("tearing_bar", mesh)
+    def flow_stress(strain):
+        return 300e6 + np.interp(strain, (0, 0.05, 0.2, 1), (0, 60e6, 120e6, 200e6))
+    def time_of(strain):
+        return (math.exp(strain) - 1) / 10
+    cracked = 0.15 + flow_stress(0.15) / 200e9
+    half_open = 0.15 + 0.03 / (1 + 0.4e9 / 200e9)  # plastic strain then: hardening goes on in what is whole
+    checks = []
+    for name in ("bar", "sheet", "wire"):
+        def stress_at(strain):
+            return np.interp(time_of(strain), run["Time"], run[f"{name}_stress"])
+        checks += [Check(f"{name}: stress at a plastic strain of 0.1 [Pa]", flow_stress(0.1),
+                         stress_at(0.1 + flow_stress(0.1) / 200e9), 0.002),
+                   Check(f"{name}: stress with the crack half open [Pa]", 0.5 * flow_stress(half_open),
+                         stress_at(cracked + 0.03), 0.002),
+                   Check(f"{name}: time of death [s]", time_of(cracked + 0.06), run["Time"][np.argmax(run[name] < 1)], 0.002)]
+    at_tear = np.argmax(run["tearing"] >= 0.15)
+    return checks + [Check("plastic strain at tearing", 0.15, run["eqps"][at_tear], 0.002),
+                     Check("damage at death", 1.0, np.max(run["damage"]), 1e-12), energy_check(run, ["external_energy"])]

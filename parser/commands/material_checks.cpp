@@ -7,29 +7,72 @@ namespace contactsim {
 
 namespace {
 
-using Required = std::vector<std::pair<const char*, double>>;
+/// Parameters that a model must have, and whether it has them.
+using Required = std::vector<std::pair<const char*, bool>>;
+
+bool is_given(double value) { return !std::isnan(value); }
 
 Required required_of(const ElasticPlasticModel& model) {
-  return {{"yield stress", model.yield_stress}, {"hardening modulus", model.hardening_modulus}};
+  return {{"yield stress", is_given(model.yield_stress)},
+          {"hardening modulus", is_given(model.hardening_modulus)}};
 }
 
 Required required_of(const PowerHardeningModel& model) {
-  return {{"yield stress", model.yield_stress},
-          {"hardening constant", model.hardening_constant},
-          {"hardening exponent", model.hardening_exponent}};
+  return {{"yield stress", is_given(model.yield_stress)},
+          {"hardening constant", is_given(model.hardening_constant)},
+          {"hardening exponent", is_given(model.hardening_exponent)}};
 }
 
 Required required_of(const JohnsonCookModel& model) {
-  return {{"yield stress", model.yield_stress},
-          {"hardening constant", model.hardening_constant},
-          {"hardening exponent", model.hardening_exponent}};
+  return {{"yield stress", is_given(model.yield_stress)},
+          {"hardening constant", is_given(model.hardening_constant)},
+          {"hardening exponent", is_given(model.hardening_exponent)}};
 }
 
-Required required_of(const MooneyRivlinModel& model) { return {{"c10", model.c10}, {"c01", model.c01}}; }
+Required required_of(const MultilinearModel& model) {
+  return {{"yield stress", is_given(model.yield_stress)},
+          {"hardening function", model.hardening_function.has_value()}};
+}
+
+Required required_of(const TearingModel& model) {
+  Required required = required_of(model.plastic);
+  required.emplace_back("critical tearing parameter", is_given(model.critical_tearing));
+  required.emplace_back("critical crack opening strain", is_given(model.critical_opening));
+  return required;
+}
+
+Required required_of(const J2Model& model) {
+  Required required{{"yield stress", is_given(model.yield_stress)},
+                    {"hardening model", model.hardening.has_value()}};
+  if (!model.hardening) return required;
+  switch (model.flow_stress().value_or(HardeningModel::decoupled_flow_stress)) {
+    case HardeningModel::voce:
+      required.emplace_back("exponential coefficient", is_given(model.exponential_coefficient));
+      [[fallthrough]];
+    case HardeningModel::linear:
+      required.emplace_back("hardening modulus", is_given(model.hardening_modulus));
+      break;
+    case HardeningModel::power_law:
+      required.emplace_back("hardening constant", is_given(model.hardening_constant));
+      required.emplace_back("hardening exponent", is_given(model.hardening_exponent));
+      break;
+    case HardeningModel::user_defined:
+      required.emplace_back("hardening function", model.hardening_function.has_value());
+      break;
+    case HardeningModel::decoupled_flow_stress:
+      required.emplace_back("isotropic hardening model", false);
+  }
+  return required;
+}
+
+Required required_of(const MooneyRivlinModel& model) {
+  return {{"c10", is_given(model.c10)}, {"c01", is_given(model.c01)}};
+}
 
 Required required_of(const OrthotropicModel& m) {
-  return {{"e11", m.e11},   {"e22", m.e22}, {"e33", m.e33}, {"nu12", m.nu12}, {"nu13", m.nu13},
-          {"nu23", m.nu23}, {"g12", m.g12}, {"g13", m.g13}, {"g23", m.g23}};
+  return {{"e11", is_given(m.e11)},   {"e22", is_given(m.e22)},   {"e33", is_given(m.e33)},
+          {"nu12", is_given(m.nu12)}, {"nu13", is_given(m.nu13)}, {"nu23", is_given(m.nu23)},
+          {"g12", is_given(m.g12)},   {"g13", is_given(m.g13)},   {"g23", is_given(m.g23)}};
 }
 
 /// Elastic models need their elastic constants only, an opaque one is not understood.
@@ -67,8 +110,8 @@ void check_used_model(const MaterialDefinition& material, const MaterialModel& m
                           static_cast<int>(model.name.text.size()));
   }
   const Required required = std::visit([](const auto& m) { return required_of(m); }, model.parameters);
-  for (const auto& [name, value] : required) {
-    if (!std::isnan(value)) continue;
+  for (const auto& [name, is_there] : required) {
+    if (is_there) continue;
     diagnostics.add_error(model.name.location, fmt::format("{} needs '{}'", what, name), "",
                           static_cast<int>(model.name.text.size()));
   }

@@ -4,45 +4,11 @@
 #include "parser/commands/material_commands.hpp"
 
 #include <fmt/format.h>
-#include "parser/commands/row_lists.hpp"
+#include "parser/commands/model_tables.hpp"
 
 namespace contactsim {
 
 namespace {
-
-void read_poissons_ratio(Arguments& arguments, ElasticConstants& elastic) {
-  const Word* written = arguments.at_end() ? nullptr : &arguments.peek();
-  const double ratio = arguments.real();
-  if (ratio <= -1.0 || ratio >= 0.5) {
-    arguments.fail(
-        *written,
-        fmt::format("'poissons ratio' must be greater than -1 and less than 0.5, found '{}'", written->text));
-  }
-  elastic.poissons_ratio = ratio;
-}
-
-std::vector<Row<ElasticConstants>> elastic_rows() {
-  using E = ElasticConstants;
-  return {
-      row("youngs modulus", read::positive, &E::youngs_modulus, "Young's modulus [force/length^2]"),
-      row<E>("poissons ratio", "= <real > -1, < 0.5>", read_poissons_ratio, "Poisson's ratio [1]", "none")
-          .once(),
-      row("shear modulus", read::positive, &E::shear_modulus, "Shear modulus [force/length^2]"),
-      row("bulk modulus", read::positive, &E::bulk_modulus, "Bulk modulus [force/length^2]"),
-      row("lambda", read::real, &E::lambda, "Lame's first constant [force/length^2]"),
-      row<E>(
-          "two mu", "= <real > 0>",
-          [](Arguments& arguments, E& elastic) { elastic.shear_modulus = 0.5 * arguments.positive(); },
-          "Twice the shear modulus [force/length^2]", "none")
-          .once(),
-  };
-}
-
-/// A model's own rows after those of its elastic constants.
-template <class Model>
-std::vector<Row<Model>> with_elastic_rows(std::vector<Row<Model>> own_rows) {
-  return joined({lift_all(elastic_rows(), &Model::elastic), std::move(own_rows)});
-}
 
 template <class Model>
 const Table<Model>& elastic_only_table() {
@@ -107,49 +73,6 @@ const Table<OrthotropicModel>& orthotropic_table() {
       ignored<O>("thermal strain 11 function", "= <function>", "temperature has no effect on materials"),
       ignored<O>("thermal strain 22 function", "= <function>", "temperature has no effect on materials"),
       ignored<O>("thermal strain 33 function", "= <function>", "temperature has no effect on materials"),
-  }));
-  return table;
-}
-
-const Table<ElasticPlasticModel>& elastic_plastic_table() {
-  using P = ElasticPlasticModel;
-  static const Table<P> table(with_elastic_rows<P>({
-      row("yield stress", read::positive, &P::yield_stress, "Initial yield stress [force/length^2]"),
-      row("hardening modulus", read::real, &P::hardening_modulus,
-          "Slope of stress over plastic strain [force/length^2]"),
-      row("beta", read::real, &P::beta, "Share of isotropic hardening, 0 to 1 [1]"),
-  }));
-  return table;
-}
-
-const Table<PowerHardeningModel>& power_hardening_table() {
-  using P = PowerHardeningModel;
-  static const Table<P> table(with_elastic_rows<P>({
-      row("yield stress", read::positive, &P::yield_stress, "Initial yield stress [force/length^2]"),
-      row("hardening constant", read::non_negative, &P::hardening_constant,
-          "Factor of the power law [force/length^2]"),
-      row("hardening exponent", read::positive, &P::hardening_exponent, "Exponent of the power law [1]"),
-      row("luders strain", read::non_negative, &P::luders_strain,
-          "Plastic strain before hardening begins [1]"),
-  }));
-  return table;
-}
-
-const Table<JohnsonCookModel>& johnson_cook_table() {
-  using J = JohnsonCookModel;
-  static const Table<J> table(with_elastic_rows<J>({
-      row("yield stress", read::positive, &J::yield_stress, "Static yield stress [force/length^2]"),
-      row("hardening constant", read::non_negative, &J::hardening_constant,
-          "Factor of the power law [force/length^2]"),
-      row("hardening exponent", read::positive, &J::hardening_exponent, "Exponent of the power law [1]"),
-      row("rate constant", read::non_negative, &J::rate_constant, "Factor of the logarithm of the rate [1]"),
-      row("reference rate", read::positive, &J::reference_rate, "Strain rate of the static curve [1/time]")
-          .or_spelled("edot ref"),
-      row("d1", read::real, &J::d1, "Failure strain: constant part [1]"),
-      row("d2", read::real, &J::d2, "Failure strain: factor of the exponential [1]"),
-      row("d3", read::real, &J::d3, "Failure strain: factor of the triaxiality [1]"),
-      row("d4", read::real, &J::d4, "Failure strain: factor of the logarithm of the rate [1]"),
-      row("d5", read::real, &J::d5, "Failure strain: factor of the temperature [1]"),
   }));
   return table;
 }
@@ -229,6 +152,10 @@ std::vector<Row<MaterialDefinition>> material_model_rows() {
       model_row("ep_power_hard", power_hardening_table, "Plasticity with power-law hardening"),
       model_row("power_law_hardening", power_hardening_table, "Plasticity with power-law hardening"),
       model_row("johnson_cook", johnson_cook_table, "Plasticity with rate dependence and failure strain"),
+      model_row("multilinear_ep", multilinear_table, "Plasticity with hardening along a curve"),
+      model_row("ml_ep_fail", tearing_table, "The same, torn apart by plastic strain under tension"),
+      model_row("j2_plasticity", j2_table,
+                "Plasticity with hardening by choice: linear, power law, Voce, curve"),
       model_row("", opaque_table, "Any other model: kept, an error only when a block uses it"),
   };
 }

@@ -26,6 +26,14 @@ MaterialLaw ep_power_hard() { return PlasticLaw<PowerHardening>{steel, {200e6, 5
 MaterialLaw johnson_cook() {
   return PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}};
 }
+/// As steep as a measured curve at first, of ten points.
+MultilinearHardening bends() {
+  std::vector<FunctionPoint> points;
+  for (int i = 0; i < 10; ++i) points.push_back({0.005 * i * i, 200e6 + 1e8 * std::sqrt(0.005 * i * i)});
+  return {HardeningCurve(points), 1.0};
+}
+MaterialLaw multilinear_ep() { return PlasticLaw<MultilinearHardening>{steel, bends()}; }
+MaterialLaw ml_ep_fail() { return TearingLaw{{steel, bends()}, 1e9, 0.1}; }
 
 /// Advances a cube of one element type and law. Argument: threads.
 void advance(benchmark::State& bench, const Mesh& mesh, const char* formulation, const MaterialLaw& law) {
@@ -85,6 +93,8 @@ BENCHMARK(hexahedra<elastic_plastic>)->Apply(with_threads);
 BENCHMARK(hexahedra<kinematic>)->Apply(with_threads);
 BENCHMARK(hexahedra<ep_power_hard>)->Apply(with_threads);
 BENCHMARK(hexahedra<johnson_cook>)->Apply(with_threads);
+BENCHMARK(hexahedra<multilinear_ep>)->Apply(with_threads);
+BENCHMARK(hexahedra<ml_ep_fail>)->Apply(with_threads);
 BENCHMARK(selective_hexahedra<elastic>)->Apply(with_threads);
 BENCHMARK(selective_hexahedra<elastic_plastic>)->Apply(with_threads);
 BENCHMARK(full_hexahedra<elastic>)->Apply(with_threads);

@@ -32,10 +32,15 @@ std::vector<MaterialLaw> elastic_laws() {
 }
 
 std::vector<MaterialLaw> plastic_laws() {
+  const std::vector<FunctionPoint> points{{0.0, 200e6}, {0.002, 300e6}, {0.01, 350e6}, {0.1, 500e6}};
+  const PlasticLaw<MultilinearHardening> multilinear{steel, {HardeningCurve(points), 0.4}};
   return {PlasticLaw<LinearHardening>{steel, {200e6, 1e9, 1e9}},
           PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}},
           PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}},
-          FailingJohnsonCookLaw{{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}}, {0.05, 0.3, -2.0, 0.01, 1.0}}};
+          FailingJohnsonCookLaw{{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}}, {0.05, 0.3, -2.0, 0.01, 1.0}},
+          multilinear,
+          TearingLaw{multilinear, 1e-4, 0.02},
+          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}}};
 }
 
 std::vector<MaterialLaw> all_laws() {

@@ -115,6 +115,16 @@ TEST_CASE("power hardening lies on its curve", "[core][materials]") {
   CHECK(element.equivalent_stress() == Approx(flow(p)).epsilon(1e-10));
 }
 
+TEST_CASE("Voce hardening lies on its curve", "[core][materials]") {
+  Element<PlasticLaw<VoceHardening>> element{{steel, {200e6, 150e6, 20.0}}};
+  const double shear = GENERATE(0.002, 0.03, 0.5), e = equivalent(shear);
+  element.strain(everywhere({0, 0, 0, shear, 0, 0}));
+  const auto flow = [](double p) { return 200e6 + 150e6 * (1.0 - std::exp(-20.0 * p)); };
+  const double p = root_by_halving([&](double x) { return 3.0 * 80e9 * (e - x) - flow(x); }, 0.0, e);
+  CHECK(element.eqps() == Approx(p).epsilon(1e-9));
+  CHECK(element.equivalent_stress() == Approx(flow(p)).epsilon(1e-9));
+}
+
 TEST_CASE("a Johnson-Cook flow stress grows with the logarithm of the rate", "[core][materials]") {
   const JohnsonCookHardening hardening{{200e6, 500e6, 0.3}, 0.015, 1.0};
   const double step = GENERATE(1e-6, 1e-3, 1e2);  // the last is slower than the reference
@@ -129,11 +139,15 @@ TEST_CASE("a Johnson-Cook flow stress grows with the logarithm of the rate", "[c
 }
 
 TEMPLATE_TEST_CASE("plastic work is never negative, and the stress never leaves the surface",
-                   "[core][materials]", LinearHardening, PowerHardening, JohnsonCookHardening) {
+                   "[core][materials]", LinearHardening, PowerHardening, JohnsonCookHardening,
+                   MultilinearHardening, VoceHardening) {
   TestType hardening;
   if constexpr (std::is_same_v<TestType, LinearHardening>) hardening = {200e6, 1e9, 1e9};
   if constexpr (std::is_same_v<TestType, PowerHardening>) hardening = {200e6, 500e6, 0.3, 0.001};
   if constexpr (std::is_same_v<TestType, JohnsonCookHardening>) hardening = {{200e6, 500e6, 0.3}, 0.015, 1.0};
+  if constexpr (std::is_same_v<TestType, VoceHardening>) hardening = {200e6, 150e6, 20.0};
+  if constexpr (std::is_same_v<TestType, MultilinearHardening>)
+    hardening = {HardeningCurve(std::vector<FunctionPoint>{{0.0, 200e6}, {0.02, 250e6}, {0.1, 300e6}}), 0.5};
   Element<PlasticLaw<TestType>> element{{steel, hardening}};
   std::mt19937 random(7);
   std::normal_distribution<double> normal(0.0, 1e-3);

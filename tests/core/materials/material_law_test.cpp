@@ -2,6 +2,7 @@
 #include "core/materials/material_law.hpp"
 
 #include "support/catch.hpp"
+#include "support/function_definition.hpp"
 
 using namespace contactsim;
 
@@ -27,7 +28,9 @@ JohnsonCookModel johnson_cook() {
 
 std::optional<MaterialLaw> make(const decltype(MaterialModel::parameters)& parameters,
                                 Diagnostics& diagnostics) {
-  return make_material_law({{"steel", {}}, parameters}, diagnostics);
+  const FunctionDefinition function =
+      table_function(FunctionType::piecewise_linear, {{0.0, 200e6}, {0.1, 300e6}});
+  return make_material_law({{"steel", {}}, parameters}, {&function, 1}, diagnostics);
 }
 
 /// The law of a model that must be right.
@@ -84,6 +87,56 @@ TEST_CASE("Johnson-Cook with failure constants fails by its damage", "[core][mat
   CHECK_FALSE(has_directions(law));
 }
 
+TEST_CASE("hardening along a curve becomes its law, with failure or without", "[core][materials]") {
+  MultilinearModel model{steel(), 200e6, 0.25, DeckName{"f", {}}};
+  const auto plastic = law_of<PlasticLaw<MultilinearHardening>>(model);
+  CHECK(plastic.hardening.beta == 0.25);
+  REQUIRE(plastic.hardening.curve.points().size() == 2);
+  CHECK(plastic.hardening.curve.points()[0].slope == Approx(1e9));
+  const auto tearing = law_of<TearingLaw>(TearingModel{model, 0.3, 0.05});
+  CHECK(tearing.hardening.beta == 0.25);
+  CHECK(tearing.critical_tearing == 0.3);
+  CHECK(tearing.critical_opening == 0.05);
+  CHECK(failure_of(tearing) == "damage");
+  CHECK(can_be_plane(tearing));
+  CHECK(can_be_fibre(tearing));
+  model.beta = 1.5;
+  CHECK(error_of(model) == "model 'steel': beta must be from 0 to 1, found 1.5");
+  model.beta = 1.0;
+  model.yield_stress = 250e6;
+  CHECK_THAT(error_of(TearingModel{model, 0.3, 0.05}),
+             Catch::StartsWith("the hardening function 'f' begins at"));
+}
+
+TEST_CASE("J2 plasticity becomes the law of the hardening that it names", "[core][materials]") {
+  J2Model model;
+  model.elastic = steel();
+  model.yield_stress = 200e6;
+  model.hardening = HardeningModel::linear;
+  model.hardening_modulus = 1e9;
+  model.beta = 0.25;
+  CHECK(law_of<PlasticLaw<LinearHardening>>(model).hardening.kinematic_modulus == 0.75e9);
+  model.hardening = HardeningModel::user_defined;
+  model.hardening_function = DeckName{"f", {}};
+  CHECK(law_of<PlasticLaw<MultilinearHardening>>(model).hardening.beta == 0.25);
+  model.hardening = HardeningModel::decoupled_flow_stress;
+  model.isotropic_hardening = HardeningModel::voce;
+  model.exponential_coefficient = 12.0;
+  CHECK(error_of(model) ==
+        "model 'steel': beta other than 1 goes with linear and user_defined hardening only");
+  model.beta = 1.0;
+  const auto voce = law_of<PlasticLaw<VoceHardening>>(model);
+  CHECK(voce.hardening.growth == 1e9);
+  CHECK(voce.hardening.coefficient == 12.0);
+  model.hardening = HardeningModel::power_law;
+  model.hardening_constant = 5e8;
+  model.hardening_exponent = 0.3;
+  CHECK(law_of<PlasticLaw<PowerHardening>>(model).hardening.constant == 5e8);
+  model.hardening = HardeningModel::voce;
+  model.hardening_modulus = -1.0;
+  CHECK(error_of(model) == "model 'steel': the hardening modulus of voce must not be negative, found -1");
+}
+
 TEST_CASE("a Mooney-Rivlin model takes the bulk modulus from one constant or from two that fit",
           "[core][materials]") {
   MooneyRivlinModel model{{}, 30e9, 10e9};
@@ -107,7 +160,8 @@ TEST_CASE("a Mooney-Rivlin model takes the bulk modulus from one constant or fro
 TEST_CASE("models without a law are refused by name", "[core][materials]") {
   const std::string text =
       "model 'steel': the model is not supported; there are elastic, elastic_orthotropic, neo_hookean, "
-      "mooney_rivlin, elastic_plastic, ep_power_hard, johnson_cook";
+      "mooney_rivlin, elastic_plastic, ep_power_hard, johnson_cook, multilinear_ep, ml_ep_fail, "
+      "j2_plasticity";
   CHECK(error_of(OpaqueModel{}) == text);
   CHECK(error_of(LinearElasticModel{steel()}) == text);
   JohnsonCookModel failing = johnson_cook();
@@ -140,7 +194,8 @@ TEST_CASE("a law says what it keeps, and starts with undeformed material", "[cor
   for (const MaterialLaw& law :
        {MaterialLaw(ElasticLaw{}), MaterialLaw(NeoHookeanLaw{}), MaterialLaw(PlasticLaw<LinearHardening>{}),
         MaterialLaw(PlasticLaw<JohnsonCookHardening>{}), MaterialLaw(MooneyRivlinLaw{}),
-        MaterialLaw(FailingJohnsonCookLaw{})}) {
+        MaterialLaw(FailingJohnsonCookLaw{}), MaterialLaw(PlasticLaw<MultilinearHardening>{}),
+        MaterialLaw(TearingLaw{})}) {
     for (const StateVariable& variable : state_of(law).variables)
       CHECK(variable.first + variable.n_components <= state_of(law).n_state);
   }

@@ -12,6 +12,7 @@ using namespace contactsim;
 namespace {
 
 constexpr ElasticModuli steel{160e9, 80e9};
+const std::vector<FunctionPoint> bends{{0.0, 200e6}, {0.001, 260e6}, {0.004, 300e6}, {0.02, 340e6}};
 
 std::vector<MaterialLaw> plastic_laws() {
   return {PlasticLaw<LinearHardening>{steel, {200e6, 1e9, 0.0}},
@@ -19,7 +20,11 @@ std::vector<MaterialLaw> plastic_laws() {
           PlasticLaw<LinearHardening>{steel, {200e6, -2e9, 0.0}},
           PlasticLaw<LinearHardening>{steel, {200e6, 0.0, 0.0}},
           PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}},
-          PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}}};
+          PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}},
+          PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 1.0}},
+          PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 0.3}},
+          PlasticLaw<MultilinearHardening>{steel, {HardeningCurve(bends), 0.0}},
+          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}}};
 }
 
 /// A material point of eight equal elements by both ways.

@@ -88,6 +88,67 @@ TEST_CASE("the plastic models are bound", "[parser][material]") {
   CHECK_FALSE(model_of<JohnsonCookModel>(cook).d2);
 }
 
+TEST_CASE("hardening along a curve is bound with its function, with failure or without",
+          "[parser][material]") {
+  const auto with = [](const std::string& model, const std::string& lines) {
+    return using_model(model, "density = 1\nbegin parameters for model " + model + "\n" + elastic + lines +
+                                  "end\nend\nbegin function curve\ntype = piecewise linear\n"
+                                  "begin values\n0 2\n1 3\nend\nend\nbegin material other\n");
+  };
+  const std::string hardening = "yield stress = 2\nbeta = 0.5\nhardening function = curve\n";
+  const ParsedDeck curve = with("multilinear_ep", hardening);
+  CHECK(curve.messages == "");
+  CHECK(model_of<MultilinearModel>(curve).yield_stress == 2.0);
+  CHECK(model_of<MultilinearModel>(curve).beta == 0.5);
+  CHECK(model_of<MultilinearModel>(curve).hardening_function->text == "curve");
+  const ParsedDeck tearing = with(
+      "ml_ep_fail", hardening + "critical tearing parameter = 0.3\ncritical crack opening strain = 0.05\n");
+  CHECK(tearing.messages == "");
+  CHECK(model_of<TearingModel>(tearing).plastic.beta == 0.5);
+  CHECK(model_of<TearingModel>(tearing).critical_tearing == 0.3);
+  CHECK(model_of<TearingModel>(tearing).critical_opening == 0.05);
+  CHECK(find_elastic_constants(tearing.simulation.materials.at(0).models.at(0))->youngs_modulus == 200e9);
+  CHECK_THAT(with("multilinear_ep", "yield stress = 2\nhardening function = curv\n").messages,
+             Catch::Contains("unknown function 'curv'") && Catch::Contains("did you mean 'curve'?"));
+  CHECK_THAT(with("ml_ep_fail", "beta = 1\n").messages,
+             Catch::Contains("needs 'yield stress'") && Catch::Contains("needs 'hardening function'") &&
+                 Catch::Contains("needs 'critical tearing parameter'") &&
+                 Catch::Contains("needs 'critical crack opening strain'"));
+  CHECK_THAT(with("multilinear_ep", hardening + "yield stress function = f\n").messages,
+             Catch::Contains("has no effect on materials"));
+}
+
+TEST_CASE("J2 plasticity is bound with the hardening that it names", "[parser][material]") {
+  const auto with = [](const std::string& lines) {
+    return using_model("j2_plasticity", "density = 1\nbegin parameters for model j2_plasticity\n" + elastic +
+                                            "yield stress = 2\n" + lines + "end\n");
+  };
+  const std::string voce = "hardening modulus = 3\nexponential coefficient = 4\n";
+  const ParsedDeck plain = with("hardening model = voce\n" + voce);
+  CHECK(plain.messages == "");
+  CHECK(model_of<J2Model>(plain).flow_stress() == HardeningModel::voce);
+  CHECK(model_of<J2Model>(plain).exponential_coefficient == 4.0);
+  const ParsedDeck decoupled = with(
+      "hardening model = decoupled_flow_stress\nisotropic hardening model = voce\n"
+      "yield rate multiplier = rate_independent\n" +
+      voce);
+  CHECK(decoupled.messages == "");
+  CHECK(model_of<J2Model>(decoupled).flow_stress() == HardeningModel::voce);
+  CHECK_THAT(
+      with("hardening model = voce\n").messages,
+      Catch::Contains("needs 'hardening modulus'") && Catch::Contains("needs 'exponential coefficient'"));
+  CHECK_THAT(with("").messages, Catch::Contains("needs 'hardening model'"));
+  CHECK_THAT(with("hardening model = decoupled_flow_stress\n").messages,
+             Catch::Contains("needs 'isotropic hardening model'"));
+  CHECK_THAT(with("hardening model = power_law\n").messages, Catch::Contains("needs 'hardening exponent'"));
+  CHECK_THAT(with("hardening model = user_defined\n").messages,
+             Catch::Contains("needs 'hardening function'"));
+  CHECK_THAT(with("hardening model = voce\nyield rate multiplier = power_law_breakdown\n" + voce).messages,
+             Catch::Contains("error") && Catch::Contains("power_law_breakdown"));
+  CHECK_THAT(with("hardening model = voce\nyield rate exponent = 8\n" + voce).messages,
+             Catch::Contains("error") && Catch::Contains("does not depend on the rate"));
+}
+
 TEST_CASE("Mooney-Rivlin is bound with one elastic constant or two", "[parser][material]") {
   const std::string begin = "density = 1\nbegin parameters for model mooney_rivlin\nc10 = 3\n";
   const ParsedDeck deck = using_model("mooney_rivlin", begin + "c01 = 2\nbulk modulus = 1000\nend\n");
