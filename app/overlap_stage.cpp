@@ -80,13 +80,8 @@ std::optional<Mesh> remove_initial_overlap(const RunInput& input, Log& log, Diag
   if (input.contact == nullptr) return std::nullopt;
   const OverlapRemoval& settings = input.region.contact->overlap_removal;
   if (!settings.is_on() && !settings.is_all_there_is) return std::nullopt;
-  if (!input.contact->loft.facets.empty() || !input.contact->loft.spheres.empty()) {
-    warnings.add_warning("overlap-lofts", input.region.contact->name.location,
-                         "overlap removal moves the faces of solids and of side sets only",
-                         "bodies of shells, beams and particles that overlap at the start are pushed apart");
-  }
   OverlapRemoved removed =
-      remove_overlap(*input.contact, input.mesh, settings.iterations, find_held_nodes(input));
+      remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
   log.write(format_overlap(removed, *input.contact, input.mesh));
   warn_of_rest(removed, *input.contact, warnings);
   if (removed.n_passes == 0) return std::nullopt;

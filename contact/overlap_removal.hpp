@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_model.hpp"
+#include "core/definition/contact.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -36,10 +37,17 @@ struct OverlapRemoved {
 /// thickness of the element behind the face; behind a plane, of the node's own elements), and its own surface
 /// looks against the face. Beside a face counts as over it up to a quarter of the depth, or the pair's
 /// overlap tangential tolerance.
-///   iterations  passes at most, >= 1
+///
+/// Points of lofted shells are such nodes and take the node of the mesh along that they hang on, with all
+/// that hangs on it; shells keep their thickness. Balls around particles and the nodes of lines go out of
+/// faces all the way, but a held one has the face give way; rods and balls in each other, and rods in sharp
+/// edges, share the way in every pass. How deep these may be is automatically their radius at least. Passes
+/// over lofts have a limit of their own, and overlap of lofts no deeper than the shell overlap tolerance is
+/// left.
+///   definition  of the model
 ///   is_held     [n_nodes] 0 or 1: 1 stays where it is; or empty
-/// Source: Sierra/SM 5.22, 8.9.4.
-OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh, std::int64_t iterations,
-                              std::span<const std::uint8_t> is_held);
+/// Throws SolveError when a line or particle is nowhere. Source: Sierra/SM 5.22, 8.9.4.
+OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh,
+                              const ContactDefinition& definition, std::span<const std::uint8_t> is_held);
 
 }  // namespace contactsim

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/overlap_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/node_face.hpp"
+#include "contact/sharp_edges.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Overlap below this share of a face's size, or of a radius, is round-off.
+constexpr double smallest_share = 1e-9;
+/// A node in a valley between faces is over none of them, but beside them by less than this share of its
+/// depth.
+constexpr double beside_share = 0.25;
+
+/// A surface looks against a face when the cosine of their normals is less; the corner of a cube against a
+/// flat face has -0.58.
+constexpr double against_cosine = -0.25;
+
+RecordSide side_of(const SurfaceNode& node) {
+  RecordSide side;
+  side.nodes.fill(node.node);
+  side.weights = Eigen::Vector4d::UnitX();
+  return side;
+}
+
+RecordSide side_of(const ContactEdge& edge, double share) {
+  return {{edge.nodes[0], edge.nodes[1], edge.nodes[1], edge.nodes[1]}, {1.0 - share, share, 0.0, 0.0}};
+}
+
+Segment segment_of(const MovingSurface& surface, const ContactEdge& edge) {
+  Segment segment;
+  segment << surface.x(edge.nodes[0]), surface.x(edge.nodes[1]);
+  return segment;
+}
+
+}  // namespace
+
+void OverlapPlaces::visit_nodes(std::uint32_t index, OverlapKind kind, const Visit& visit) const {
+  const SurfacePair& pair = model_.pairs[index];
+  const bool is_lofted = kind == OverlapKind::lofted;
+  const PairSites& both = parts_.sites[index];
+  const OverlapSites& sites = is_lofted ? both.lofted : both.meshed;
+  const double left = is_lofted ? tolerance_ : 0.0;
+  const std::span<const OverlapCandidate> faces = sites.faces;
+  for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
+    while (end < faces.size() && faces[end].place == faces[begin].place) ++end;
+    const auto found = find_behind_faces(pair, faces.subspan(begin, end - begin));
+    if (found && found->depth > left) visit(*found);
+  }
+  for (const OverlapCandidate& candidate : sites.planes) {
+    const auto found = find_behind_plane(pair, candidate);
+    if (found && found->depth > left) visit(*found);
+  }
+}
+
+void OverlapPlaces::visit_edges(std::uint32_t pair, const Visit& visit) const {
+  for (const OverlapCandidate& candidate : parts_.sites[pair].edges) {
+    const ContactEdge& first = parts_.faces.edges[candidate.place];
+    const ContactEdge& second = parts_.faces.edges[candidate.partner];
+    const EdgePlaces places(segment_of(points_.renewed(), first), segment_of(points_.renewed(), second));
+    for (const EdgePlace& place : places.get()) {
+      const auto found = find_between(model_.pairs[pair], candidate, place);
+      if (found && found->depth > tolerance_) visit(*found);
+    }
+  }
+}
+
+std::optional<Overlap> OverlapPlaces::find_behind_faces(const SurfacePair& pair,
+                                                        std::span<const OverlapCandidate> of_node) const {
+  std::optional<Overlap> least;
+  for (const OverlapCandidate& candidate : of_node) {
+    const auto found = find_near_face(pair, candidate);
+    if (found && (!least || found->distance < least->distance)) least = found;
+  }
+  return least && least->depth > 0.0 ? least : std::nullopt;
+}
+
+std::optional<Overlap> OverlapPlaces::find_near_face(const SurfacePair& pair,
+                                                     const OverlapCandidate& candidate) const {
+  const SurfaceNode& node = parts_.faces.surface_nodes[candidate.place];
+  const ContactFace& face = parts_.faces.faces[candidate.partner];
+  const OverlapNode& of_node = parts_.of_node[candidate.place];
+  const OverlapFace& of_face = parts_.of_face[candidate.partner];
+  const double radius = node.radius;
+  const auto point = project_ball(points_.corners(face), face.is_triangle(), points_.at(node.node), radius);
+  if (!point) return std::nullopt;
+  const double least = smallest_share * of_face.size;
+  const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;
+  // A ball whose middle is still in front of the face belongs there.
+  const double deepest = pair.overlap_normal_tolerance.value_or(std::max(of_face.reach, radius));
+  const double beside =
+      std::max({beside_share * depth, least, pair.overlap_tangential_tolerance.value_or(0.0)});
+  const bool is_near = std::abs(depth) <= deepest && point->beyond <= beside;
+  if (!is_near) return std::nullopt;
+  // The rim of a shell is too narrow to count in a mean.
+  const bool is_lofted = parts_.is_lofted(node) || parts_.faces.is_lofted(face);
+  const bool is_against = is_lofted ? has_face_against(candidate.place, point->normal)
+                                    : looks_against(candidate.place, point->normal);
+  if (!is_against) return std::nullopt;
+  // On a face a node is outside, but one without a surface of its own may lie in the face's rim and go in
+  // there.
+  if (depth == 0.0 && of_node.size == 0.0 && radius == 0.0) return std::nullopt;
+  const RecordSide at{face.corners, corner_weights(point->xi, point->eta, face.is_triangle())};
+  return Overlap{side_of(node),
+                 at,
+                 depth,
+                 point->normal,
+                 std::abs(radius - depth),
+                 radius > 0.0 ? OverlapMover::ball : OverlapMover::first};
+}
+
+bool OverlapPlaces::looks_against(std::uint32_t row, const Eigen::Vector3d& normal) const {
+  const OverlapNode& node = parts_.of_node[row];
+  const bool has_faces = node.size > 0.0;
+  return !has_faces || node.normal.dot(normal) < against_cosine * node.normal.norm();
+}
+
+bool OverlapPlaces::has_face_against(std::uint32_t row, const Eigen::Vector3d& normal) const {
+  const SurfaceNode& node = parts_.faces.surface_nodes[row];
+  if (parts_.of_node[row].size == 0.0) return true;
+  return std::ranges::any_of(parts_.faces.faces_of_node.of(node.node), [&](std::uint32_t index) {
+    const ContactFace& face = parts_.faces.faces[index];
+    const Eigen::Vector3d area = area_vector(points_.corners(face));
+    return face.surface == node.surface && area.dot(normal) < against_cosine * area.norm();
+  });
+}
+
+std::optional<Overlap> OverlapPlaces::find_behind_plane(const SurfacePair& pair,
+                                                        const OverlapCandidate& candidate) const {
+  const SurfaceNode& node = parts_.faces.surface_nodes[candidate.place];
+  const OverlapNode& of_node = parts_.of_node[candidate.place];
+  const AnalyticPlane& plane = model_.planes[candidate.partner];
+  const Eigen::Vector3d normal = plane.normal.stableNormalized();
+  const double radius = node.radius;
+  const double depth = (plane.origin - points_.at(node.node)).dot(normal) + radius;
+  const double deepest = pair.overlap_normal_tolerance.value_or(of_node.reach);
+  const bool is_behind = depth > smallest_share * std::max(of_node.size, radius) && depth <= deepest;
+  const bool is_against = parts_.is_lofted(node) ? has_face_against(candidate.place, normal)
+                                                 : looks_against(candidate.place, normal);
+  if (!is_behind || !is_against) return std::nullopt;
+  return Overlap{side_of(node), {}, depth, normal, depth, OverlapMover::first};
+}
+
+std::optional<Overlap> OverlapPlaces::find_between(const SurfacePair& pair, const OverlapCandidate& candidate,
+                                                   const EdgePlace& place) const {
+  const ContactEdge& first = parts_.faces.edges[candidate.place];
+  const ContactEdge& second = parts_.faces.edges[candidate.partner];
+  const double thicker = std::max(first.radius, second.radius);
+  const auto found = find_edge_gap(points_.renewed(), first, second, place, thicker);
+  if (!found) return std::nullopt;
+  const double depth = -found->gap;
+  const bool is_in = depth > smallest_share * thicker;
+  if (!is_in || depth > pair.overlap_normal_tolerance.value_or(thicker)) return std::nullopt;
+  return Overlap{side_of(first, place.s), side_of(second, place.t), depth, found->normal, depth,
+                 OverlapMover::both};
+}
+
+}  // namespace contactsim
