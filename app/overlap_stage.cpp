@@ -48,11 +48,13 @@ void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diag
   for (const OverlapMoves& moves : removed.moves) {
     if (moves.left <= worrying_share * moves.deepest) continue;
     const SurfacePair& pair = model.pairs[moves.pair];
-    warnings.add_warning("overlap-left", pair.location,
-                         fmt::format("'{}' and '{}' still overlap by {:.4g} after overlap removal",
-                                     model.surfaces.surfaces[pair.first].name,
-                                     model.surfaces.surfaces[pair.second].name, moves.left),
-                         "held nodes stay where they are; more OVERLAP ITERATIONS may help");
+    warnings.add_warning(
+        "overlap-left", pair.location,
+        fmt::format("'{}' and '{}' still overlap by {:.4g} after overlap removal",
+                    model.surfaces.surfaces[pair.first].name, model.surfaces.surfaces[pair.second].name,
+                    moves.left),
+        "held nodes stay where they are; more OVERLAP ITERATIONS, or SHELL OVERLAP ITERATIONS for "
+        "shells, beams and particles, may help");
   }
 }
 
