@@ -2,15 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "contact/contact_faces.hpp"
 #include "contact/contact_model.hpp"
 #include "core/definition/contact.hpp"
 
-/// The faces, nodes, edges and planes between which overlap removal looks for overlap.
 namespace contactsim {
 
 /// What overlap removal knows of a contact face.
@@ -27,41 +24,18 @@ struct OverlapNode {
   double reach = 0.0;           ///< least of its faces, radius of a ball; else 0 [length]
 };
 
-/// Two things that may lie in each other.
-struct OverlapCandidate {
-  std::uint32_t place = 0;    ///< a surface node or an edge
-  std::uint32_t partner = 0;  ///< a face, a plane of the region or another edge
-};
-
-/// Where to look for nodes behind something.
-struct OverlapSites {
-  std::vector<OverlapCandidate> faces;   ///< ascending by node, then by face
-  std::vector<OverlapCandidate> planes;  ///< of every node with every plane
-};
-
-/// Where a pair of surfaces has to be looked at.
-struct PairSites {
-  OverlapSites meshed;                  ///< neither side is lofted
-  OverlapSites lofted;                  ///< one of them is: a point or a face of a brick, a ball
-  std::vector<OverlapCandidate> edges;  ///< rods and balls with each other and with sharp edges
-
-  bool has_lofts() const { return !lofted.faces.empty() || !lofted.planes.empty() || !edges.empty(); }
-};
-
-/// Everything that overlap removal looks at.
+/// What the surfaces of a model are made of, as overlap removal needs it.
 struct OverlapParts {
   ContactFaces faces;
   std::vector<OverlapFace> of_face;  ///< [n_faces]
   std::vector<OverlapNode> of_node;  ///< [n_surface_nodes]
-  std::vector<PairSites> sites;      ///< [n_pairs]
 
   bool is_lofted(const SurfaceNode& node) const {
     return node.radius > 0.0f || node.node >= faces.n_mesh_points();
   }
 };
 
-/// Gathers what the surfaces are made of, and what is near to what in the pairs. A node never meets a face of
-/// an element that it is part of, and lofts never what the mesh joins to them within their thickness.
+/// Gathers the parts of a mesh.
 ///   definition  of the model
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
                                 const Mesh& mesh);

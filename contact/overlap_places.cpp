@@ -43,8 +43,7 @@ Segment segment_of(const MovingSurface& surface, const ContactEdge& edge) {
 void OverlapPlaces::visit_nodes(std::uint32_t index, OverlapKind kind, const Visit& visit) const {
   const SurfacePair& pair = model_.pairs[index];
   const bool is_lofted = kind == OverlapKind::lofted;
-  const PairSites& both = parts_.sites[index];
-  const OverlapSites& sites = is_lofted ? both.lofted : both.meshed;
+  const OverlapSites& sites = is_lofted ? sites_[index].lofted : sites_[index].meshed;
   const double left = is_lofted ? tolerance_ : 0.0;
   const std::span<const OverlapCandidate> faces = sites.faces;
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
@@ -59,7 +58,7 @@ void OverlapPlaces::visit_nodes(std::uint32_t index, OverlapKind kind, const Vis
 }
 
 void OverlapPlaces::visit_edges(std::uint32_t pair, const Visit& visit) const {
-  for (const OverlapCandidate& candidate : parts_.sites[pair].edges) {
+  for (const OverlapCandidate& candidate : sites_[pair].edges) {
     const ContactEdge& first = parts_.faces.edges[candidate.place];
     const ContactEdge& second = parts_.faces.edges[candidate.partner];
     const EdgePlaces places(segment_of(points_.renewed(), first), segment_of(points_.renewed(), second));

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contact/edge_edge.hpp"
-#include "contact/overlap_parts.hpp"
+#include "contact/overlap_search.hpp"
 #include "contact/shifted_points.hpp"
 
 namespace contactsim {
@@ -36,9 +36,9 @@ class OverlapPlaces {
 
   /// All must outlive this.
   ///   tolerance  overlap of lofts that is left [length]
-  OverlapPlaces(const ContactModel& model, const OverlapParts& parts, const ShiftedPoints& points,
-                double tolerance)
-      : model_(model), parts_(parts), points_(points), tolerance_(tolerance) {}
+  OverlapPlaces(const ContactModel& model, const OverlapParts& parts, const std::vector<PairSites>& sites,
+                const ShiftedPoints& points, double tolerance)
+      : model_(model), parts_(parts), sites_(sites), points_(points), tolerance_(tolerance) {}
 
   /// Nodes behind faces, then behind planes, in their order.
   void visit_nodes(std::uint32_t pair, OverlapKind kind, const Visit& visit) const;
@@ -60,6 +60,7 @@ class OverlapPlaces {
 
   const ContactModel& model_;
   const OverlapParts& parts_;
+  const std::vector<PairSites>& sites_;
   const ShiftedPoints& points_;
   double tolerance_ = 0.0;
 };

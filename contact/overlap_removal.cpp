@@ -25,10 +25,13 @@ class OverlapRemover {
         settings_(definition.overlap_removal),
         parts_(make_overlap_parts(model, definition, mesh)),
         points_(parts_.faces, mesh),
-        places_(model, parts_, points_, settings_.shell_tolerance),
+        search_(model, definition, mesh, parts_),
+        places_(model, parts_, search_.sites(), points_, settings_.shell_tolerance),
         is_held_(is_held),
         deepest_(model.pairs.size(), 0.0),
-        moved_(model.pairs.size()) {}
+        moved_(model.pairs.size()) {
+    search_.find(points_.renewed());
+  }
 
   /// Returns whether anything was moved.
   ///   n_before  passes before this one
@@ -36,6 +39,10 @@ class OverlapRemover {
   OverlapRemoved take();
 
  private:
+  void renew_lofts() {
+    points_.renew();
+    search_.renew_lofts(points_.renewed());
+  }
   bool pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_last);
   bool pass_lofts(std::uint32_t pair, bool is_last);
   void visit_all(std::uint32_t pair, const OverlapPlaces::Visit& visit);
@@ -60,6 +67,7 @@ class OverlapRemover {
   const OverlapRemoval& settings_;
   const OverlapParts parts_;
   ShiftedPoints points_;
+  OverlapSearch search_;
   OverlapPlaces places_;
   std::span<const std::uint8_t> is_held_;
   std::vector<double> deepest_;                                  ///< [n_pairs] found so far [length]
@@ -135,7 +143,7 @@ bool OverlapRemover::pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_la
 }
 
 bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
-  if (!parts_.sites[pair].has_lofts()) return false;
+  if (!search_.sites()[pair].has_lofts()) return false;
   points_.renew();
   bool has_moved = pass_nodes(pair, OverlapKind::lofted, is_last);
   points_.renew();
@@ -148,6 +156,7 @@ bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
 
 bool OverlapRemover::pass(std::int64_t n_before) {
   bool has_moved = false;
+  if (n_before > 0) renew_lofts();
   for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
     if (n_before < settings_.iterations)
       has_moved |= pass_nodes(p, OverlapKind::meshed, n_before + 1 == settings_.iterations);
@@ -165,19 +174,19 @@ void OverlapRemover::visit_all(std::uint32_t pair, const OverlapPlaces::Visit& v
 
 OverlapRemoved OverlapRemover::take() {
   OverlapRemoved removed;
-  points_.renew();
+  renew_lofts();
   for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
-    if (deepest_[p] == 0.0) continue;
     OverlapMoves moves;
+    visit_all(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
+    moves.deepest = std::max(deepest_[p], moves.left);
+    if (moves.deepest == 0.0) continue;
     moves.pair = p;
     moves.n_nodes = static_cast<std::uint32_t>(moved_[p].size());
-    moves.deepest = deepest_[p];
     for (const auto& [node, way] : moved_[p]) {
       if (way.norm() <= moves.largest) continue;
       moves.largest = way.norm();
       moves.largest_node = {node};
     }
-    visit_all(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
     removed.moves.push_back(moves);
   }
   removed.coordinates = points_.take();

@@ -133,6 +133,55 @@ TEST_CASE("parallel shells meet half way, whichever sides face each other", "[co
   cleared.check_rest();
 }
 
+TEST_CASE("shells whose rims lie in each other part in their plane", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}});
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {1.0 - depth, 0, 0}, .share_nodes = false});
+  const Cleared cleared(b, formulation());
+  for (const NodeIndex node : cleared.nodes_of(2)) {
+    const bool is_at_rim = cleared.before.mesh.coordinates()(0, node.value) == 1.0 - depth;
+    CHECK((cleared.step(node) - Eigen::Vector3d(is_at_rim ? 0.5 * depth : 0.0, 0, 0)).norm() < accuracy);
+  }
+  cleared.check_rest();
+}
+
+TEST_CASE("a tube of shells comes out of the one around it", "[contact][overlap]") {
+  const auto add_tube = [](MeshBuilder& b, std::int64_t id, double r, std::uint32_t n) {
+    std::vector<std::uint32_t> first, nodes;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / n;
+      const Eigen::Vector3d at(r * std::cos(angle), r * std::sin(angle), 0.1 * static_cast<double>(id));
+      first.push_back(b.add_node(at).value);
+      b.add_node(at + Eigen::Vector3d::UnitZ());
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = first[i], c = first[(i + 1) % n];
+      nodes.insert(nodes.end(), {a, c, c + 1, a + 1});
+    }
+    b.add_block(id, "", Shape::shell4, nodes);
+    b.set_attributes(id, {"thickness"}, std::vector<double>(n, thickness));
+  };
+  MeshBuilder b;
+  add_tube(b, 1, 1.0, 24);
+  add_tube(b, 2, 1.09, 30);
+  const Cleared cleared(b, formulation());
+  CHECK(cleared.removed.moves.at(0).n_nodes == 2 * (24 + 30));
+  CHECK(cleared.removed.moves.at(0).left <= 1e-3 * cleared.removed.moves.at(0).deepest);
+  CHECK(cleared.before.force_size() > 0.0);
+  CHECK(cleared.after.force_size() <= 1e-3 * cleared.before.force_size());
+}
+
+TEST_CASE("a shell that is pushed far pushes what it meets there", "[contact][overlap]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {3, 3, 1}});
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.75}, .share_nodes = false});
+  add_plate(b, {.id = 3, .cells = {3, 3}, .origin = {0, 0, 1.13}, .share_nodes = false});
+  const Cleared cleared(b, formulation(), {1});
+  REQUIRE(cleared.removed.moves.size() == 2);
+  CHECK(cleared.removed.moves[1].deepest == Approx(depth).epsilon(0.01));
+  for (const OverlapMoves& moves : cleared.removed.moves) CHECK(moves.left <= 1e-2 * depth);
+}
+
 TEST_CASE("shells that overlap by half their thickness may be on the other side and stay",
           "[contact][overlap]") {
   MeshBuilder b;
