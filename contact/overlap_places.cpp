@@ -21,6 +21,16 @@ constexpr double beside_share = 0.25;
 /// flat face has -0.58.
 constexpr double against_cosine = -0.25;
 
+/// Faces look at each other when the cosine of their normals is less; edges cross along the normals when that
+/// of the normals with the way out is as far from 0.
+constexpr double facing_cosine = -0.7;
+/// Square of the sine of the angle below which edges do not cross but lie along each other.
+constexpr double parallel = 0.03;
+/// Nearer than this share to an end of an edge a place is at the end.
+constexpr double at_end = 1e-6;
+
+bool is_inside(double share) { return share > at_end && share < 1.0 - at_end; }
+
 RecordSide side_of(const SurfaceNode& node) {
   RecordSide side;
   side.nodes.fill(node.node);
@@ -28,14 +38,40 @@ RecordSide side_of(const SurfaceNode& node) {
   return side;
 }
 
-RecordSide side_of(const ContactEdge& edge, double share) {
-  return {{edge.nodes[0], edge.nodes[1], edge.nodes[1], edge.nodes[1]}, {1.0 - share, share, 0.0, 0.0}};
+using EdgeNodes = std::array<std::uint32_t, 2>;
+
+RecordSide side_of(const EdgeNodes& edge, double share) {
+  return {{edge[0], edge[1], edge[1], edge[1]}, {1.0 - share, share, 0.0, 0.0}};
 }
 
-Segment segment_of(const MovingSurface& surface, const ContactEdge& edge) {
+Segment segment_of(const MovingSurface& surface, const EdgeNodes& edge) {
   Segment segment;
-  segment << surface.x(edge.nodes[0]), surface.x(edge.nodes[1]);
+  segment << surface.x(edge[0]), surface.x(edge[1]);
   return segment;
+}
+
+/// Calls visit(nodes) for each edge of a face.
+template <class Visit>
+void for_each_edge(const ContactFace& face, const Visit& visit) {
+  const std::size_t n = face.is_triangle() ? 3 : 4;
+  for (std::size_t k = 0; k < n; ++k) visit(EdgeNodes{face.corners[k], face.corners[(k + 1) % n]});
+}
+
+/// The place where two edges cross, the first deeper than the second along a normal; nothing where they do
+/// not cross or miss each other.
+///   outward  normal of the second edge's face [1]
+std::optional<Overlap> find_crossing(const MovingSurface& surface, const EdgeNodes& first,
+                                     const EdgeNodes& second, const Eigen::Vector3d& outward) {
+  const Segment a = segment_of(surface, first), b = segment_of(surface, second);
+  const Eigen::Vector3d p = a.col(1) - a.col(0), q = b.col(1) - b.col(0);
+  Eigen::Vector3d normal = p.cross(q);
+  const double square = normal.squaredNorm();
+  if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
+  normal *= (normal.dot(outward) < 0.0 ? -1.0 : 1.0) / std::sqrt(square);
+  const EdgePlace place = nearest_points(a, b);
+  if (!is_inside(place.s) || !is_inside(place.t) || normal.dot(outward) < -facing_cosine) return std::nullopt;
+  const double depth = (b.col(0) + place.t * q - a.col(0) - place.s * p).dot(normal);
+  return Overlap{side_of(first, place.s), side_of(second, place.t), depth, normal, depth, OverlapMover::both};
 }
 
 }  // namespace
@@ -61,12 +97,38 @@ void OverlapPlaces::visit_edges(std::uint32_t pair, const Visit& visit) const {
   for (const OverlapCandidate& candidate : sites_[pair].edges) {
     const ContactEdge& first = parts_.faces.edges[candidate.place];
     const ContactEdge& second = parts_.faces.edges[candidate.partner];
-    const EdgePlaces places(segment_of(points_.renewed(), first), segment_of(points_.renewed(), second));
+    const EdgePlaces places(segment_of(points_.renewed(), first.nodes),
+                            segment_of(points_.renewed(), second.nodes));
     for (const EdgePlace& place : places.get()) {
       const auto found = find_between(model_.pairs[pair], candidate, place);
       if (found && found->depth > tolerance_) visit(*found);
     }
   }
+}
+
+void OverlapPlaces::visit_rims(std::uint32_t pair, const Visit& visit) const {
+  for (const OverlapCandidate& candidate : sites_[pair].rims) {
+    const double reach =
+        std::min(parts_.of_face[candidate.place].reach, parts_.of_face[candidate.partner].reach);
+    visit_crossings(candidate, model_.pairs[pair].overlap_normal_tolerance.value_or(reach), visit);
+  }
+}
+
+void OverlapPlaces::visit_crossings(const OverlapCandidate& faces, double deepest, const Visit& visit) const {
+  const MovingSurface& surface = points_.renewed();
+  const ContactFace& first = parts_.faces.faces[faces.place];
+  const ContactFace& second = parts_.faces.faces[faces.partner];
+  const Eigen::Vector3d outward_1 = surface.area(first).normalized();
+  const Eigen::Vector3d outward_2 = surface.area(second).normalized();
+  if (outward_1.dot(outward_2) > facing_cosine) return;
+  for_each_edge(first, [&](const EdgeNodes& a) {
+    for_each_edge(second, [&](const EdgeNodes& b) {
+      const auto found = find_crossing(surface, a, b, outward_2);
+      const double least = std::max(tolerance_, smallest_share * parts_.of_face[faces.partner].size);
+      const bool is_in = found && found->depth > least && found->depth <= deepest;
+      if (is_in && found->normal.dot(outward_1) < facing_cosine) visit(*found);
+    });
+  });
 }
 
 std::optional<Overlap> OverlapPlaces::find_behind_faces(const SurfacePair& pair,
@@ -155,7 +217,11 @@ std::optional<Overlap> OverlapPlaces::find_between(const SurfacePair& pair, cons
   const double depth = -found->gap;
   const bool is_in = depth > smallest_share * thicker;
   if (!is_in || depth > pair.overlap_normal_tolerance.value_or(thicker)) return std::nullopt;
-  return Overlap{side_of(first, place.s), side_of(second, place.t), depth, found->normal, depth,
+  return Overlap{side_of(first.nodes, place.s),
+                 side_of(second.nodes, place.t),
+                 depth,
+                 found->normal,
+                 depth,
                  OverlapMover::both};
 }
 

@@ -44,6 +44,8 @@ class OverlapPlaces {
   void visit_nodes(std::uint32_t pair, OverlapKind kind, const Visit& visit) const;
   /// Rods, balls and sharp edges in each other, as they stood when the points were renewed.
   void visit_edges(std::uint32_t pair, const Visit& visit) const;
+  /// Edges of faces that cross with none of their nodes in between, as they stood then.
+  void visit_rims(std::uint32_t pair, const Visit& visit) const;
 
  private:
   /// The way out of several faces is the shortest one; in front of the nearest face a node is outside.
@@ -53,6 +55,7 @@ class OverlapPlaces {
   std::optional<Overlap> find_behind_plane(const SurfacePair& pair, const OverlapCandidate& candidate) const;
   std::optional<Overlap> find_between(const SurfacePair& pair, const OverlapCandidate& candidate,
                                       const EdgePlace& place) const;
+  void visit_crossings(const OverlapCandidate& faces, double deepest, const Visit& visit) const;
   /// Whether the surface of a node looks back at a face, so that the node is about to pass through it.
   bool looks_against(std::uint32_t row, const Eigen::Vector3d& normal) const;
   /// Whether one of the node's faces does; of nodes without faces always.

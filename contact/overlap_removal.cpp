@@ -47,6 +47,7 @@ class OverlapRemover {
   bool pass_lofts(std::uint32_t pair, bool is_last);
   void visit_all(std::uint32_t pair, const OverlapPlaces::Visit& visit);
   void note(std::uint32_t pair, const Overlap& overlap) {
+    deepest_of_pass_ = std::max(deepest_of_pass_, overlap.depth);
     deepest_[pair] = std::max(deepest_[pair], overlap.depth);
   }
   /// Moves what moves out of an overlap: this share of the way, less what it has gone since the last renewal.
@@ -70,6 +71,7 @@ class OverlapRemover {
   OverlapSearch search_;
   OverlapPlaces places_;
   std::span<const std::uint8_t> is_held_;
+  double deepest_of_pass_ = 0.0;                                 ///< found so far [length]
   std::vector<double> deepest_;                                  ///< [n_pairs] found so far [length]
   std::vector<std::map<std::uint32_t, Eigen::Vector3d>> moved_;  ///< [n_pairs] by mesh node [length]
 };
@@ -145,9 +147,18 @@ bool OverlapRemover::pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_la
 bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
   if (!search_.sites()[pair].has_lofts()) return false;
   points_.renew();
+  deepest_of_pass_ = 0.0;
   bool has_moved = pass_nodes(pair, OverlapKind::lofted, is_last);
+  const double deepest_node = deepest_of_pass_;
   points_.renew();
   places_.visit_edges(pair, [&](const Overlap& overlap) {
+    note(pair, overlap);
+    has_moved |= resolve_rest(pair, overlap, 1.0);
+  });
+  points_.renew();
+  places_.visit_rims(pair, [&](const Overlap& overlap) {
+    // Where nodes lie as deep, these go out first.
+    if (overlap.depth <= deepest_node) return;
     note(pair, overlap);
     has_moved |= resolve_rest(pair, overlap, 1.0);
   });
@@ -170,6 +181,7 @@ void OverlapRemover::visit_all(std::uint32_t pair, const OverlapPlaces::Visit& v
   places_.visit_nodes(pair, OverlapKind::meshed, visit);
   places_.visit_nodes(pair, OverlapKind::lofted, visit);
   places_.visit_edges(pair, visit);
+  places_.visit_rims(pair, visit);
 }
 
 OverlapRemoved OverlapRemover::take() {

@@ -41,6 +41,7 @@ void OverlapSearch::find(const MovingSurface& surface) {
   add_planes();
   add_faces(surface, false);
   add_edges(surface);
+  add_rims();
 }
 
 void OverlapSearch::renew_lofts(const MovingSurface& surface) {
@@ -48,9 +49,11 @@ void OverlapSearch::renew_lofts(const MovingSurface& surface) {
   for (PairSites& sites : sites_) {
     sites.lofted.faces.clear();
     sites.edges.clear();
+    sites.rims.clear();
   }
   add_faces(surface, true);
   add_edges(surface);
+  add_rims();
 }
 
 void OverlapSearch::add_planes() {
@@ -125,6 +128,26 @@ void OverlapSearch::add_edges(const MovingSurface& surface) {
       if (edges[i].is_sharp() && edges[other].is_sharp()) continue;
       sites_[rules_.find(edges[i].surface, edges[other].surface)].edges.push_back({i, other});
     }
+  }
+}
+
+bool OverlapSearch::may_cross(std::uint32_t first, std::uint32_t second) const {
+  const ContactFace &a = parts_.faces.faces[first], &b = parts_.faces.faces[second];
+  if (!parts_.faces.is_lofted(a) && !parts_.faces.is_lofted(b)) return false;
+  if (rules_.find(a.surface, b.surface) == PairRules::none) return false;
+  if (a.side.element() == b.side.element() || parts_.faces.share_node(a, b)) return false;
+  return !joined_.are_joined(first, second);
+}
+
+/// By the boxes of faces that nodes have been looked for in.
+void OverlapSearch::add_rims() {
+  const auto& faces = parts_.faces.faces;
+  if (!has_lofts_ || faces.empty()) return;
+  PairLists near;
+  faces_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return may_cross(a, b); }, near);
+  for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
+    for (const std::uint32_t other : near.of(i))
+      sites_[rules_.find(faces[i].surface, faces[other].surface)].rims.push_back({i, other});
   }
 }
 

@@ -13,7 +13,7 @@ namespace contactsim {
 
 /// Two things that may lie in each other.
 struct OverlapCandidate {
-  std::uint32_t place = 0;    ///< a surface node or an edge
+  std::uint32_t place = 0;    ///< a surface node, an edge or a face
   std::uint32_t partner = 0;  ///< a face, a plane of the region or another edge
 };
 
@@ -28,8 +28,11 @@ struct PairSites {
   OverlapSites meshed;                  ///< neither side is lofted
   OverlapSites lofted;                  ///< one of them is: a point or a face of a brick, a ball
   std::vector<OverlapCandidate> edges;  ///< rods and balls with each other and with sharp edges
+  std::vector<OverlapCandidate> rims;   ///< faces, one of them lofted, whose edges may cross
 
-  bool has_lofts() const { return !lofted.faces.empty() || !lofted.planes.empty() || !edges.empty(); }
+  bool has_lofts() const {
+    return !lofted.faces.empty() || !lofted.planes.empty() || !edges.empty() || !rims.empty();
+  }
 };
 
 /// Finds what is near to what in the pairs of a model. A node never meets a face of an element that it is
@@ -55,9 +58,11 @@ class OverlapSearch {
   void add_planes();
   void add_faces(const MovingSurface& surface, bool is_of_lofts_only);
   void add_edges(const MovingSurface& surface);
+  void add_rims();
   Box box_of_node(const MovingSurface& surface, std::uint32_t row) const;
   Box box_of_face(const MovingSurface& surface, std::uint32_t face) const;
   bool may_meet(std::uint32_t row, std::uint32_t face) const;
+  bool may_cross(std::uint32_t first, std::uint32_t second) const;
   bool is_lofted(std::uint32_t row, std::uint32_t face) const {
     return parts_.is_lofted(parts_.faces.surface_nodes[row]) ||
            parts_.faces.is_lofted(parts_.faces.faces[face]);

@@ -145,6 +145,28 @@ TEST_CASE("shells whose rims lie in each other part in their plane", "[contact][
   cleared.check_rest();
 }
 
+TEST_CASE("strips of shells that cross between their nodes part", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 1}, .origin = {-1.5, -0.1, 0}, .u = {3, 0, 0}, .v = {0, 0.2, 0}});
+  SECTION("two") {
+    add_plate(b, {.id = 2,
+                  .cells = {1, 3},
+                  .origin = {-0.1, -1.5, thickness - depth},
+                  .u = {0.2, 0, 0},
+                  .v = {0, 3, 0}});
+  }
+  SECTION("one over a bar") {
+    b.add_hexes(
+        {.id = 2, .cells = {1, 3, 1}, .origin = {-0.1, -1.5, 0.5 * thickness - depth}, .size = {0.2, 3, 1}});
+  }
+  const Cleared cleared(b, "constraint formulation = face_face\n");
+  CHECK(cleared.removed.moves.at(0).deepest == Approx(depth));
+  cleared.check_rest();
+  const Cleared held(b, "constraint formulation = face_face\n", {1});
+  CHECK(held.moved_by(1, Eigen::Vector3d::Zero()));
+  held.check_rest();
+}
+
 TEST_CASE("a tube of shells comes out of the one around it", "[contact][overlap]") {
   const auto add_tube = [](MeshBuilder& b, std::int64_t id, double r, std::uint32_t n) {
     std::vector<std::uint32_t> first, nodes;
@@ -165,7 +187,6 @@ TEST_CASE("a tube of shells comes out of the one around it", "[contact][overlap]
   add_tube(b, 1, 1.0, 24);
   add_tube(b, 2, 1.09, 30);
   const Cleared cleared(b, formulation());
-  CHECK(cleared.removed.moves.at(0).n_nodes == 2 * (24 + 30));
   CHECK(cleared.removed.moves.at(0).left <= 1e-3 * cleared.removed.moves.at(0).deepest);
   CHECK(cleared.before.force_size() > 0.0);
   CHECK(cleared.after.force_size() <= 1e-3 * cleared.before.force_size());
