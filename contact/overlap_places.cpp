@@ -154,15 +154,12 @@ std::optional<Overlap> OverlapPlaces::find_near_face(const SurfacePair& pair,
   const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;
   // A ball whose middle is still in front of the face belongs there.
   const double deepest = pair.overlap_normal_tolerance.value_or(std::max(of_face.reach, radius));
-  const double beside =
-      std::max({beside_share * depth, least, pair.overlap_tangential_tolerance.value_or(0.0)});
-  const bool is_near = std::abs(depth) <= deepest && point->beyond <= beside;
-  if (!is_near) return std::nullopt;
-  // The rim of a shell is too narrow to count in a mean.
+  // Shells are thin beside the solids that they lie on.
   const bool is_lofted = parts_.is_lofted(node) || parts_.faces.is_lofted(face);
-  const bool is_against = is_lofted ? has_face_against(candidate.place, point->normal)
-                                    : looks_against(candidate.place, point->normal);
-  if (!is_against) return std::nullopt;
+  const double valley = beside_share * (is_lofted ? std::min(depth, of_node.reach) : depth);
+  const double beside = std::max({valley, least, pair.overlap_tangential_tolerance.value_or(0.0)});
+  const bool is_near = std::abs(depth) <= deepest && point->beyond <= beside;
+  if (!is_near || !looks_against(candidate.place, point->normal, is_lofted)) return std::nullopt;
   // On a face a node is outside, but one without a surface of its own may lie in the face's rim and go in
   // there.
   if (depth == 0.0 && of_node.size == 0.0 && radius == 0.0) return std::nullopt;
@@ -175,15 +172,13 @@ std::optional<Overlap> OverlapPlaces::find_near_face(const SurfacePair& pair,
                  radius > 0.0 ? OverlapMover::ball : OverlapMover::first};
 }
 
-bool OverlapPlaces::looks_against(std::uint32_t row, const Eigen::Vector3d& normal) const {
-  const OverlapNode& node = parts_.of_node[row];
-  const bool has_faces = node.size > 0.0;
-  return !has_faces || node.normal.dot(normal) < against_cosine * node.normal.norm();
-}
-
-bool OverlapPlaces::has_face_against(std::uint32_t row, const Eigen::Vector3d& normal) const {
+bool OverlapPlaces::looks_against(std::uint32_t row, const Eigen::Vector3d& normal, bool is_lofted) const {
   const SurfaceNode& node = parts_.faces.surface_nodes[row];
-  if (parts_.of_node[row].size == 0.0) return true;
+  const OverlapNode& of_node = parts_.of_node[row];
+  const bool has_faces = of_node.size > 0.0;
+  if (!has_faces) return true;
+  if (!is_lofted) return of_node.normal.dot(normal) < against_cosine * of_node.normal.norm();
+  // The rim of a shell is too narrow to count in a mean.
   return std::ranges::any_of(parts_.faces.faces_of_node.of(node.node), [&](std::uint32_t index) {
     const ContactFace& face = parts_.faces.faces[index];
     const Eigen::Vector3d area = area_vector(points_.corners(face));
@@ -201,9 +196,7 @@ std::optional<Overlap> OverlapPlaces::find_behind_plane(const SurfacePair& pair,
   const double depth = (plane.origin - points_.at(node.node)).dot(normal) + radius;
   const double deepest = pair.overlap_normal_tolerance.value_or(of_node.reach);
   const bool is_behind = depth > smallest_share * std::max(of_node.size, radius) && depth <= deepest;
-  const bool is_against = parts_.is_lofted(node) ? has_face_against(candidate.place, normal)
-                                                 : looks_against(candidate.place, normal);
-  if (!is_behind || !is_against) return std::nullopt;
+  if (!is_behind || !looks_against(candidate.place, normal, parts_.is_lofted(node))) return std::nullopt;
   return Overlap{side_of(node), {}, depth, normal, depth, OverlapMover::first};
 }
 

@@ -56,10 +56,9 @@ class OverlapPlaces {
   std::optional<Overlap> find_between(const SurfacePair& pair, const OverlapCandidate& candidate,
                                       const EdgePlace& place) const;
   void visit_crossings(const OverlapCandidate& faces, double deepest, const Visit& visit) const;
-  /// Whether the surface of a node looks back at a face, so that the node is about to pass through it.
-  bool looks_against(std::uint32_t row, const Eigen::Vector3d& normal) const;
-  /// Whether one of the node's faces does; of nodes without faces always.
-  bool has_face_against(std::uint32_t row, const Eigen::Vector3d& normal) const;
+  /// Whether the surface of a node looks back at a face, so that the node is about to pass through it: by its
+  /// mean normal, or where one side is lofted by one of its faces.
+  bool looks_against(std::uint32_t row, const Eigen::Vector3d& normal, bool is_lofted) const;
 
   const ContactModel& model_;
   const OverlapParts& parts_;
