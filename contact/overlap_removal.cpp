@@ -2,7 +2,6 @@
 #include "contact/overlap_removal.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "contact/overlap_places.hpp"
@@ -14,7 +13,7 @@ namespace {
 /// What is left of an overlap after others of the pass have moved its sides is round-off below this share.
 constexpr double remaining_share = 1e-9;
 
-/// A side whose free nodes have together this share of it or less would have to move them far: it is held.
+/// A side whose free nodes have this share of it or less would have to move them far: it counts as held.
 constexpr double held_share = 0.3;
 
 class OverlapRemover {
@@ -55,7 +54,7 @@ class OverlapRemover {
   bool resolve(std::uint32_t pair, const Overlap& overlap, double way);
   /// Moves a side by moving its free nodes, those more that have more of it.
   void move(std::uint32_t pair, const RecordSide& side, const Eigen::Vector3d& way);
-  /// The sum of the squares of the free nodes' weights.
+  /// The sum of the squares of the free nodes' weights [1].
   double mobility(const RecordSide& side) const;
   bool can_move(const RecordSide& side) const { return mobility(side) > held_share * held_share; }
   /// Half the way when the nodes of the other side, which go out on their own account, can move.

@@ -38,12 +38,14 @@ struct OverlapRemoved {
 /// looks against the face. Beside a face counts as over it up to a quarter of the depth, or the pair's
 /// overlap tangential tolerance.
 ///
-/// Points of lofted shells are such nodes and take the node of the mesh along that they hang on, with all
-/// that hangs on it; shells keep their thickness. Balls around particles and the nodes of lines go out of
-/// faces all the way, but a held one has the face give way; rods and balls in each other, and rods in sharp
-/// edges, share the way in every pass. How deep these may be is automatically their radius at least. Passes
-/// over lofts have a limit of their own, and overlap of lofts no deeper than the shell overlap tolerance is
-/// left.
+/// Points of lofted shells are such nodes, and their normals those of any of their faces; they take the node
+/// of the mesh along that they hang on, with all that hangs on it, so that shells keep their thickness. Edges
+/// of shells that cross others where no node lies as deep part by half the way each. Balls around particles
+/// and around the nodes of lines go out of faces all the way; a held one has the face give way. Rods and
+/// balls in each other, and rods in sharp edges, part by half the way each. These may automatically be as
+/// deep as their radius. Passes over lofts have a limit of their own, SHELL OVERLAP ITERATIONS, and overlap
+/// of lofts no deeper than the SHELL OVERLAP TOLERANCE is left. What the mesh joins within its thickness
+/// never counts as overlap.
 ///   definition  of the model
 ///   is_held     [n_nodes] 0 or 1: 1 stays where it is; or empty
 /// Throws SolveError when a line or particle is nowhere. Source: Sierra/SM 5.22, 8.9.4.
