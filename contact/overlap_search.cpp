@@ -33,6 +33,13 @@ OverlapSearch::OverlapSearch(const ContactModel& model, const ContactDefinition&
                                    [&](const SurfaceNode& node) { return parts.is_lofted(node); });
   for (const SurfacePair& pair : model.pairs)
     deepest_ = std::max(deepest_, pair.overlap_normal_tolerance.value_or(0.0));
+  spare_ = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < parts.faces.faces.size(); ++i) {
+    if (parts.faces.is_lofted(parts.faces.faces[i])) spare_ = std::min(spare_, 0.5 * parts.of_face[i].reach);
+  }
+  for (const SurfaceNode& node : parts.faces.surface_nodes) {
+    if (node.radius > 0.0f) spare_ = std::min<double>(spare_, 0.5 * node.radius);
+  }
   if (!parts.faces.edges.empty())
     edges_.emplace(parts.faces, mesh, rules_, definition.search, definition.dash);
 }
@@ -41,19 +48,35 @@ void OverlapSearch::find(const MovingSurface& surface) {
   add_planes();
   add_faces(surface, false);
   add_edges(surface);
-  add_rims();
+  if (!has_lofts_) return;
+  add_rims(surface);
+  note_places(surface);
 }
 
 void OverlapSearch::renew_lofts(const MovingSurface& surface) {
   if (!has_lofts_) return;
+  for (PairSites& sites : sites_) sites.edges.clear();
+  add_edges(surface);
+  if (!is_due(surface)) return;
   for (PairSites& sites : sites_) {
     sites.lofted.faces.clear();
-    sites.edges.clear();
     sites.rims.clear();
   }
   add_faces(surface, true);
-  add_edges(surface);
-  add_rims();
+  add_rims(surface);
+  note_places(surface);
+}
+
+void OverlapSearch::note_places(const MovingSurface& surface) {
+  searched_at_.resize(3, static_cast<Eigen::Index>(parts_.faces.n_nodes()));
+  for (std::uint32_t i = 0; i < parts_.faces.n_nodes(); ++i) searched_at_.col(i) = surface.x(i);
+}
+
+bool OverlapSearch::is_due(const MovingSurface& surface) const {
+  for (std::uint32_t i = 0; i < parts_.faces.n_nodes(); ++i) {
+    if ((surface.x(i) - searched_at_.col(i)).norm() > spare_) return true;
+  }
+  return false;
 }
 
 void OverlapSearch::add_planes() {
@@ -131,20 +154,20 @@ void OverlapSearch::add_edges(const MovingSurface& surface) {
   }
 }
 
-bool OverlapSearch::may_cross(std::uint32_t first, std::uint32_t second) const {
+bool OverlapSearch::may_cross(const MovingSurface& surface, std::uint32_t first, std::uint32_t second) const {
   const ContactFace &a = parts_.faces.faces[first], &b = parts_.faces.faces[second];
   if (!parts_.faces.is_lofted(a) && !parts_.faces.is_lofted(b)) return false;
   if (rules_.find(a.surface, b.surface) == PairRules::none) return false;
   if (a.side.element() == b.side.element() || parts_.faces.share_node(a, b)) return false;
-  return !joined_.are_joined(first, second);
+  return surface.area(a).dot(surface.area(b)) < 0.0 && !joined_.are_joined(first, second);
 }
 
 /// By the boxes of faces that nodes have been looked for in.
-void OverlapSearch::add_rims() {
+void OverlapSearch::add_rims(const MovingSurface& surface) {
   const auto& faces = parts_.faces.faces;
-  if (!has_lofts_ || faces.empty()) return;
+  if (faces.empty()) return;
   PairLists near;
-  faces_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return may_cross(a, b); }, near);
+  faces_.find_pairs([&](std::uint32_t a, std::uint32_t b) { return may_cross(surface, a, b); }, near);
   for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
     for (const std::uint32_t other : near.of(i))
       sites_[rules_.find(faces[i].surface, faces[other].surface)].rims.push_back({i, other});

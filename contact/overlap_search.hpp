@@ -49,7 +49,8 @@ class OverlapSearch {
 
   /// Fills in all sites of the pairs.
   void find(const MovingSurface& surface);
-  /// Fills in those of lofts again, which bodies may push far.
+  /// Fills in those of lofts again where something has moved too far for the last time: thick bodies may push
+  /// thin ones far.
   void renew_lofts(const MovingSurface& surface);
 
   const std::vector<PairSites>& sites() const { return sites_; }  ///< [n_pairs]
@@ -58,11 +59,14 @@ class OverlapSearch {
   void add_planes();
   void add_faces(const MovingSurface& surface, bool is_of_lofts_only);
   void add_edges(const MovingSurface& surface);
-  void add_rims();
+  void add_rims(const MovingSurface& surface);
+  /// Whether a contact node has moved by more than the spare way since faces were searched.
+  bool is_due(const MovingSurface& surface) const;
+  void note_places(const MovingSurface& surface);
   Box box_of_node(const MovingSurface& surface, std::uint32_t row) const;
   Box box_of_face(const MovingSurface& surface, std::uint32_t face) const;
   bool may_meet(std::uint32_t row, std::uint32_t face) const;
-  bool may_cross(std::uint32_t first, std::uint32_t second) const;
+  bool may_cross(const MovingSurface& surface, std::uint32_t first, std::uint32_t second) const;
   bool is_lofted(std::uint32_t row, std::uint32_t face) const {
     return parts_.is_lofted(parts_.faces.surface_nodes[row]) ||
            parts_.faces.is_lofted(parts_.faces.faces[face]);
@@ -74,7 +78,9 @@ class OverlapSearch {
   PairRules rules_;
   JoinedFaces joined_;
   bool has_lofts_ = false;
-  double deepest_ = 0.0;  // that a pair allows [length]
+  double deepest_ = 0.0;          // that a pair allows [length]
+  double spare_ = 0.0;            // way that each side may go between two searches of faces [length]
+  Eigen::Matrix3Xd searched_at_;  // of the contact nodes, if there are lofts [length]
   BroadPhase nodes_, faces_;
   std::optional<ContactSearch> edges_;  // where there are edges
   std::vector<PairSites> sites_;
