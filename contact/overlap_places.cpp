@@ -126,17 +126,30 @@ void OverlapPlaces::visit_crossings(const OverlapCandidate& faces, double deepes
       const auto found = find_crossing(surface, a, b, outward_2);
       const double least = std::max(tolerance_, smallest_share * parts_.of_face[faces.partner].size);
       const bool is_in = found && found->depth > least && found->depth <= deepest;
-      if (is_in && found->normal.dot(outward_1) < facing_cosine) visit(*found);
+      if (!is_in || found->normal.dot(outward_1) > facing_cosine) return;
+      if (!joined_.are_joined(faces.place, faces.partner)) visit(*found);
     });
   });
 }
 
 std::optional<Overlap> OverlapPlaces::find_behind_faces(const SurfacePair& pair,
                                                         std::span<const OverlapCandidate> of_node) const {
-  std::optional<Overlap> least;
+  struct Near {
+    std::uint32_t face = 0;
+    Overlap overlap;
+  };
+  std::vector<Near> near;
   for (const OverlapCandidate& candidate : of_node) {
-    const auto found = find_near_face(pair, candidate);
-    if (found && (!least || found->distance < least->distance)) least = found;
+    if (const auto found = find_near_face(pair, candidate)) near.push_back({candidate.partner, *found});
+  }
+  // What is joined takes long to find out, and most nodes are in front of everything.
+  if (std::ranges::none_of(near, [](const Near& one) { return one.overlap.depth > 0.0; }))
+    return std::nullopt;
+  const SurfaceNode& node = parts_.faces.surface_nodes[of_node.front().place];
+  std::optional<Overlap> least;
+  for (const Near& one : near) {
+    if (least && !(one.overlap.distance < least->distance)) continue;
+    if (!joined_.are_joined(node, one.face)) least = one.overlap;
   }
   return least && least->depth > 0.0 ? least : std::nullopt;
 }

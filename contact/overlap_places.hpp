@@ -36,9 +36,14 @@ class OverlapPlaces {
 
   /// All must outlive this.
   ///   tolerance  overlap of lofts that is left [length]
-  OverlapPlaces(const ContactModel& model, const OverlapParts& parts, const std::vector<PairSites>& sites,
+  OverlapPlaces(const ContactModel& model, const OverlapParts& parts, const OverlapSearch& search,
                 const ShiftedPoints& points, double tolerance)
-      : model_(model), parts_(parts), sites_(sites), points_(points), tolerance_(tolerance) {}
+      : model_(model),
+        parts_(parts),
+        sites_(search.sites()),
+        joined_(search.joined()),
+        points_(points),
+        tolerance_(tolerance) {}
 
   /// Nodes behind faces, then behind planes, in their order.
   void visit_nodes(std::uint32_t pair, OverlapKind kind, const Visit& visit) const;
@@ -63,6 +68,7 @@ class OverlapPlaces {
   const ContactModel& model_;
   const OverlapParts& parts_;
   const std::vector<PairSites>& sites_;
+  const JoinedFaces& joined_;
   const ShiftedPoints& points_;
   double tolerance_ = 0.0;
 };

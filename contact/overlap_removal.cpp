@@ -25,7 +25,7 @@ class OverlapRemover {
         parts_(make_overlap_parts(model, definition, mesh)),
         points_(parts_.faces, mesh),
         search_(model, definition, mesh, parts_),
-        places_(model, parts_, search_.sites(), points_, settings_.shell_tolerance),
+        places_(model, parts_, search_, points_, settings_.shell_tolerance),
         is_held_(is_held),
         deepest_(model.pairs.size(), 0.0),
         moved_(model.pairs.size()) {

@@ -116,8 +116,7 @@ bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {
   const ContactFace& face = faces.faces[index];
   if (rules_.find(node.surface, face.surface) == PairRules::none) return false;
   const auto own = mesh_.element_nodes(face.side.element());
-  if (std::ranges::find(own, NodeIndex{faces.mesh_nodes[node.node]}) != own.end()) return false;
-  return !joined_.are_joined(node, index);
+  return std::ranges::find(own, NodeIndex{faces.mesh_nodes[node.node]}) == own.end();
 }
 
 void OverlapSearch::add_faces(const MovingSurface& surface, bool is_of_lofts_only) {
@@ -159,7 +158,7 @@ bool OverlapSearch::may_cross(const MovingSurface& surface, std::uint32_t first,
   if (!parts_.faces.is_lofted(a) && !parts_.faces.is_lofted(b)) return false;
   if (rules_.find(a.surface, b.surface) == PairRules::none) return false;
   if (a.side.element() == b.side.element() || parts_.faces.share_node(a, b)) return false;
-  return surface.area(a).dot(surface.area(b)) < 0.0 && !joined_.are_joined(first, second);
+  return surface.area(a).dot(surface.area(b)) < 0.0;
 }
 
 /// By the boxes of faces that nodes have been looked for in.

@@ -54,6 +54,7 @@ class OverlapSearch {
   void renew_lofts(const MovingSurface& surface);
 
   const std::vector<PairSites>& sites() const { return sites_; }  ///< [n_pairs]
+  const JoinedFaces& joined() const { return joined_; }
 
  private:
   void add_planes();
