@@ -29,7 +29,7 @@ TieForces step_bond(const Hold& hold, const TieVectors& x, bool is_frozen, Bond&
   const Eigen::Vector3d between = arms.leftCols<4>() * bond.weights_1 - arms.rightCols<4>() * bond.weights_2;
   const Eigen::Vector3d moved = axes.transpose() * between - bond.rest;
   BondHistory history = bond.history;
-  const BondAnswer found = answer(hold, {moved.z(), moved.head<2>()}, bond.share, bond.penalty, history);
+  const BondAnswer found = answer(hold, {moved.z(), moved.head<2>()}, bond.size, bond.penalty, history);
   if (!is_frozen) {
     bond.history = history;
     bond.has_failed = found.fails;
@@ -69,7 +69,7 @@ TieForces find_fading_forces(const FadingPlace& place, const TieVectors& x) {
 
 double weld_envelope(const WeldHold& weld, const HeldPlace& place, const TieForces& forces) {
   const Eigen::Vector3d on_first = forces.forces.leftCols<4>().rowwise().sum();
-  const double along = forces.normal.dot(on_first), size = weld.is_per_area ? place.area : 1.0;
+  const double along = forces.normal.dot(on_first), size = weld.is_per_area ? place.area : place.share;
   const double normal = std::max(-along, 0.0) / (weld.normal_capacity * size);
   const double tangential = (on_first - along * forces.normal).norm() / (weld.tangential_capacity * size);
   return normal * normal + tangential * tangential;

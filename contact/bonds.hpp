@@ -42,7 +42,7 @@ struct Bond : HeldPlace {
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();  ///< sum 1 [1]
   Eigen::Vector3d rest =
       Eigen::Vector3d::Zero();  ///< between the points at the start, axes of the second face
-  double share = 1.0;           ///< of the law: the area, or of laws in forces the part of a place
+  double size = 1.0;            ///< that the law counts with: the area, of laws in forces the share
   double penalty = 0.0;         ///< of the pair, per area [force/length^3]
   BondHistory history;
   bool has_failed = false;

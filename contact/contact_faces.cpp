@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "contact/loft_faces.hpp"
-#include "contact/sort_once.hpp"
+#include "contact/surface_nodes.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"
-#include "core/skin.hpp"
+#include "core/threads.hpp"
 
 namespace contactsim {
 
@@ -46,139 +46,22 @@ PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_
   });
 }
 
-/// Nodes of the mesh that are in contact, by their positions there: the whole mesh may have many more.
-class SharesByNode {
- public:
-  explicit SharesByNode(const ContactFaces& faces) : faces_(faces), nodes_(faces.n_mesh_points()) {}
-  SurfaceNode& operator[](NodeIndex node) { return nodes_[faces_.find_node(node)]; }
-
- private:
-  const ContactFaces& faces_;
-  std::vector<SurfaceNode> nodes_;
-};
-
-/// Adds to the nodes of faces that are wanted their shares of area and of thickness times area behind it.
-template <class IsWanted>
-void add_shares(std::span<const ElementSide> sides, const Mesh& mesh, const IsWanted& is_wanted,
-                SharesByNode& by_node) {
-  for (const ElementSide side : sides) {
-    const auto corners = mesh.side_nodes(side);
-    const std::size_t n = corners[2] == corners[3] ? 3 : 4;
-    const double share = area_vector(mesh, side).norm() / static_cast<double>(n);
-    const double thickness = thickness_behind(mesh, side);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (!is_wanted(corners[k])) continue;
-      SurfaceNode& node = by_node[corners[k]];
-      node.area += share;
-      node.backing.thickness += share * thickness;
-      node.side = side;
-    }
-  }
-}
-
-/// Adds an element to the nodes of a set that have no outside face: those of lines, particles and inside of
-/// solids. What they stand for is left to add_backing().
-///   is_in  [n_nodes] 1 of such nodes
-void add_elements(const Mesh& mesh, std::span<const std::uint8_t> is_in, SharesByNode& by_node) {
-  for (std::uint32_t i = mesh.n_elements(); i-- > 0;) {
-    for (const NodeIndex node : mesh.element_nodes({i})) {
-      if (is_in[node.value] == 0) continue;
-      by_node[node].side = ElementSide({i}, 1);
-      by_node[node].backing.thickness = std::numeric_limits<double>::quiet_NaN();
-    }
-  }
-}
-
-/// The same of the nodes of a set: by the faces of the mesh's outside whose corners are all in the set; a
-/// node that has no such face by all outside faces that it has.
-void add_shares_of_set(std::span<const NodeIndex> nodes, const Mesh& mesh, SharesByNode& by_node) {
-  const Skin skin = make_skin(mesh, std::vector<std::uint8_t>(mesh.n_elements(), 1));
-  std::vector<std::uint8_t> is_in(mesh.n_nodes(), 0);
-  for (const NodeIndex node : nodes) is_in[node.value] = 1;
-  std::vector<ElementSide> inside;
-  for (const ElementSide side : skin.exterior) {
-    const auto corners = mesh.side_nodes(side);
-    if (std::all_of(corners.begin(), corners.end(), [&](NodeIndex node) { return is_in[node.value] != 0; }))
-      inside.push_back(side);
-  }
-  add_shares(
-      inside, mesh, [](NodeIndex) { return true; }, by_node);
-  for (const NodeIndex node : nodes) is_in[node.value] = by_node[node].area > 0.0 ? 0 : 1;
-  add_shares(
-      skin.exterior, mesh, [&](NodeIndex node) { return is_in[node.value] != 0; }, by_node);
-  for (const NodeIndex node : nodes) is_in[node.value] = by_node[node].area > 0.0 ? 0 : 1;
-  add_elements(mesh, is_in, by_node);
-}
-
-std::vector<NodeIndex> corner_nodes(std::span<const ElementSide> sides, const Mesh& mesh) {
-  std::vector<NodeIndex> nodes;
-  for (const ElementSide side : sides) {
-    for (const NodeIndex node : mesh.side_nodes(side)) nodes.push_back(node);
-  }
-  sort_once(nodes);
-  return nodes;
-}
-
-void add_faces(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh, ContactFaces& made) {
-  for (const ElementSide side : surface.faces) {
-    ContactFace face;
-    const auto corners = mesh.side_nodes(side);
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = made.find_node(corners[k]);
+/// Numbers a surface's faces, with the thickness behind them.
+void add_faces(const ContactSurface& surface, std::uint32_t position, const ContactNumbers& numbers,
+               ContactFaces& made) {
+  const std::size_t first = made.faces.size();
+  made.faces.resize(first + surface.faces.size());
+  const auto n = static_cast<std::int64_t>(surface.faces.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(surface.faces.size()))
+  for (std::int64_t i = 0; i < n; ++i) {
+    const ElementSide side = surface.faces[static_cast<std::size_t>(i)];
+    ContactFace& face = made.faces[first + static_cast<std::size_t>(i)];
+    const auto corners = numbers.mesh().side_nodes(side);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = numbers[corners[k]];
     face.surface = position;
     face.side = side;
-    face.backing.thickness = thickness_behind(mesh, side);
-    made.faces.push_back(face);
+    face.backing.thickness = thickness_behind(numbers.mesh(), side);
   }
-}
-
-/// The nodes of a surface, those of its faces or its own.
-///   by_node  scratch
-void add_nodes(const ContactSurface& surface, std::uint32_t position, const Mesh& mesh, SharesByNode& by_node,
-               ContactFaces& made) {
-  const bool is_of_nodes = surface.kind == SurfaceKind::node;
-  const std::vector<NodeIndex> nodes = is_of_nodes ? surface.nodes : corner_nodes(surface.faces, mesh);
-  for (const NodeIndex node : nodes) by_node[node] = {};
-  if (is_of_nodes) {
-    add_shares_of_set(nodes, mesh, by_node);
-  } else {
-    add_shares(
-        surface.faces, mesh, [](NodeIndex) { return true; }, by_node);
-  }
-  for (const NodeIndex node : nodes) {
-    SurfaceNode own = by_node[node];
-    if (own.area > 0.0) {
-      own.backing.thickness /= own.area;
-    } else if (!std::isnan(own.backing.thickness)) {
-      continue;  // of no element
-    }
-    own.node = made.find_node(node);
-    own.surface = position;
-    made.surface_nodes.push_back(own);
-  }
-}
-
-/// Free nodes of a surface, among its nodes.
-///   is_of_nodes  whether it is a surface of nodes, which stand for their masses
-void add_free_nodes(std::span<const FreeNode> free_nodes, std::uint32_t position, bool is_of_nodes,
-                    const Mesh& mesh, ContactFaces& made) {
-  const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
-  for (const FreeNode& free : free_nodes) {
-    if (free.surface != position) continue;
-    SurfaceNode own;
-    own.node = made.find_node(free.node);
-    own.surface = position;
-    own.side = free.side;
-    own.is_free = true;
-    if (is_of_nodes) {
-      own.backing.thickness = std::numeric_limits<double>::quiet_NaN();
-    } else {
-      const auto corners = mesh.side_nodes(free.side);
-      own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
-      own.backing.thickness = thickness_behind(mesh, free.side);
-    }
-    made.surface_nodes.push_back(own);
-  }
-  std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
 }
 
 /// What blocks are made of.
@@ -247,12 +130,12 @@ ContactFaces make_contact_faces(const ContactModel& contact, const Mesh& mesh,
   add_loft_points(contact, mesh, made);
   made.first_face.push_back(0);
   made.first_node.push_back(0);
-  SharesByNode by_node(made);
+  const ContactNumbers numbers(mesh, std::span(made.mesh_nodes).first(made.n_mesh_points()));
+  SurfaceNodes nodes(numbers);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-    add_faces(surfaces[s], s, mesh, made);
-    add_nodes(surfaces[s], s, mesh, by_node, made);
-    const bool is_of_nodes = surfaces[s].kind == SurfaceKind::node;
-    if (!free_nodes.empty()) add_free_nodes(free_nodes, s, is_of_nodes, mesh, made);
+    add_faces(surfaces[s], s, numbers, made);
+    nodes.add(surfaces[s], s, made);
+    if (!free_nodes.empty()) nodes.add_free(free_nodes, s, surfaces[s].kind == SurfaceKind::node, made);
     add_lofts(contact, mesh, s, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));

@@ -16,17 +16,8 @@ bool boxes_meet(const FaceCorners& first, const FaceCorners& second) {
   return true;
 }
 
-/// One component of a face's map at the points of a batch.
-Lanes evaluate(const std::array<double, 4>& c, const Lanes& xi, const Lanes& eta) {
-  return c[0] + c[1] * xi + (c[2] + c[3] * xi) * eta;
-}
-
-std::array<double, 4> component(const FaceMap& map, int i) {
-  return {map.c[0][i], map.c[1][i], map.c[2][i], map.c[3][i]};
-}
-
 /// The component of a face's velocity along the normal, as a function on the face.
-std::array<double, 4> normal_speed(const MovingFace& face, const Eigen::Vector3d& normal) {
+FaceFunction normal_speed(const MovingFace& face, const Eigen::Vector3d& normal) {
   const FaceMap map = make_face_map(face.v, face.is_triangle);
   return {map.c[0].dot(normal), map.c[1].dot(normal), map.c[2].dot(normal), map.c[3].dot(normal)};
 }
@@ -43,6 +34,7 @@ void add_moments(const Lanes& f, const Lanes& xi, const Lanes& eta, FaceMoments&
 struct ProjectedPair {
   CommonPlane plane;
   FaceCorners first, second;
+  double least_gap, most_gap;  ///< bounds of the height of the first over the second [length]
   FaceMap map_1, map_2;
 };
 
@@ -56,11 +48,8 @@ struct Overlap {
 /// Sums over the points of an overlap.
 class PressureSums {
  public:
-  PressureSums(const Overlap& overlap, const ProjectedPair& pair, const PairPenalty& penalty)
-      : points_(overlap.points), penalty_(penalty), touches_(overlap.touches) {
-    z1_ = component(pair.map_1, 2);
-    z2_ = component(pair.map_2, 2);
-  }
+  PressureSums(const Overlap& overlap, const PairPenalty& penalty)
+      : points_(overlap.points), penalty_(penalty), touches_(overlap.touches) {}
 
   void set_damping(const MovingFace& first, const MovingFace& second, const Eigen::Vector3d& normal) {
     speed_1_ = normal_speed(first, normal);
@@ -69,7 +58,7 @@ class PressureSums {
 
   void add(FaceFaceContact& contact) {
     contact.gap = std::numeric_limits<double>::infinity();
-    for (int b = 0; b < points_.n_batches; ++b) add_batch(static_cast<std::size_t>(b), contact);
+    for (const OverlapBatch& batch : points_.batches()) add(batch, contact);
     const double n = forces_1_[0];
     if (n > 0.0) {
       contact.force = n;
@@ -82,35 +71,31 @@ class PressureSums {
     const FaceMoments& forces = is_first ? forces_1_ : forces_2_;
     if (forces[0] > 0.0) return corner_shares(forces, is_triangle) / forces[0];
     FaceMoments areas{};
-    for (int b = 0; b < points_.n_batches; ++b) {
-      const auto k = static_cast<std::size_t>(b);
-      add_moments(points_.weight[k], is_first ? points_.xi_1[k] : points_.xi_2[k],
-                  is_first ? points_.eta_1[k] : points_.eta_2[k], areas);
+    for (const OverlapBatch& batch : points_.batches()) {
+      add_moments(batch.weight, is_first ? batch.xi_1 : batch.xi_2, is_first ? batch.eta_1 : batch.eta_2,
+                  areas);
     }
     return corner_shares(areas, is_triangle) / areas[0];
   }
 
  private:
-  void add_batch(std::size_t k, FaceFaceContact& contact) {
-    const Lanes& w = points_.weight[k];
-    const Lanes gap =
-        evaluate(z1_, points_.xi_1[k], points_.eta_1[k]) - evaluate(z2_, points_.xi_2[k], points_.eta_2[k]);
-    contact.gap = std::min(contact.gap, (w > 0.0).select(gap, contact.gap).minCoeff());
+  void add(const OverlapBatch& batch, FaceFaceContact& contact) {
+    contact.gap = std::min(contact.gap, (batch.weight > 0.0).select(batch.gap, contact.gap).minCoeff());
     if (!touches_) return;
-    const Lanes depth = (-gap).max(0.0);
-    Lanes force = penalty_.stiffness * w * depth;
-    if (penalty_.damping > 0.0) force += add_damping(k, force, contact);
-    contact.area += w.sum();
+    const Lanes depth = (-batch.gap).max(0.0);
+    Lanes force = penalty_.stiffness * batch.weight * depth;
+    if (penalty_.damping > 0.0) force += add_damping(batch, force, contact);
+    contact.area += batch.weight.sum();
     work_ += (force * depth).sum();
-    add_moments(force, points_.xi_1[k], points_.eta_1[k], forces_1_);
-    add_moments(force, points_.xi_2[k], points_.eta_2[k], forces_2_);
+    add_moments(force, batch.xi_1, batch.eta_1, forces_1_);
+    add_moments(force, batch.xi_2, batch.eta_2, forces_2_);
   }
 
   /// Damping never pulls: what it takes from a separating point ends with the spring's force.
-  Lanes add_damping(std::size_t k, const Lanes& spring, FaceFaceContact& contact) const {
-    const Lanes speed = evaluate(speed_1_, points_.xi_1[k], points_.eta_1[k]) -
-                        evaluate(speed_2_, points_.xi_2[k], points_.eta_2[k]);
-    const Lanes damping = (-penalty_.damping * points_.weight[k] * speed).max(-spring);
+  Lanes add_damping(const OverlapBatch& batch, const Lanes& spring, FaceFaceContact& contact) const {
+    const Lanes speed =
+        evaluate(speed_1_, batch.xi_1, batch.eta_1) - evaluate(speed_2_, batch.xi_2, batch.eta_2);
+    const Lanes damping = (-penalty_.damping * batch.weight * speed).max(-spring);
     contact.damped_power -= (damping * speed).sum();
     return damping;
   }
@@ -118,7 +103,7 @@ class PressureSums {
   const OverlapPoints& points_;
   const PairPenalty& penalty_;
   bool touches_;
-  std::array<double, 4> z1_, z2_, speed_1_{}, speed_2_{};
+  FaceFunction speed_1_{}, speed_2_{};
   FaceMoments forces_1_{}, forces_2_{};
   double work_ = 0.0;
 };
@@ -126,15 +111,16 @@ class PressureSums {
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second) {
   const auto plane = make_common_plane(first.x, first.look(), second.look());
   if (!plane) return std::nullopt;
-  ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), {}, {}};
+  ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), 0.0, 0.0, {}, {}};
+  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
+  pair.least_gap = z1.minCoeff() - z2.maxCoeff();
+  pair.most_gap = z1.maxCoeff() - z2.minCoeff();
   return pair;
 }
 
 /// Whether some point of the first face may be nearer to the second than the reach, and none is too deep.
 bool is_near(const ProjectedPair& pair, double reach, double depth) {
-  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
-  return z1.minCoeff() - z2.maxCoeff() < reach && z2.minCoeff() - z1.maxCoeff() < depth &&
-         boxes_meet(pair.first, pair.second);
+  return pair.least_gap < reach && -pair.most_gap < depth && boxes_meet(pair.first, pair.second);
 }
 
 void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair& pair) {
@@ -146,20 +132,35 @@ OverlapPolygon overlap_of(const ProjectedPair& pair) {
   return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
 }
 
-/// What lies deeper than the depth is another wall, as is what lies behind it.
-Overlap find_overlap(const ProjectedPair& pair, double reach, double depth) {
-  Overlap overlap;
-  OverlapPolygon whole = overlap_of(pair);
-  if (!whole.has_area()) return overlap;
-  set_gaps(pair.map_1, pair.map_2, whole);
-  const OverlapPolygon near = part_between(-depth, reach, whole);
-  if (!near.has_area()) return overlap;
-  const OverlapPolygon behind = part_between(-depth, 0.0, near);
-  overlap.touches = behind.has_area();
-  overlap.points = place_points(overlap.touches ? behind : near, pair.map_1, pair.map_2);
+/// Whether all of the overlap is near, and on one side of where the gap closes.
+bool is_uncut(const ProjectedPair& pair, double reach, double depth) {
+  return pair.least_gap >= -depth && pair.most_gap <= reach && (pair.most_gap <= 0.0 || pair.least_gap > 0.0);
+}
+
+void set_points(const OverlapPolygon& polygon, const ProjectedPair& pair, Overlap& overlap) {
+  place_points(polygon, pair.map_1, pair.map_2, overlap.points);
   overlap.points.spread(pair.plane.spread);
-  overlap.near_area = near.area() * pair.plane.spread;
-  return overlap;
+}
+
+/// What lies deeper than the depth is another wall, as is what lies behind it.
+void find_overlap(const ProjectedPair& pair, double reach, double depth, Overlap& overlap) {
+  OverlapPolygon whole = overlap_of(pair);
+  const double area = whole.area();
+  if (!(area > 0.0)) return;
+  if (is_uncut(pair, reach, depth)) {
+    overlap.touches = pair.most_gap <= 0.0;
+    overlap.near_area = area * pair.plane.spread;
+    return set_points(whole, pair, overlap);
+  }
+  set_gaps(pair.map_1, pair.map_2, whole);
+  std::array<OverlapPolygon, 2> for_near, for_behind;
+  const OverlapPolygon& near = part_between(-depth, reach, whole, for_near);
+  const double near_area = near.area();
+  if (!(near_area > 0.0)) return;
+  overlap.near_area = near_area * pair.plane.spread;
+  const OverlapPolygon& behind = part_between(-depth, 0.0, near, for_behind);
+  overlap.touches = behind.has_area();
+  set_points(overlap.touches ? behind : near, pair, overlap);
 }
 
 }  // namespace
@@ -170,10 +171,11 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   auto pair = project_pair(first, second);
   if (!pair || !is_near(*pair, reach, penalty.depth)) return contact;
   make_maps(first, second, *pair);
-  const Overlap overlap = find_overlap(*pair, reach, penalty.depth);
+  Overlap overlap;
+  find_overlap(*pair, reach, penalty.depth, overlap);
   if (!(overlap.points.area > 0.0)) return contact;
   contact.stiffness = penalty.stiffness * overlap.near_area;
-  PressureSums sums(overlap, *pair, penalty);
+  PressureSums sums(overlap, penalty);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
@@ -189,19 +191,9 @@ std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, con
   if (!pair || !boxes_meet(pair->first, pair->second)) return std::nullopt;
   make_maps(first, second, *pair);
   const OverlapPolygon overlap = overlap_of(*pair);
-  if (overlap.n < 3) return std::nullopt;
-  FaceFacePoints found{pair->plane,
-                       place_points(overlap, pair->map_1, pair->map_2),
-                       {},
-                       first.is_triangle,
-                       second.is_triangle};
-  if (!(found.points.area > 0.0)) return std::nullopt;
-  const auto z1 = component(pair->map_1, 2), z2 = component(pair->map_2, 2);
-  for (int b = 0; b < found.points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    found.gap[k] = evaluate(z1, found.points.xi_1[k], found.points.eta_1[k]) -
-                   evaluate(z2, found.points.xi_2[k], found.points.eta_2[k]);
-  }
+  if (!overlap.has_area()) return std::nullopt;
+  FaceFacePoints found{pair->plane, {}, first.is_triangle, second.is_triangle};
+  place_points(overlap, pair->map_1, pair->map_2, found.points);
   return found;
 }
 

@@ -55,20 +55,18 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
 struct FaceFacePoints {
   CommonPlane plane;
   OverlapPoints points;
-  std::array<Lanes, OverlapPoints::max_batches> gap;  ///< along the normal [length]
   bool is_triangle_1 = false, is_triangle_2 = false;
 
   /// Calls visit(area, gap, weights of the first face's corners, of the second's) for each point whose gap is
   /// at most the tolerance either way.
   template <class Visit>
   void visit_near(double tolerance, const Visit& visit) const {
-    for (int b = 0; b < points.n_batches; ++b) {
-      const auto k = static_cast<std::size_t>(b);
+    for (const OverlapBatch& batch : points.batches()) {
       for (int lane = 0; lane < n_lanes; ++lane) {
-        const double area = points.weight[k](lane), apart = gap[k](lane);
-        if (!(area > 0.0) || !(std::abs(apart) <= tolerance)) continue;
-        visit(area, apart, corner_weights(points.xi_1[k](lane), points.eta_1[k](lane), is_triangle_1),
-              corner_weights(points.xi_2[k](lane), points.eta_2[k](lane), is_triangle_2));
+        const double area = batch.weight(lane), gap = batch.gap(lane);
+        if (!(area > 0.0) || !(std::abs(gap) <= tolerance)) continue;
+        visit(area, gap, corner_weights(batch.xi_1(lane), batch.eta_1(lane), is_triangle_1),
+              corner_weights(batch.xi_2(lane), batch.eta_2(lane), is_triangle_2));
       }
     }
   }

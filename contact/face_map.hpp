@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 
+#include "core/lanes.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {
@@ -42,6 +43,19 @@ inline FaceMap make_face_map(const FaceCorners& x, bool is_triangle) {
     map.c = {0.25 * (a + b), 0.25 * (p + q), 0.25 * (p - q), 0.25 * (a - b)};
   }
   return map;
+}
+
+/// A number on a face as a function of its coordinates: c0 + c1 xi + c2 eta + c3 xi eta.
+using FaceFunction = std::array<double, 4>;
+
+/// One component of a face's map.
+inline FaceFunction component(const FaceMap& map, int i) {
+  return {map.c[0][i], map.c[1][i], map.c[2][i], map.c[3][i]};
+}
+
+/// The values of a function at points of a face.
+inline Lanes evaluate(const FaceFunction& c, const Lanes& xi, const Lanes& eta) {
+  return c[0] + c[1] * xi + (c[2] + c[3] * xi) * eta;
 }
 
 /// The share of each corner: the sum of f times its shape function.

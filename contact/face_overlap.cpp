@@ -18,19 +18,19 @@ void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, Ov
   }
 }
 
-/// Puts the part of a polygon where a function, linear from corner to corner, is not negative into `kept`;
-/// returns false, and leaves `kept` alone, when that is all of it.
-///   side  of a corner's number
+/// The part of a polygon where a function, linear from corner to corner, is not negative: the polygon itself
+/// when that is all of it, else `kept`.
+///   side_of  a corner's number
 /// Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
 template <class Side>
-bool cut(const OverlapPolygon& polygon, const Side& side_of, OverlapPolygon& kept) {
+const OverlapPolygon& cut(const OverlapPolygon& polygon, const Side& side_of, OverlapPolygon& kept) {
   double side[OverlapPolygon::max_corners + 2];
   double least = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
     side[i] = side_of(i);
     least = std::min(least, side[i]);
   }
-  if (least >= 0.0) return false;
+  if (least >= 0.0) return polygon;
   kept.n = 0;
   for (int i = 0; i < polygon.n; ++i) {
     const int next = i + 1 < polygon.n ? i + 1 : 0;
@@ -43,21 +43,23 @@ bool cut(const OverlapPolygon& polygon, const Side& side_of, OverlapPolygon& kep
     if (kept.n >= OverlapPolygon::max_corners) break;
   }
   kept.n = std::min(kept.n, OverlapPolygon::max_corners);
-  return true;
+  return kept;
 }
 
-/// Points of the plane.
+/// Points of the plane, and the area that each stands for; beyond the last one stand points of no area.
 struct PlanePoints {
-  std::array<Lanes, OverlapPoints::max_batches> u, v;
+  int n_batches;
+  std::array<Lanes, OverlapPoints::max_batches> u, v, weight;
 };
 
 /// Splits the polygon into triangles around its centroid, which does not jump when a corner is cut off; each
 /// gives a third of its area to the middles of its edges, which is exact for quadratic polynomials. Points
 /// stand corner by corner: on the spoke, on the rim.
-void spread_points(const OverlapPolygon& polygon, PlanePoints& placed, OverlapPoints& points) {
+PlanePoints spread_points(const OverlapPolygon& polygon) {
   const auto [mu, mv] = polygon.centroid();
-  points.n_batches = (2 * polygon.n + n_lanes - 1) / n_lanes;
-  double *u = placed.u[0].data(), *v = placed.v[0].data(), *weight = points.weight[0].data();
+  PlanePoints placed;
+  placed.n_batches = (2 * polygon.n + n_lanes - 1) / n_lanes;
+  double *u = placed.u[0].data(), *v = placed.v[0].data(), *weight = placed.weight[0].data();
   double last = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
     const int next = i + 1 < polygon.n ? i + 1 : 0;
@@ -72,11 +74,12 @@ void spread_points(const OverlapPolygon& polygon, PlanePoints& placed, OverlapPo
     last = third;
   }
   weight[0] += last;
-  for (int i = 2 * polygon.n; i < points.n_batches * n_lanes; ++i) {
+  for (int i = 2 * polygon.n; i < placed.n_batches * n_lanes; ++i) {
     u[i] = mu;
     v[i] = mv;
     weight[i] = 0.0;
   }
+  return placed;
 }
 
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
@@ -103,9 +106,13 @@ void locate(const FaceMap& map, const Lanes& u, const Lanes& v, Lanes& xi, Lanes
   xi = within_face(((du - c[2][0] * eta) * pu + (dv - c[2][1] * eta) * pv) / (pu * pu + pv * pv));
 }
 
-Lanes height(const FaceMap& map, const Lanes& xi, const Lanes& eta) {
-  const auto& c = map.c;
-  return c[0][2] + c[1][2] * xi + (c[2][2] + c[3][2] * xi) * eta;
+/// Finds where points of the plane lie on both faces, and how high the first is over the second there.
+void locate_on_both(const FaceMap& map_1, const FaceMap& map_2, const Lanes& u, const Lanes& v,
+                    OverlapBatch& batch) {
+  locate(map_1, u, v, batch.xi_1, batch.eta_1);
+  locate(map_2, u, v, batch.xi_2, batch.eta_2);
+  batch.gap = evaluate(component(map_1, 2), batch.xi_1, batch.eta_1) -
+              evaluate(component(map_2, 2), batch.xi_2, batch.eta_2);
 }
 
 }  // namespace
@@ -122,7 +129,7 @@ OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const Fac
     const auto inwards = [&](int corner) {
       return du * (now->v[corner] - window.v[i]) - dv * (now->u[corner] - window.u[i]);
     };
-    if (cut(*now, inwards, *next)) std::swap(now, next);
+    if (&cut(*now, inwards, *next) == next) std::swap(now, next);
   }
   return *now;
 }
@@ -132,23 +139,17 @@ void set_gaps(const FaceMap& map_1, const FaceMap& map_2, OverlapPolygon& polygo
   Lanes u = Lanes::Constant(polygon.u[0]), v = Lanes::Constant(polygon.v[0]);
   const int n = std::min(polygon.n, n_lanes);
   for (int i = 0; i < n; ++i) u(i) = polygon.u[i], v(i) = polygon.v[i];
-  Lanes xi_1, eta_1, xi_2, eta_2;
-  locate(map_1, u, v, xi_1, eta_1);
-  locate(map_2, u, v, xi_2, eta_2);
-  const Lanes gap = height(map_1, xi_1, eta_1) - height(map_2, xi_2, eta_2);
-  for (int i = 0; i < n; ++i) polygon.gap[i] = gap(i);
+  OverlapBatch corners;
+  locate_on_both(map_1, map_2, u, v, corners);
+  for (int i = 0; i < n; ++i) polygon.gap[i] = corners.gap(i);
 }
 
-OverlapPolygon part_between(double least, double most, const OverlapPolygon& polygon) {
-  OverlapPolygon low, part;
-  const OverlapPolygon& below = cut(
-                                    polygon, [&](int i) { return most - polygon.gap[i]; }, low)
-                                    ? low
-                                    : polygon;
-  return cut(
-             below, [&](int i) { return below.gap[i] - least; }, part)
-             ? part
-             : below;
+const OverlapPolygon& part_between(double least, double most, const OverlapPolygon& polygon,
+                                   std::array<OverlapPolygon, 2>& scratch) {
+  const auto below_most = [&](int corner) { return most - polygon.gap[corner]; };
+  const OverlapPolygon& low = cut(polygon, below_most, scratch[0]);
+  const auto above_least = [&](int corner) { return low.gap[corner] - least; };
+  return cut(low, above_least, scratch[1]);
 }
 
 double OverlapPolygon::area() const {
@@ -172,17 +173,17 @@ std::array<double, 2> OverlapPolygon::centroid() const {
   return {u[0] + to_u / (3.0 * area), v[0] + to_v / (3.0 * area)};
 }
 
-OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2) {
-  OverlapPoints points;
-  PlanePoints placed;
-  spread_points(polygon, placed, points);
-  for (int b = 0; b < points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    locate(map_1, placed.u[k], placed.v[k], points.xi_1[k], points.eta_1[k]);
-    locate(map_2, placed.u[k], placed.v[k], points.xi_2[k], points.eta_2[k]);
-    points.area += points.weight[k].sum();
+void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                  OverlapPoints& points) {
+  const PlanePoints placed = spread_points(polygon);
+  points.n_batches = static_cast<std::size_t>(placed.n_batches);
+  points.area = 0.0;
+  for (std::size_t k = 0; k < points.n_batches; ++k) {
+    OverlapBatch& batch = points.all[k];
+    batch.weight = placed.weight[k];
+    locate_on_both(map_1, map_2, placed.u[k], placed.v[k], batch);
+    points.area += batch.weight.sum();
   }
-  return points;
 }
 
 }  // namespace contactsim

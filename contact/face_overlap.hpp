@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "contact/face_map.hpp"
 #include "core/lanes.hpp"
 
@@ -21,8 +24,8 @@ struct OverlapPolygon {
     gap[n] = its_gap;
     ++n;
   }
-  bool has_area() const { return n > 2 && area() > 0.0; }
-  double area() const;                     ///< of at least three corners, anticlockwise [length^2]
+  bool has_area() const { return area() > 0.0; }
+  double area() const;                     ///< of corners that stand anticlockwise [length^2]
   std::array<double, 2> centroid() const;  ///< u and v [length]
 };
 
@@ -35,28 +38,38 @@ OverlapPolygon intersect(const FaceCorners& first, bool is_triangle_1, const Fac
 /// are.
 void set_gaps(const FaceMap& map_1, const FaceMap& map_2, OverlapPolygon& polygon);
 
-/// The part of a polygon where gaps, linear from corner to corner, are within bounds [length].
-OverlapPolygon part_between(double least, double most, const OverlapPolygon& polygon);
+/// The part of a polygon where gaps, linear from corner to corner, are within bounds [length]: the polygon
+/// itself when that is all of it, else one in the scratch.
+const OverlapPolygon& part_between(double least, double most, const OverlapPolygon& polygon,
+                                   std::array<OverlapPolygon, 2>& scratch);
 
-/// Points at which pressure is integrated over the overlap of two faces, and where they lie on both.
+/// Eight points at which pressure is integrated over the overlap of two faces, and where they lie on both.
+struct OverlapBatch {
+  Lanes weight;                    ///< area that each point stands for, 0 of lanes not used [length^2]
+  Lanes xi_1, eta_1, xi_2, eta_2;  ///< [1]
+  Lanes gap;                       ///< height of the first face over the second [length]
+};
+
+/// All points of an overlap.
 struct OverlapPoints {
-  static constexpr int max_batches = 3;
+  static constexpr std::size_t max_batches = 3;
 
-  int n_batches = 0;
-  double area = 0.0;                      ///< of all points [length^2]
-  std::array<Lanes, max_batches> weight;  ///< area that each point stands for, 0 of lanes not used [length^2]
-  std::array<Lanes, max_batches> xi_1, eta_1, xi_2, eta_2;  ///< [1]
+  std::size_t n_batches = 0;
+  double area = 0.0;  ///< of all points [length^2]
+  std::array<OverlapBatch, max_batches> all;
 
+  std::span<const OverlapBatch> batches() const { return {all.data(), n_batches}; }
   /// Makes each point stand for more area.
   void spread(double factor) {
     area *= factor;
-    for (int b = 0; b < n_batches; ++b) weight[static_cast<std::size_t>(b)] *= factor;
+    for (std::size_t k = 0; k < n_batches; ++k) all[k].weight *= factor;
   }
 };
 
-/// The points of a quadrature over a polygon of at least three corners that is exact for quadratic
+/// Sets the points of a quadrature over a polygon of at least three corners that is exact for quadratic
 /// polynomials.
 ///   maps  of the faces in the coordinates of the plane
-OverlapPoints place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2);
+void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                  OverlapPoints& points);
 
 }  // namespace contactsim

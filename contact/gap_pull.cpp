@@ -41,8 +41,7 @@ struct FaceSums {
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
 };
 
-void add_point(const PlaceLaw& law, const FaceFacePoints& found, std::size_t k, int lane, FaceSums& sums) {
-  const double area = found.points.weight[k](lane), gap = found.gap[k](lane);
+void add_point(const PlaceLaw& law, double area, double gap, FaceSums& sums) {
   const Pull pull = pull_at(law, gap, area);
   sums.force += pull.force;
   sums.work += pull.force * gap;
@@ -53,27 +52,19 @@ void add_point(const PlaceLaw& law, const FaceFacePoints& found, std::size_t k, 
   if (is_held) sums.area_held += area;
 }
 
-Eigen::Vector4d weights_of(const FaceFacePoints& found, std::size_t k, int lane, bool is_first,
-                           bool is_triangle) {
-  const OverlapPoints& p = found.points;
-  return is_first ? corner_weights(p.xi_1[k](lane), p.eta_1[k](lane), is_triangle)
-                  : corner_weights(p.xi_2[k](lane), p.eta_2[k](lane), is_triangle);
-}
-
 /// Sums over the points that are near enough and not of another wall.
-FaceSums sum_points(const PlaceLaw& law, const FacePush& push, const FaceFacePoints& points) {
+FaceSums sum_points(const PlaceLaw& law, const FacePush& push, const OverlapPoints& points) {
   FaceSums sums;
-  for (int b = 0; b < points.points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
+  for (const OverlapBatch& batch : points.batches()) {
     for (int lane = 0; lane < n_lanes; ++lane) {
-      const double area = points.points.weight[k](lane), gap = points.gap[k](lane);
+      const double area = batch.weight(lane), gap = batch.gap(lane);
       if (!(area > 0.0) || gap >= law.reach() || gap < -push.penalty.depth) continue;
-      add_point(law, points, k, lane, sums);
+      add_point(law, area, gap, sums);
       // One place has one centre of force. What acts along the surface acts at the middle of the area.
       const double weight = law.rate_limit ? area : pull_at(law, gap, area).force;
       sums.weight += weight;
-      sums.weights_1 += weight * weights_of(points, k, lane, true, push.first.is_triangle);
-      sums.weights_2 += weight * weights_of(points, k, lane, false, push.second.is_triangle);
+      sums.weights_1 += weight * corner_weights(batch.xi_1(lane), batch.eta_1(lane), push.first.is_triangle);
+      sums.weights_2 += weight * corner_weights(batch.xi_2(lane), batch.eta_2(lane), push.second.is_triangle);
     }
   }
   return sums;
@@ -101,7 +92,7 @@ void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, Contac
 bool pull_faces(const PlaceLaw& law, const FacePush& push, bool is_frozen, ContactRecord& record) {
   const auto found = find_face_face_points(push.first, push.second);
   if (!found) return false;
-  const FaceSums sums = sum_points(law, push, *found);
+  const FaceSums sums = sum_points(law, push, found->points);
   if (!(sums.area > 0.0)) return false;
   record.normal = found->plane.normal;
   if (sums.weight != 0.0) {

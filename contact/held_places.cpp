@@ -45,7 +45,8 @@ std::optional<Bond> make_bond(const ContactScene& scene, const NearPlace& near) 
     bond.weights_1 = Eigen::Vector4d::UnitX();
     bond.weights_2 = corner_weights(foot->xi, foot->eta, moving.is_triangle);
     bond.rest = axes_of(moving.x).transpose() * (scene.surface.x(node.node) - moving.x * bond.weights_2);
-    bond.area = pair.node_share() * scene.surface.area_against(node, foot->normal);
+    bond.share = near.share;
+    bond.area = near.share * scene.surface.area_against(node, foot->normal);
     bond.penalty = make_pair_penalty(node.backing, &second.backing, pair).stiffness;
   } else {
     static_cast<HeldPlace&>(bond) = place_of_faces(scene, near.first, near.second);
@@ -54,15 +55,15 @@ std::optional<Bond> make_bond(const ContactScene& scene, const NearPlace& near) 
   }
   const Hold& hold = *rule_of(scene, bond).place->hold;
   const bool is_in_forces = std::holds_alternative<SpringHold>(hold);
-  bond.share = is_in_forces ? (near.is_node ? pair.node_share() : 1.0) : bond.area;
-  const double stiffness = bond_stiffness(hold, bond.share, bond.penalty);
+  bond.size = is_in_forces ? bond.share : bond.area;
+  const double stiffness = bond_stiffness(hold, bond.size, bond.penalty);
   bond.springs << stiffness * bond.weights_1, stiffness * bond.weights_2;
   return bond;
 }
 
 void visit_place(HeldPlace& place, RowNumbers& row) {
   row(place.pair, place.is_swapped, place.first_place, place.second_place, place.is_node, place.nodes,
-      place.springs, place.area);
+      place.springs, place.area, place.share);
 }
 
 void visit_tie(Tie& tie, RowNumbers& row) {
@@ -73,7 +74,7 @@ void visit_tie(Tie& tie, RowNumbers& row) {
 void visit_bond(Bond& bond, RowNumbers& row) {
   visit_place(bond, row);
   BondHistory& history = bond.history;
-  row(bond.weights_1, bond.weights_2, bond.rest, bond.share, bond.penalty, bond.has_failed, history.worst,
+  row(bond.weights_1, bond.weights_2, bond.rest, bond.size, bond.penalty, bond.has_failed, history.worst,
       history.worst_traction, history.tangential_energy, history.gap_factor);
 }
 
@@ -159,7 +160,8 @@ void HeldPlaces::glue(const ContactScene& scene, const ContactRecord& record, Gl
   std::optional<Tie> tie;
   if (record.first.is_node()) {
     if (glued.add_node(record.first_place, record.pair))
-      tie = make_node_tie(scene, record.first_place, record.second_place, any_gap);
+      tie = make_node_tie(scene, {record.first_place, record.second_place, record.pair, true, any_gap,
+                                  scene.rules[record.pair].pair->node_share()});
   } else if (glued.add_faces(record.first_place, record.second_place)) {
     tie = make_face_tie(scene, record.first_place, record.second_place, any_gap);
   }

@@ -11,6 +11,7 @@
 
 #include "contact/section_sizes.hpp"
 #include "contact/surface_options.hpp"
+#include "core/mesh/element_attributes.hpp"
 
 namespace contactsim {
 
@@ -31,39 +32,6 @@ std::vector<LoftOptions> find_loft_options(const std::vector<SurfaceOptions>& bl
     found[i].of_shells = &options;
   });
   return found;
-}
-
-bool has_attribute_names(const ElementBlock& block) {
-  return std::any_of(block.attribute_names.begin(), block.attribute_names.end(),
-                     [](const std::string& name) { return !name.empty(); });
-}
-
-/// The attribute of an element by name.
-std::optional<double> find_named_attribute(const ElementBlock& block, std::uint32_t element_in_block,
-                                           std::string_view name) {
-  const auto& names = block.attribute_names;
-  const auto named =
-      std::find_if(names.begin(), names.end(), [&](const std::string& a) { return fold(a) == fold(name); });
-  if (named == names.end()) return std::nullopt;
-  const auto column = static_cast<std::size_t>(named - names.begin());
-  return block.attributes[element_in_block * names.size() + column];
-}
-
-/// The attribute of an element: by its usual name when the block has it, else the first column. All columns
-/// of a shell that has one per node count, as their mean. Source: Exodus II attribute order, SAND92-2137.
-std::optional<double> find_usual_attribute(const ElementBlock& block, std::uint32_t element_in_block,
-                                           std::string_view name) {
-  const std::size_t n = block.attribute_names.size();
-  if (n == 0) return std::nullopt;
-  if (const auto named = find_named_attribute(block, element_in_block, name)) return named;
-  const double* values = block.attributes.data() + element_in_block * n;
-  const Topology& shape = topology(block.shape);
-  const bool is_nodal =
-      shape.family == Family::shell && n == static_cast<std::size_t>(block.nodes_per_element);
-  if (!is_nodal) return values[0];
-  double sum = 0.0;
-  for (std::size_t i = 0; i < n; ++i) sum += values[i];
-  return sum / static_cast<double>(n);
 }
 
 /// A number that deck or mesh give for the body of an element; absent when they give none.

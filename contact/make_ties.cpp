@@ -22,7 +22,41 @@ double tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_
   return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
 }
 
+/// Whether a node stands over some face of a surface.
+bool stands_over(const ContactScene& scene, const PairLists& node_faces, std::uint32_t row,
+                 std::uint32_t surface, double tolerance) {
+  return std::ranges::any_of(node_faces.of(row), [&](std::uint32_t face) {
+    return scene.surface.faces().faces[face].surface == surface &&
+           find_foot(scene, row, face, tolerance).has_value();
+  });
+}
+
+/// The row of a contact node among the nodes of a surface.
+std::optional<std::uint32_t> find_row(const ContactFaces& faces, std::uint32_t node, std::uint32_t surface) {
+  const auto own =
+      std::span(faces.surface_nodes)
+          .subspan(faces.first_node[surface], faces.first_node[surface + 1] - faces.first_node[surface]);
+  const auto found = std::ranges::lower_bound(own, node, {}, &SurfaceNode::node);
+  if (found == own.end() || found->node != node) return std::nullopt;
+  return faces.first_node[surface] + static_cast<std::uint32_t>(found - own.begin());
+}
+
 }  // namespace
+
+double share_of_node(const ContactScene& scene, const PairLists& node_faces, const NearPlace& place,
+                     const Eigen::Vector4d& weights) {
+  if (scene.rules[place.pair].pair->is_one_sided) return 1.0;
+  const ContactFaces& faces = scene.surface.faces();
+  const ContactFace& face = faces.faces[place.second];
+  const std::uint32_t own = faces.surface_nodes[place.first].surface;
+  double covered = 0.0;
+  for (std::size_t k = 0; k < (face.is_triangle() ? 3u : 4u); ++k) {
+    const auto row = find_row(faces, face.corners[k], face.surface);
+    if (row && stands_over(scene, node_faces, *row, own, place.tolerance))
+      covered += weights[static_cast<Eigen::Index>(k)];
+  }
+  return 1.0 - 0.5 * std::clamp(covered, 0.0, 1.0);
+}
 
 std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
                                    double tolerance) {
@@ -70,16 +104,16 @@ std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first,
   return tie;
 }
 
-std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
-                                 double tolerance) {
-  const auto point = find_foot(scene, row, face, tolerance);
+std::optional<Tie> make_node_tie(const ContactScene& scene, const NearPlace& place) {
+  const auto point = find_foot(scene, place.first, place.second, place.tolerance);
   if (!point) return std::nullopt;
-  const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
-  const MovingFace moving = scene.surface.face(face);
-  Tie tie{place_of_node(scene, row, face)};
+  const SurfaceNode& node = scene.surface.faces().surface_nodes[place.first];
+  const MovingFace moving = scene.surface.face(place.second);
+  Tie tie{place_of_node(scene, place.first, place.second)};
   const SurfacePair& pair = *scene.rules[tie.pair].pair;
-  tie.area = pair.node_share() * scene.surface.area_against(node, point->normal);
-  const Backing& other = scene.surface.faces().faces[face].backing;
+  tie.share = place.share;
+  tie.area = place.share * scene.surface.area_against(node, point->normal);
+  const Backing& other = scene.surface.faces().faces[place.second].backing;
   const double stiffness = make_pair_penalty(node.backing, &other, pair).stiffness * tie.area;
   tie_node(scene.surface.x(node.node), moving, corner_weights(point->xi, point->eta, moving.is_triangle),
            stiffness, tie);
@@ -89,12 +123,13 @@ std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, s
 namespace {
 
 /// The nearest of the faces that a node stands over and is held to.
-std::optional<NearPlace> find_nearest(const ContactScene& scene, std::span<const std::uint32_t> node_faces,
+std::optional<NearPlace> find_nearest(const ContactScene& scene, const PairLists& node_faces,
                                       std::uint32_t row, double size_share, const HoldsPlace& holds) {
   const ContactFaces& faces = scene.surface.faces();
   std::optional<NearPlace> best;
+  Eigen::Vector4d weights;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t face : node_faces) {
+  for (const std::uint32_t face : node_faces.of(row)) {
     const std::uint32_t pair = scene.rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface);
     if (pair == PairRules::none || !scene.rules[pair].is_active || !holds(scene.rules.of_node(pair, row)))
       continue;
@@ -103,7 +138,9 @@ std::optional<NearPlace> find_nearest(const ContactScene& scene, std::span<const
     if (!foot || std::abs(foot->gap) + foot->beyond >= nearest) continue;
     nearest = std::abs(foot->gap) + foot->beyond;
     best = {row, face, pair, true, tolerance};
+    weights = corner_weights(foot->xi, foot->eta, faces.faces[face].is_triangle());
   }
+  if (best) best->share = share_of_node(scene, node_faces, *best, weights);
   return best;
 }
 
@@ -124,7 +161,7 @@ std::vector<NearPlace> find_near_places(const ContactScene& scene, const PairLis
     }
   }
   for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    if (const auto nearest = find_nearest(scene, node_faces.of(row), row, size_share, holds))
+    if (const auto nearest = find_nearest(scene, node_faces, row, size_share, holds))
       places.push_back(*nearest);
   }
   return places;
@@ -134,7 +171,7 @@ std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_part
                            const PairLists& node_faces, double size_share, const HoldsPlace& holds) {
   std::vector<Tie> ties;
   for (const NearPlace& place : find_near_places(scene, face_partners, node_faces, size_share, holds)) {
-    const auto tie = place.is_node ? make_node_tie(scene, place.first, place.second, place.tolerance)
+    const auto tie = place.is_node ? make_node_tie(scene, place)
                                    : make_face_tie(scene, place.first, place.second, place.tolerance);
     if (tie) ties.push_back(*tie);
   }

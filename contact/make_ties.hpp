@@ -22,6 +22,7 @@ struct NearPlace {
   std::uint32_t pair = 0;
   bool is_node = false;
   double tolerance = 0.0;  ///< of the gap either way [length]
+  double share = 1.0;      ///< of nodes as share_of_node() [1]
 };
 
 /// The candidates of active pairs that something holds, over a gap or an overlap: by the pair's capture
@@ -48,12 +49,20 @@ HeldPlace place_of_node(const ContactScene& scene, std::uint32_t row, std::uint3
 std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
                                    double tolerance);
 
+/// What a surface node counts for where it meets a face [1]. Pairs that go one way meet everything once: 1.
+/// In those that go both ways nodes of the face count too, as far as they stand over the node's surface: from
+/// 1, when no corner of the face does, down to 1/2, when all do.
+///   node_faces  candidates of a search
+///   place       of the node; its tolerance holds for the corners' gaps as well
+///   weights     of the face's corners at the node's foot, sum 1 [1]
+double share_of_node(const ContactScene& scene, const PairLists& node_faces, const NearPlace& place,
+                     const Eigen::Vector4d& weights);
+
 /// Ties two faces as they are now; nothing when they do not overlap.
 std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first, std::uint32_t second,
                                  double tolerance);
 
 /// Ties a surface node to a face as they are now; nothing when it does not stand over it.
-std::optional<Tie> make_node_tie(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
-                                 double tolerance);
+std::optional<Tie> make_node_tie(const ContactScene& scene, const NearPlace& place);
 
 }  // namespace contactsim

@@ -7,6 +7,7 @@
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
+#include "contact/make_ties.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
 #include "core/state_archive.hpp"
@@ -114,9 +115,10 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
   work.hits.n = 0;
   for (const std::uint32_t face : candidates_.of(row)) look_at(scene, row, face, work.memory, work.hits);
   if (work.hits.n > 1) choose(scene, work.memory, work.hits);
-  for (const Hit& hit : work.hits) {
+  for (Hit& hit : work.hits) {
     const PairRule& rule = scene.rules.of_node(hit.pair, row);
     if (scene.dt == 0.0 && hit.point.gap > 0.0 && !rule.acts_apart()) continue;
+    hit.share *= share_of(scene, row, hit);
     records.push_back(make_record(scene, row, hit));
     ContactRecord& record = records.back();
     if (rule.acts_apart()) {
@@ -248,6 +250,17 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
   hits.n = n_chosen;
 }
 
+/// The node's share in what both ways of the pair do together. To forces along the gap that only the sum of
+/// both ways matters to, half will do; a pull has the traction that its law says on all of the area.
+double NodeFaceContacts::share_of(const ContactScene& scene, std::uint32_t row, const Hit& hit) const {
+  if (faces_.surface_nodes[row].radius > 0.0f) return 1.0;  // no face's nodes meet balls in turn
+  const PairRule& rule = scene.rules.of_node(hit.pair, row);
+  if (!rule.acts_apart()) return rule.pair->node_share();
+  const NearPlace place{row, hit.face, hit.pair, true, std::max(rule.reach, hit.penalty.depth)};
+  const bool is_triangle = faces_.faces[hit.face].is_triangle();
+  return share_of_node(scene, candidates_, place, corner_weights(hit.point.xi, hit.point.eta, is_triangle));
+}
+
 ContactRecord NodeFaceContacts::make_record(const ContactScene& scene, std::uint32_t row,
                                             const Hit& hit) const {
   const SurfaceNode& node = faces_.surface_nodes[row];
@@ -272,9 +285,7 @@ NodePush NodeFaceContacts::make_push(const ContactScene& scene, std::uint32_t ro
                                      const ContactRecord& record) const {
   const SurfaceNode& node = faces_.surface_nodes[row];
   const SurfacePair& pair = *scene.rules[hit.pair].pair;
-  // No face's nodes meet balls in turn.
-  const double part = node.radius > 0.0f ? 1.0 : pair.node_share();
-  const double area = hit.share * part * scene.surface.area_against(node, hit.point.normal);
+  const double area = hit.share * scene.surface.area_against(node, hit.point.normal);
   const MovingFace moving = scene.surface.face(hit.face);
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * hit.point.normal;
   const Eigen::Vector3d relative =

@@ -77,6 +77,7 @@ class NodeFaceContacts {
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
   static std::size_t share_edge(Hits& hits);
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;
+  double share_of(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;
   ContactRecord make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;
   NodePush make_push(const ContactScene& scene, std::uint32_t row, const Hit& hit,
                      const ContactRecord& record) const;

@@ -24,10 +24,8 @@ std::optional<double> gap_of_faces(const MovingSurface& surface, const SurfacePa
   const auto found = find_face_face_points(surface.face(first), surface.face(second));
   if (!found) return std::nullopt;
   double least = std::numeric_limits<double>::infinity();
-  for (int b = 0; b < found->points.n_batches; ++b) {
-    const auto k = static_cast<std::size_t>(b);
-    least = std::min(least, (found->points.weight[k] > 0.0).select(found->gap[k], least).minCoeff());
-  }
+  for (const OverlapBatch& batch : found->points.batches())
+    least = std::min(least, (batch.weight > 0.0).select(batch.gap, least).minCoeff());
   const ContactFaces& faces = surface.faces();
   const double depth =
       make_pair_penalty(faces.faces[first].backing, &faces.faces[second].backing, pair).depth;

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "contact/surface_options.hpp"
+#include "core/threads.hpp"
 
 namespace contactsim {
 
@@ -58,13 +59,22 @@ std::optional<std::uint32_t> find_face_beyond(const ContactFaces& faces, std::ui
   return std::nullopt;
 }
 
-/// The angle that two faces turn away from each other by, as seen from inside; 0 if they turn towards [rad].
-double turn_between(const MovingSurface& start, const ContactFace& a, const ContactFace& b) {
-  const Eigen::Vector3d normal_a = start.area(a).normalized(), normal_b = start.area(b).normalized();
-  Eigen::Vector3d from_b = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k) from_b += start.x(a.corners[k]) - start.x(b.corners[k]);
-  if (!(from_b.dot(normal_a - normal_b) > 0.0)) return 0.0;
-  return std::acos(std::clamp(normal_a.dot(normal_b), -1.0, 1.0));
+/// A face at the start: unit normal [1] and the sum of its corners [length].
+struct StartFace {
+  Eigen::Vector3d normal, sum;
+};
+
+StartFace start_of(const MovingSurface& start, const ContactFace& face) {
+  StartFace found{start.area(face).normalized(), Eigen::Vector3d::Zero()};
+  for (const std::uint32_t corner : face.corners) found.sum += start.x(corner);
+  return found;
+}
+
+/// The cosine of the angle that two faces turn away from each other by, as seen from inside; 1 if they turn
+/// towards each other.
+double cosine_of_turn(const StartFace& a, const StartFace& b) {
+  if (!((a.sum - b.sum).dot(a.normal - b.normal) > 0.0)) return 1.0;
+  return std::clamp(a.normal.dot(b.normal), -1.0, 1.0);
 }
 
 ContactEdge make_edge(const MovingSurface& start, const FaceEdge& one, const FaceEdge& other) {
@@ -109,7 +119,7 @@ std::optional<EdgeGap> gap_of_sharp(const MovingSurface& surface, const ContactE
 }  // namespace
 
 void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
-                  const Mesh& mesh, ContactFaces& faces) {
+                  const MovingSurface& start, ContactFaces& faces) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto is_line = [](const ContactEdge& edge) { return !edge.is_particle(); };
   const bool has_lines = std::ranges::any_of(faces.edges, is_line);
@@ -124,29 +134,39 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
     if (meets[i] == 0) angle[i] = infinite;
   }
   if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
-  const MovingSurface start = surface_of_mesh(faces, mesh);
   const std::vector<FaceEdge> edges = list_edges(faces.faces);
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const FaceEdge &one = edges[i], &other = edges[i + 1];
     if (std::tie(one.low, one.high) != std::tie(other.low, other.high)) continue;
     const ContactFace &a = faces.faces[one.face], &b = faces.faces[other.face];
-    if (!(turn_between(start, a, b) > angle[a.surface] * std::numbers::pi / 180.0)) continue;
+    const double turn = std::acos(cosine_of_turn(start_of(start, a), start_of(start, b)));
+    if (!(turn > angle[a.surface] * std::numbers::pi / 180.0)) continue;
     faces.edges.push_back(make_edge(start, one, other));
     faces.edges.back().is_feature = is_feature[a.surface] != 0;
   }
 }
 
 void measure_sharpness(const MovingSurface& start, ContactFaces& faces) {
-  constexpr double of_border = 0.5 * std::numbers::pi;
-  for (std::uint32_t i = 0; i < faces.faces.size(); ++i) {
-    ContactFace& face = faces.faces[i];
-    double sharpness = 0.0;
+  constexpr double of_border = 0.0;  // the cosine
+  const auto n_faces = static_cast<std::int64_t>(faces.faces.size());
+  const int n_threads = threads_for(faces.faces.size());
+  std::vector<StartFace> starts(faces.faces.size());
+#pragma omp parallel for schedule(static) num_threads(n_threads)
+  for (std::int64_t i = 0; i < n_faces; ++i) {
+    const auto f = static_cast<std::size_t>(i);
+    starts[f] = start_of(start, faces.faces[f]);
+  }
+#pragma omp parallel for schedule(static) num_threads(n_threads)
+  for (std::int64_t i = 0; i < n_faces; ++i) {
+    const auto f = static_cast<std::uint32_t>(i);
+    ContactFace& face = faces.faces[f];
     const std::size_t n = face.is_triangle() ? 3 : 4;
+    double least = 1.0;
     for (std::size_t k = 0; k < n; ++k) {
-      const auto beyond = find_face_beyond(faces, i, {face.corners[k], face.corners[(k + 1) % n]});
-      sharpness = std::max(sharpness, beyond ? turn_between(start, face, faces.faces[*beyond]) : of_border);
+      const auto beyond = find_face_beyond(faces, f, {face.corners[k], face.corners[(k + 1) % n]});
+      least = std::min(least, beyond ? cosine_of_turn(starts[f], starts[*beyond]) : of_border);
     }
-    face.sharpness = static_cast<float>(std::round(sharpness * 180.0 / std::numbers::pi));
+    face.sharpness = static_cast<float>(std::round(std::acos(least) * 180.0 / std::numbers::pi));
   }
 }
 

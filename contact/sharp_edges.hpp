@@ -15,12 +15,13 @@ namespace contactsim {
 /// too: the rims of shells are sharp. Without a FEATURE ANGLE edges of more than 30 degrees meet beams and
 /// trusses where there are any, and no other sharp edges. Source: feature edges of Abaqus/Explicit general
 /// contact, 36.4.2.
+///   start  the faces at the start
 void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
-                  const Mesh& mesh, ContactFaces& faces);
+                  const MovingSurface& start, ContactFaces& faces);
 
 /// Sets the sharpness of faces: the greatest angle by which a face and one which shares an edge with it on
 /// the same surface turn away from each other, a right angle at the border of a surface. Whole degrees, so
-/// that round-off does not matter.
+/// that round-off does not matter. Only face-to-face contact asks for it.
 ///   start  the faces at the start
 void measure_sharpness(const MovingSurface& start, ContactFaces& faces);
 

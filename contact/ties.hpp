@@ -23,6 +23,7 @@ struct HeldPlace {
   Eigen::Matrix<double, 8, 1> springs =
       Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of the springs [force/length]
   double area = 0.0;                        ///< [length^2]
+  double share = 1.0;                       ///< of a whole place, where pairs that go both ways share it [1]
 };
 
 /// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between

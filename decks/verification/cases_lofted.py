@@ -230,13 +230,19 @@ def folding_sheet(bench):
     return checks + balances(runs, is_free=True)
 
 
-def tilted_box_over_block(n):
+def over_block(turn, add):
+    """A block and above it what add(mesh, place) adds: a body of 0.1 m around the origin, turned, its lowest corner
+    3 mm over the block."""
     mesh = MeshMaker()
     mesh.hexes("block", (-0.08, -0.08, -0.04), (0.16, 0.16, 0.04), (7, 7, 2))
-    turn = turned(20, 40) @ turned(40, 25)
     lowest = np.sum(np.abs(turn[2])) * 0.05
-    add_box(mesh, "box", 0.1, n, 2e-3, lambda p: turn @ p + (0.005, 0.003, lowest + 3e-3))
+    add(mesh, lambda *point: tuple(turn @ point + (0.005, 0.003, lowest + 3e-3)))
     return mesh
+
+
+def tilted_box_over_block(n):
+    return over_block(turned(20, 40) @ turned(40, 25),
+                      lambda mesh, place: add_box(mesh, "box", 0.1, n, 2e-3, lambda p: place(*p)))
 
 
 @case()
@@ -267,13 +273,11 @@ def kept_energy(label, run):
 
 
 def tilted_cube_over_block(n, turn):
-    mesh = MeshMaker()
-    mesh.hexes("block", (-0.08, -0.08, -0.04), (0.16, 0.16, 0.04), (7, 7, 2))
-    lowest = np.sum(np.abs(turn[2])) * 0.05
-    mesh.new_body()
-    mesh.place = lambda *point: tuple(turn @ point + (0.005, 0.003, lowest + 3e-3))
-    mesh.hexes("box", (-0.05, -0.05, -0.05), (0.1, 0.1, 0.1), (n, n, n))
-    return mesh
+    def add_cube(mesh, place):
+        mesh.new_body()
+        mesh.place = place
+        mesh.hexes("box", (-0.05, -0.05, -0.05), (0.1, 0.1, 0.1), (n, n, n))
+    return over_block(turn, add_cube)
 
 
 @case()

@@ -259,9 +259,10 @@ TEST_CASE("the points of two faces tell the gap at each", "[contact][face_face]"
   const auto found = find_face_face_points(make_square(0.0, 0.0, true), make_square(0.5, 0.2, false)).value();
   CHECK(found.points.area == Approx(0.5));
   CHECK((found.plane.normal - Vector3d(0, 0, -1)).norm() < 1e-15);
-  for (int lane = 0; lane < n_lanes; ++lane) CHECK(found.gap[0](lane) == Approx(0.2));
-  CHECK(find_face_face_points(make_square(0.0, 0.0, true), make_square(0.5, -0.2, false))->gap[0](0) ==
-        Approx(-0.2));
+  for (int lane = 0; lane < n_lanes; ++lane) CHECK(found.points.all[0].gap(lane) == Approx(0.2));
+  CHECK(find_face_face_points(make_square(0.0, 0.0, true), make_square(0.5, -0.2, false))
+            ->points.all[0]
+            .gap(0) == Approx(-0.2));
   CHECK(!find_face_face_points(make_square(0.0, 0.0, true), make_square(1.0, 0.2, false)));
   CHECK(!find_face_face_points(make_square(0.0, 0.0, true), make_square(0.0, 0.2, true)));
 }

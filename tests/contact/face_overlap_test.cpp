@@ -27,18 +27,17 @@ struct Overlap {
         map_1(make_face_map(first, a.is_triangle)),
         map_2(make_face_map(second, b.is_triangle)),
         polygon(intersect(first, a.is_triangle, second, b.is_triangle)) {
-    if (polygon.has_area()) points = place_points(polygon, map_1, map_2);
+    if (polygon.has_area()) place_points(polygon, map_1, map_2, points);
   }
 
   /// The sum of a function of the place on the first face over the points.
   template <class F>
   double sum(const F& f) const {
     double total = 0.0;
-    for (int b = 0; b < points.n_batches; ++b) {
-      const auto k = static_cast<std::size_t>(b);
+    for (const OverlapBatch& batch : points.batches()) {
       for (int lane = 0; lane < n_lanes; ++lane) {
-        total += points.weight[k](lane) * f(map_1.at(points.xi_1[k](lane), points.eta_1[k](lane)),
-                                            map_2.at(points.xi_2[k](lane), points.eta_2[k](lane)));
+        total += batch.weight(lane) * f(map_1.at(batch.xi_1(lane), batch.eta_1(lane)),
+                                        map_2.at(batch.xi_2(lane), batch.eta_2(lane)));
       }
     }
     return total;
@@ -129,12 +128,10 @@ TEST_CASE("points of an overlap lie above each other on both faces, and on both"
     CHECK(found.sum([](const Eigen::Vector3d& x, const Eigen::Vector3d& y) {
       return (x - y).head<2>().norm();
     }) < 1e-12);
-    for (int batch = 0; batch < found.points.n_batches; ++batch) {
-      const auto k = static_cast<std::size_t>(batch);
+    for (const OverlapBatch& batch : found.points.batches()) {
       for (int lane = 0; lane < n_lanes; ++lane) {
-        if (found.points.weight[k](lane) == 0.0) continue;
-        const double xi = found.points.xi_1[k](lane), eta = found.points.eta_1[k](lane);
-        CHECK(corner_weights(xi, eta, a.is_triangle).minCoeff() > -1e-10);
+        if (batch.weight(lane) == 0.0) continue;
+        CHECK(corner_weights(batch.xi_1(lane), batch.eta_1(lane), a.is_triangle).minCoeff() > -1e-10);
       }
     }
   }
@@ -159,7 +156,8 @@ TEST_CASE("a polygon is cut where the gap leaves its bounds", "[contact][face_ov
   set_gaps(found.map_1, found.map_2, found.polygon);
   const double whole = found.polygon.area();
   const auto share = [&](double least, double most) {
-    const OverlapPolygon part = part_between(least, most, found.polygon);
+    std::array<OverlapPolygon, 2> scratch;
+    const OverlapPolygon& part = part_between(least, most, found.polygon, scratch);
     return part.has_area() ? part.area() / whole : 0.0;
   };
   CHECK(share(-1.0, 1.0) == Approx(1.0));

@@ -33,7 +33,8 @@ void check_balance(const ContactBodies& bodies) {
 
 TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks for good",
           "[contact][held_places]") {
-  CohesiveBodies bodies(GENERATE(std::string(), by_nodes));
+  const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
+  CohesiveBodies bodies(formulation);
   bodies.ask();
   CHECK(bodies.forces.norm() < 1e-10);
   CHECK(force_after(bodies, {0, 0, 0.02}).z() == Approx(-4.0));   // lambda 0.2
@@ -49,11 +50,13 @@ TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks f
   CHECK(friction_work(bodies) == Approx(0.1 * 5.0));  // all of 0.1 x the area under the curve
   force_after(bodies, {0, 0, -0.08});
   CHECK(bodies.forces.norm() < 1e-9);
-  CHECK(force_after(bodies, {0, 0, -0.04}).z() == Approx(1000.0 * 0.01));  // broken sides still touch
+  // Pressed, half the nodes' springs act in a pair that goes both ways.
+  const double penalty = formulation == both_ways ? 500.0 : 1000.0;
+  CHECK(force_after(bodies, {0, 0, -0.04}).z() == Approx(penalty * 0.01));  // broken sides still touch
 }
 
 TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps", "[contact][held_places]") {
-  CohesiveBodies bodies(GENERATE(std::string(), by_nodes));
+  CohesiveBodies bodies(GENERATE(std::string(), by_nodes, both_ways));
   bodies.ask();
   // Slip 0.06: lambda 0.3, traction 6, along the surface 6 x 0.1 / 0.2.
   Vector3d force = force_after(bodies, {0, 0.06, 0});
@@ -66,7 +69,7 @@ TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps", "[co
 }
 
 TEST_CASE("a threaded joint holds by both openings and fades when it fails", "[contact][held_places]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes);
+  const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
   ContactBodies bodies(
       law_mesh(0.0),
       law_deck(
@@ -146,7 +149,7 @@ TEST_CASE("a surface weld ties up to its capacities, fades and leaves its failed
 }
 
 TEST_CASE("an area weld fails at tractions, by both together", "[contact][held_places]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes);
+  const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
   ContactBodies bodies(
       law_mesh(0.0, 1.5),
       law_deck("begin area weld model m\nnormal capacity = 8\ntangential capacity = 8\nend\n", formulation));
@@ -159,6 +162,43 @@ TEST_CASE("an area weld fails at tractions, by both together", "[contact][held_p
   CHECK(force.x() == Approx(-8.0 / 1.25 * 2.25));
   CHECK(force.z() == Approx(-6.0 / 1.25 * 2.25));
   CHECK(force_after(bodies, {0, 0, 0}).norm() < 1e-9);
+}
+
+TEST_CASE("welds of nodes hold as much both ways as one way", "[contact][held_places]") {
+  const std::string model =
+      GENERATE(std::string("begin spring weld model m\nnormal displacement function = pull\n"
+                           "tangential displacement function = shear\nend\n"),
+               std::string("begin surface weld model m\nnormal capacity = 8\ntangential capacity = 4\nend\n"),
+               std::string("begin area weld model m\nnormal capacity = 8\ntangential capacity = 4\nend\n"));
+  const std::string functions =
+      line_function("pull", "0 0\n0.1 50\n") + line_function("shear", "0 0\n0.2 40\n");
+  const auto deck = [&](const std::string& sides) {
+    return "contact surface lower contains surface_1\ncontact surface upper contains surface_2\n"
+           "begin interaction\nconstraint formulation = node_face\nfriction model = m\n"
+           "penalty stiffness = 1000\n" +
+           sides + "end\n" + model;
+  };
+  for (const double size : {1.0, 0.5}) {
+    MeshBuilder b;
+    b.add_hexes({.id = 1, .size = {1, 1, 1}});
+    const double edge = 0.5 - 0.5 * size;  // in the middle of the lower cube
+    b.add_hexes({.id = 2, .origin = {edge, edge, 1}, .size = {size, size, 1}, .share_nodes = false});
+    for (const std::int64_t body : {1, 2}) {
+      b.add_side_set(body, "",
+                     [body](const CandidateSide& c) { return c.block_id == body && c.centroid.z() == 1.0; });
+    }
+    ContactBodies one(b, deck("side a = lower\nside b = upper\n"), functions);
+    ContactBodies both(b, deck("surfaces = lower upper\n"), functions);
+    one.ask();
+    both.ask();
+    double most = 0.0;
+    for (int i = 0; i < 8; ++i) {
+      const Vector3d force = force_after(one, {0.004, 0, 0.005});
+      CHECK((force_after(both, {0.004, 0, 0.005}) - force).norm() < 1e-9);
+      most = std::max(most, force.norm());
+    }
+    CHECK(most > 1.0);
+  }
 }
 
 TEST_CASE("forces of holds that are only looked at are those of the step", "[contact][held_places]") {

@@ -79,7 +79,11 @@ TEST_CASE("each node that stands over a face is tied once, to the nearest", "[co
     CHECK(tied.faces.faces[tie.second_place].surface != node.surface);
     CHECK(tie.is_swapped == (node.surface == 1));
     n_of_cube += node.surface == 1 ? 1 : 0;
-    CHECK(tie.area == Approx(node.surface == 1 ? 0.5 * 0.5625 : 0.5));
+    // A node of the cube stands a quarter of the way to the node under the cube in each direction; of the
+    // face over that one all corners are tied.
+    const double share = node.surface == 1 ? 1.0 - 0.5 * 0.25 * 0.25 : 0.5;
+    CHECK(tie.share == Approx(share));
+    CHECK(tie.area == Approx(share * (node.surface == 1 ? 0.5625 : 1.0)));
     CHECK(tie.stiffness(0, 0) == Approx(1000.0 * tie.area));
   }
   CHECK(n_of_cube == 4);
@@ -109,6 +113,7 @@ TEST_CASE("a tie can be made of two faces, or a node and a face, at any gap", "[
   for (std::uint32_t row = tied.faces.first_node[1]; row < tied.faces.first_node[2]; ++row) {
     const Eigen::Vector3d x = tied.surface.x(tied.faces.surface_nodes[row].node);
     const bool is_over = x.z() < 2.0 && x.x() < 1.0 && x.y() < 1.0;
-    CHECK(make_node_tie(tied.scene(), row, known.first_place, 0.5).has_value() == is_over);
+    CHECK(make_node_tie(tied.scene(), {row, known.first_place, known.pair, true, 0.5}).has_value() ==
+          is_over);
   }
 }

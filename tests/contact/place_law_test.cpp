@@ -102,7 +102,7 @@ TEST_CASE("pressure and slip rate make the friction of a pv dependent model", "[
 
 TEST_CASE("a junction pulls by its gap and holds along the surface by its slip rate",
           "[contact][place_law]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes);
+  const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
   ContactBodies bodies(law_mesh(0.02),
                        law_deck("begin junction model m\nnormal traction function = pull\n"
                                 "tangential traction function = drag\ntangential traction scale factor = 2\n"
@@ -127,7 +127,7 @@ TEST_CASE("a junction pulls by its gap and holds along the surface by its slip r
 }
 
 TEST_CASE("an adhesion model pulls over a gap and pushes without friction", "[contact][place_law]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes);
+  const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
   ContactBodies bodies(law_mesh(0.05),
                        law_deck("begin adhesion model m\nadhesion function = stick\n"
                                 "adhesion scale factor = 3\nend\n",

@@ -6,14 +6,17 @@
 namespace contactsim::test {
 
 inline const std::string by_nodes = "constraint formulation = node_face\n";
+/// Nodes of both sides meet faces of the other.
+inline const std::string both_ways = "constraint formulation = node_face \n";
 
 /// A unit cube over the middle of one face of a plate, 3 x 3, under a friction model called m: one place of
 /// faces, or four nodes of the cube over the plate. The penalty is 1000 per area, the area is 1.
 ///   model  its block and what it names, to the end
 inline std::string law_deck(const std::string& model, const std::string& formulation = "") {
-  return "skin all blocks = on\nbegin interaction\nside a = block_1\nside b = block_2\nfriction model = m\n"
-         "penalty stiffness = 1000\n" +
-         formulation + "end\n" + model;
+  const std::string sides =
+      formulation == both_ways ? "surfaces = block_1 block_2\n" : "side a = block_1\nside b = block_2\n";
+  return "skin all blocks = on\nbegin interaction\n" + sides +
+         "friction model = m\npenalty stiffness = 1000\n" + formulation + "end\n" + model;
 }
 
 inline MeshBuilder law_mesh(double gap, double edge = 1.0) {
