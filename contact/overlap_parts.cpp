@@ -50,8 +50,8 @@ OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefiniti
                                 const Mesh& mesh) {
   OverlapParts parts;
   parts.faces = make_contact_faces(model, mesh);
-  choose_edges(definition.surface_options, model.surfaces.surfaces, mesh, parts.faces);
   const MovingSurface start = surface_of_mesh(parts.faces, mesh);
+  choose_edges(definition.surface_options, model.surfaces.surfaces, start, parts.faces);
   parts.of_face = measure_faces(start, mesh);
   parts.of_node = measure_nodes(start, parts.of_face);
   return parts;
