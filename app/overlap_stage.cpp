@@ -48,11 +48,13 @@ void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diag
   for (const OverlapMoves& moves : removed.moves) {
     if (moves.left <= worrying_share * moves.deepest) continue;
     const SurfacePair& pair = model.pairs[moves.pair];
-    warnings.add_warning("overlap-left", pair.location,
-                         fmt::format("'{}' and '{}' still overlap by {:.4g} after overlap removal",
-                                     model.surfaces.surfaces[pair.first].name,
-                                     model.surfaces.surfaces[pair.second].name, moves.left),
-                         "held nodes stay where they are; more OVERLAP ITERATIONS may help");
+    warnings.add_warning(
+        "overlap-left", pair.location,
+        fmt::format("'{}' and '{}' still overlap by {:.4g} after overlap removal",
+                    model.surfaces.surfaces[pair.first].name, model.surfaces.surfaces[pair.second].name,
+                    moves.left),
+        "held nodes stay where they are; more OVERLAP ITERATIONS, or SHELL OVERLAP ITERATIONS for "
+        "shells, beams and particles, may help");
   }
 }
 
@@ -80,13 +82,8 @@ std::optional<Mesh> remove_initial_overlap(const RunInput& input, Log& log, Diag
   if (input.contact == nullptr) return std::nullopt;
   const OverlapRemoval& settings = input.region.contact->overlap_removal;
   if (!settings.is_on() && !settings.is_all_there_is) return std::nullopt;
-  if (!input.contact->loft.facets.empty() || !input.contact->loft.spheres.empty()) {
-    warnings.add_warning("overlap-lofts", input.region.contact->name.location,
-                         "overlap removal moves the faces of solids and of side sets only",
-                         "bodies of shells, beams and particles that overlap at the start are pushed apart");
-  }
   OverlapRemoved removed =
-      remove_overlap(*input.contact, input.mesh, settings.iterations, find_held_nodes(input));
+      remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
   log.write(format_overlap(removed, *input.contact, input.mesh));
   warn_of_rest(removed, *input.contact, warnings);
   if (removed.n_passes == 0) return std::nullopt;

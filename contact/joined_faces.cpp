@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/node_face.hpp"
 
@@ -38,9 +39,28 @@ void JoinedFaces::renew(const Mesh& mesh) {
       for (const std::uint32_t node : piece(i).nodes) take(node, i);
     }
   });
+  find_bodies();
   x_.resize(3, static_cast<Eigen::Index>(faces.n_nodes()));
   for (Eigen::Index i = 0; i < x_.cols(); ++i)
     x_.col(i) = mesh.coordinates().col(faces_.mesh_nodes[static_cast<std::size_t>(i)]);
+}
+
+void JoinedFaces::find_bodies() {
+  body_.resize(faces_.n_nodes());
+  std::iota(body_.begin(), body_.end(), 0u);
+  const auto first_of = [this](std::uint32_t node) {
+    while (body_[node] != node) node = body_[node] = body_[body_[node]];
+    return node;
+  };
+  const auto n_pieces = static_cast<std::uint32_t>(faces_.faces.size() + faces_.edges.size());
+  for (std::uint32_t i = 0; i < n_pieces; ++i) {
+    const auto nodes = piece(i).nodes;
+    for (const std::uint32_t node : nodes) {
+      const auto [low, high] = std::minmax({first_of(nodes[0]), first_of(node)});
+      body_[high] = low;
+    }
+  }
+  for (std::uint32_t i = 0; i < body_.size(); ++i) body_[i] = first_of(i);
 }
 
 JoinedFaces::Piece JoinedFaces::piece(std::uint32_t index) const {
@@ -97,8 +117,9 @@ bool JoinedFaces::are_joined(const ContactEdge& first, const ContactEdge& second
 
 bool JoinedFaces::are_joined(const Piece& a, const Piece& b) const {
   const double reach = a.reach + b.reach;
+  if (reach == 0.0 || body_[a.nodes[0]] != body_[b.nodes[0]]) return false;
   const FaceCorners at_a = corners(a), at_b = corners(b);
-  if (reach == 0.0 || distance(at_a, at_b) > reach) return false;
+  if (distance(at_a, at_b) > reach) return false;
   const double farthest = radius(at_a) + reach + radius(at_b);
   std::vector<std::uint32_t> seen(a.nodes.begin(), a.nodes.end());
   for (std::size_t i = 0; i < seen.size(); ++i) {

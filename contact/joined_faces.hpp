@@ -35,12 +35,15 @@ class JoinedFaces {
   /// The faces, then the edges.
   Piece piece(std::uint32_t index) const;
   double reach_of(std::uint32_t node) const;
+  /// Finds which nodes pieces join to one body.
+  void find_bodies();
   bool are_joined(const Piece& a, const Piece& b) const;
   FaceCorners corners(const Piece& piece) const;
 
   const ContactFaces& faces_;
   Eigen::Matrix3Xd x_;  // 3 x n_contact_nodes at the start, of lofts the nodes that they hang on [length]
-  PairLists pieces_of_node_;  // [n_contact_nodes] by first_alike; empty without lofts
+  std::vector<std::uint32_t> body_;  // [n_contact_nodes] by first_alike: the first node of its body
+  PairLists pieces_of_node_;         // [n_contact_nodes] by first_alike; empty without lofts
 };
 
 }  // namespace contactsim

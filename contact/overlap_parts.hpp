@@ -2,59 +2,42 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
-#include <span>
 #include <vector>
 
+#include "contact/contact_faces.hpp"
 #include "contact/contact_model.hpp"
+#include "core/definition/contact.hpp"
 
-/// The faces, nodes and planes between which overlap removal looks for overlap.
 namespace contactsim {
 
-/// A face that nodes may lie behind.
+/// What overlap removal knows of a contact face.
 struct OverlapFace {
-  std::array<std::uint32_t, 4>
-      nodes{};  ///< of the mesh, outward right-hand order; a triangle repeats its last
-  std::uint32_t surface = 0;
-  ElementSide side;
   double size = 0.0;   ///< root of its area [length]
-  double reach = 0.0;  ///< half the thickness of its element; 0 without one [length]
-
-  bool is_triangle() const { return nodes[2] == nodes[3]; }
+  double reach = 0.0;  ///< half the thickness of its solid, or of its lofted shell; else 0 [length]
 };
 
-/// A node of a contact surface; one on several surfaces stands once for each.
+/// What overlap removal knows of a node of a contact surface; one on several surfaces stands once for each.
 struct OverlapNode {
-  std::uint32_t node = 0;  ///< of the mesh
-  std::uint32_t surface = 0;
   Eigen::Vector3d normal =
       Eigen::Vector3d::Zero();  ///< sum of its faces' area vectors; 0 without any [length^2]
   double size = 0.0;            ///< of its largest face; 0 without any [length]
-  double reach = 0.0;           ///< least of its faces; 0 without any [length]
+  double reach = 0.0;           ///< least of its faces, radius of a ball; else 0 [length]
 };
 
-/// A node that may lie behind a face, or behind a plane.
-struct OverlapCandidate {
-  std::uint32_t node = 0;     ///< position in OverlapParts::nodes
-  std::uint32_t partner = 0;  ///< position in OverlapParts::faces, or of a plane of the region
-};
-
-/// Where a pair of surfaces has to be looked at.
-struct OverlapSites {
-  std::vector<OverlapCandidate> faces;   ///< ascending by node, then by face
-  std::vector<OverlapCandidate> planes;  ///< of every node with every plane
-};
-
-/// Everything that overlap removal looks at.
+/// What the surfaces of a model are made of, as overlap removal needs it.
 struct OverlapParts {
-  std::vector<OverlapFace> faces;   ///< by surface
-  std::vector<OverlapNode> nodes;   ///< by surface, then by node
-  std::vector<OverlapSites> sites;  ///< [n_pairs]
+  ContactFaces faces;
+  std::vector<OverlapFace> of_face;  ///< [n_faces]
+  std::vector<OverlapNode> of_node;  ///< [n_surface_nodes]
+
+  bool is_lofted(const SurfaceNode& node) const {
+    return node.radius > 0.0f || node.node >= faces.n_mesh_points();
+  }
 };
 
-/// Gathers faces of elements and nodes of the surfaces that are in a pair, and what is near to what. A node
-/// never meets a face of an element that it is part of. Lofted elements are left out.
-OverlapParts make_overlap_parts(const ContactModel& model, const Mesh& mesh);
+/// Gathers the parts of a mesh.
+///   definition  of the model
+OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
+                                const Mesh& mesh);
 
 }  // namespace contactsim

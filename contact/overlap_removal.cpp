@@ -2,192 +2,217 @@
 #include "contact/overlap_removal.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <map>
-#include <optional>
 
-#include "contact/node_face.hpp"
-#include "contact/overlap_parts.hpp"
+#include "contact/overlap_places.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// Overlap below this share of the face's size is round-off.
-constexpr double smallest_share = 1e-9;
-/// A node in a valley between faces is over none of them, but beside them by less than this share of its
-/// depth.
-constexpr double beside_share = 0.25;
+/// What is left of an overlap after others of the pass have moved its sides is round-off below this share.
+constexpr double remaining_share = 1e-9;
 
-/// A node's surface looks against a face when the cosine of their normals is less; the corner of a cube
-/// against a flat face has -0.58.
-constexpr double against_cosine = -0.25;
-
-/// A node behind something.
-struct Overlap {
-  std::uint32_t node = 0;                            ///< position in OverlapParts::nodes
-  double depth = 0.0;                                ///< <= 0 is in front [length]
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, the way out [1]
-  bool can_share = false;                            ///< the other side can move too
-};
+/// A side whose free nodes have this share of it or less would have to move them far: it counts as held.
+constexpr double held_share = 0.3;
 
 class OverlapRemover {
  public:
-  OverlapRemover(const ContactModel& model, const Mesh& mesh, std::span<const std::uint8_t> is_held)
+  OverlapRemover(const ContactModel& model, const Mesh& mesh, const ContactDefinition& definition,
+                 std::span<const std::uint8_t> is_held)
       : model_(model),
-        parts_(make_overlap_parts(model, mesh)),
+        settings_(definition.overlap_removal),
+        parts_(make_overlap_parts(model, definition, mesh)),
+        points_(parts_.faces, mesh),
+        search_(model, definition, mesh, parts_),
+        places_(model, parts_, search_, points_, settings_.shell_tolerance),
         is_held_(is_held),
-        coordinates_(mesh.coordinates()),
         deepest_(model.pairs.size(), 0.0),
-        moved_(model.pairs.size()) {}
+        moved_(model.pairs.size()) {
+    search_.find(points_.renewed());
+  }
 
   /// Returns whether anything was moved.
-  bool pass(bool is_last);
+  ///   n_before  passes before this one
+  bool pass(std::int64_t n_before);
   OverlapRemoved take();
 
  private:
-  /// The nodes of a pair in order, each as it stands when its turn comes.
-  void for_each_overlap(std::uint32_t pair, const std::function<void(const Overlap&)>& act) const;
-  /// The way out of several faces is the shortest one; in front of the nearest face a node is outside.
-  std::optional<Overlap> find_behind_faces(const SurfacePair& pair,
-                                           std::span<const OverlapCandidate> of_node) const;
-  std::optional<Overlap> find_near_face(const SurfacePair& pair, const OverlapCandidate& candidate) const;
-  std::optional<Overlap> find_behind_plane(const SurfacePair& pair, const OverlapCandidate& candidate) const;
-  bool looks_against(const OverlapNode& node, const Eigen::Vector3d& normal) const;
-  bool can_move(const SurfacePair& pair, const OverlapFace& face) const;
-  bool is_held(std::uint32_t node) const { return !is_held_.empty() && is_held_[node] != 0; }
-  bool move(std::uint32_t pair, const Overlap& overlap, double share);
+  void renew_lofts() {
+    points_.renew();
+    search_.renew_lofts(points_.renewed());
+  }
+  bool pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_last);
+  bool pass_lofts(std::uint32_t pair, bool is_last);
+  void visit_all(std::uint32_t pair, const OverlapPlaces::Visit& visit);
+  void note(std::uint32_t pair, const Overlap& overlap) {
+    deepest_of_pass_ = std::max(deepest_of_pass_, overlap.depth);
+    deepest_[pair] = std::max(deepest_[pair], overlap.depth);
+  }
+  /// Moves what moves out of an overlap: this share of the way, less what it has gone since the last renewal.
+  bool resolve_rest(std::uint32_t pair, const Overlap& overlap, double share);
+  bool resolve(std::uint32_t pair, const Overlap& overlap, double way);
+  /// Moves a side by moving its free nodes, those more that have more of it.
+  void move(std::uint32_t pair, const RecordSide& side, const Eigen::Vector3d& way);
+  /// The sum of the squares of the free nodes' weights [1].
+  double mobility(const RecordSide& side) const;
+  bool can_move(const RecordSide& side) const { return mobility(side) > held_share * held_share; }
+  /// Half the way when the nodes of the other side, which go out on their own account, can move.
+  double share_of_first(std::uint32_t pair, const Overlap& overlap) const;
+  bool is_held(std::uint32_t point) const {
+    return !is_held_.empty() && is_held_[parts_.faces.mesh_nodes[point]] != 0;
+  }
 
   const ContactModel& model_;
-  OverlapParts parts_;
+  const OverlapRemoval& settings_;
+  const OverlapParts parts_;
+  ShiftedPoints points_;
+  OverlapSearch search_;
+  OverlapPlaces places_;
   std::span<const std::uint8_t> is_held_;
-  Eigen::Matrix3Xd coordinates_;
+  double deepest_of_pass_ = 0.0;                                 ///< found so far [length]
   std::vector<double> deepest_;                                  ///< [n_pairs] found so far [length]
   std::vector<std::map<std::uint32_t, Eigen::Vector3d>> moved_;  ///< [n_pairs] by mesh node [length]
 };
 
-/// Whether the surface of a node looks back at a face, so that the node is about to pass through it.
-bool OverlapRemover::looks_against(const OverlapNode& node, const Eigen::Vector3d& normal) const {
-  const bool has_faces = node.size > 0.0;
-  return !has_faces || node.normal.dot(normal) < against_cosine * node.normal.norm();
-}
-
-bool OverlapRemover::can_move(const SurfacePair& pair, const OverlapFace& face) const {
-  const bool has_two_sides = model_.surfaces.surfaces[pair.second].kind == SurfaceKind::face;
-  return has_two_sides && !std::all_of(face.nodes.begin(), face.nodes.end(),
-                                       [&](std::uint32_t node) { return is_held(node); });
-}
-
-std::optional<Overlap> OverlapRemover::find_near_face(const SurfacePair& pair,
-                                                      const OverlapCandidate& candidate) const {
-  const OverlapNode& node = parts_.nodes[candidate.node];
-  const OverlapFace& face = parts_.faces[candidate.partner];
-  FaceCorners corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = coordinates_.col(face.nodes[static_cast<std::size_t>(i)]);
-  const auto point = project_onto_face(corners, face.is_triangle(), coordinates_.col(node.node));
-  if (!point) return std::nullopt;
-  const double least = smallest_share * face.size;
-  const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;
-  const double deepest = pair.overlap_normal_tolerance.value_or(face.reach);
-  const double beside =
-      std::max({beside_share * depth, least, pair.overlap_tangential_tolerance.value_or(0.0)});
-  const bool is_near = std::abs(depth) <= deepest && point->beyond <= beside;
-  if (!is_near || !looks_against(node, point->normal)) return std::nullopt;
-  // On a face a node is outside, but one without a surface of its own may lie in the face's rim and go in
-  // there.
-  if (depth == 0.0 && node.size == 0.0) return std::nullopt;
-  return Overlap{candidate.node, depth, point->normal, can_move(pair, face)};
-}
-
-std::optional<Overlap> OverlapRemover::find_behind_faces(const SurfacePair& pair,
-                                                         std::span<const OverlapCandidate> of_node) const {
-  std::optional<Overlap> least;
-  for (const OverlapCandidate& candidate : of_node) {
-    const auto found = find_near_face(pair, candidate);
-    if (found && (!least || std::abs(found->depth) < std::abs(least->depth))) least = found;
+double OverlapRemover::mobility(const RecordSide& side) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    if (!is_held(side.nodes[k])) sum += weight * weight;
   }
-  return least && least->depth > 0.0 ? least : std::nullopt;
+  return sum;
 }
 
-std::optional<Overlap> OverlapRemover::find_behind_plane(const SurfacePair& pair,
-                                                         const OverlapCandidate& candidate) const {
-  const OverlapNode& node = parts_.nodes[candidate.node];
-  const AnalyticPlane& plane = model_.planes[candidate.partner];
-  const Eigen::Vector3d normal = plane.normal.stableNormalized();
-  const double depth = (plane.origin - coordinates_.col(node.node)).dot(normal);
-  const double deepest = pair.overlap_normal_tolerance.value_or(node.reach);
-  const bool is_behind = depth > smallest_share * node.size && depth <= deepest;
-  if (!is_behind || !looks_against(node, normal)) return std::nullopt;
-  return Overlap{candidate.node, depth, normal, false};
+double OverlapRemover::share_of_first(std::uint32_t pair, const Overlap& overlap) const {
+  const bool is_face = overlap.second.weights != Eigen::Vector4d::Zero();
+  const bool has_two_sides = model_.surfaces.surfaces[model_.pairs[pair].second].kind == SurfaceKind::face;
+  const bool is_all_held =
+      std::ranges::all_of(overlap.second.nodes, [this](std::uint32_t node) { return is_held(node); });
+  return overlap.mover == OverlapMover::first && is_face && has_two_sides && !is_all_held ? 0.5 : 1.0;
 }
 
-void OverlapRemover::for_each_overlap(std::uint32_t pair,
-                                      const std::function<void(const Overlap&)>& act) const {
-  const OverlapSites& sites = parts_.sites[pair];
-  const std::span<const OverlapCandidate> faces = sites.faces;
-  for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
-    while (end < faces.size() && faces[end].node == faces[begin].node) ++end;
-    if (const auto found = find_behind_faces(model_.pairs[pair], faces.subspan(begin, end - begin)))
-      act(*found);
-  }
-  for (const OverlapCandidate& candidate : sites.planes) {
-    if (const auto found = find_behind_plane(model_.pairs[pair], candidate)) act(*found);
+void OverlapRemover::move(std::uint32_t pair, const RecordSide& side, const Eigen::Vector3d& way) {
+  const double sum = mobility(side);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    if (weight == 0.0 || is_held(side.nodes[k])) continue;
+    const Eigen::Vector3d step = weight / sum * way;
+    points_.shift(side.nodes[k], step);
+    const std::uint32_t node = parts_.faces.mesh_nodes[side.nodes[k]];
+    moved_[pair].try_emplace(node, Eigen::Vector3d::Zero()).first->second += step;
   }
 }
 
-bool OverlapRemover::move(std::uint32_t pair, const Overlap& overlap, double share) {
-  const std::uint32_t node = parts_.nodes[overlap.node].node;
-  deepest_[pair] = std::max(deepest_[pair], overlap.depth);
-  if (is_held(node)) return false;
-  const Eigen::Vector3d step = share * overlap.depth * overlap.normal;
-  coordinates_.col(node) += step;
-  moved_[pair].try_emplace(node, Eigen::Vector3d::Zero()).first->second += step;
-  return true;
+bool OverlapRemover::resolve(std::uint32_t pair, const Overlap& overlap, double way) {
+  const bool can_first = can_move(overlap.first);
+  const bool can_second = overlap.mover != OverlapMover::first && can_move(overlap.second);
+  const bool is_shared = overlap.mover == OverlapMover::both && can_first && can_second;
+  if (is_shared) way *= 0.5;
+  if (can_first) move(pair, overlap.first, way * overlap.normal);
+  if (can_second && (is_shared || !can_first)) move(pair, overlap.second, -way * overlap.normal);
+  return can_first || can_second;
 }
 
-bool OverlapRemover::pass(bool is_last) {
+bool OverlapRemover::resolve_rest(std::uint32_t pair, const Overlap& overlap, double share) {
+  Eigen::Vector3d gone = points_.way_of(overlap.first);
+  if (overlap.mover != OverlapMover::first) gone -= points_.way_of(overlap.second);
+  const double rest = share * overlap.depth - gone.dot(overlap.normal);
+  return rest > remaining_share * overlap.depth && resolve(pair, overlap, rest);
+}
+
+bool OverlapRemover::pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_last) {
   bool has_moved = false;
-  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
-    if (is_last) {
-      // One node at a time, or both sides would go the whole way.
-      for_each_overlap(p, [&](const Overlap& overlap) { has_moved |= move(p, overlap, 1.0); });
-      continue;
-    }
-    std::vector<Overlap> overlaps;
-    for_each_overlap(p, [&](const Overlap& overlap) { overlaps.push_back(overlap); });
-    for (const Overlap& overlap : overlaps) has_moved |= move(p, overlap, overlap.can_share ? 0.5 : 1.0);
+  if (is_last) {
+    // One node at a time, or both sides would go the whole way.
+    places_.visit_nodes(pair, kind, [&](const Overlap& overlap) {
+      note(pair, overlap);
+      has_moved |= resolve(pair, overlap, overlap.depth);
+    });
+    return has_moved;
+  }
+  std::vector<Overlap> overlaps;
+  places_.visit_nodes(pair, kind, [&](const Overlap& overlap) { overlaps.push_back(overlap); });
+  for (const Overlap& overlap : overlaps) {
+    note(pair, overlap);
+    const double share = share_of_first(pair, overlap);
+    // Several points of lofts hang on one node.
+    has_moved |= kind == OverlapKind::lofted ? resolve_rest(pair, overlap, share)
+                                             : resolve(pair, overlap, share * overlap.depth);
   }
   return has_moved;
 }
 
+bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
+  if (!search_.sites()[pair].has_lofts()) return false;
+  points_.renew();
+  deepest_of_pass_ = 0.0;
+  bool has_moved = pass_nodes(pair, OverlapKind::lofted, is_last);
+  const double deepest_node = deepest_of_pass_;
+  points_.renew();
+  places_.visit_edges(pair, [&](const Overlap& overlap) {
+    note(pair, overlap);
+    has_moved |= resolve_rest(pair, overlap, 1.0);
+  });
+  points_.renew();
+  places_.visit_rims(pair, [&](const Overlap& overlap) {
+    // Where nodes lie as deep, these go out first.
+    if (overlap.depth <= deepest_node) return;
+    note(pair, overlap);
+    has_moved |= resolve_rest(pair, overlap, 1.0);
+  });
+  return has_moved;
+}
+
+bool OverlapRemover::pass(std::int64_t n_before) {
+  bool has_moved = false;
+  if (n_before > 0) renew_lofts();
+  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
+    if (n_before < settings_.iterations)
+      has_moved |= pass_nodes(p, OverlapKind::meshed, n_before + 1 == settings_.iterations);
+    if (n_before < settings_.shell_iterations)
+      has_moved |= pass_lofts(p, n_before + 1 == settings_.shell_iterations);
+  }
+  return has_moved;
+}
+
+void OverlapRemover::visit_all(std::uint32_t pair, const OverlapPlaces::Visit& visit) {
+  places_.visit_nodes(pair, OverlapKind::meshed, visit);
+  places_.visit_nodes(pair, OverlapKind::lofted, visit);
+  places_.visit_edges(pair, visit);
+  places_.visit_rims(pair, visit);
+}
+
 OverlapRemoved OverlapRemover::take() {
   OverlapRemoved removed;
+  renew_lofts();
   for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
-    if (deepest_[p] == 0.0) continue;
     OverlapMoves moves;
+    visit_all(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
+    moves.deepest = std::max(deepest_[p], moves.left);
+    if (moves.deepest == 0.0) continue;
     moves.pair = p;
     moves.n_nodes = static_cast<std::uint32_t>(moved_[p].size());
-    moves.deepest = deepest_[p];
     for (const auto& [node, way] : moved_[p]) {
       if (way.norm() <= moves.largest) continue;
       moves.largest = way.norm();
       moves.largest_node = {node};
     }
-    for_each_overlap(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
     removed.moves.push_back(moves);
   }
-  removed.coordinates = std::move(coordinates_);
+  removed.coordinates = points_.take();
   return removed;
 }
 
 }  // namespace
 
-OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh, std::int64_t iterations,
-                              std::span<const std::uint8_t> is_held) {
-  OverlapRemover remover(model, mesh, is_held);
+OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh,
+                              const ContactDefinition& definition, std::span<const std::uint8_t> is_held) {
+  const OverlapRemoval& settings = definition.overlap_removal;
+  const std::int64_t most = std::max(settings.iterations, settings.shell_iterations);
+  OverlapRemover remover(model, mesh, definition, is_held);
   std::int64_t n_passes = 0;
-  while (n_passes < iterations && remover.pass(n_passes + 1 == iterations)) ++n_passes;
+  while (n_passes < most && remover.pass(n_passes)) ++n_passes;
   OverlapRemoved removed = remover.take();
   removed.n_passes = n_passes;
   return removed;

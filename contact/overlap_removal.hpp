@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_model.hpp"
+#include "core/definition/contact.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -36,10 +37,19 @@ struct OverlapRemoved {
 /// thickness of the element behind the face; behind a plane, of the node's own elements), and its own surface
 /// looks against the face. Beside a face counts as over it up to a quarter of the depth, or the pair's
 /// overlap tangential tolerance.
-///   iterations  passes at most, >= 1
+///
+/// Points of lofted shells are such nodes, and their normals those of any of their faces; they take the node
+/// of the mesh along that they hang on, with all that hangs on it, so that shells keep their thickness. Edges
+/// of shells that cross others where no node lies as deep part by half the way each. Balls around particles
+/// and around the nodes of lines go out of faces all the way; a held one has the face give way. Rods and
+/// balls in each other, and rods in sharp edges, part by half the way each. These may automatically be as
+/// deep as their radius. Passes over lofts have a limit of their own, SHELL OVERLAP ITERATIONS, and overlap
+/// of lofts no deeper than the SHELL OVERLAP TOLERANCE is left. What the mesh joins within its thickness
+/// never counts as overlap.
+///   definition  of the model
 ///   is_held     [n_nodes] 0 or 1: 1 stays where it is; or empty
-/// Source: Sierra/SM 5.22, 8.9.4.
-OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh, std::int64_t iterations,
-                              std::span<const std::uint8_t> is_held);
+/// Throws SolveError when a line or particle is nowhere. Source: Sierra/SM 5.22, 8.9.4.
+OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh,
+                              const ContactDefinition& definition, std::span<const std::uint8_t> is_held);
 
 }  // namespace contactsim

@@ -61,8 +61,8 @@ struct OverlapRemoval {
   std::optional<double>
       tangential_tolerance;            ///< the same beyond a face's edge; absent: automatic, >= 0 [length]
   std::int64_t iterations = 10;        ///< >= 1
-  std::int64_t shell_iterations = 10;  ///< >= 1
-  double shell_tolerance = 0.0;        ///< overlap of shells that is left, >= 0 [length]
+  std::int64_t shell_iterations = 10;  ///< over lofts, >= 1
+  double shell_tolerance = 0.0;        ///< overlap of lofts that is left, >= 0 [length]
 
   bool is_on() const { return is_asked_for.value_or(has_block); }
 };

@@ -79,6 +79,44 @@ def tied_shell(bench):
     return checks + balances(runs, is_free=True)
 
 
+def lowered(base, top):
+    """Something whose half height is 0.05 lies 0.02 deep in a block, or a sheet 0.1 thick, whose top is at z = 0."""
+    mesh = MeshMaker()
+    if base == "sheet":
+        mesh.shells("base", (0, 0, -0.05), (1, 1), (4, 4), None)
+    else:
+        mesh.hexes("base", (0, 0, -1), (1, 1, 1), (4, 4, 2))
+    mesh.new_body()
+    if top == "sheet":
+        mesh.shells("top", (0, 0, 0.03), (1, 1), (4, 4), None)
+    elif top == "rod":
+        mesh.lines("top", (0.1, 0.4, 0.03), (0.9, 0.6, 0.03), 3)
+    else:
+        mesh.particles("top", [(0.3, 0.4, 0.03), (0.7, 0.6, 0.03)])
+    return mesh
+
+
+@case()
+def overlap_of_lofts(bench):
+    checks = []
+    for base, top, way in (("solid", "sheet", 0.01), ("sheet", "sheet", 0.01), ("solid", "rod", 0.02),
+                           ("sheet", "rod", 0.02), ("solid", "ball", 0.02), ("sheet", "ball", 0.02)):
+        mesh = lowered(base, top)
+        at = np.array(mesh.points)
+        runs = [bench.run("overlap_of_lofts", mesh, base=base, top=top, form=form) for form in FORMULATIONS]
+        expected = at.copy()
+        expected[runs[0].nodes_of(2), 2] += way
+        under = runs[0].nodes_of(1)
+        expected[under[at[under, 2] > -0.1], 2] -= 0.02 - way
+        astray = max(np.max(np.abs(run.nodal("coordinates") - expected)) for run in runs)
+        energy = max(np.max(np.abs(run["contact_energy"])) for run in runs)
+        force = max(np.max(np.abs(run.nodal("force_contact"))) for run in runs)
+        checks += [at_most(f"{top} in {base}: farthest from where it should be [m]", astray, 1e-8),
+                   at_most(f"{top} in {base}: largest contact energy [J]", energy, 1e-9),
+                   at_most(f"{top} in {base}: largest force [N]", force, 1e-6)]
+    return checks
+
+
 def sheets_in_line(n_a, n_b, across_a, across_b, gap=0.0):
     """Two strips of shells, each 0.1 x 0.01, one end against the other's."""
     mesh = MeshMaker()

@@ -127,8 +127,9 @@ def overlapping_cubes():
 
 @case()
 def overlap(bench):
-    run = bench.run("overlap", overlapping_cubes())
-    place, at = run.nodal("coordinates"), run.start
+    mesh = overlapping_cubes()
+    run = bench.run("overlap", mesh)
+    place, at = run.nodal("coordinates"), np.array(mesh.points)
     top = np.max(place[0, run.nodes_of(1), 2])
     moved = place[0] - at
     return [at_most("gap after removal below -1e-6 h", max(0.0, top - np.min(place[0, run.nodes_of(2), 2])), 0.5e-6),

@@ -102,9 +102,9 @@ const Table<OverlapRemoval>& overlap_removal_table() {
           "Overlap beyond a face's edge that is removed [length]", "automatic"),
       row("overlap iterations", read::positive_integer, &O::iterations, "Passes [1] at most"),
       row("shell overlap iterations", read::positive_integer, &O::shell_iterations,
-          "Passes [1] over shells at most"),
+          "Passes [1] over shells, beams and particles at most"),
       row("shell overlap tolerance", read::non_negative, &O::shell_tolerance,
-          "Overlap of shells that is left [length]"),
+          "Overlap of shells, beams and particles that is left [length]"),
       ignored<O>("debug iteration plot", "= {ON|OFF}", "The passes are reported in the log"),
   });
   return table;

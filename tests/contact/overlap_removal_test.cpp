@@ -29,7 +29,9 @@ OverlapRemoved remove(const Mesh& mesh, const std::string& lines, std::int64_t i
                       const std::vector<std::uint8_t>& is_held = {}) {
   const auto model = make_model(mesh, lines);
   REQUIRE(model.messages.empty());
-  return remove_overlap(model, mesh, iterations, is_held);
+  ContactDefinition definition = parse_contact(lines);
+  definition.overlap_removal.iterations = iterations;
+  return remove_overlap(model, mesh, definition, is_held);
 }
 
 /// [n_nodes] z of every node moved by overlap removal, the others NaN. Fails when a node moved sideways.
@@ -85,7 +87,7 @@ TEST_CASE("out of a plane nodes go all the way", "[contact][overlap]") {
       " begin interaction defaults\n  general contact = on\n end\nend\n");
   const auto model = make_model(mesh, region);
   REQUIRE(model.messages.empty());
-  const OverlapRemoved removed = remove_overlap(model, mesh, 10, {});
+  const OverlapRemoved removed = remove_overlap(model, mesh, *region.contact, {});
   CHECK(move_at(mesh, removed, -0.02) == Approx(0.02).epsilon(1e-12));
   CHECK(move_at(mesh, removed, 1.0 - 0.02) == 0.0);
   CHECK(removed.moves.at(0).n_nodes == 4);

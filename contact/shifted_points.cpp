@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/shifted_points.hpp"
+
+namespace contactsim {
+
+ShiftedPoints::ShiftedPoints(const ContactFaces& faces, const Mesh& mesh)
+    : faces_(faces), coordinates_(mesh.coordinates()), renewed_(faces) {
+  renew();
+}
+
+Eigen::Vector3d ShiftedPoints::at(std::uint32_t point) const {
+  const Eigen::Vector3d node = coordinates_.col(faces_.mesh_nodes[point]);
+  const std::size_t first = faces_.n_mesh_points();
+  if (point < first) return node;
+  return node + renewed_.arms().col(static_cast<Eigen::Index>(point - first));
+}
+
+FaceCorners ShiftedPoints::corners(const ContactFace& face) const {
+  FaceCorners x;
+  for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = at(face.corners[k]);
+  return x;
+}
+
+Eigen::Vector3d ShiftedPoints::way_of(const RecordSide& side) const {
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k)
+    way += side.weights[static_cast<Eigen::Index>(k)] * (at(side.nodes[k]) - renewed_.x(side.nodes[k]));
+  return way;
+}
+
+}  // namespace contactsim

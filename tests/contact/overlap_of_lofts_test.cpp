@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Overlap removal of shells, beams and particles: where nodes go, and that contact is at rest afterwards.
+#include <numbers>
+
+#include "contact/overlap_removal.hpp"
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+constexpr double thickness = 0.1, radius = 0.1, depth = 0.02;
+constexpr double accuracy = 1e-8;  // of radii, which have single precision
+
+/// Adds a sheet whose shells are 0.1 thick.
+void add_plate(MeshBuilder& b, const Sheet& sheet) {
+  b.add_shells(sheet);
+  const auto n = static_cast<std::size_t>(sheet.cells[0] * sheet.cells[1]);
+  b.set_attributes(sheet.id, {"thickness"}, std::vector<double>(n, thickness));
+}
+
+/// Adds a beam of some elements whose radius is 0.1.
+void add_rod(MeshBuilder& b, const Row& row) {
+  b.add_beams(row);
+  b.set_attributes(row.id, {"area"},
+                   std::vector<double>(static_cast<std::size_t>(row.cells), 0.01 * std::numbers::pi));
+}
+
+/// Adds particles of radius 0.1.
+void add_balls(MeshBuilder& b, std::int64_t id, const std::vector<Eigen::Vector3d>& centres) {
+  b.add_spheres(id, "", centres);
+  b.set_attributes(id, {"radius"}, std::vector<double>(centres.size(), radius));
+}
+
+/// Bodies before and after removal of their overlap.
+struct Cleared {
+  Cleared(const MeshBuilder& builder, const std::string& lines, const std::vector<std::int64_t>& held = {},
+          const std::string& options = "")
+      : before(builder, general_contact(lines) + options), after(builder, general_contact(lines) + options) {
+    std::vector<std::uint8_t> is_held(before.mesh.n_nodes(), 0);
+    for (const std::int64_t block : held) {
+      for (const NodeIndex node : nodes_of(block)) is_held[node.value] = 1;
+    }
+    removed = remove_overlap(before.definition, before.mesh, *before.region.contact, is_held);
+    after.x = removed.coordinates;
+    before.ask();
+    after.ask();
+  }
+
+  std::vector<NodeIndex> nodes_of(std::int64_t block) const {
+    return before.mesh.blocks()[static_cast<std::size_t>(block - 1)].nodes;
+  }
+  Eigen::Vector3d step(NodeIndex node) const {
+    return removed.coordinates.col(node.value) - before.mesh.coordinates().col(node.value);
+  }
+  /// Whether all nodes of a block went the same way.
+  bool moved_by(std::int64_t block, const Eigen::Vector3d& way) const {
+    return std::ranges::all_of(nodes_of(block),
+                               [&](NodeIndex node) { return (step(node) - way).norm() < accuracy; });
+  }
+  /// Fails unless contact pushes before and hardly after.
+  void check_rest() const {
+    CHECK(before.force_size() > 0.0);
+    CHECK(after.force_size() <= 1e-5 * before.force_size());
+    for (const OverlapMoves& moves : removed.moves) CHECK(moves.left <= 1e-5 * moves.deepest);
+  }
+
+  ContactBodies before, after;
+  OverlapRemoved removed;
+};
+
+std::string formulation() {
+  const std::string name = GENERATE("node_face", "face_face");
+  return "constraint formulation = " + name + "\n";
+}
+
+/// A block of height 1 with a sheet on top, lowered into it.
+MeshBuilder sheet_in_block(std::array<int, 2> cells, double width) {
+  MeshBuilder b;
+  const double edge = 0.5 * (1.0 - width);
+  b.add_hexes({.id = 1, .cells = {3, 3, 1}});
+  add_plate(b, {.id = 2,
+                .cells = cells,
+                .origin = {edge, edge, 1.0 + 0.5 * thickness - depth},
+                .u = {width, 0, 0},
+                .v = {0, width, 0},
+                .share_nodes = false});
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("a shell and the block that it lies in meet half way", "[contact][overlap]") {
+  const Cleared cleared(sheet_in_block({3, 3}, 1.0), formulation());
+  CHECK(cleared.moved_by(2, {0, 0, 0.5 * depth}));
+  for (const NodeIndex node : cleared.nodes_of(1)) {
+    const bool is_on_top = cleared.before.mesh.coordinates()(2, node.value) == 1.0;
+    CHECK((cleared.step(node) - Eigen::Vector3d(0, 0, is_on_top ? -0.5 * depth : 0.0)).norm() < accuracy);
+  }
+  cleared.check_rest();
+}
+
+TEST_CASE("out of a held block a shell goes all the way", "[contact][overlap]") {
+  const Cleared cleared(sheet_in_block({4, 4}, 0.7), formulation(), {1});
+  CHECK(cleared.moved_by(1, Eigen::Vector3d::Zero()));
+  CHECK(cleared.moved_by(2, {0, 0, depth}));
+  CHECK(cleared.removed.moves.at(0).n_nodes == 25);
+  CHECK(cleared.removed.moves.at(0).deepest == Approx(depth));
+  cleared.check_rest();
+}
+
+TEST_CASE("a shell comes out of a block whose mesh does not match", "[contact][overlap]") {
+  const Cleared cleared(sheet_in_block({4, 4}, 0.7), formulation());
+  cleared.check_rest();
+}
+
+TEST_CASE("parallel shells meet half way, whichever sides face each other", "[contact][overlap]") {
+  const bool is_turned = GENERATE(false, true);
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}});
+  const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0);
+  add_plate(b, {.id = 2,
+                .cells = {3, 3},
+                .origin = {0, 0, thickness - depth},
+                .u = is_turned ? y : x,
+                .v = is_turned ? x : y,
+                .share_nodes = false});
+  const Cleared cleared(b, formulation());
+  CHECK(cleared.moved_by(1, {0, 0, -0.5 * depth}));
+  CHECK(cleared.moved_by(2, {0, 0, 0.5 * depth}));
+  cleared.check_rest();
+}
+
+TEST_CASE("shells whose rims lie in each other part in their plane", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}});
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {1.0 - depth, 0, 0}, .share_nodes = false});
+  const Cleared cleared(b, formulation());
+  for (const NodeIndex node : cleared.nodes_of(2)) {
+    const bool is_at_rim = cleared.before.mesh.coordinates()(0, node.value) == 1.0 - depth;
+    CHECK((cleared.step(node) - Eigen::Vector3d(is_at_rim ? 0.5 * depth : 0.0, 0, 0)).norm() < accuracy);
+  }
+  cleared.check_rest();
+}
+
+TEST_CASE("strips of shells that cross between their nodes part", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 1}, .origin = {-1.5, -0.1, 0}, .u = {3, 0, 0}, .v = {0, 0.2, 0}});
+  SECTION("two") {
+    add_plate(b, {.id = 2,
+                  .cells = {1, 3},
+                  .origin = {-0.1, -1.5, thickness - depth},
+                  .u = {0.2, 0, 0},
+                  .v = {0, 3, 0}});
+  }
+  SECTION("one over a bar") {
+    b.add_hexes(
+        {.id = 2, .cells = {1, 3, 1}, .origin = {-0.1, -1.5, 0.5 * thickness - depth}, .size = {0.2, 3, 1}});
+  }
+  const Cleared cleared(b, "constraint formulation = face_face\n");
+  CHECK(cleared.removed.moves.at(0).deepest == Approx(depth));
+  cleared.check_rest();
+  const Cleared held(b, "constraint formulation = face_face\n", {1});
+  CHECK(held.moved_by(1, Eigen::Vector3d::Zero()));
+  held.check_rest();
+}
+
+TEST_CASE("a tube of shells comes out of the one around it", "[contact][overlap]") {
+  const auto add_tube = [](MeshBuilder& b, std::int64_t id, double r, std::uint32_t n) {
+    std::vector<std::uint32_t> first, nodes;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / n;
+      const Eigen::Vector3d at(r * std::cos(angle), r * std::sin(angle), 0.1 * static_cast<double>(id));
+      first.push_back(b.add_node(at).value);
+      b.add_node(at + Eigen::Vector3d::UnitZ());
+    }
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t a = first[i], c = first[(i + 1) % n];
+      nodes.insert(nodes.end(), {a, c, c + 1, a + 1});
+    }
+    b.add_block(id, "", Shape::shell4, nodes);
+    b.set_attributes(id, {"thickness"}, std::vector<double>(n, thickness));
+  };
+  MeshBuilder b;
+  add_tube(b, 1, 1.0, 24);
+  add_tube(b, 2, 1.09, 30);
+  const Cleared cleared(b, formulation());
+  CHECK(cleared.removed.moves.at(0).left <= 1e-3 * cleared.removed.moves.at(0).deepest);
+  CHECK(cleared.before.force_size() > 0.0);
+  CHECK(cleared.after.force_size() <= 1e-3 * cleared.before.force_size());
+}
+
+TEST_CASE("a shell that is pushed far pushes what it meets there", "[contact][overlap]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {3, 3, 1}});
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.75}, .share_nodes = false});
+  add_plate(b, {.id = 3, .cells = {3, 3}, .origin = {0, 0, 1.13}, .share_nodes = false});
+  const Cleared cleared(b, formulation(), {1});
+  REQUIRE(cleared.removed.moves.size() == 2);
+  CHECK(cleared.removed.moves[1].deepest == Approx(depth).epsilon(0.01));
+  for (const OverlapMoves& moves : cleared.removed.moves) CHECK(moves.left <= 1e-2 * depth);
+}
+
+TEST_CASE("shells that overlap by half their thickness may be on the other side and stay",
+          "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}});
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.4 * thickness}, .share_nodes = false});
+  CHECK(Cleared(b, formulation()).removed.moves.empty());
+}
+
+TEST_CASE("a shell that stands in a block goes out by the depth of its rim, however thin",
+          "[contact][overlap]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {1.5, 1.5, 1}});
+  b.add_shells({.id = 2,
+                .cells = {2, 2},
+                .origin = {0.25, 0.8, 1.0 - depth},
+                .u = {1, 0, 0},
+                .v = {0, 0, 1},
+                .share_nodes = false});
+  const double thin = 0.01;  // what is deeper than half of that is no contact
+  b.set_attributes(2, {"thickness"}, std::vector<double>(4, thin));
+  const Cleared cleared(b, formulation(), {1});
+  for (const NodeIndex node : cleared.nodes_of(2)) {
+    const bool is_low = cleared.before.mesh.coordinates()(2, node.value) < 1.0;
+    CHECK((cleared.step(node) - Eigen::Vector3d(0, 0, is_low ? depth : 0.0)).norm() < accuracy);
+  }
+  CHECK(cleared.after.force_size() == 0.0);
+}
+
+TEST_CASE("a particle goes out of a face all the way", "[contact][overlap]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 1}});
+  add_balls(b, 2, {{0.3, 0.4, 1.0 + radius - depth}, {0.75, 0.75, 1.0 + 0.3 * radius}});
+  const Cleared cleared(b, formulation());
+  CHECK(cleared.moved_by(1, Eigen::Vector3d::Zero()));
+  CHECK((cleared.step(cleared.nodes_of(2)[0]) - Eigen::Vector3d(0, 0, depth)).norm() < accuracy);
+  CHECK((cleared.step(cleared.nodes_of(2)[1]) - Eigen::Vector3d(0, 0, 0.7 * radius)).norm() < accuracy);
+  cleared.check_rest();
+}
+
+TEST_CASE("a held particle has the face give way", "[contact][overlap]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1});
+  add_balls(b, 2, {{0.5, 0.5, 1.0 + radius - depth}});
+  const Cleared cleared(b, formulation(), {2});
+  CHECK(cleared.moved_by(2, Eigen::Vector3d::Zero()));
+  CHECK(cleared.removed.moves.at(0).n_nodes == 4);
+  CHECK(cleared.removed.moves.at(0).largest == Approx(depth));
+  cleared.check_rest();
+}
+
+TEST_CASE("a particle and a shell behind a plane come out", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {2, 2}, .origin = {0, 0, 0.5 * thickness - depth}});
+  add_balls(b, 2, {{3, 0, radius - 2.0 * depth}});
+  const Region region = parse_region(
+      "begin analytic object ground\n normal direction = 0 0 2\nend\n"
+      "begin contact definition\n contact surface floor contains ground\n skin all blocks = on\n"
+      " begin interaction defaults\n  general contact = on\n end\nend\n");
+  const Mesh mesh = b.build();
+  const auto model = make_model(mesh, region);
+  REQUIRE(model.messages.empty());
+  const OverlapRemoved removed = remove_overlap(model, mesh, *region.contact, {});
+  const Eigen::Matrix3Xd steps = removed.coordinates - mesh.coordinates();
+  for (Eigen::Index i = 0; i < 9; ++i) CHECK((steps.col(i) - Eigen::Vector3d(0, 0, depth)).norm() < 1e-12);
+  CHECK((steps.col(9) - Eigen::Vector3d(0, 0, 2.0 * depth)).norm() < accuracy);
+}
+
+TEST_CASE("a beam that lies in a shell goes out of it", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {4, 4}});
+  add_rod(b, {.id = 2,
+              .cells = 3,
+              .from = {0.1, 0.5, 0.5 * thickness + radius - depth},
+              .to = {0.9, 0.6, 0.5 * thickness + radius - depth}});
+  const Cleared cleared(b, formulation());
+  CHECK(cleared.moved_by(1, Eigen::Vector3d::Zero()));
+  CHECK(cleared.moved_by(2, {0, 0, depth}));
+  cleared.check_rest();
+}
+
+TEST_CASE("a beam that crosses a shell without a node over it comes off its rims", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {2, 2}});
+  const double z = 0.5 * thickness + radius - depth;
+  add_rod(b, {.id = 2, .cells = 1, .from = {-0.5, 0.5, z}, .to = {1.5, 0.5, z}});
+  const Cleared cleared(b, formulation());
+  cleared.check_rest();
+  const Cleared held(b, formulation(), {1});
+  CHECK(held.moved_by(1, Eigen::Vector3d::Zero()));
+  // One rim after the other.
+  for (const NodeIndex end : held.nodes_of(2)) {
+    CHECK(held.step(end).head<2>().norm() < accuracy);
+    CHECK(held.step(end).z() == Approx(depth).epsilon(0.4));
+  }
+  held.check_rest();
+}
+
+TEST_CASE("rods in each other share the way", "[contact][overlap]") {
+  MeshBuilder b;
+  const double z = 2.0 * radius - depth;
+  SECTION("crossing") {
+    add_rod(b, {.id = 1, .cells = 1, .from = {-1, 0, 0}, .to = {1, 0, 0}});
+    add_rod(b, {.id = 2, .cells = 1, .from = {0, -1, z}, .to = {0, 1, z}});
+  }
+  SECTION("parallel") {
+    add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0, 0}, .to = {1, 0, 0}});
+    add_rod(b, {.id = 2, .cells = 3, .from = {-1, 0, z}, .to = {1, 0, z}});
+  }
+  SECTION("as particles") {
+    add_balls(b, 1, {{0, 0, 0}});
+    add_balls(b, 2, {{0, 0, z}});
+  }
+  const Cleared cleared(b, "");
+  CHECK(cleared.moved_by(1, {0, 0, -0.5 * depth}));
+  CHECK(cleared.moved_by(2, {0, 0, 0.5 * depth}));
+  cleared.check_rest();
+  const Cleared held(b, "", {1});
+  CHECK(held.moved_by(2, {0, 0, depth}));
+  held.check_rest();
+}
+
+TEST_CASE("particles packed too tightly part", "[contact][overlap]") {
+  std::vector<Eigen::Vector3d> centres;
+  for (int i = 0; i < 125; ++i)
+    centres.emplace_back(0.19 * (i % 5), 0.19 * (i / 5 % 5), 0.19 * (i / 25));  // 0.2 would be loose
+  MeshBuilder b;
+  add_balls(b, 1, centres);
+  const Cleared cleared(b, "self contact = on\n", {},
+                        "begin remove initial overlap\n shell overlap iterations = 100\nend\n");
+  CHECK(cleared.removed.moves.at(0).deepest == Approx(0.01).epsilon(0.01));
+  CHECK(cleared.removed.moves.at(0).left < 1e-3 * 0.01);
+  const Eigen::Vector3d drift =
+      (cleared.removed.coordinates - cleared.before.mesh.coordinates()).rowwise().sum();
+  CHECK(drift.norm() < accuracy);
+}
+
+TEST_CASE("a rod with one end held turns about it", "[contact][overlap]") {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 1, .from = {-1, 0, 0}, .to = {1, 0, 0}});
+  add_rod(b, {.id = 2, .cells = 1, .from = {0.5, -1, 0.2 - depth}, .to = {0.5, 1, 0.2 - depth}});
+  const Mesh mesh = b.build();
+  const std::string lines = general_contact();
+  const auto model = make_model(mesh, lines);
+  const OverlapRemoved removed =
+      remove_overlap(model, mesh, parse_contact(lines), std::vector<std::uint8_t>{1, 0, 1, 1});
+  CHECK(removed.coordinates(2, 0) == 0.0);
+  CHECK(removed.coordinates(2, 1) == Approx(-depth / 0.75).epsilon(0.01));
+  CHECK(removed.moves.at(0).left <= 1e-6);
+}
+
+TEST_CASE("what the mesh joins stays, however thick and fine", "[contact][overlap]") {
+  MeshBuilder b;
+  const std::array<int, 2> cells{20, 20};  // half as long as they are thick
+  SECTION("folded sharply") {
+    add_plate(b, {.id = 1, .cells = cells});
+    add_plate(b, {.id = 2, .cells = cells, .origin = {1, 0, 0}, .u = {0, 1, 0}, .v = {-0.6, 0, 0.8}});
+  }
+  SECTION("as a T") {
+    add_plate(b, {.id = 1, .cells = cells});
+    add_plate(b, {.id = 2, .cells = cells, .origin = {0.5, 0, 0}, .u = {0, 1, 0}, .v = {0, 0, 1}});
+  }
+  SECTION("lying on a part of a solid") {
+    b.add_hexes({.id = 1, .cells = {20, 20, 2}, .size = {1, 1, 0.1}});
+    add_plate(b, {.id = 2, .cells = {10, 20}, .origin = {0, 0, 0.1}, .u = {0.5, 0, 0}, .v = {0, 1, 0}});
+  }
+  SECTION("beams at an angle") {
+    add_rod(b, {.id = 1, .cells = 20, .from = {0, 0, 0}, .to = {1, 0, 0}});
+    add_rod(b, {.id = 2, .cells = 20, .from = {1, 0, 0}, .to = {1, 0.5, 1}});
+  }
+  const Mesh mesh = b.build();
+  const std::string lines = general_contact("self contact = on\n");
+  const auto model = make_model(mesh, lines);
+  REQUIRE(model.messages.empty());
+  const OverlapRemoved removed = remove_overlap(model, mesh, parse_contact(lines), {});
+  CHECK(removed.moves.empty());
+  CHECK(removed.n_passes == 0);
+}
+
+TEST_CASE("lofts have passes of their own, and keep overlap within their tolerance", "[contact][overlap]") {
+  const MeshBuilder b = sheet_in_block({3, 3}, 1.0);
+  const auto with = [&](const std::string& line) {
+    return Cleared(b, "", {1}, "begin remove initial overlap\n" + line + "\nend\n").removed;
+  };
+  CHECK(with("shell overlap tolerance = 0.03").moves.empty());
+  CHECK(with("shell overlap tolerance = 0.01").moves.at(0).largest == Approx(depth));
+  CHECK(with("overlap iterations = 3").n_passes == 1);
+  const Cleared one(sheet_in_block({4, 4}, 0.7), "", {},
+                    "begin remove initial overlap\n shell overlap iterations = 1\nend\n");
+  CHECK(one.removed.n_passes == 1);
+  CHECK(one.removed.moves.at(0).left <= 0.01 * depth);
+}
