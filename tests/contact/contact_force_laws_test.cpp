@@ -132,6 +132,29 @@ TEST_CASE("the stable step that contact asks for bears the stiffest motion of it
   CHECK(bodies.contact.step_share().share == Approx(1.0 - stable_step).epsilon(0.1));
 }
 
+TEST_CASE("what closes within two steps sets the stable step before it touches, at the start too",
+          "[contact][contact_force]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  for (const double speed : {0.04, 0.06}) {
+    ContactBodies bodies(cube_over_plate(0.1), general_contact(stiff + formulation));
+    bodies.set_velocity(1, {0, 0, -speed});
+    const double stable_step = bodies.ask().stable_step;  // that of the elements is 1
+    CHECK(bodies.forces.norm() == 0.0);
+    CHECK((stable_step < 1.0) == (speed > 0.05));
+  }
+}
+
+TEST_CASE("a corner that runs ahead of its face stirs it by what it is faster than the mean",
+          "[contact][contact_force]") {
+  FaceCorners x, v = FaceCorners::Zero();
+  x << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  v(2, 1) = 4.0;
+  const FaceBound bound(x, v, false);
+  CHECK(bound.velocity().z() == 1.0f);
+  CHECK(bound.stir() == Approx(3.0));
+  CHECK(FaceBound(x, -v, false).stir() == Approx(1.0));
+}
+
 TEST_CASE("automatic penalties cost little of the elements' step", "[contact][contact_force]") {
   // The elements' own stable step: the edge over the speed of sound.
   const std::string formulation = GENERATE(std::string(), node_face);
