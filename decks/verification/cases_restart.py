@@ -95,7 +95,9 @@ def killed(bench, n_kills=50):
     folder, command = bench.prepare("restart", bodies(), goes_on=1, stored=1)
     kills = n_damaged = n_lost = 0
     while kills < n_kills:
-        had_states, log = any(folder.glob("restart.rsout*")), folder / "restart.log"
+        # A file that a killed run had not finished is no state yet.
+        had_states = any(file.suffix != ".part" for file in folder.glob("restart.rsout*"))
+        log = folder / "restart.log"
         n_told = log.stat().st_size if log.exists() else 0
         if not run_and_kill(folder, command, chance.uniform(0.05, 0.25)):
             for left in folder.glob("restart.*-s*"):
@@ -104,11 +106,11 @@ def killed(bench, n_kills=50):
                 left.unlink()
             continue
         kills += 1
-        told = log.read_bytes()[n_told:].decode()
+        told = log.read_bytes()[n_told:].decode() if log.exists() else ""
         n_damaged += "damaged" in told
         n_lost += had_states and "the run begins at its start" in told
     bench.execute(folder, command)
     straight = bench.run("restart", bodies(), stored=1000000)
-    last = sorted(folder.glob("restart.h-s*"))[-1]
+    last = [folder / "restart.h", *sorted(folder.glob("restart.h-s*"))][-1]
     return [at_most("stored states that were damaged", n_damaged, 0), at_most("runs that lost their states", n_lost, 0),
             at_most("arrays that differ at the end", abs(count_differences(straight.folder / "restart.h", last)), 0)]
