@@ -191,7 +191,19 @@ def of_clad(lost="", gained="", shells=SHELLS):
     return {"c1": both(outside("block_1", (4, 2, 2), but="9:6 10:6 13:6 14:6 " + lost), among(gained)), "c2": among(shells)}
 
 
+RESTRICTED = "skin all blocks = on\nrestrict contact to subdomain defined by radius 2.3 and point 1.5 1.5 0.5"
+
+
+def of_restricted(lost="", gained=""):
+    """The first three of the plate's seven columns are within the sphere."""
+    is_out = outside("block_1", (7, 3, 1), but=lost)
+    return {"block_1": both(lambda target: is_out(target) and (int(target.name.split(":")[0]) - 1) % 7 < 3, among(gained))}
+
+
 FIGURES = {
+    "8.4.4, restricted": Figure(holed_plate, RESTRICTED, of_restricted()),
+    "8.4.4, restricted, holes inside and beyond": Figure(
+        holed_plate, RESTRICTED, dead="9 12", owners=of_restricted(lost="9:5 9:6", gained="2:3 8:2 10:4 16:1")),
     "8.4.4.1, subsets": Figure(
         cube, "begin contact surface surf1\nblock = block_1\nsubset xp with normal 1 0 0\nsubset zm with normal 0 0 -1\nend",
         {"surf1": among("1:1 1:3 1:4 1:6"), "surf1_xp": among("1:2"), "surf1_zm": among("1:5")}),
