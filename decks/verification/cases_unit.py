@@ -157,6 +157,10 @@ def nodes_over_block(kind):
 def node_set(bench):
     checks, runs = [], []
     for kind, section, tolerance in (("shells", "sheet", 0.15), ("beams", "rod", 0.02), ("particles", "ball", 0.02)):
-        runs.append(bench.run("node_set", nodes_over_block(kind), section=section, frame=2e-4))
+        runs.append(bench.run("node_set", nodes_over_block(kind), section=section, erosion="", frame=2e-4))
         checks.append(Check(f"{kind}: speed after [m/s]", 10, runs[-1]["speed"][-1], tolerance))
+    for erosion, speed, tolerance in (("off", 10, 0.1), ("on", -10, 1e-9)):
+        runs.append(bench.run("node_set", nodes_over_block("shells"), section="sheet", erosion=erosion, frame=2e-4))
+        checks.append(Check(f"shells that die, erosion {erosion}: speed after [m/s]", speed, runs[-1]["speed"][-1],
+                            tolerance))
     return checks + balances(runs, is_free=True)

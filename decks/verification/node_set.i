@@ -2,10 +2,11 @@
 #
 # Shows that nodes without outside faces meet faces as masses of their own, without lofts: the kind of the elements, or their
 # size, is nothing to them. Expected: they fly back as fast as they came, within 2 % where nothing can vibrate; the contact
-# force and momentum balance.
+# force and momentum balance. With `erosion` their elements die on the way: the nodes fly on as free masses, which meet the
+# block ("off") or do not ("on").
 #
 # {ifndef(section)}
-# {section = "ball"} {frame = 2e-4}
+# {section = "ball"} {erosion = ""} {frame = 2e-4}
 # {endif}
 begin sierra node set
   begin material stiff
@@ -57,6 +58,14 @@ begin sierra node set
         component = z
         magnitude = -10
       end
+{if(erosion != "")}
+      begin element death on_the_way
+        block = top
+        criterion is always true
+        death start time = 1e-4
+        nodal erosion = {erosion}
+      end
+{endif}
       begin contact definition
         contact surface base contains base
         contact node set nodes contains top
