@@ -8,7 +8,6 @@
 #include <cassert>
 #include <memory>
 #include <numeric>
-#include <ranges>
 
 namespace contactsim {
 
@@ -32,9 +31,9 @@ void split(std::span<const Box> boxes, Part part, int depth, std::vector<Part>& 
   };
   std::array<double, 3> length;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto [least, most] = std::ranges::minmax(
-        part | std::views::transform([&](std::uint32_t i) { return twice_centre(i, axis); }));
-    length[axis] = most - least;
+    const auto [least, most] =
+        std::ranges::minmax(part, {}, [&](std::uint32_t i) { return twice_centre(i, axis); });
+    length[axis] = twice_centre(most, axis) - twice_centre(least, axis);
   }
   const auto axis = static_cast<std::size_t>(std::ranges::max_element(length) - length.begin());
   const auto middle = part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "core/definition/simulation.hpp"
 #include "core/elements/element_table.hpp"
 
 namespace contactsim {

@@ -161,7 +161,7 @@ std::span<const ElementIndex> ElementDeaths::step(State& state, std::span<const 
     if (is_due(i, state)) check(i, state, ill_defined);
   }
   std::ranges::sort(dead_);
-  dead_.erase(std::ranges::unique(dead_).begin(), dead_.end());
+  dead_.erase(std::unique(dead_.begin(), dead_.end()), dead_.end());
   for (const ElementIndex element : dead_) alive_[element.value] = 0;
   if (!is_cleaned_.empty()) clean_up(state);
   std::ranges::sort(dead_);
