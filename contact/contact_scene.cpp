@@ -98,50 +98,29 @@ double PairRules::largest_reach(std::uint32_t pair) const {
 }
 
 void PairRules::archive(StateArchive& saved) {
-  saved.set("contact/close_faces", close_faces_);
-  saved.set("contact/close_nodes", close_nodes_);
+  close_faces_.archive("contact/close_faces", saved);
+  close_nodes_.archive("contact/close_nodes", saved);
 }
 
 void GluedPlaces::archive(StateArchive& saved) {
-  saved.set("contact/glued_faces", faces_);
-  saved.set("contact/glued_nodes", nodes_);
+  faces_.archive("contact/glued_faces", saved);
+  nodes_.archive("contact/glued_nodes", saved);
 }
-
-namespace {
-
-/// Keys of two numbers each, with the numbers that are still there.
-///   first, second  places of the numbers; empty: they stay
-void renumber_keys(std::span<const std::uint32_t> first, std::span<const std::uint32_t> second,
-                   std::set<std::uint64_t>& keys) {
-  std::set<std::uint64_t> after;
-  for (const std::uint64_t key : keys) {
-    auto a = static_cast<std::uint32_t>(key >> 32), b = static_cast<std::uint32_t>(key);
-    if (!first.empty()) a = first[a];
-    if (!second.empty()) b = second[b];
-    if (a != ContactRenumbering::gone && b != ContactRenumbering::gone)
-      after.insert((std::uint64_t{a} << 32) | b);
-  }
-  keys = std::move(after);
-}
-
-}  // namespace
 
 void PairRules::renumber(const ContactRenumbering& places) {
-  renumber_keys({}, places.faces, close_faces_);
-  renumber_keys({}, places.rows, close_nodes_);
+  close_faces_.renumber({}, places.faces);
+  close_nodes_.renumber({}, places.rows);
 }
 
 void GluedPlaces::renumber(const ContactRenumbering& places) {
-  renumber_keys(places.faces, places.faces, faces_);
-  renumber_keys(places.rows, {}, nodes_);
+  faces_.renumber(places.faces, places.faces);
+  nodes_.renumber(places.rows, {});
 }
 
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
-  return close_faces_.contains(key(pair, first)) && close_faces_.contains(key(pair, second));
+  return close_faces_.has(pair, first) && close_faces_.has(pair, second);
 }
 
-bool PairRules::is_close(std::uint32_t pair, std::uint32_t row) const {
-  return close_nodes_.contains(key(pair, row));
-}
+bool PairRules::is_close(std::uint32_t pair, std::uint32_t row) const { return close_nodes_.has(pair, row); }
 
 }  // namespace contactsim

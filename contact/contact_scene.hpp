@@ -2,13 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <set>
 #include <span>
 #include <vector>
 
 #include "contact/contact_record.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/moving_surface.hpp"
+#include "contact/place_keys.hpp"
 #include "contact/place_law.hpp"
 #include "contact/surface_pairs.hpp"
 #include "core/conditions/active_times.hpp"
@@ -68,8 +68,8 @@ class PairRules {
   /// Goes over to other faces and nodes.
   void renumber(const ContactRenumbering& places);
   /// Remembers that a face, or a surface node, of a HYBRID pair was close to the other side at the start.
-  void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.insert(key(pair, face)); }
-  void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.insert(key(pair, row)); }
+  void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.add(pair, face); }
+  void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.add(pair, row); }
   /// The rule of two faces of a pair, or of a surface node: for HYBRID that of both close, or not.
   const PairRule& of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
     const PairRule& rule = rules_[pair];
@@ -92,12 +92,11 @@ class PairRules {
   void archive(StateArchive& saved);
 
  private:
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }
   bool are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
   bool is_close(std::uint32_t pair, std::uint32_t row) const;
 
   std::vector<PairRule> rules_, far_rules_;
-  std::set<std::uint64_t> close_faces_, close_nodes_;
+  PlaceKeys close_faces_, close_nodes_;
   std::vector<std::uint32_t> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };
@@ -108,28 +107,18 @@ class GluedPlaces {
  public:
   /// Goes over to other faces and nodes: what is gone is held no more.
   void renumber(const ContactRenumbering& places);
-  bool holds_faces(std::uint32_t first, std::uint32_t second) const { return holds(faces_, first, second); }
-  bool holds_node(std::uint32_t row, std::uint32_t pair) const { return holds(nodes_, row, pair); }
+  bool holds_faces(std::uint32_t first, std::uint32_t second) const { return faces_.has(first, second); }
+  bool holds_node(std::uint32_t row, std::uint32_t pair) const { return nodes_.has(row, pair); }
   /// Return whether the place is new.
-  bool add_faces(std::uint32_t first, std::uint32_t second) { return add(first, second, faces_); }
-  bool add_node(std::uint32_t row, std::uint32_t pair) { return add(row, pair, nodes_); }
+  bool add_faces(std::uint32_t first, std::uint32_t second) { return faces_.add(first, second); }
+  bool add_node(std::uint32_t row, std::uint32_t pair) { return nodes_.add(row, pair); }
   /// The same of a node, by its row and the pair, or of two faces.
-  void add(bool is_node, std::uint32_t a, std::uint32_t b) { (is_node ? nodes_ : faces_).insert(key(a, b)); }
-  void remove(bool is_node, std::uint32_t a, std::uint32_t b) {
-    (is_node ? nodes_ : faces_).erase(key(a, b));
-  }
+  void add(bool is_node, std::uint32_t a, std::uint32_t b) { (is_node ? nodes_ : faces_).add(a, b); }
+  void remove(bool is_node, std::uint32_t a, std::uint32_t b) { (is_node ? nodes_ : faces_).remove(a, b); }
   void archive(StateArchive& saved);
 
  private:
-  static std::uint64_t key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{a} << 32) | b; }
-  static bool holds(const std::set<std::uint64_t>& places, std::uint32_t a, std::uint32_t b) {
-    return places.count(key(a, b)) > 0;
-  }
-  static bool add(std::uint32_t a, std::uint32_t b, std::set<std::uint64_t>& places) {
-    return places.insert(key(a, b)).second;
-  }
-
-  std::set<std::uint64_t> faces_, nodes_;
+  PlaceKeys faces_, nodes_;
 };
 
 /// A step of contact: what the loops over places look at.
