@@ -100,43 +100,39 @@ class TearingStep {
 
 constexpr std::array<std::size_t, 6> solid_places{0, 1, 2, 3, 4, 5};
 
-/// Strain across the crack.
-///   strain  its shear as angles [1]
-template <std::size_t n>
-Lanes opening_of(const TearingStep& tearing, const std::array<Lanes, n>& strain,
-                 const std::array<std::size_t, n>& places) {
+/// Takes a point through a step.
+///   strain   its shear as angles [1]
+///   places   of the components among xx, yy, zz, xy, yz, zx
+///   advance  the plastic law, on the stress of what is whole; called with its state
+template <std::size_t n, class Advance>
+void step_torn(TearingStep tearing, const std::array<Lanes, n>& strain,
+               const std::array<std::size_t, n>& places, std::span<Lanes> stress, const Advance& advance) {
   Lanes opening = Lanes::Zero();
   for (std::size_t i = 0; i < n; ++i) opening += tearing.crack(places[i]) * strain[i];
-  return opening;
+  tearing.make_whole(stress);
+  advance(tearing.plastic());
+  tearing.finish(opening, places, stress);
 }
 
 }  // namespace
 
 LaneModuli TearingLaw::update(const StrainStep& step, SymmetricLanes& stress, std::span<Lanes> state) const {
-  TearingStep tearing(*this, state);
   std::array<Lanes, 6> strain = step.strain.components;
   for (std::size_t i = 3; i < 6; ++i) strain[i] *= 2.0;
-  const Lanes opening = opening_of(tearing, strain, solid_places);
-  tearing.make_whole(stress.components);
-  const LaneModuli moduli_now = PlasticLaw::update(step, stress, tearing.plastic());
-  tearing.finish(opening, solid_places, stress.components);
+  LaneModuli moduli_now;
+  step_torn({*this, state}, strain, solid_places, stress.components,
+            [&](std::span<Lanes> plastic) { moduli_now = PlasticLaw::update(step, stress, plastic); });
   return moduli_now;
 }
 
 void TearingLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const {
-  TearingStep tearing(*this, state);
-  const Lanes opening = opening_of(tearing, step.strain, plane_places);
-  tearing.make_whole(stress);
-  PlasticLaw::update_plane(step, stress, tearing.plastic());
-  tearing.finish(opening, plane_places, stress);
+  step_torn({*this, state}, step.strain, plane_places, stress,
+            [&](std::span<Lanes> plastic) { PlasticLaw::update_plane(step, stress, plastic); });
 }
 
 void TearingLaw::update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes> state) const {
-  TearingStep tearing(*this, state);
-  const Lanes opening = opening_of(tearing, step.strain, fibre_places);
-  tearing.make_whole(stress);
-  PlasticLaw::update_fibre(step, stress, tearing.plastic());
-  tearing.finish(opening, fibre_places, stress);
+  step_torn({*this, state}, step.strain, fibre_places, stress,
+            [&](std::span<Lanes> plastic) { PlasticLaw::update_fibre(step, stress, plastic); });
 }
 
 }  // namespace contactsim
