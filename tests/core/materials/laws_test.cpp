@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/root_by_halving.hpp"
 
 using namespace contactsim;
+using namespace contactsim::test;
 
 namespace {
 
@@ -37,16 +39,6 @@ struct Element {
     return std::sqrt(1.5 * contract(s, s)(0));
   }
 };
-
-/// The root of a falling function, by halving alone.
-template <class F>
-double root_by_halving(const F& f, double low, double high) {
-  for (int i = 0; i < 200; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) > 0.0 ? low : high) = middle;
-  }
-  return low;
-}
 
 /// Equivalent strain of a shear strain xy.
 double equivalent(double xy) { return 2.0 / std::sqrt(3.0) * xy; }

@@ -8,8 +8,10 @@
 
 #include "core/materials/laws.hpp"
 #include "support/catch.hpp"
+#include "support/root_by_halving.hpp"
 
 using namespace contactsim;
+using namespace contactsim::test;
 using Eigen::Matrix3d;
 
 namespace {
@@ -19,16 +21,6 @@ const std::vector<FunctionPoint> points{
     {0.0, 200e6}, {0.001, 260e6}, {0.004, 300e6}, {0.02, 340e6}, {0.05, 340e6}};
 
 PlasticLaw<MultilinearHardening> law_of(double beta) { return {steel, {HardeningCurve(points), beta}}; }
-
-/// The root of a falling function.
-template <class F>
-double root_by_halving(const F& f, double low, double high) {
-  for (int i = 0; i < 200; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) > 0.0 ? low : high) = middle;
-  }
-  return low;
-}
 
 Matrix3d deviatoric(const Matrix3d& a) { return a - a.trace() / 3.0 * Matrix3d::Identity(); }
 
