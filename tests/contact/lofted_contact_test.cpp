@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact of lofted shells as a run has it: what touches, and what the nodes get of it.
-#include <numbers>
-
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/lofted_meshes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -13,26 +12,6 @@ namespace {
 std::string formulation(const std::string& name) { return "constraint formulation = " + name + "\n"; }
 
 std::string self_contact(const std::string& more) { return general_contact("self contact = on\n" + more); }
-
-/// Adds a sheet whose shells all have one thickness.
-void add_plate(MeshBuilder& b, const Sheet& sheet, double thickness) {
-  b.add_shells(sheet);
-  const auto n = static_cast<std::size_t>(sheet.cells[0] * sheet.cells[1]);
-  b.set_attributes(sheet.id, {"thickness"}, std::vector<double>(n, thickness));
-}
-
-/// Adds a beam of some elements whose radius is 0.1.
-void add_rod(MeshBuilder& b, const Row& row) {
-  b.add_beams(row);
-  b.set_attributes(row.id, {"area"},
-                   std::vector<double>(static_cast<std::size_t>(row.cells), 0.01 * std::numbers::pi));
-}
-
-/// Adds particles of radius 0.5.
-void add_balls(MeshBuilder& b, std::int64_t id, const std::vector<Eigen::Vector3d>& centres) {
-  b.add_spheres(id, "", centres);
-  b.set_attributes(id, {"radius"}, std::vector<double>(centres.size(), 0.5));
-}
 
 const std::string rough =
     "skin all blocks = on\nbegin constant friction model rough\n"
@@ -223,7 +202,7 @@ TEST_CASE("particles touch each other and faces at their radius", "[contact][lof
   const std::string name = GENERATE("node_face", "face_face");
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 2, 1}, .origin = {-2, -2, -1}, .size = {4, 4, 1}});
-  add_balls(b, 2, {{0.3, 0.2, 0.6}, {0.3, 0.2, 1.7}});
+  add_balls(b, 2, {{0.3, 0.2, 0.6}, {0.3, 0.2, 1.7}}, 0.5);
   ContactBodies bodies(b, self_contact(formulation(name)));
   bodies.ask();
   bodies.set_velocity(1, {0, 0, -1});
@@ -248,7 +227,7 @@ TEST_CASE("a particle beside a face touches its edge and its corner", "[contact]
                                         Eigen::Vector3d(1.45, 0.3, -0.4));
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 2, 2}, .origin = {-1, -1, -2}, .size = {2, 2, 2}});
-  add_balls(b, 2, {from});
+  add_balls(b, 2, {from}, 0.5);
   ContactBodies bodies(b, general_contact());
   bodies.ask();
   const Eigen::Vector3d nearest = from.cwiseMin(Eigen::Vector3d(1, 1, 0));

@@ -5,6 +5,7 @@
 #include "contact/overlap_removal.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/lofted_meshes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -13,26 +14,6 @@ namespace {
 
 constexpr double thickness = 0.1, radius = 0.1, depth = 0.02;
 constexpr double accuracy = 1e-8;  // of radii, which have single precision
-
-/// Adds a sheet whose shells are 0.1 thick.
-void add_plate(MeshBuilder& b, const Sheet& sheet) {
-  b.add_shells(sheet);
-  const auto n = static_cast<std::size_t>(sheet.cells[0] * sheet.cells[1]);
-  b.set_attributes(sheet.id, {"thickness"}, std::vector<double>(n, thickness));
-}
-
-/// Adds a beam of some elements whose radius is 0.1.
-void add_rod(MeshBuilder& b, const Row& row) {
-  b.add_beams(row);
-  b.set_attributes(row.id, {"area"},
-                   std::vector<double>(static_cast<std::size_t>(row.cells), 0.01 * std::numbers::pi));
-}
-
-/// Adds particles of radius 0.1.
-void add_balls(MeshBuilder& b, std::int64_t id, const std::vector<Eigen::Vector3d>& centres) {
-  b.add_spheres(id, "", centres);
-  b.set_attributes(id, {"radius"}, std::vector<double>(centres.size(), radius));
-}
 
 /// Bodies before and after removal of their overlap.
 struct Cleared {
@@ -81,12 +62,14 @@ MeshBuilder sheet_in_block(std::array<int, 2> cells, double width) {
   MeshBuilder b;
   const double edge = 0.5 * (1.0 - width);
   b.add_hexes({.id = 1, .cells = {3, 3, 1}});
-  add_plate(b, {.id = 2,
-                .cells = cells,
-                .origin = {edge, edge, 1.0 + 0.5 * thickness - depth},
-                .u = {width, 0, 0},
-                .v = {0, width, 0},
-                .share_nodes = false});
+  add_plate(b,
+            {.id = 2,
+             .cells = cells,
+             .origin = {edge, edge, 1.0 + 0.5 * thickness - depth},
+             .u = {width, 0, 0},
+             .v = {0, width, 0},
+             .share_nodes = false},
+            thickness);
   return b;
 }
 
@@ -119,14 +102,16 @@ TEST_CASE("a shell comes out of a block whose mesh does not match", "[contact][o
 TEST_CASE("parallel shells meet half way, whichever sides face each other", "[contact][overlap]") {
   const bool is_turned = GENERATE(false, true);
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {3, 3}});
+  add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
   const Eigen::Vector3d x(1, 0, 0), y(0, 1, 0);
-  add_plate(b, {.id = 2,
-                .cells = {3, 3},
-                .origin = {0, 0, thickness - depth},
-                .u = is_turned ? y : x,
-                .v = is_turned ? x : y,
-                .share_nodes = false});
+  add_plate(b,
+            {.id = 2,
+             .cells = {3, 3},
+             .origin = {0, 0, thickness - depth},
+             .u = is_turned ? y : x,
+             .v = is_turned ? x : y,
+             .share_nodes = false},
+            thickness);
   const Cleared cleared(b, formulation());
   CHECK(cleared.moved_by(1, {0, 0, -0.5 * depth}));
   CHECK(cleared.moved_by(2, {0, 0, 0.5 * depth}));
@@ -135,8 +120,8 @@ TEST_CASE("parallel shells meet half way, whichever sides face each other", "[co
 
 TEST_CASE("shells whose rims lie in each other part in their plane", "[contact][overlap]") {
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {3, 3}});
-  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {1.0 - depth, 0, 0}, .share_nodes = false});
+  add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {1.0 - depth, 0, 0}, .share_nodes = false}, thickness);
   const Cleared cleared(b, formulation());
   for (const NodeIndex node : cleared.nodes_of(2)) {
     const bool is_at_rim = cleared.before.mesh.coordinates()(0, node.value) == 1.0 - depth;
@@ -147,13 +132,16 @@ TEST_CASE("shells whose rims lie in each other part in their plane", "[contact][
 
 TEST_CASE("strips of shells that cross between their nodes part", "[contact][overlap]") {
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {3, 1}, .origin = {-1.5, -0.1, 0}, .u = {3, 0, 0}, .v = {0, 0.2, 0}});
+  add_plate(b, {.id = 1, .cells = {3, 1}, .origin = {-1.5, -0.1, 0}, .u = {3, 0, 0}, .v = {0, 0.2, 0}},
+            thickness);
   SECTION("two") {
-    add_plate(b, {.id = 2,
-                  .cells = {1, 3},
-                  .origin = {-0.1, -1.5, thickness - depth},
-                  .u = {0.2, 0, 0},
-                  .v = {0, 3, 0}});
+    add_plate(b,
+              {.id = 2,
+               .cells = {1, 3},
+               .origin = {-0.1, -1.5, thickness - depth},
+               .u = {0.2, 0, 0},
+               .v = {0, 3, 0}},
+              thickness);
   }
   SECTION("one over a bar") {
     b.add_hexes(
@@ -195,8 +183,8 @@ TEST_CASE("a tube of shells comes out of the one around it", "[contact][overlap]
 TEST_CASE("a shell that is pushed far pushes what it meets there", "[contact][overlap]") {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {3, 3, 1}});
-  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.75}, .share_nodes = false});
-  add_plate(b, {.id = 3, .cells = {3, 3}, .origin = {0, 0, 1.13}, .share_nodes = false});
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.75}, .share_nodes = false}, thickness);
+  add_plate(b, {.id = 3, .cells = {3, 3}, .origin = {0, 0, 1.13}, .share_nodes = false}, thickness);
   const Cleared cleared(b, formulation(), {1});
   REQUIRE(cleared.removed.moves.size() == 2);
   CHECK(cleared.removed.moves[1].deepest == Approx(depth).epsilon(0.01));
@@ -206,8 +194,9 @@ TEST_CASE("a shell that is pushed far pushes what it meets there", "[contact][ov
 TEST_CASE("shells that overlap by half their thickness may be on the other side and stay",
           "[contact][overlap]") {
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {3, 3}});
-  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.4 * thickness}, .share_nodes = false});
+  add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
+  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.4 * thickness}, .share_nodes = false},
+            thickness);
   CHECK(Cleared(b, formulation()).removed.moves.empty());
 }
 
@@ -234,7 +223,7 @@ TEST_CASE("a shell that stands in a block goes out by the depth of its rim, howe
 TEST_CASE("a particle goes out of a face all the way", "[contact][overlap]") {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 2, 1}});
-  add_balls(b, 2, {{0.3, 0.4, 1.0 + radius - depth}, {0.75, 0.75, 1.0 + 0.3 * radius}});
+  add_balls(b, 2, {{0.3, 0.4, 1.0 + radius - depth}, {0.75, 0.75, 1.0 + 0.3 * radius}}, radius);
   const Cleared cleared(b, formulation());
   CHECK(cleared.moved_by(1, Eigen::Vector3d::Zero()));
   CHECK((cleared.step(cleared.nodes_of(2)[0]) - Eigen::Vector3d(0, 0, depth)).norm() < accuracy);
@@ -245,7 +234,7 @@ TEST_CASE("a particle goes out of a face all the way", "[contact][overlap]") {
 TEST_CASE("a held particle has the face give way", "[contact][overlap]") {
   MeshBuilder b;
   b.add_hexes({.id = 1});
-  add_balls(b, 2, {{0.5, 0.5, 1.0 + radius - depth}});
+  add_balls(b, 2, {{0.5, 0.5, 1.0 + radius - depth}}, radius);
   const Cleared cleared(b, formulation(), {2});
   CHECK(cleared.moved_by(2, Eigen::Vector3d::Zero()));
   CHECK(cleared.removed.moves.at(0).n_nodes == 4);
@@ -255,8 +244,8 @@ TEST_CASE("a held particle has the face give way", "[contact][overlap]") {
 
 TEST_CASE("a particle and a shell behind a plane come out", "[contact][overlap]") {
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {2, 2}, .origin = {0, 0, 0.5 * thickness - depth}});
-  add_balls(b, 2, {{3, 0, radius - 2.0 * depth}});
+  add_plate(b, {.id = 1, .cells = {2, 2}, .origin = {0, 0, 0.5 * thickness - depth}}, thickness);
+  add_balls(b, 2, {{3, 0, radius - 2.0 * depth}}, radius);
   const Region region = parse_region(
       "begin analytic object ground\n normal direction = 0 0 2\nend\n"
       "begin contact definition\n contact surface floor contains ground\n skin all blocks = on\n"
@@ -272,7 +261,7 @@ TEST_CASE("a particle and a shell behind a plane come out", "[contact][overlap]"
 
 TEST_CASE("a beam that lies in a shell goes out of it", "[contact][overlap]") {
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {4, 4}});
+  add_plate(b, {.id = 1, .cells = {4, 4}}, thickness);
   add_rod(b, {.id = 2,
               .cells = 3,
               .from = {0.1, 0.5, 0.5 * thickness + radius - depth},
@@ -285,7 +274,7 @@ TEST_CASE("a beam that lies in a shell goes out of it", "[contact][overlap]") {
 
 TEST_CASE("a beam that crosses a shell without a node over it comes off its rims", "[contact][overlap]") {
   MeshBuilder b;
-  add_plate(b, {.id = 1, .cells = {2, 2}});
+  add_plate(b, {.id = 1, .cells = {2, 2}}, thickness);
   const double z = 0.5 * thickness + radius - depth;
   add_rod(b, {.id = 2, .cells = 1, .from = {-0.5, 0.5, z}, .to = {1.5, 0.5, z}});
   const Cleared cleared(b, formulation());
@@ -312,8 +301,8 @@ TEST_CASE("rods in each other share the way", "[contact][overlap]") {
     add_rod(b, {.id = 2, .cells = 3, .from = {-1, 0, z}, .to = {1, 0, z}});
   }
   SECTION("as particles") {
-    add_balls(b, 1, {{0, 0, 0}});
-    add_balls(b, 2, {{0, 0, z}});
+    add_balls(b, 1, {{0, 0, 0}}, radius);
+    add_balls(b, 2, {{0, 0, z}}, radius);
   }
   const Cleared cleared(b, "");
   CHECK(cleared.moved_by(1, {0, 0, -0.5 * depth}));
@@ -329,7 +318,7 @@ TEST_CASE("particles packed too tightly part", "[contact][overlap]") {
   for (int i = 0; i < 125; ++i)
     centres.emplace_back(0.19 * (i % 5), 0.19 * (i / 5 % 5), 0.19 * (i / 25));  // 0.2 would be loose
   MeshBuilder b;
-  add_balls(b, 1, centres);
+  add_balls(b, 1, centres, radius);
   const Cleared cleared(b, "self contact = on\n", {},
                         "begin remove initial overlap\n shell overlap iterations = 100\nend\n");
   CHECK(cleared.removed.moves.at(0).deepest == Approx(0.01).epsilon(0.01));
@@ -357,16 +346,18 @@ TEST_CASE("what the mesh joins stays, however thick and fine", "[contact][overla
   MeshBuilder b;
   const std::array<int, 2> cells{20, 20};  // half as long as they are thick
   SECTION("folded sharply") {
-    add_plate(b, {.id = 1, .cells = cells});
-    add_plate(b, {.id = 2, .cells = cells, .origin = {1, 0, 0}, .u = {0, 1, 0}, .v = {-0.6, 0, 0.8}});
+    add_plate(b, {.id = 1, .cells = cells}, thickness);
+    add_plate(b, {.id = 2, .cells = cells, .origin = {1, 0, 0}, .u = {0, 1, 0}, .v = {-0.6, 0, 0.8}},
+              thickness);
   }
   SECTION("as a T") {
-    add_plate(b, {.id = 1, .cells = cells});
-    add_plate(b, {.id = 2, .cells = cells, .origin = {0.5, 0, 0}, .u = {0, 1, 0}, .v = {0, 0, 1}});
+    add_plate(b, {.id = 1, .cells = cells}, thickness);
+    add_plate(b, {.id = 2, .cells = cells, .origin = {0.5, 0, 0}, .u = {0, 1, 0}, .v = {0, 0, 1}}, thickness);
   }
   SECTION("lying on a part of a solid") {
     b.add_hexes({.id = 1, .cells = {20, 20, 2}, .size = {1, 1, 0.1}});
-    add_plate(b, {.id = 2, .cells = {10, 20}, .origin = {0, 0, 0.1}, .u = {0.5, 0, 0}, .v = {0, 1, 0}});
+    add_plate(b, {.id = 2, .cells = {10, 20}, .origin = {0, 0, 0.1}, .u = {0.5, 0, 0}, .v = {0, 1, 0}},
+              thickness);
   }
   SECTION("beams at an angle") {
     add_rod(b, {.id = 1, .cells = 20, .from = {0, 0, 0}, .to = {1, 0, 0}});
