@@ -92,12 +92,16 @@ def off_axis(bench):
                      for name, value in zip(("yy", "xx", "zz"), column)]
 
 
-@case()
-def breaking_bar(bench):
+def bar_sheet_and_wire():
     mesh = bars(0.1, "bar")
     mesh.lines("wire", (0, 0, 5), (1, 0, 5), 1, "BAR2")
     hold(mesh, lambda x, y, z: z == 0 or z > 1)
-    run = bench.run("breaking_bar", mesh)
+    return mesh
+
+
+@case()
+def breaking_bar(bench):
+    run = bench.run("breaking_bar", bar_sheet_and_wire())
     strain = 0.05 + 0.3 * math.exp(-2 / 3)
     length = math.exp(strain + (300e6 + 400e6 * math.sqrt(strain)) / 200e9)
     checks = [Check(f"{name}: time of death [s]", (length - 1) / 10, run["Time"][np.argmax(run[name] < 1)], bound)
@@ -107,10 +111,7 @@ def breaking_bar(bench):
 
 @case()
 def tearing_bar(bench):
-    mesh = bars(0.1, "bar")
-    mesh.lines("wire", (0, 0, 5), (1, 0, 5), 1, "BAR2")
-    hold(mesh, lambda x, y, z: z == 0 or z > 1)
-    run = bench.run("tearing_bar", mesh)
+    run = bench.run("tearing_bar", bar_sheet_and_wire())
     def flow_stress(strain):
         return 300e6 + np.interp(strain, (0, 0.05, 0.2, 1), (0, 60e6, 120e6, 200e6))
     def time_of(strain):
