@@ -29,6 +29,12 @@ class TimedForce final : public ForceTerm {
     term_.set_moments(motion, moments);
     seconds_ += clock_seconds() - start;
   }
+  std::optional<ForceReport> balance(const State& state, Eigen::Matrix3Xd& forces) override {
+    const double start = clock_seconds();
+    const auto report = term_.balance(state, forces);
+    seconds_ += clock_seconds() - start;
+    return report;
+  }
   double seconds() const { return seconds_; }
 
  private:

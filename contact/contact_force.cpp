@@ -49,7 +49,9 @@ ContactForce::ContactForce(const ContactSetup& setup)
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
       histories_(setup.contact.pairs.size()),
-      stored_(setup.contact.pairs.size(), 0.0) {}
+      stored_(setup.contact.pairs.size(), 0.0) {
+  balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
+}
 
 void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();
@@ -138,20 +140,17 @@ void ContactForce::add_places(const ContactScene& scene) {
     sums_.add(record);
     if (record.touches() && glues(record)) to_glue.push_back(record);
   };
-  face_face_.begin_step();
   visit_places(face_face_, scene, [&](const ContactRecord& record) {
     take(record);
     face_face_.note(record);
   });
   visit_places(node_face_, scene, take);
-  edges_.begin_step();
   visit_places(edges_, scene, [&](const ContactRecord& record) {
     take(record);
     edges_.note(record);
   });
   visit_places(planes_, scene, take);
   held_.step(scene, glued_, sums_);
-  sums_.end_step();
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
 }
 
@@ -225,10 +224,12 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     surface_.bound_watched();
   }
   sums_.begin_step();
+  face_face_.begin_step();
+  edges_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
   write_forces(forces);
   if (is_first) stored_at_start_ = stored();
-  note_histories(motion);
+  if (!balances_) end_step(motion.dt);
   ForceReport report;
   report.friction_work = sums_.dissipated();
   report.contact_damping_work = sums_.damped();
@@ -244,23 +245,101 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   return report;
 }
 
+void ContactForce::end_step(double dt) {
+  sums_.end_step();
+  note_histories(dt);
+}
+
+/// The velocities of the contact nodes in the coming step, as the forces so far give them.
+void ContactForce::foresee(const State& state) {
+  const double half_steps = 0.5 * (state.dt + state.next_dt);
+  const bool turns = state.rotations.exist();
+  free_velocity_.resize(3, state.velocity.cols());
+  if (turns) free_turning_.resize(3, state.velocity.cols());
+  const auto n_nodes = static_cast<std::int64_t>(faces_.n_nodes());
+#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_mesh_points()))
+  for (std::int64_t i = 0; i < n_nodes; ++i) {
+    const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[static_cast<std::size_t>(i)]);
+    free_velocity_.col(node) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
+    if (!turns) continue;
+    free_turning_.col(node) =
+        state.rotations.velocity.col(node) + half_steps * state.rotations.acceleration.col(node);
+  }
+  Motion coming{state.time, state.dt, state.coordinates, free_velocity_};
+  if (turns) coming.angular_velocity = &free_turning_;
+  surface_.foresee(coming);
+  surface_.bound_watched();
+}
+
+double ContactForce::thinner_side(const ContactRecord& record) const {
+  if (record.is_of_edges) {
+    return std::min(faces_.edges[record.first_place].backing.thickness,
+                    faces_.edges[record.second_place].backing.thickness);
+  }
+  const double first = record.first.is_node() ? faces_.surface_nodes[record.first_place].backing.thickness
+                                              : faces_.faces[record.first_place].backing.thickness;
+  if (record.second.weights.isZero(0.0)) return first;
+  return std::min(first, faces_.faces[record.second_place].backing.thickness);
+}
+
+void ContactForce::add_balanced(const ContactScene& scene, std::vector<ContactRecord>& to_glue) {
+  const auto take = [&](const ContactRecord& record) {
+    balance_.add(record, rules_[record.pair], thinner_side(record));
+    if (record.is_met() && glues(record)) to_glue.push_back(record);
+  };
+  visit_places(face_face_, scene, [&](const ContactRecord& record) {
+    take(record);
+    face_face_.note(record);
+  });
+  visit_places(node_face_, scene, take);
+  visit_places(edges_, scene, [&](const ContactRecord& record) {
+    take(record);
+    edges_.note(record);
+  });
+  visit_places(planes_, scene, take);
+  held_.add_balanced(scene, balance_);
+}
+
+std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {
+  if (!balances_) return std::nullopt;
+  foresee(state);
+  ContactScene scene{surface_, rules_, glued_, state.dt};
+  scene.balances = true;
+  scene.coming_dt = state.next_dt;
+  balance_.begin(setup_.model, surface_, state);
+  std::vector<ContactRecord> to_glue;
+  add_balanced(scene, to_glue);
+  balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
+  for (const ContactRecord& point : balance_.points()) sums_.add(point);
+  held_.take_balanced(scene, balance_, glued_, sums_);
+  for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
+  write_forces(forces);
+  end_step(state.dt);
+  ForceReport report;
+  const MomentumBalance::Loss& loss = balance_.loss();
+  report.friction_work = last_loss_.friction_after + loss.friction_before;
+  report.impact_work = last_loss_.impact_after + loss.impact_before;
+  last_loss_ = loss;
+  return report;
+}
+
 double ContactForce::stored() const {
   double sum = 0.0;
   for (const PairStep& pair : sums_.pairs()) sum += pair.stored;
   return sum;
 }
 
-void ContactForce::note_histories(const Motion& motion) {
+void ContactForce::note_histories(double dt) {
   const auto steps = sums_.pairs();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const PairStep& step = steps[i];
     PairHistory& history = histories_[i];
-    history.work += step.stored - stored_[i] + step.dissipated + step.damped;
+    history.work += step.stored - stored_[i] + step.dissipated + step.damped + step.impact;
     stored_[i] = step.stored;
     if (!step.touches) continue;
-    history.contact_time += motion.dt;
+    history.contact_time += dt;
     history.peak_force = std::max(history.peak_force, step.force.norm());
-    history.impulse -= motion.dt * step.force;
+    history.impulse -= dt * step.force;
     history.friction_work += step.dissipated;
   }
 }

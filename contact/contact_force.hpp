@@ -9,6 +9,7 @@
 #include "contact/contact_search.hpp"
 #include "contact/contact_sums.hpp"
 #include "contact/edge_contacts.hpp"
+#include "contact/enforcement/momentum_balance.hpp"
 #include "contact/face_face_contacts.hpp"
 #include "contact/held_places.hpp"
 #include "contact/node_face_contacts.hpp"
@@ -45,6 +46,8 @@ class ContactForce final : public ForceTerm {
 
   /// Throws SolveError when a node is nowhere.
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  /// The forces of the pairs that are enforced by momentum balance.
+  std::optional<ForceReport> balance(const State& state, Eigen::Matrix3Xd& forces) override;
   /// Of the forces on lofts about the nodes of the mesh that they hang on.
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
 
@@ -62,6 +65,8 @@ class ContactForce final : public ForceTerm {
   std::span<const PairStep> pair_steps() const { return sums_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return sums_.friction(); }
   const ContactStep& step_share() const { return step_share_; }
+  /// What balancing the last step came to.
+  const BalanceReport& balance_report() const { return balance_report_; }
   /// In the springs of all pairs, of the last step and of the first one, in the mesh's own overlaps [energy].
   double stored() const;
   double stored_at_start() const { return stored_at_start_; }
@@ -98,7 +103,11 @@ class ContactForce final : public ForceTerm {
   void add_places(const ContactScene& scene);
   void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
-  void note_histories(const Motion& motion);
+  void end_step(double dt);
+  void note_histories(double dt);
+  void foresee(const State& state);
+  void add_balanced(const ContactScene& scene, std::vector<ContactRecord>& to_glue);
+  double thinner_side(const ContactRecord& record) const;
 
   ContactSetup setup_;
   ContactFaces faces_;
@@ -113,6 +122,11 @@ class ContactForce final : public ForceTerm {
   PlaneContacts planes_;
   HeldPlaces held_;
   ContactSums sums_;
+  MomentumBalance balance_;
+  bool balances_ = false;                          // some pair is enforced so
+  Eigen::Matrix3Xd free_velocity_, free_turning_;  // of contact nodes in the coming step, without these forces
+  MomentumBalance::Loss last_loss_;
+  BalanceReport balance_report_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]

@@ -34,6 +34,8 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   planes_.archive(saved);
   held_.archive(saved);
   sums_.archive(saved);
+  balance_.archive(saved);
+  saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
     row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work);
   });

@@ -52,6 +52,7 @@ void ContactForce::renumber(const ContactRenumbering& places) {
   planes_.renumber(setup_.contact.surfaces, setup_.contact.planes, rules_, places);
   held_.renumber(places);
   sums_.renumber(places);
+  balance_.renumber(places);
 }
 
 void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes,

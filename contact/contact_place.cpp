@@ -12,6 +12,12 @@ double damped_stiffness(double stiffness, double fraction) {
 }
 
 void push_node(const NodePush& push, ContactRecord& record) {
+  if (push.coming_dt > 0.0) {
+    record.is_balanced = true;
+    record.area = push.area;
+    record.closing = -push.velocity.dot(record.normal) * push.coming_dt;
+    return;
+  }
   record.stiffness = damped_stiffness(push.penalty.stiffness * push.area, push.damping_fraction);
   if (record.gap >= 0.0) return;
   const double speed = push.velocity.dot(record.normal);

@@ -16,6 +16,13 @@ inline constexpr double known_depth = 1.5;
 /// front: facets of a round surface change that much.
 inline constexpr double shallow_depth = 0.02;
 
+/// Where momentum is balanced, a gap up to this share of an element's thickness counts as closed: what lies on
+/// something else stays in contact through round-off, and a stack falls as one.
+inline constexpr double closed_share = 1e-3;
+
+/// Contact that momentum balance has found once is not let go for its depth [length].
+inline constexpr double any_depth = 1e100;
+
 /// max(x, 0) without a branch: whether things come closer or part is chance.
 inline double above_zero(float x) { return 0.5f * (x + std::abs(x)); }
 
@@ -31,6 +38,8 @@ struct NodePush {
   double area = 0.0;              ///< of the node against the normal [length^2]
   Eigen::Vector3d velocity;       ///< of the node relative to the other side [length/time]
   double dt = 0.0;                ///< [time]
+  double coming_dt = 0.0;         ///< > 0: momentum is balanced, the gap alone makes no force [time]
+  Eigen::Vector3d last_velocity;  ///< the same as velocity in the step before [length/time]
 };
 
 /// Fills in stiffness, and where the node is behind the other side area, force, damping and slip. Damping

@@ -25,6 +25,8 @@ struct ContactRecord {
   bool is_of_edges = false;
   bool is_swapped = false;     ///< the first side is of the pair's second surface
   bool is_held_apart = false;  ///< a law acts on it whether it touches or not
+  bool is_balanced = false;    ///< its force comes from the balance of momentum, not from its gap
+  std::uint8_t part = 0;       ///< of several contact points between the same places
   RecordSide first, second;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
   double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]
@@ -33,15 +35,22 @@ struct ContactRecord {
   double stiffness = 0.0;                          ///< for the stable step, damping included [force/length]
   double area = 0.0;                               ///< that touches [length^2]
   double gap = 0.0;                                ///< < 0 when they touch [length]
+  double closing = 0.0;  ///< by which the gap would shrink in the coming step, is_balanced only [length]
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
   double dissipated = 0.0;                         ///< by friction in the step [energy]
   double damped = 0.0;                             ///< by contact damping in the step [energy]
+  double impact = 0.0;                             ///< where sides met without rebound, in the step [energy]
   double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
 
   bool touches() const { return force != 0.0 || is_held_apart; }
+  /// Whether it touches, or would at the end of the coming step without a force.
+  bool is_met() const { return touches() || (is_balanced && gap < closing); }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }
   /// What the springs of the penalty and of friction hold, and the potential of what pulls [energy].
-  double stored() const { return 0.5 * (tangential.norm() * elastic.norm() - force * gap) + beyond_spring; }
+  double stored() const {
+    if (is_balanced) return beyond_spring;
+    return 0.5 * (tangential.norm() * elastic.norm() - force * gap) + beyond_spring;
+  }
 };
 
 }  // namespace contactsim

@@ -13,6 +13,7 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     PairRule rule;
     rule.pair = &pairs[i];
+    rule.is_balanced = pairs[i].enforcement == Enforcement::momentum_balance;
     if (std::holds_alternative<Tied>(pairs[i].law)) rule.law = ContactLaw::tied;
     if (std::holds_alternative<Glued>(pairs[i].law)) rule.law = ContactLaw::glued;
     if (const auto* coulomb = std::get_if<ConstantFriction>(&pairs[i].law))

@@ -30,6 +30,7 @@ struct PairRule {
   const PlaceLaw* place = nullptr;  ///< of models that are more than the above
   std::uint32_t far = not_hybrid;   ///< rule of the places that were far at the start
   bool is_active = true;            ///< now
+  bool is_balanced = false;         ///< enforced by momentum balance
   bool has_changed = false;         ///< has another model than before, by its period
   ActiveTimes times;
   PairLaw model;                  ///< that the above are of
@@ -129,13 +130,19 @@ struct ContactScene {
   double dt = 0.0;         ///< of the step that ended, 0 at the start [time]
   bool is_frozen = false;  ///< nothing is remembered: the step has been taken, someone only looks
   double first_dt = 0.0;   ///< of the step to come, at the start [time]
+  /// Which pairs are looked at: those enforced by momentum balance, or by penalty. For the former the
+  /// velocities are those that the coming step would have without contact.
+  bool balances = false;
+  double coming_dt = 0.0;  ///< the coming step, for balances [time]
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the
   /// penalty of what it brings into touch [time].
   double ahead() const {
     constexpr double steps = 2.0;
-    return steps * (dt > 0.0 ? dt : first_dt);
+    return steps * (balances ? coming_dt : dt > 0.0 ? dt : first_dt);
   }
+  /// Whether a pair's contact points are looked for now.
+  bool looks_at(const PairRule& rule) const { return rule.is_active && rule.is_balanced == balances; }
 };
 
 }  // namespace contactsim

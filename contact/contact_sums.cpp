@@ -60,8 +60,9 @@ void ContactSums::add(const ContactRecord& record) {
   pair.stored += record.stored();
   pair.dissipated += record.dissipated;
   pair.damped += record.damped;
+  pair.impact += record.impact;
   pair.touches = true;
-  dissipated_ += record.dissipated;
+  if (!record.is_balanced) dissipated_ += record.dissipated;
   damped_ += record.damped;
   if (friction_.empty()) return;
   add_slip(record.first, record.slip, record);

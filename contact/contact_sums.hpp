@@ -22,6 +22,7 @@ struct PairStep {
   double stored = 0.0;          ///< in the springs of the penalty and of friction now [energy]
   double dissipated = 0.0;      ///< by friction in the step [energy]
   double damped = 0.0;          ///< by contact damping in the step [energy]
+  double impact = 0.0;          ///< lost in the step where sides met without rebound [energy]
   bool touches = false;
   bool is_near = false;  ///< some place touches or is about to
 };

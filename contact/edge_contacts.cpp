@@ -90,7 +90,7 @@ void EdgeContacts::begin_step() {
 }
 
 void EdgeContacts::note(const ContactRecord& record) {
-  if (record.touches()) is_touched_[record.first_place] = is_touched_[record.second_place] = 1;
+  if (record.is_met()) is_touched_[record.first_place] = is_touched_[record.second_place] = 1;
 }
 
 void EdgeContacts::archive(StateArchive& saved) {
@@ -137,6 +137,7 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
   const ContactEdge &first = faces_.edges[first_edge], &second = faces_.edges[second_edge];
   const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
   const PairRule& rule = scene.rules[pair];
+  if (rule.is_balanced != scene.balances) return;
   const Elastic held = elastic_[candidate];
   Elastic now = no_slip;
   const bool touched = was_touched_[first_edge] != 0 || was_touched_[second_edge] != 0;
@@ -149,7 +150,8 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
     if (!owns(scene, first_edge, place.s, place, way) || !owns(scene, second_edge, place.t, place, -way))
       continue;
     ContactRecord record = make_record(scene, {first, second, rule, touched}, place);
-    if (record.stiffness == 0.0) continue;
+    if (record.stiffness == 0.0 && !record.is_balanced) continue;
+    record.part = static_cast<std::uint8_t>(i);
     record.pair = pair;
     record.first_place = first_edge;
     record.second_place = second_edge;
@@ -175,7 +177,8 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   if (first.is_sharp() != second.is_sharp() && !is_inside(first.is_sharp() ? place.t : place.s))
     return record;
   const PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
-  const double deepest = (touched ? known_depth : 1.0) * penalty.depth;
+  const double deepest =
+      touched && scene.balances ? any_depth : (touched ? known_depth : 1.0) * penalty.depth;
   const auto found = find_edge_gap(scene.surface, first, second, place, deepest);
   if (!found) return record;
   record.normal = found->normal;
@@ -183,14 +186,16 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   const Eigen::Vector3d relative = velocity_at(scene.surface, record.first, -first.radius * record.normal) -
                                    velocity_at(scene.surface, record.second, second.radius * record.normal);
   const double closing = std::max(0.0, -relative.dot(record.normal)), closed = closing * scene.dt;
-  if (record.gap > closing * scene.ahead()) return record;
+  const double thinner = std::min(first.backing.thickness, second.backing.thickness);
+  const double margin = scene.balances ? closed_share * thinner : 0.0;
+  if (record.gap > std::max(margin, closing * scene.ahead())) return record;
   // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
   const bool is_sharp = first.is_sharp() || second.is_sharp();
-  const double shallow = shallow_depth * std::min(first.backing.thickness, second.backing.thickness);
+  const double shallow = shallow_depth * thinner;
   if (is_sharp && !touched && scene.dt > 0.0 && record.gap + closed < -shallow) return record;
   const double width = std::min(first.width, second.width);
   const double area = width * (place.length > 0.0 ? place.length : width);
-  push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt}, record);
+  push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt, scene.coming_dt, relative}, record);
   return record;
 }
 

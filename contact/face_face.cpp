@@ -108,10 +108,17 @@ class PressureSums {
   double work_ = 0.0;
 };
 
-std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second) {
+/// Both faces as seen along the normal of now.
+///   ahead  heights are those after this time [time]
+std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second,
+                                          double ahead = 0.0) {
   const auto plane = make_common_plane(first.x, first.look(), second.look());
   if (!plane) return std::nullopt;
   ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), 0.0, 0.0, {}, {}};
+  if (ahead > 0.0) {
+    pair.first.row(2) += ahead * (plane->normal.transpose() * first.v);
+    pair.second.row(2) += ahead * (plane->normal.transpose() * second.v);
+  }
   const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
   pair.least_gap = z1.minCoeff() - z2.maxCoeff();
   pair.most_gap = z1.maxCoeff() - z2.minCoeff();
@@ -184,6 +191,76 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   contact.weights_1 = sums.weights(true, first.is_triangle);
   contact.weights_2 = sums.weights(false, second.is_triangle);
   return contact;
+}
+
+namespace {
+
+/// The part of an overlap that closes, else the one that may close soon; without area when there is none.
+const OverlapPolygon& constrained_part(const OverlapPolygon& overlap, const ConstraintReach& reach,
+                                       std::array<OverlapPolygon, 2>& scratch) {
+  const OverlapPolygon& closed = part_between(-reach.depth, reach.margin, overlap, scratch);
+  if (closed.has_area() || !(reach.near > reach.margin)) return closed;
+  return part_between(-reach.depth, reach.near, overlap, scratch);
+}
+
+/// Sums over the points of an overlap with a weight f; the contact point that they make.
+OverlapShare sum_points(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction* shape,
+                         bool is_of_first) {
+  FaceMoments on_first{}, on_second{};
+  for (const OverlapBatch& batch : points.batches()) {
+    Lanes f = batch.weight;
+    if (shape != nullptr)
+      f *= evaluate(*shape, is_of_first ? batch.xi_1 : batch.xi_2, is_of_first ? batch.eta_1 : batch.eta_2);
+    add_moments(f, batch.xi_1, batch.eta_1, on_first);
+    add_moments(f, batch.xi_2, batch.eta_2, on_second);
+  }
+  return {on_first[0], corner_shares(on_first, pair.map_1.is_triangle) / on_first[0],
+          corner_shares(on_second, pair.map_2.is_triangle) / on_first[0]};
+}
+
+/// The shape functions of a face's corners.
+std::span<const FaceFunction> shape_functions(bool is_triangle) {
+  static constexpr std::array<FaceFunction, 3> triangle{{{1, -1, -1, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  static constexpr std::array<FaceFunction, 4> quadrilateral{{{0.25, -0.25, -0.25, 0.25},
+                                                              {0.25, 0.25, -0.25, -0.25},
+                                                              {0.25, 0.25, 0.25, 0.25},
+                                                              {0.25, -0.25, 0.25, -0.25}}};
+  if (is_triangle) return triangle;
+  return quadrilateral;
+}
+
+}  // namespace
+
+FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
+                                               const ConstraintReach& reach) {
+  constexpr double large = 0.5, negligible = 1e-6;  // of an area
+  FaceFaceConstraints found;
+  auto pair = project_pair(first, second, reach.ahead);
+  if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
+  make_maps(first, second, *pair);
+  OverlapPolygon whole = overlap_of(*pair);
+  if (!whole.has_area()) return found;
+  set_gaps(pair->map_1, pair->map_2, whole);
+  std::array<OverlapPolygon, 2> scratch;
+  const OverlapPolygon& part = constrained_part(whole, reach, scratch);
+  const double area_1 = std::abs(area_vector(first.x).dot(pair->plane.normal)),
+               area_2 = std::abs(area_vector(second.x).dot(pair->plane.normal));
+  const double smaller = std::min(area_1, area_2), area = part.area();
+  if (!(area > negligible * smaller)) return found;
+  OverlapPoints points;
+  place_points(part, pair->map_1, pair->map_2, points);
+  points.spread(pair->plane.spread);
+  found.normal = pair->plane.normal;
+  if (area < large * smaller) {
+    found.points[found.n++] = sum_points(*pair, points, nullptr, true);
+    return found;
+  }
+  const bool is_of_first = area_1 <= area_2;
+  for (const FaceFunction& shape : shape_functions(is_of_first ? first.is_triangle : second.is_triangle)) {
+    const OverlapShare point = sum_points(*pair, points, &shape, is_of_first);
+    if (point.area > negligible * points.area) found.points[found.n++] = point;
+  }
+  return found;
 }
 
 std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "contact/common_plane.hpp"
 #include "contact/face_overlap.hpp"
@@ -50,6 +52,37 @@ struct FaceFaceContact {
 /// closes as well: without that corners make or lose a tenth of their energy.
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
                                        const PairPenalty& penalty, double reach);
+
+/// Which part of an overlap is constrained, by the gaps at the end of the coming step.
+struct ConstraintReach {
+  double ahead = 0.0;   ///< the coming step [time]
+  double margin = 0.0;  ///< gaps up to it count as closed, > 0 [length]
+  double near = 0.0;    ///< where no gap closes those up to it may close soon, >= margin [length]
+  double depth = 0.0;   ///< what lies deeper is another wall [length]
+};
+
+/// A part of an overlap that one contact point stands for.
+struct OverlapShare {
+  double area = 0.0;                     ///< [length^2]
+  Eigen::Vector4d weights_1, weights_2;  ///< of the corners, sum 1 each [1]
+};
+
+/// The contact points of two faces.
+struct FaceFaceConstraints {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
+  std::size_t n = 0;
+  std::array<OverlapShare, 4> points;
+
+  std::span<const OverlapShare> all() const { return {points.data(), n}; }
+};
+
+/// Finds the part of the overlap of two faces whose gap closes in the coming step, and shares it out among the
+/// corners of the smaller face by their shape functions: so the points carry any pressure that is linear over
+/// it, and a uniform one exactly. A part that is less than half of the smaller face is one point. Seen along
+/// the normal both sides of a point coincide now, so that equal and opposite forces leave no moment.
+/// Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
+FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
+                                               const ConstraintReach& reach);
 
 /// The plane and the points of two faces as they are now, for ties.
 struct FaceFacePoints {

@@ -57,9 +57,9 @@ void FaceFaceContacts::begin_step() {
 }
 
 void FaceFaceContacts::note(const ContactRecord& record) {
-  if (!record.touches() || record.is_held_apart) return;
+  if (!record.is_met() || record.is_held_apart) return;
   is_pushed_[record.first_place] = is_pushed_[record.second_place] = 1;
-  if (!has_friction_) return;
+  if (!has_friction_ || record.is_balanced) return;
   Eigen::Vector4d share;
   share << record.area * record.elastic, 0.0;
   const Eigen::Vector4d area(0.0, 0.0, 0.0, record.area);
@@ -96,9 +96,12 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
   const double closed = closing * scene.dt, reach = closing * scene.ahead();
   const PairRule& rule = candidate.rule;
+  if (rule.is_balanced != scene.balances) return;
   const bool did_touch = touched_[candidate.place] != 0;
   if (!scene.is_frozen) touched_[candidate.place] = 0;
-  if (!may_touch(a, b, reach) || !rule.is_active || rule.law == ContactLaw::tied) return;
+  const double margin = scene.balances ? closed_margin(candidate) : 0.0;
+  if (!may_touch(a, b, std::max(reach, margin)) || !scene.looks_at(rule) || rule.law == ContactLaw::tied)
+    return;
   if (rule.law != ContactLaw::sliding && scene.glued.holds_faces(candidate.first, candidate.second)) return;
 
   PairPenalty penalty = make_pair_penalty(faces_.faces[candidate.first].backing,
@@ -106,6 +109,11 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   // What came in by itself may be as deep as its speed brought it, and stays known a bit deeper than that.
   penalty.depth = std::max((did_touch ? known_depth : 1.0) * penalty.depth, 1.5 * closed);
   const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
+  if (scene.balances) {
+    const double depth = did_touch ? any_depth : penalty.depth + 1.5 * closing * scene.coming_dt;
+    return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth}, did_touch,
+                            records);
+  }
   const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
   if (!contact.overlaps) return;
   const Eigen::Vector3d apart =
@@ -124,6 +132,37 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   record.elastic = elastic_[candidate.place];
   add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
   if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
+}
+
+double FaceFaceContacts::closed_margin(const Candidate& candidate) const {
+  return closed_share * std::min(faces_.faces[candidate.first].backing.thickness,
+                                 faces_.faces[candidate.second].backing.thickness);
+}
+
+void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candidate& candidate,
+                                        const MovingFace& first, const MovingFace& second,
+                                        const ConstraintReach& reach, bool did_touch,
+                                        std::vector<ContactRecord>& records) {
+  const FaceFaceConstraints found = find_face_face_constraints(first, second, reach);
+  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
+  std::uint8_t part = 0;
+  for (const OverlapShare& point : found.all()) {
+    FaceFaceContact contact;
+    contact.normal = found.normal;
+    contact.weights_1 = point.weights_1;
+    contact.weights_2 = point.weights_2;
+    contact.area = point.area;
+    contact.gap = found.normal.dot((first.x.colwise() - origin) * point.weights_1 -
+                                   (second.x.colwise() - origin) * point.weights_2);
+    const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
+    if (!did_touch && contact.gap < 0.0 && !met_in_front(scene, candidate, contact, 0.0)) continue;
+    ContactRecord& record = records.emplace_back(make_record(candidate, contact));
+    record.stiffness = 0.0;
+    record.is_balanced = true;
+    record.part = part++;
+    record.closing = -apart.dot(found.normal) * scene.coming_dt;
+    if (record.is_met() && !scene.is_frozen) touched_[candidate.place] = 1;
+  }
 }
 
 ContactRecord FaceFaceContacts::make_record(const Candidate& candidate,
@@ -152,8 +191,8 @@ void FaceFaceContacts::pull_one(const ContactScene& scene, const Candidate& cand
   ContactRecord record;
   if (has_friction_) record.elastic = elastic_[candidate.place];
   const auto feels = [&] {
-    if (!rule.is_active || !may_touch(a, b, rule.reach)) return false;
-    const FacePush push{scene.surface.face(candidate.first), scene.surface.face(candidate.second),
+    if (!scene.looks_at(rule) || !may_touch(a, b, rule.reach)) return false;
+    const FacePush push{scene.surface.last_face(candidate.first), scene.surface.last_face(candidate.second),
                         make_pair_penalty(first.backing, &second.backing, *rule.pair), scene.dt};
     return pull_faces(*rule.place, push, scene.is_frozen, record);
   };

@@ -46,6 +46,12 @@ class FaceFaceContacts {
     const PairRule& rule;
   };
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
+  /// The contact points of a pair that is enforced by momentum balance.
+  void find_constraints(const ContactScene& scene, const Candidate& candidate, const MovingFace& first,
+                        const MovingFace& second, const ConstraintReach& reach, bool did_touch,
+                        std::vector<ContactRecord>& records);
+  /// Gaps up to it count as closed where momentum is balanced [length].
+  double closed_margin(const Candidate& candidate) const;
   ContactRecord make_record(const Candidate& candidate, const FaceFaceContact& contact) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void pull_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);

@@ -84,8 +84,8 @@ void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, Contac
   }
   if (law.pull) record.stiffness += law.pull->steepest() * push.area;
   if (!law.rate_limit || record.gap >= law.rate_limit->cutoff) return;
-  record.slip = push.velocity * push.dt;
-  add_junction(*law.rate_limit, push.penalty.stiffness * push.area, push.area, push.velocity, is_frozen,
+  record.slip = push.last_velocity * push.dt;
+  add_junction(*law.rate_limit, push.penalty.stiffness * push.area, push.area, push.last_velocity, is_frozen,
                record);
 }
 

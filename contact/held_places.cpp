@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/enforcement/momentum_balance.hpp"
 #include "contact/make_ties.hpp"
 #include "contact/penalty.hpp"
 #include "core/state_archive.hpp"
@@ -68,7 +69,9 @@ void visit_place(HeldPlace& place, RowNumbers& row) {
 
 void visit_tie(Tie& tie, RowNumbers& row) {
   visit_place(tie, row);
-  row(tie.stiffness, tie.rest, tie.rest_energy);
+  row(tie.stiffness, tie.rest, tie.rest_energy, tie.n_points);
+  for (TiePoint& point : tie.points)
+    row(point.area, point.weights_1, point.weights_2, point.offset, point.force);
 }
 
 void visit_bond(Bond& bond, RowNumbers& row) {
@@ -204,12 +207,31 @@ void HeldPlaces::step_fading(const ContactScene& scene, ContactSums& sums) {
 }
 
 void HeldPlaces::step_ties(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums) {
+  take_ties(scene, false, find_tie_forces, glued, sums);
+}
+
+void HeldPlaces::add_balanced(const ContactScene& scene, MomentumBalance& balance) {
+  for (Tie& tie : ties_) {
+    const PairRule& rule = rule_of(scene, tie);
+    if (rule.is_active && rule.is_balanced) balance.add(tie);
+  }
+}
+
+void HeldPlaces::take_balanced(const ContactScene& scene, const MomentumBalance& balance, GluedPlaces& glued,
+                               ContactSums& sums) {
+  const auto find_forces = [&](const Tie& tie, const TieVectors&) { return balance.find_forces(tie); };
+  take_ties(scene, true, find_forces, glued, sums);
+}
+
+template <class FindForces>
+void HeldPlaces::take_ties(const ContactScene& scene, bool is_balanced, const FindForces& find_forces,
+                           GluedPlaces& glued, ContactSums& sums) {
   bool has_failed = false;
   for (Tie& tie : ties_) {
     const PairRule& rule = rule_of(scene, tie);
-    if (!rule.is_active) continue;
+    if (!rule.is_active || rule.is_balanced != is_balanced) continue;
     const TieVectors x = corners_of(scene, tie);
-    const TieForces forces = find_tie_forces(tie, x);
+    const TieForces forces = find_forces(tie, x);
     if (rule.law != ContactLaw::welded) {
       sums.add(tie, forces);
       continue;

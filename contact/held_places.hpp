@@ -11,6 +11,8 @@
 
 namespace contactsim {
 
+class MomentumBalance;
+
 /// What may be near each other.
 struct NearCandidates {
   const PairLists& face_partners;
@@ -35,6 +37,11 @@ class HeldPlaces {
 
   /// Takes a step: adds all forces, ends what has failed.
   void step(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums);
+  /// The ties of pairs that are enforced by momentum balance: gives them to it, and takes their forces from it,
+  /// ending what has failed.
+  void add_balanced(const ContactScene& scene, MomentumBalance& balance);
+  void take_balanced(const ContactScene& scene, const MomentumBalance& balance, GluedPlaces& glued,
+                     ContactSums& sums);
   /// The forces of the last step, in the order of at(); all 0 of pairs that do not act.
   void find_forces(const ContactScene& scene, std::vector<TieForces>& forces);
 
@@ -52,6 +59,9 @@ class HeldPlaces {
             GluedPlaces& glued);
   void step_fading(const ContactScene& scene, ContactSums& sums);
   void step_ties(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums);
+  template <class FindForces>
+  void take_ties(const ContactScene& scene, bool is_balanced, const FindForces& find_forces,
+                 GluedPlaces& glued, ContactSums& sums);
   void step_bonds(const ContactScene& scene, ContactSums& sums);
 
   std::vector<Tie> ties_;

@@ -25,8 +25,8 @@ FaceCorners gather(const std::array<std::uint32_t, 4>& corners, const VectorOf& 
 
 void MovingSurface::move_nodes(const Motion& motion) {
   const auto n_nodes = static_cast<Eigen::Index>(faces_.n_nodes());
-  velocity_ = &motion.velocity;
-  turning_ = motion.angular_velocity;
+  velocity_ = last_velocity_ = &motion.velocity;
+  turning_ = last_turning_ = motion.angular_velocity;
   x_.resize(3, n_nodes);
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_nodes()))
   for (Eigen::Index i = 0; i < n_nodes; ++i)
@@ -37,6 +37,32 @@ void MovingSurface::move_nodes(const Motion& motion) {
 void MovingSurface::step(const Motion& motion) {
   if (faces_.loft.size() > 0 && arms_.cols() > 0 && motion.angular_velocity != nullptr) turn_arms(motion);
   move_nodes(motion);
+}
+
+void MovingSurface::foresee(const Motion& motion) {
+  velocity_ = &motion.velocity;
+  turning_ = motion.angular_velocity;
+  if (faces_.loft.size() > 0) find_loft_velocities(motion);
+}
+
+Eigen::Vector3d MovingSurface::last_v(std::uint32_t node) const {
+  Eigen::Vector3d velocity = last_velocity_->col(faces_.mesh_nodes[node]);
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
+  const Eigen::Vector3d turning = last_turning_->col(faces_.mesh_nodes[node]);
+  return velocity + turning.cross(arms_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
+}
+
+Eigen::Vector3d MovingSurface::last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+  if (last_turning_ == nullptr) return last_v(node);
+  return last_v(node) + Eigen::Vector3d(last_turning_->col(faces_.mesh_nodes[node])).cross(arm);
+}
+
+MovingFace MovingSurface::last_face(std::uint32_t index) const {
+  const ContactFace& face = faces_.faces[index];
+  MovingFace moving = this->face(index);
+  moving.v = gather(face.corners, [this](std::uint32_t node) { return last_v(node); });
+  return moving;
 }
 
 void MovingSurface::renumber(const ContactRenumbering& places, const Motion& motion) {
@@ -71,6 +97,11 @@ void MovingSurface::move_lofts(const Motion& motion) {
     faces_.loft.find_arms(motion.coordinates, shell_areas_, arms_);
   const Eigen::Index n_points = arms_.cols();
   x_.rightCols(n_points) += arms_;
+  find_loft_velocities(motion);
+}
+
+void MovingSurface::find_loft_velocities(const Motion& motion) {
+  const Eigen::Index n_points = arms_.cols();
   loft_velocity_.resize(3, n_points);
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.loft.size()))
   for (Eigen::Index i = 0; i < n_points; ++i) {

@@ -27,6 +27,9 @@ class MovingSurface {
   /// by what forces and moments on the nodes work on, and make no energy. Where no node turns they follow the
   /// normals of the shells.
   void step(const Motion& motion);
+  /// Has v() answer with the velocities that the coming step would have; last_v() still with those of the last.
+  ///   motion  its coordinates are those of now
+  void foresee(const Motion& motion);
   /// Goes over to other faces: points of lofts that are still there stand off their nodes as they did.
   ///   motion  of now
   void renumber(const ContactRenumbering& places, const Motion& motion);
@@ -46,8 +49,11 @@ class MovingSurface {
         node < n_mesh_points ? velocity_->data() + 3 * std::size_t{faces_.mesh_nodes[node]}
                              : loft_velocity_.data() + 3 * (node - n_mesh_points));
   }
+  /// In the step before, whatever is foreseen [length/time].
+  Eigen::Vector3d last_v(std::uint32_t node) const;
   /// The velocity of a point that turns with a node [length/time].
   ///   arm  from the node to the point [length]
+  Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const;
   Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
     if (turning_ == nullptr) return v(node);
     return v(node) + Eigen::Vector3d(turning_->col(faces_.mesh_nodes[node])).cross(arm);
@@ -56,6 +62,8 @@ class MovingSurface {
   const Eigen::Matrix3Xd& arms() const { return arms_; }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
   MovingFace face(std::uint32_t face) const;
+  /// The same with the velocities of the step before, whatever is foreseen.
+  MovingFace last_face(std::uint32_t face) const;
   /// The area vector of a face, and the share of it that each corner has [length^2].
   Eigen::Vector3d area(const ContactFace& face) const { return area_vector(corners(face)); }
   Eigen::Vector3d corner_area(std::uint32_t face) const;
@@ -74,12 +82,14 @@ class MovingSurface {
   std::vector<std::uint32_t> watched_;
   void turn_arms(const Motion& motion);
   void move_lofts(const Motion& motion);
+  void find_loft_velocities(const Motion& motion);
 
   Eigen::Matrix3Xd x_;                          // of the contact nodes [length]
   Eigen::Matrix3Xd arms_, loft_velocity_;       // of the points of lofts [length] [length/time]
   Eigen::Matrix3Xd shell_areas_;                // scratch
   const Eigen::Matrix3Xd* velocity_ = nullptr;  // of the mesh's nodes [length/time]
   const Eigen::Matrix3Xd* turning_ = nullptr;   // of the mesh's nodes [1/time]; null when none turns
+  const Eigen::Matrix3Xd *last_velocity_ = nullptr, *last_turning_ = nullptr;  // of the step before
   std::vector<FaceBound> bounds_;               // [n_faces]
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "contact/contact_place.hpp"
 #include "contact/friction.hpp"
@@ -77,7 +78,7 @@ void NodeFaceContacts::archive(StateArchive& saved) {
   std::vector<Touch> all;
   for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
   saved.rows("contact/node_pairs/touches", all,
-             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.normal, touch.elastic); });
+             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.is_balanced, touch.normal, touch.elastic); });
   if (!saved.restores()) return;
   for (std::vector<Touch>& chunk : touches_) chunk.clear();
   for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
@@ -106,6 +107,9 @@ void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
     const auto first = known;
     while (known != touches.cend() && known->row == row) ++known;
     work.memory.touches = {first, known};
+    // What the other kind of enforcement remembers of the node stays.
+    std::copy_if(first, known, std::back_inserter(work.touches),
+                 [&](const Touch& touch) { return touch.is_balanced != scene.balances; });
     if (!candidates_.of(row).empty()) find_one(scene, row, work, records);
   }
   if (!scene.is_frozen) touches = std::move(work.touches);
@@ -126,13 +130,13 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
       record.elastic = work.memory.elastic(record.normal);
       pull_node(*rule.place, make_push(scene, row, hit, record), scene.is_frozen, record);
     }
-    if (!record.touches()) continue;
-    if (rule.friction > 0.0) {
+    if (!record.is_met()) continue;
+    if (rule.friction > 0.0 && !record.is_balanced) {
       record.elastic = work.memory.elastic(record.normal);
       add_friction(hit.penalty.stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
                    record);
     }
-    work.touches.push_back({row, record.normal.cast<float>(), record.elastic});
+    work.touches.push_back({row, record.is_balanced, record.normal.cast<float>(), record.elastic});
   }
 }
 
@@ -151,9 +155,16 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.face = face_index;
   hit.pair = scene.rules.find(node.surface, face.surface);
   const PairRule& rule = scene.rules.of_node(hit.pair, row);
-  const double reach = std::max(rule.reach, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius()));
-  hit.near = near;
-  const double deepest = std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
+  if (rule.is_balanced != scene.balances) return;
+  const double margin =
+      scene.balances ? closed_share * std::min(face.backing.thickness, node.backing.thickness) : 0.0;
+  const double reach = std::max(
+      {rule.reach, margin, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
+  hit.near = std::max(near, margin);
+  const bool may_be_deep = scene.balances && !memory.touches.empty();
+  const double deepest =
+      may_be_deep ? any_depth
+                  : std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.twist() - bound.height_of(x));
@@ -170,6 +181,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
   const bool is_known = memory.knows(hit.point.normal);
   hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
+  if (is_known && scene.balances) hit.penalty.depth = any_depth;
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
   if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
   if (looks_at(scene, node, hit.point.normal) && stands_over(scene, face_index, hit)) hits.add(hit);
@@ -294,7 +306,9 @@ NodePush NodeFaceContacts::make_push(const ContactScene& scene, std::uint32_t ro
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * hit.point.normal;
   const Eigen::Vector3d relative =
       scene.surface.velocity_beside(node.node, arm) - moving.v * record.second.weights;
-  return {hit.penalty, pair.damping_fraction, area, relative, scene.dt};
+  const Eigen::Vector3d last = scene.surface.last_velocity_beside(node.node, arm) -
+                               scene.surface.last_face(hit.face).v * record.second.weights;
+  return {hit.penalty, pair.damping_fraction, area, relative, scene.dt, scene.coming_dt, last};
 }
 
 }  // namespace contactsim

@@ -43,6 +43,7 @@ class NodeFaceContacts {
   /// A face that a node touched in the last step.
   struct Touch {
     std::uint32_t row = 0;
+    bool is_balanced = false;
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();
     Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
   };

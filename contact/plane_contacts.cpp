@@ -56,12 +56,14 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
   for (std::size_t row = begin; row < end; ++row) {
     Place& place = places_[row];
     const PairRule& rule = scene.rules.of_node(place.pair, place.node);
+    if (rule.is_balanced != scene.balances) continue;
     const SurfaceNode& node = faces_.surface_nodes[place.node];
     const double gap = (scene.surface.x(node.node) - place.origin).dot(place.normal) - node.radius;
     const Eigen::Vector3d velocity =
         scene.surface.velocity_beside(node.node, -static_cast<double>(node.radius) * place.normal);
     const double speed = velocity.dot(place.normal);
-    if (!rule.is_active || gap > std::max(rule.reach, -scene.ahead() * speed)) {
+    const double margin = scene.balances ? closed_share * node.backing.thickness : 0.0;
+    if (!rule.is_active || gap > std::max({rule.reach, margin, -scene.ahead() * speed})) {
       if (!scene.is_frozen) place.elastic.setZero();
       continue;
     }
@@ -70,20 +72,23 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.pair = place.pair;
     record.is_swapped = node.surface != rule.pair->first;
     record.first_place = place.node;
+    record.part = static_cast<std::uint8_t>(place.plane);
     record.first.nodes.fill(node.node);
     record.first.weights = Eigen::Vector4d::UnitX();
     record.first.radius = node.radius;
     record.normal = place.normal;
     record.gap = gap;
     const double area = scene.surface.area_against(node, place.normal);
-    const NodePush push{penalty, rule.pair->damping_fraction, area, velocity, scene.dt};
+    const NodePush push{penalty, rule.pair->damping_fraction, area, velocity, scene.dt, scene.coming_dt,
+                        scene.surface.last_velocity_beside(
+                            node.node, -static_cast<double>(node.radius) * place.normal)};
     push_node(push, record);
     if (rule.acts_apart()) {
       record.elastic = place.elastic;
       pull_node(*rule.place, push, scene.is_frozen, record);
       if (!scene.is_frozen) place.elastic = record.elastic;
     }
-    if (!record.touches() || rule.friction == 0.0) continue;
+    if (!record.touches() || rule.friction == 0.0 || record.is_balanced) continue;
     record.elastic = place.elastic;
     add_friction(penalty.stiffness * area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
     if (!scene.is_frozen) place.elastic = record.elastic;

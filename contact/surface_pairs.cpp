@@ -47,6 +47,8 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   pair.capture_tolerance = settings.capture_tolerance;
   pair.penalty_scale = settings.penalty_scale.value_or(1.0) * contact.enforcement.penalty_scale;
   if (settings.penalty_stiffness) pair.penalty_stiffness = settings.penalty_stiffness->given;
+  pair.enforcement = settings.enforcement.value_or(Enforcement::momentum_balance);
+  if (pair.penalty_stiffness) pair.enforcement = Enforcement::penalty;
   pair.damping_fraction = settings.damping_fraction.value_or(0.0);
   return pair;
 }
@@ -54,6 +56,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
 /// The settings of the blocks that all pairs share: what pairs and their defaults leave out.
 PairSettings shared_settings(const ContactDefinition& contact) {
   PairSettings shared;
+  shared.enforcement = contact.enforcement.enforcement;
   if (contact.search.tolerance == SearchOptions::Tolerance::user_defined) {
     shared.normal_tolerance = contact.search.normal_tolerance;
     shared.tangential_tolerance = contact.search.tangential_tolerance;

@@ -31,6 +31,7 @@ struct SurfacePair {
   std::optional<double>
       overlap_tangential_tolerance;         ///< the same beyond an edge; absent: automatic [length]
   std::optional<double> capture_tolerance;  ///< gap that is closed at the start; absent: 0 [length]
+  Enforcement enforcement = Enforcement::penalty;
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]
   std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
   double damping_fraction = 0.0;            ///< of critical damping [1]

@@ -32,20 +32,52 @@ Eigen::Vector3d moment(const TieVectors& x, const TieVectors& forces) {
   return sum;
 }
 
-/// Forces at the second side's corners that have a moment but no resultant, the smallest that do.
-Eigen::Matrix<double, 3, 4> couple(const Eigen::Matrix<double, 3, 4>& x, const Eigen::Vector3d& moment) {
-  const bool is_triangle = x.col(2) == x.col(3);
-  const int n = is_triangle ? 3 : 4;
-  const Eigen::Vector3d mean = x.leftCols(n).rowwise().mean();
+/// The corners of a face as equal masses.
+struct CornerMasses {
+  int n = 4;
+  Eigen::Vector3d mean;
+  Eigen::Matrix3d inverse_inertia;  ///< about the mean [1/length^2]
+};
+
+CornerMasses corner_masses(const FaceCorners& x) {
+  CornerMasses masses;
+  if (x.col(2) == x.col(3)) masses.n = 3;
+  masses.mean = x.leftCols(masses.n).rowwise().mean();
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  for (int k = 0; k < n; ++k) {
-    const Eigen::Vector3d arm = x.col(k) - mean;
+  for (int k = 0; k < masses.n; ++k) {
+    const Eigen::Vector3d arm = x.col(k) - masses.mean;
     inertia += arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose();
   }
-  const Eigen::Vector3d turn = inertia.inverse() * moment;
+  masses.inverse_inertia = inertia.inverse();
+  return masses;
+}
+
+/// Forces at the second side's corners that have a moment but no resultant, the smallest that do.
+Eigen::Matrix<double, 3, 4> couple(const Eigen::Matrix<double, 3, 4>& x, const Eigen::Vector3d& moment) {
+  const CornerMasses masses = corner_masses(x);
+  const Eigen::Vector3d turn = masses.inverse_inertia * moment;
   Eigen::Matrix<double, 3, 4> forces = Eigen::Matrix<double, 3, 4>::Zero();
-  for (int k = 0; k < n; ++k) forces.col(k) = turn.cross(x.col(k) - mean);
+  for (int k = 0; k < masses.n; ++k) forces.col(k) = turn.cross(x.col(k) - masses.mean);
   return forces;
+}
+
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
+  Eigen::Matrix3d matrix;
+  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return matrix;
+}
+
+/// Makes means of sums by area; points without area go.
+void finish_points(Tie& tie) {
+  constexpr double negligible = 1e-6;  // of the area
+  tie.n_points = 0;
+  for (const TiePoint& sum : std::array(tie.points)) {
+    if (!(sum.area > negligible * tie.area)) continue;
+    TiePoint& point = tie.points[tie.n_points++] = sum;
+    point.weights_1 /= sum.area;
+    point.weights_2 /= sum.area;
+    point.offset /= sum.area;
+  }
 }
 
 }  // namespace
@@ -64,6 +96,20 @@ void balance(const TieVectors& arms, TieVectors& forces) {
   forces.rightCols<4>() -= couple(arms.rightCols<4>(), moment(arms, forces));
 }
 
+std::array<Eigen::Matrix3d, 4> carry_point(const FaceCorners& x, const Eigen::Vector4d& weights,
+                                           const Eigen::Vector3d& offset) {
+  std::array<Eigen::Matrix3d, 4> carried;
+  for (int k = 0; k < 4; ++k)
+    carried[static_cast<std::size_t>(k)] = weights[k] * Eigen::Matrix3d::Identity();
+  if (offset.isZero(0.0)) return carried;
+  // The face turns by inverse_inertia * sum of arm x velocity, and moves the point by turn x offset.
+  const CornerMasses masses = corner_masses(x);
+  const Eigen::Matrix3d of_turn = -cross_matrix(offset) * masses.inverse_inertia;
+  for (int k = 0; k < masses.n; ++k)
+    carried[static_cast<std::size_t>(k)] += of_turn * cross_matrix(x.col(k) - masses.mean);
+  return carried;
+}
+
 bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,
                Tie& tie) {
   const auto found = find_face_face_points(first, second);
@@ -74,7 +120,17 @@ bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffne
                                    const Eigen::Vector4d& weights_2) {
     add_spring(join(weights_1, weights_2), stiffness * area, gap * along, tie);
     tie.area += area;
+    for (int k = 0; k < 4; ++k) {
+      if (weights_2[k] == 0.0) continue;
+      TiePoint& point = tie.points[static_cast<std::size_t>(k)];
+      const double share = area * weights_2[k];
+      point.area += share;
+      point.weights_1 += share * weights_1;
+      point.weights_2 += share * weights_2;
+      point.offset += share * gap * along;
+    }
   });
+  finish_points(tie);
   return tie.area > 0.0;
 }
 
@@ -82,6 +138,8 @@ void tie_node(const Eigen::Vector3d& node, const MovingFace& face, const Eigen::
               double stiffness, Tie& tie) {
   const Eigen::Vector3d offset = axes_of(face.x).transpose() * (node - face.x * weights);
   add_spring(join(Eigen::Vector4d::UnitX(), weights), stiffness, offset, tie);
+  tie.n_points = 1;
+  tie.points[0] = {tie.area, Eigen::Vector4d::UnitX(), weights, offset, Eigen::Vector3d::Zero()};
 }
 
 TieForces find_tie_forces(const Tie& tie, const TieVectors& x) {

@@ -26,6 +26,15 @@ struct HeldPlace {
   double share = 1.0;                       ///< of a whole place, where pairs that go both ways share it [1]
 };
 
+/// A point of a tie that momentum balance holds where it was tied.
+struct TiePoint {
+  double area = 0.0;                                         ///< that it stands for [length^2]
+  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero();       ///< of the first side's corners, sum 1 [1]
+  Eigen::Vector4d weights_2 = Eigen::Vector4d::Zero();       ///< of the second side's [1]
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();          ///< between them, in axes of the second [length]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();           ///< of the last step, in the same axes [force]
+};
+
 /// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between
 /// their corners, so that a tie of faces passes uniform stress and keeps what gap there was.
 struct Tie : HeldPlace {
@@ -34,6 +43,8 @@ struct Tie : HeldPlace {
       TieVectors::Zero();    ///< forces that hold the gaps open, in axes of the second face [force]
   double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed; of a glued place also what
                              ///< it held before [energy]
+  std::uint32_t n_points = 0;
+  std::array<TiePoint, 4> points{};  ///< for momentum balance
 };
 
 /// The forces of what holds a place on its corners; all 0 of a tie that does not act.
@@ -55,6 +66,12 @@ void balance(const TieVectors& arms, TieVectors& forces);
 ///   tie  nodes and places are set, the rest is filled in
 bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,
                Tie& tie);
+
+/// How the corners of a face carry a point that stands off the face and turns with it: the point's velocity
+/// is the sum of a matrix times the velocity of each corner.
+///   offset  from the point of the face with these weights [length]
+std::array<Eigen::Matrix3d, 4> carry_point(const FaceCorners& x, const Eigen::Vector4d& weights,
+                                           const Eigen::Vector3d& offset);
 
 /// Ties a node to a point of a face.
 ///   weights    of the face's corners, sum 1 [1]

@@ -9,6 +9,8 @@
 
 namespace contactsim {
 
+struct State;
+
 /// How the nodes moved in a step, for those who answer with forces.
 struct Motion {
   double time;  ///< at the end of the step [time]
@@ -29,6 +31,7 @@ struct ForceReport {
   double viscous_work = 0.0;                                     ///< of the step, on bulk viscosity [energy]
   double friction_work = 0.0;                                    ///< of the step, lost to friction [energy]
   double contact_damping_work = 0.0;  ///< of the step, lost to contact damping [energy]
+  double impact_work = 0.0;           ///< of the step, lost where sides met without rebound [energy]
 };
 
 /// Something that pushes the nodes: elements, loads, contact.
@@ -45,6 +48,16 @@ class ForceTerm {
   /// when nodes turn.
   ///   moments  [3 x n_nodes] [force length]; whatever it held is gone
   virtual void set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) { moments.setZero(); }
+
+  /// Adds the forces that depend on the motion which all other forces would give: those of constraints. Called
+  /// once per step, after set_forces of all terms, when the size of the next step is known. Returns nothing
+  /// when the term has no such forces; else set_moments is called again.
+  ///   state   its accelerations are those of the forces so far, held and driven nodes and rigid bodies
+  ///           included; its velocities those half a step before
+  ///   forces  [3 x n_nodes] of set_forces, added to [force]
+  virtual std::optional<ForceReport> balance(const State& /*state*/, Eigen::Matrix3Xd& /*forces*/) {
+    return std::nullopt;
+  }
 };
 
 }  // namespace contactsim

@@ -128,11 +128,8 @@ void add_work(const NodeWork& work, State& state) {
     energies.largest = std::max(energies.largest, std::abs(term));
 }
 
-/// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
-void complete(const Model& model, const TimeStepControl& control, const StepReport& report, State& state) {
-  state.next_dt = control.step_after(state.time, state.dt, report.stable_step);
-  if (state.step == 0) state.first_dt = state.next_dt;
-  check_step(model, state, report);
+/// The accelerations that the forces give, held and driven nodes and rigid bodies included.
+void find_accelerations(const Model& model, State& state) {
   accelerate(model.mass, state.forces, state.acceleration);
   model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
                              state.acceleration);
@@ -143,6 +140,29 @@ void complete(const Model& model, const TimeStepControl& control, const StepRepo
                                         rotations.acceleration);
   }
   if (!model.rigid.empty()) drive_rigid_bodies(model, state);
+}
+
+/// Has contact balance the momentum of what meets in the coming step.
+void balance_contact(const Model& model, ForceTerms terms, State& state) {
+  if (terms.contact == nullptr) return;
+  const auto report = terms.contact->balance(state, state.forces.contact);
+  if (!report) return;
+  state.energies.friction += report->friction_work;
+  state.energies.contact_damping += report->contact_damping_work;
+  state.energies.impact += report->impact_work;
+  if (state.rotations.exist())
+    terms.contact->set_moments(motion_of(state), state.rotations.moments.contact);
+  find_accelerations(model, state);
+}
+
+/// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
+void complete(const Model& model, ForceTerms terms, const TimeStepControl& control, const StepReport& report,
+              State& state) {
+  state.next_dt = control.step_after(state.time, state.dt, report.stable_step);
+  if (state.step == 0) state.first_dt = state.next_dt;
+  check_step(model, state, report);
+  find_accelerations(model, state);
+  balance_contact(model, terms, state);
   NodeWork work = complete_velocities(model, state);
   if (!model.rigid.empty()) add_rigid_work(model, state, work);
   if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);
@@ -161,7 +181,7 @@ StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& c
   if (state.rotations.exist())
     model.rotation_kinematics.constrain_velocity(between_turns(state, 0.0, dt), state.rotations.velocity);
   report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
-  complete(model, control, report, state);
+  complete(model, forces, control, report, state);
   return report;
 }
 
@@ -173,7 +193,7 @@ StepReport advance(const Model& model, ForceTerms forces, const TimeStepControl&
   if (!model.rigid.empty()) move_rigid_bodies(model, state);
   const Motion motion = motion_of(state, state.dt);
   const StepReport report = set_forces(forces, motion, state);
-  complete(model, control, report, state);
+  complete(model, forces, control, report, state);
   return report;
 }
 

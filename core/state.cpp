@@ -45,7 +45,7 @@ void archive(NodalRotations& rotations, bool have_contact, StateArchive& saved) 
 void archive(Energies& energies, StateArchive& saved) {
   saved.numbers("run/energies", energies.kinetic, energies.internal, energies.hourglass,
                 energies.bulk_viscosity, energies.external, energies.contact, energies.friction,
-                energies.contact_damping, energies.error, energies.start, energies.largest);
+                energies.contact_damping, energies.impact, energies.error, energies.start, energies.largest);
 }
 
 void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/conditions/kinematics.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
@@ -20,6 +21,28 @@ std::vector<NodeIndex> all_nodes(const Mesh& mesh, std::span<const DrivenNodes> 
     if (is_driven[i] != 0) nodes.push_back({i});
   }
   return nodes;
+}
+
+/// Adds the directions that a condition takes from a node, as the sum of their dyads. About an axis nodes keep
+/// only their motion along it.
+void add_taken_directions(const Direction& direction, Eigen::Matrix3d& taken) {
+  if (const auto* axis = std::get_if<Axis>(&direction)) {
+    taken += Eigen::Matrix3d::Identity() - axis->direction * axis->direction.transpose();
+    return;
+  }
+  for (const Eigen::Vector3d& unit : unit_vectors(direction)) taken += unit * unit.transpose();
+}
+
+/// The projection on what is at right angles to all taken directions.
+Eigen::Matrix3d projection_on_free(const Eigen::Matrix3d& taken) {
+  constexpr double nothing = 1e-12;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(taken);
+  Eigen::Matrix3d projection = Eigen::Matrix3d::Zero();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const Eigen::Vector3d axis = solver.eigenvectors().col(i);
+    if (solver.eigenvalues()(i) < nothing) projection += axis * axis.transpose();
+  }
+  return projection;
 }
 
 }  // namespace
@@ -42,6 +65,27 @@ std::vector<NodeIndex> Kinematics::never_free() const {
   std::copy_if(nodes_.begin(), nodes_.end(), std::back_inserter(nodes),
                [&](NodeIndex node) { return axes[node.value] == 7; });
   return nodes;
+}
+
+std::vector<std::uint8_t> Kinematics::find_active(double time) const {
+  std::vector<std::uint8_t> active;
+  for (const DrivenNodes& driven : driven_) active.push_back(driven.times.is_active(time) ? 1 : 0);
+  return active;
+}
+
+std::vector<FreeDirections> Kinematics::find_free_directions(double time) const {
+  std::vector<Eigen::Matrix3d> taken(nodes_.size(), Eigen::Matrix3d::Zero());
+  for (const DrivenNodes& driven : driven_) {
+    if (!driven.times.is_active(time)) continue;
+    auto place = nodes_.begin();
+    for (const NodeIndex node : driven.nodes) {
+      place = std::lower_bound(place, nodes_.end(), node);
+      add_taken_directions(driven.direction, taken[static_cast<std::size_t>(place - nodes_.begin())]);
+    }
+  }
+  std::vector<FreeDirections> free;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) free.push_back({nodes_[i], projection_on_free(taken[i])});
+  return free;
 }
 
 void Kinematics::constrain(const BetweenSteps& now, Eigen::Matrix3Xd& acceleration) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include "core/mesh/indices.hpp"
 
 namespace contactsim {
+
+/// The directions in which a held or driven node may still be pushed.
+struct FreeDirections {
+  NodeIndex node;
+  Eigen::Matrix3d projection;  ///< on them; 0 of a node that is held along all axes [1]
+};
 
 /// The nodes that conditions hold or drive. Conditions act through the acceleration alone: it is set such
 /// that the coming half step,
@@ -28,6 +35,13 @@ class Kinematics {
 
   /// Those that are held or driven along all three axes all the time, ascending.
   std::vector<NodeIndex> never_free() const;
+
+  /// Which conditions act in the step that begins now [n_conditions].
+  std::vector<std::uint8_t> find_active(double time) const;
+
+  /// The directions that the conditions which act in the step that begins now leave free, of all nodes().
+  /// They change only with find_active().
+  std::vector<FreeDirections> find_free_directions(double time) const;
 
   /// Overwrites the accelerations of what is held or driven now. Throws SolveError when a condition has no
   /// finite value.

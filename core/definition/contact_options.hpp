@@ -25,8 +25,14 @@ struct DashOptions {
   double search_length_scaling = 0.15;  ///< search distance over face size, >= 0 [1]
 };
 
-/// BEGIN ENFORCEMENT OPTIONS. Source: Sierra/SM 5.22, 8.2 and 8.9.
+/// How the sides of a pair are kept apart. momentum_balance: by forces that let nothing through at the end of
+/// the step, from masses and the step; penalty: by an elastic force that grows with the penetration.
+enum class Enforcement : std::uint8_t { momentum_balance, penalty };
+
+/// BEGIN ENFORCEMENT OPTIONS, and the line ENFORCEMENT of the contact definition. Source: Sierra/SM 5.22, 8.2 and 8.9.
 struct EnforcementOptions {
+  std::optional<Enforcement> enforcement;  ///< of pairs that say nothing else
+  std::int64_t balance_iterations = 20;  ///< MOMENTUM BALANCE ITERATIONS, the most of a step, >= 1
   double penalty_scale = 1.0;  ///< of all pairs, times their own, > 0 [1]
 };
 

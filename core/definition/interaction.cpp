@@ -21,6 +21,7 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   fill(own.overlap_normal_tolerance, defaults.overlap_normal_tolerance);
   fill(own.overlap_tangential_tolerance, defaults.overlap_tangential_tolerance);
   fill(own.capture_tolerance, defaults.capture_tolerance);
+  fill(own.enforcement, defaults.enforcement);
   fill(own.penalty_scale, defaults.penalty_scale);
   fill(own.penalty_stiffness, defaults.penalty_stiffness);
   fill(own.damping_fraction, defaults.damping_fraction);

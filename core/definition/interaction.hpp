@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/definition/condition_lines.hpp"
+#include "core/definition/contact_options.hpp"
 
 namespace contactsim {
 
@@ -28,6 +29,7 @@ struct PairSettings {
   std::optional<DeckName> friction_model;            ///< program: frictionless
   std::optional<ConstraintFormulation> formulation;  ///< program: face_face
   std::optional<InteractionBehavior> behavior;       ///< program: sliding
+  std::optional<Enforcement> enforcement;            ///< program: momentum_balance
   std::optional<double> normal_tolerance;            ///< reach of the search off a face, >= 0 [length]
   std::optional<double> tangential_tolerance;        ///< reach beyond a face's edge, >= 0 [length]
   std::optional<double>

@@ -42,7 +42,8 @@ const Table<DashOptions>& dash_options_table() {
 const Table<EnforcementOptions>& enforcement_options_table() {
   using E = EnforcementOptions;
   static const Table<E> table({
-      ignored<E>("momentum balance iterations", "= <integer>", "Penalty forces balance in one pass"),
+      row("momentum balance iterations", read::positive_integer, &E::balance_iterations,
+          "Passes over the contact points in a step at most; fewer where the momentum is balanced before", "20"),
       ignored<E>("num geometry update iterations", "= <integer>",
                  "The set of touching pairs is renewed in every step"),
       row("penalty scale", read::positive, &E::penalty_scale,
@@ -124,6 +125,12 @@ const Table<ContactDebug>& debug_table() {
   return table;
 }
 
+void read_enforcement(Arguments& arguments, ContactDefinition& contact) {
+  if (arguments.accept("al") || arguments.accept("kinematic")) return;
+  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty"});
+  contact.enforcement.enforcement = enforcement.read(arguments);
+}
+
 void read_search(Arguments& arguments, ContactDefinition&) {
   static const std::string choices[] = {"dash", "acme"};
   if (arguments.at_end()) arguments.fail_here("expected DASH after 'search'");
@@ -189,8 +196,10 @@ std::vector<Row<ContactDefinition>> contact_option_rows() {
   return joined<C>({
       {
           row<C>("search", "= {DASH|ACME}", read_search, "Search algorithm; ACME is taken as DASH", "DASH"),
-          ignored<C>("enforcement", "= {AL|KINEMATIC}",
-                     "Of implicit runs only; contact is enforced by penalties"),
+          row<C>("enforcement", "= {MOMENTUM_BALANCE|PENALTY|AL|KINEMATIC}", read_enforcement,
+                 "How the sides of all pairs are kept apart that say nothing else; AL and KINEMATIC, of implicit "
+                 "runs, leave it at that",
+                 "MOMENTUM_BALANCE"),
           ignored<C>("contact residual norm scale factor", "= <real>", "Of implicit runs only"),
           block<C, SearchOptions>("search options", Naming::optional, search_options_table, &C::search,
                                   "Reach and rhythm of the search"),

@@ -19,6 +19,7 @@ std::vector<Row<PairSettings>> pair_rows() {
   static const auto formulation = choice_of<ConstraintFormulation>({"node_face", "face_face"});
   static const auto behavior =
       choice_of<InteractionBehavior>({"sliding", "infinitesimal_sliding", "no_interaction"});
+  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty"});
   return {
       row("friction model", read::name, &P::friction_model, "Friction model of the pair", "frictionless"),
       row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
@@ -27,6 +28,10 @@ std::vector<Row<PairSettings>> pair_rows() {
           "death "
           "exposes; NO_INTERACTION switches it off",
           "SLIDING"),
+      row("enforcement", enforcement, &P::enforcement,
+          "How the sides are kept apart: MOMENTUM_BALANCE lets nothing through and does not lower the time "
+          "step; PENALTY is elastic. A given PENALTY STIFFNESS means PENALTY",
+          "MOMENTUM_BALANCE"),
       row("normal tolerance", read::non_negative, &P::normal_tolerance,
           "Reach of the search off a face [length]", "automatic"),
       row("tangential tolerance", read::non_negative, &P::tangential_tolerance,

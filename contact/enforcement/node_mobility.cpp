@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/node_mobility.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "core/least_mass.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The matrix of the cross product with a vector: cross_matrix(a) b = a x b.
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
+  Eigen::Matrix3d matrix;
+  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
+  return matrix;
+}
+
+/// The free directions of a node; null when no condition acts on it.
+const Eigen::Matrix3d* find_projection(std::span<const FreeDirections> held, NodeIndex node) {
+  const auto found = std::ranges::lower_bound(held, node, {}, &FreeDirections::node);
+  return found != held.end() && found->node == node ? &found->projection : nullptr;
+}
+
+bool is_positive(double mass) { return mass > least_mass; }
+
+}  // namespace
+
+void NodeMobility::begin(const Model& model, const MovingSurface& surface, const State& state) {
+  surface_ = &surface;
+  rigid_ = &model.rigid.nodes;
+  state_ = &state;
+  half_steps_ = 0.5 * (state.dt + state.next_dt);
+  if (find_free_directions(model, state) || inverse_mass_.empty()) {
+    const std::size_t n_carriers = surface.faces().n_nodes() + model.rigid.bodies.size();
+    general_.assign(n_carriers, none);
+    inverse_mass_.assign(n_carriers, 0.0);
+    generals_.clear();
+    set_nodes(model);
+    set_bodies(model);
+  }
+  changes_.assign(inverse_mass_.size(), NodeVector::Zero());
+  for (General& general : generals_) general.turning.setZero();
+  turn_bodies(model, state);
+}
+
+/// Returns whether any has changed.
+bool NodeMobility::find_free_directions(const Model& model, const State& state) {
+  bool has_changed = false;
+  const auto renew = [&](const Kinematics& kinematics, std::vector<std::uint8_t>& active,
+                         std::vector<FreeDirections>& held) {
+    std::vector<std::uint8_t> now = kinematics.find_active(state.time);
+    if (now == active) return;
+    active = std::move(now);
+    held = kinematics.find_free_directions(state.time);
+    has_changed = true;
+  };
+  renew(model.kinematics, active_[0], held_);
+  renew(model.rotation_kinematics, active_[1], held_turns_);
+  renew(model.rigid.kinematics, active_[2], held_bodies_);
+  renew(model.rigid.rotation_kinematics, active_[3], held_body_turns_);
+  return has_changed;
+}
+
+NodeMobility::General& NodeMobility::make_general(std::uint32_t carrier) {
+  general_[carrier] = static_cast<std::uint32_t>(generals_.size());
+  return generals_.emplace_back();
+}
+
+void NodeMobility::set_nodes(const Model& model) {
+  const ContactFaces& faces = surface_->faces();
+  const bool turns = model.inertia.cols() > 0;
+  const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
+  for (std::uint32_t i = 0; i < faces.n_nodes(); ++i) {
+    const NodeIndex node{faces.mesh_nodes[i]};
+    const double mass = model.mass(0, node.value);
+    if (faces.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
+    const Eigen::Matrix3d* free = find_projection(held_, node);
+    const double inertia = turns ? model.inertia(0, node.value) : 0.0;
+    const bool is_held = free != nullptr && free->isZero(0.0);
+    if (!is_positive(inertia) && (free == nullptr || is_held || *free == all)) {
+      inverse_mass_[i] = is_held ? 0.0 : 1.0 / mass;
+      continue;
+    }
+    General& general = make_general(i);
+    general.translation = (free != nullptr ? *free : all) / mass;
+    if (!is_positive(inertia)) continue;
+    const Eigen::Matrix3d* free_turns = find_projection(held_turns_, node);
+    general.rotation = (free_turns != nullptr ? *free_turns : all) / inertia;
+  }
+}
+
+void NodeMobility::set_bodies(const Model& model) {
+  for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
+    General& general = make_general(static_cast<std::uint32_t>(surface_->faces().n_nodes()) + i);
+    const Eigen::Matrix3d* free = find_projection(held_bodies_, {i});
+    general.translation = (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
+  }
+}
+
+void NodeMobility::turn_bodies(const Model& model, const State& state) {
+  for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
+    const RigidBody& body = model.rigid.bodies[i];
+    General& general = generals_[general_[surface_->faces().n_nodes() + i]];
+    const Eigen::Matrix3d axes = state.rigid[i].orientation.toRotationMatrix();
+    const Eigen::Matrix3d* free = find_projection(held_body_turns_, {i});
+    if (free == nullptr) {
+      general.rotation = axes * body.flexible * axes.transpose();
+    } else {
+      const Eigen::Matrix3d inertia = *free * axes * body.inertia * axes.transpose() * *free;
+      general.rotation = inverse_where_it_is(inertia);
+    }
+  }
+}
+
+void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
+                             std::vector<CarrierTerm>& terms) const {
+  const ContactFaces& faces = surface_->faces();
+  const NodeIndex mesh_node{faces.mesh_nodes[node]};
+  if (rigid_->is_free(mesh_node)) {
+    Eigen::Vector3d arm = beside;
+    const std::size_t n_mesh_points = faces.n_mesh_points();
+    if (node >= n_mesh_points) arm += surface_->arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
+    terms.push_back({faces.first_alike[node], weight, arm});
+    return;
+  }
+  const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);
+  const auto carrier = static_cast<std::uint32_t>(faces.n_nodes()) + body;
+  const Eigen::Vector3d arm = surface_->x(node) + beside - state_->rigid[body].position;
+  const auto same = std::ranges::find_if(terms, [&](const CarrierTerm& term) {
+    return term.carrier == carrier && term.weight * weight > 0.0;
+  });
+  if (same == terms.end()) {
+    terms.push_back({carrier, weight, arm});
+    return;
+  }
+  const double sum = same->weight + weight;
+  same->arm += weight / sum * (arm - same->arm);
+  same->weight = sum;
+}
+
+Eigen::Matrix3d NodeMobility::mobility(std::uint32_t carrier, const Eigen::Vector3d& arm) const {
+  if (is_plain(carrier)) return plain_mobility(carrier) * Eigen::Matrix3d::Identity();
+  const General& general = generals_[general_[carrier]];
+  const Eigen::Matrix3d cross = cross_matrix(arm);
+  return half_steps_ * (general.translation + cross.transpose() * general.rotation * cross);
+}
+
+Eigen::Vector3d NodeMobility::change(std::uint32_t carrier, const Eigen::Vector3d& arm) const {
+  const Eigen::Vector3d change = changes_[carrier].head<3>();
+  if (is_plain(carrier)) return change;
+  return change + generals_[general_[carrier]].turning.cross(arm);
+}
+
+void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& arm, const Eigen::Vector3d& force) {
+  if (is_plain(carrier)) {
+    changes_[carrier].head<3>() += plain_mobility(carrier) * force;
+    return;
+  }
+  General& general = generals_[general_[carrier]];
+  const Eigen::Vector3d impulse = half_steps_ * force;
+  changes_[carrier].head<3>() += general.translation * impulse;
+  general.turning += general.rotation * arm.cross(impulse);
+}
+
+}  // namespace contactsim

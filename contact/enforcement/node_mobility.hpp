@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "contact/moving_surface.hpp"
+#include "core/elements/gather.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+
+namespace contactsim {
+
+/// A share of a contact point that one carrier has: a node of the mesh or a rigid body.
+struct CarrierTerm {
+  std::uint32_t carrier = 0;
+  double weight = 0.0;                            ///< signed: < 0 on the second side [1]
+  Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the carrier to the point [length]
+};
+
+/// How the carriers of contact nodes answer to forces over the coming step: by lumped mass and rotary inertia,
+/// along the directions that conditions leave free; rigid bodies by their six degrees of freedom. A carrier
+/// that is held or driven does not answer at all. Collects the changes of velocity.
+/// Source: v(t + dt/2) = v* + (dt_before + dt_after) / 2 M^-1 f, as the integrator moves them.
+class NodeMobility {
+ public:
+  /// Carriers: contact nodes, the first one with each node of the mesh, then rigid bodies.
+  ///   state  between two steps, the size of the next one is known
+  void begin(const Model& model, const MovingSurface& surface, const State& state);
+  /// To be called when the contact nodes are others.
+  void forget() { inverse_mass_.clear(); }
+
+  /// Appends the terms of a contact node, those of one rigid body as one.
+  ///   beside  from the contact node to the point [length]
+  void add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
+                 std::vector<CarrierTerm>& terms) const;
+
+  /// Whether a carrier moves like a mass that nothing holds and that does not turn.
+  bool is_plain(std::uint32_t carrier) const { return general_[carrier] == none; }
+  /// Change of velocity over force of a plain carrier [time/mass].
+  double plain_mobility(std::uint32_t carrier) const { return half_steps_ * inverse_mass_[carrier]; }
+  /// The change of velocity of a point per force at the point [time/mass].
+  Eigen::Matrix3d mobility(std::uint32_t carrier, const Eigen::Vector3d& arm) const;
+
+  /// The changes of velocity so far, of a plain carrier.
+  NodeVector& plain_change(std::uint32_t carrier) { return changes_[carrier]; }
+  const NodeVector& plain_change(std::uint32_t carrier) const { return changes_[carrier]; }
+  /// The change of velocity of a point that moves with a carrier [length/time].
+  Eigen::Vector3d change(std::uint32_t carrier, const Eigen::Vector3d& arm) const;
+  /// Pushes a point that moves with a carrier.
+  ///   force  over the coming step [force]
+  void push(std::uint32_t carrier, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  /// A carrier that turns, or that conditions hold along some directions.
+  struct General {
+    Eigen::Matrix3d translation = Eigen::Matrix3d::Zero();  // velocity per impulse [1/mass]
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();     // angular velocity per angular impulse
+    Eigen::Vector3d turning = Eigen::Vector3d::Zero();      // its change so far [1/time]
+  };
+
+  bool find_free_directions(const Model& model, const State& state);
+  void set_nodes(const Model& model);
+  void set_bodies(const Model& model);
+  void turn_bodies(const Model& model, const State& state);
+  General& make_general(std::uint32_t carrier);
+
+  const MovingSurface* surface_ = nullptr;
+  const RigidNodes* rigid_ = nullptr;
+  const State* state_ = nullptr;
+  std::vector<std::uint32_t> general_;    // [n_carriers] position in generals_, or none
+  std::vector<double> inverse_mass_;      // [n_carriers] of plain ones, 0 of held ones [1/mass]
+  std::vector<NodeVector> changes_;       // [n_carriers] of velocity; the fourth number is not used
+  std::vector<General> generals_;
+  std::array<std::vector<std::uint8_t>, 4> active_;  // conditions, as the directions below are of
+  std::vector<FreeDirections> held_, held_turns_, held_bodies_, held_body_turns_;  // ascending
+  double half_steps_ = 0.0;                          // a force acts for [time]
+};
+
+}  // namespace contactsim
