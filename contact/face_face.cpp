@@ -195,22 +195,13 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
 
 namespace {
 
-/// The part of an overlap that closes, else the one that may close soon; without area when there is none.
-const OverlapPolygon& constrained_part(const OverlapPolygon& overlap, const ConstraintReach& reach,
-                                       std::array<OverlapPolygon, 2>& scratch) {
-  const OverlapPolygon& closed = part_between(-reach.depth, reach.margin, overlap, scratch);
-  if (closed.has_area() || !(reach.near > reach.margin)) return closed;
-  return part_between(-reach.depth, reach.near, overlap, scratch);
-}
-
-/// Sums over the points of an overlap with a weight f; the contact point that they make.
-OverlapShare sum_points(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction* shape,
-                         bool is_of_first) {
+/// The part of an overlap that a corner has, by its shape function on one of the faces.
+OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction& shape,
+                      bool is_of_first) {
   FaceMoments on_first{}, on_second{};
   for (const OverlapBatch& batch : points.batches()) {
-    Lanes f = batch.weight;
-    if (shape != nullptr)
-      f *= evaluate(*shape, is_of_first ? batch.xi_1 : batch.xi_2, is_of_first ? batch.eta_1 : batch.eta_2);
+    const Lanes f = batch.weight * (is_of_first ? evaluate(shape, batch.xi_1, batch.eta_1)
+                                                : evaluate(shape, batch.xi_2, batch.eta_2));
     add_moments(f, batch.xi_1, batch.eta_1, on_first);
     add_moments(f, batch.xi_2, batch.eta_2, on_second);
   }
@@ -233,32 +224,29 @@ std::span<const FaceFunction> shape_functions(bool is_triangle) {
 
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintReach& reach) {
-  constexpr double large = 0.5, negligible = 1e-6;  // of an area
+  constexpr double negligible = 1e-9;  // of an area
   FaceFaceConstraints found;
   auto pair = project_pair(first, second, reach.ahead);
   if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
   make_maps(first, second, *pair);
   OverlapPolygon whole = overlap_of(*pair);
-  if (!whole.has_area()) return found;
+  const double area = whole.area();
+  if (!(area > 0.0)) return found;
   set_gaps(pair->map_1, pair->map_2, whole);
   std::array<OverlapPolygon, 2> scratch;
-  const OverlapPolygon& part = constrained_part(whole, reach, scratch);
-  const double area_1 = std::abs(area_vector(first.x).dot(pair->plane.normal)),
-               area_2 = std::abs(area_vector(second.x).dot(pair->plane.normal));
-  const double smaller = std::min(area_1, area_2), area = part.area();
-  if (!(area > negligible * smaller)) return found;
+  const OverlapPolygon* part = &part_between(-reach.depth, reach.margin, whole, scratch);
+  found.is_open = !(part->area() > negligible * area);
+  if (found.is_open) part = &part_between(-reach.depth, std::max(reach.near, reach.margin), whole, scratch);
+  if (!(part->area() > negligible * area)) return found;
   OverlapPoints points;
-  place_points(part, pair->map_1, pair->map_2, points);
+  place_points(*part, pair->map_1, pair->map_2, points);
   points.spread(pair->plane.spread);
   found.normal = pair->plane.normal;
-  if (area < large * smaller) {
-    found.points[found.n++] = sum_points(*pair, points, nullptr, true);
-    return found;
-  }
-  const bool is_of_first = area_1 <= area_2;
-  for (const FaceFunction& shape : shape_functions(is_of_first ? first.is_triangle : second.is_triangle)) {
-    const OverlapShare point = sum_points(*pair, points, &shape, is_of_first);
-    if (point.area > negligible * points.area) found.points[found.n++] = point;
+  const auto shapes = shape_functions(reach.is_of_first ? first.is_triangle : second.is_triangle);
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    OverlapShare share = share_of(*pair, points, shapes[k], reach.is_of_first);
+    share.corner = k;
+    if (share.area > negligible * points.area) found.points[found.n++] = share;
   }
   return found;
 }

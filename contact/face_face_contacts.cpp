@@ -111,8 +111,9 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
   if (scene.balances) {
     const double depth = did_touch ? any_depth : penalty.depth + 1.5 * closing * scene.coming_dt;
-    return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth}, did_touch,
-                            records);
+    const bool is_of_first = gives_multipliers(candidate);
+    return find_constraints(scene, candidate, first, second,
+                            {scene.coming_dt, margin, reach, depth, is_of_first}, did_touch, records);
   }
   const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
   if (!contact.overlaps) return;
@@ -134,6 +135,15 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
 }
 
+/// Whether the nodes of the first face carry the pressures of an overlap, and not those of the second: those
+/// of the surface with the smaller faces.
+bool FaceFaceContacts::gives_multipliers(const Candidate& candidate) const {
+  const std::uint32_t first = faces_.faces[candidate.first].surface,
+                      second = faces_.faces[candidate.second].surface;
+  if (first == second) return true;
+  return faces_.face_sizes[first] <= (1.0 + 1e-6) * faces_.face_sizes[second];
+}
+
 double FaceFaceContacts::closed_margin(const Candidate& candidate) const {
   return closed_share * std::min(faces_.faces[candidate.first].backing.thickness,
                                  faces_.faces[candidate.second].backing.thickness);
@@ -145,7 +155,6 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
                                         std::vector<ContactRecord>& records) {
   const FaceFaceConstraints found = find_face_face_constraints(first, second, reach);
   const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
-  std::uint8_t part = 0;
   for (const OverlapShare& point : found.all()) {
     FaceFaceContact contact;
     contact.normal = found.normal;
@@ -159,7 +168,9 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
     ContactRecord& record = records.emplace_back(make_record(candidate, contact));
     record.stiffness = 0.0;
     record.is_balanced = true;
-    record.part = part++;
+    record.is_open = found.is_open;
+    record.part = static_cast<std::uint8_t>(point.corner);
+    record.multiplier = (reach.is_of_first ? record.first : record.second).nodes[point.corner];
     record.closing = -apart.dot(found.normal) * scene.coming_dt;
     if (record.is_met() && !scene.is_frozen) touched_[candidate.place] = 1;
   }

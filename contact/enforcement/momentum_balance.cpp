@@ -18,6 +18,11 @@ constexpr double recovery = 0.1, fastest_recovery = 1e-4;
 /// Constraints give way by this share of their mobility, so that forces which move nothing stay bounded.
 constexpr double compliance = 1e-6;
 
+/// Share of the forces of the step before that those of a step begin with. A pass leaves the share r of a slow
+/// mode of gaps g; with a share w of the forces taken over, g(n+1) = r ((2 + w) g(n) - (1 + 2 w) g(n-1) +
+/// w g(n-2)), which for r near 1 stays bounded for w < 2/3 only.
+constexpr double taken_over = 0.5;
+
 /// Forces that change by less in a pass, over their sum, are balanced.
 constexpr double balanced = 1e-5;
 
@@ -39,100 +44,169 @@ void MomentumBalance::begin(const Model& model, const MovingSurface& surface, co
   dt_ = state.next_dt;
   dt_before_ = state.dt;
   points_.clear();
+  next_point_.clear();
+  row_of_node_.assign(surface.faces().n_nodes(), none);
   terms_.clear();
-  plain_.clear();
   tie_terms_.clear();
   rows_.clear();
   tie_rows_.clear();
   loss_ = {};
 }
 
-std::uint32_t MomentumBalance::add_terms(const ContactRecord& record) {
-  const auto first = static_cast<std::uint32_t>(terms_.size());
-  std::vector<CarrierTerm> of_side;
-  const auto add_side = [&](const RecordSide& side, double sign) {
-    of_side.clear();
-    const Eigen::Vector3d beside = -sign * side.radius * record.normal;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = side.weights[static_cast<Eigen::Index>(k)];
-      if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, of_side);
-    }
-    terms_.insert(terms_.end(), of_side.begin(), of_side.end());
+/// The row of a point, a new one if need be: points of one multiplier that look the same way have one. What is
+/// still open stands aside where something closes.
+std::uint32_t MomentumBalance::find_row(const ContactRecord& record, const PairRule& rule) {
+  constexpr double same_way = 0.7;
+  const auto make = [&] {
+    Row& row = rows_.emplace_back();
+    row.rule = &rule;
+    row.is_open = record.is_open;
+    row.normal = record.normal;
+    return static_cast<std::uint32_t>(rows_.size()) - 1;
   };
-  add_side(record.first, 1.0);
-  add_side(record.second, -1.0);
-  for (std::size_t i = first; i < terms_.size(); ++i) {
-    const CarrierTerm& term = terms_[i];
-    const double mobility = mobility_.is_plain(term.carrier) ? mobility_.plain_mobility(term.carrier) : 0.0;
-    plain_.push_back({term.weight, term.weight * mobility});
+  if (record.multiplier == ContactRecord::no_multiplier) return make();
+  std::uint32_t* place = &row_of_node_[record.multiplier];
+  std::uint32_t n = 0;
+  for (; *place != none; place = &rows_[*place].next, ++n) {
+    Row& row = rows_[*place];
+    if (row.rule != &rule || row.normal.normalized().dot(record.normal) < same_way) continue;
+    if (row.is_open == record.is_open) return *place;
+    if (record.is_open) return none;
+    row.first_point = row.last_point = none;
+    row.is_open = false;
+    row.area = row.gap = row.closing = 0.0;
+    return *place;
   }
-  return first;
+  const std::uint32_t made = static_cast<std::uint32_t>(rows_.size());
+  *place = made;  // before the rows may move
+  make();
+  rows_.back().part = n;
+  return made;
 }
 
 void MomentumBalance::add(const ContactRecord& record, const PairRule& rule, double thickness) {
   const auto point = static_cast<std::uint32_t>(points_.size());
   points_.push_back(record);
-  Row row;
-  row.first_term = add_terms(record);
+  next_point_.push_back(none);
+  if (record.touches()) {  // a law that acts besides
+    Row law;
+    law.first_term = static_cast<std::uint32_t>(terms_.size());
+    add_terms(law, record, 1.0);
+    law.n_terms = static_cast<std::uint32_t>(terms_.size()) - law.first_term;
+    push_along(law, record.force_on_first());
+  }
+  if (!record.is_balanced || !(record.area > 0.0)) return;
+  const std::uint32_t index = find_row(record, rule);
+  if (index == none) return;
+  Row& row = rows_[index];
+  if (row.first_point == none) {
+    row.first_point = point;
+    row.normal.setZero();
+    row.thickness = thickness;
+  } else {
+    next_point_[row.last_point] = point;
+  }
+  row.last_point = point;
+  row.area += record.area;
+  row.normal += record.area * record.normal;
+  row.gap += record.area * record.gap;
+  row.closing += record.area * record.closing;
+  row.thickness = std::min(row.thickness, thickness);
+}
+
+/// Adds the terms of a point to those at the end, which are of its row.
+void MomentumBalance::add_terms(const Row& row, const ContactRecord& point, double share) {
+  const auto add_side = [&](const RecordSide& side, double sign) {
+    carriers_.clear();
+    const Eigen::Vector3d beside = -sign * side.radius * point.normal;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double weight = side.weights[static_cast<Eigen::Index>(k)];
+      if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
+    }
+    for (const CarrierTerm& carrier : carriers_) {
+      auto term = std::find_if(terms_.begin() + row.first_term, terms_.end(),
+                               [&](const Term& known) { return known.carrier == carrier.carrier; });
+      if (term == terms_.end()) {
+        terms_.emplace_back().carrier = carrier.carrier;
+        term = terms_.end() - 1;
+      }
+      const double weight = share * carrier.weight;
+      term->normal.head<3>() += weight * point.normal;
+      term->weight += weight;
+      term->turn += weight * carrier.arm.cross(point.normal);
+      term->arm += weight * carrier.arm;
+    }
+  };
+  add_side(point.first, 1.0);
+  add_side(point.second, -1.0);
+}
+
+template <class Visit>
+void MomentumBalance::visit_points(const Row& row, const Visit& visit) {
+  for (std::uint32_t i = row.first_point; i != none; i = next_point_[i]) visit(points_[i]);
+}
+
+/// Completes a row whose points are all there, and pushes with the force that it begins with.
+void MomentumBalance::build(Row& row) {
+  row.gap /= row.area;
+  row.closing /= row.area;
+  row.normal.normalize();
+  row.first_term = static_cast<std::uint32_t>(terms_.size());
+  visit_points(row, [&](const ContactRecord& point) { add_terms(row, point, point.area / row.area); });
   row.n_terms = static_cast<std::uint32_t>(terms_.size()) - row.first_term;
-  Eigen::Matrix3d mobility = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d along = Eigen::Matrix3d::Zero();
   for (std::uint32_t i = row.first_term; i < terms_.size(); ++i) {
-    const CarrierTerm& term = terms_[i];
+    const Term& term = terms_[i];
     row.is_plain = row.is_plain && mobility_.is_plain(term.carrier);
-    mobility += term.weight * term.weight * mobility_.mobility(term.carrier, term.arm);
+    row.mobility += dt_ * mobility_.mobility(term.carrier, term.normal.head<3>(), term.turn);
+    along += dt_ * mobility_.mobility(term.carrier, term.weight, term.arm);
   }
-  if (record.force != 0.0 || !record.tangential.isZero(0.0)) push(row, record.force_on_first());
-  if (!record.is_balanced) return;
-  row.point = point;
-  row.normal = record.normal;
-  row.rule = &rule;
-  row.mobility = dt_ * record.normal.dot(mobility * record.normal);
+  const double deep = std::max(0.0, -row.gap);
+  const double comes_out = std::min(recovery * deep, fastest_recovery * row.thickness);
+  row.start = row.gap - row.closing + std::max(0.0, deep - comes_out);
+  row.slides_freely = !(row.rule->friction > 0.0);
   if (!(row.mobility > 0.0)) return;  // both sides are held or driven
-  const double deep = std::max(0.0, -record.gap);
-  const double may_be = deep > 0.0 ? record.gap + std::min(recovery * deep, fastest_recovery * thickness) : 0.0;
-  row.start = record.gap - record.closing - may_be;
-  row.slides_freely = !(rule.friction > 0.0);
-  if (!row.slides_freely) {
-    row.limit_per_force = rule.place == nullptr ? rule.friction : -1.0;
-    const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - record.normal * record.normal.transpose();
-    row.side_mobility = dt_ * (flat * mobility * flat).cwiseAbs().rowwise().sum().maxCoeff();
-    row.slip = dt_ * in_plane(relative_velocity(record, false), record.normal);
-  }
-  recall(record, row);
-  if (row.force > 0.0 || !row.tangential.isZero(0.0)) push(row, row.force * row.normal + row.tangential);
-  rows_.push_back(row);
+  recall(row);
+  if (row.force > 0.0) push_normal(row, row.force);
+  if (row.slides_freely) return;
+  row.limit_per_force = row.rule->place == nullptr ? row.rule->friction : -1.0;
+  const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - row.normal * row.normal.transpose();
+  row.side_mobility = (flat * along * flat).cwiseAbs().rowwise().sum().maxCoeff();
+  visit_points(row, [&](const ContactRecord& point) {
+    row.slip += dt_ * point.area / row.area * in_plane(relative_velocity(point, false), row.normal);
+  });
+  push_along(row, row.tangential);
+}
+
+MomentumBalance::Memory MomentumBalance::key_of(const Row& row) const {
+  const ContactRecord& point = points_[row.first_point];
+  if (point.multiplier != ContactRecord::no_multiplier)
+    return {kind_of(point), point.multiplier, point.pair, row.part};
+  return {kind_of(point), point.first_place, point.second_place, point.part};
 }
 
 /// A contact point that is new takes over the mean of what its first place has remembered.
-void MomentumBalance::recall(const ContactRecord& record, Row& row) const {
-  const Memory wanted{kind_of(record), record.first_place, record.second_place, record.part};
+void MomentumBalance::recall(Row& row) const {
+  const Memory wanted = key_of(row);
   const auto found = std::ranges::lower_bound(memory_, wanted.key(), {}, &Memory::key);
+  const bool is_known = found != memory_.end() && found->key() == wanted.key();
+  const Memory::Key of_place{wanted.kind, wanted.first, 0, 0};
+  auto begin = is_known ? found : std::ranges::lower_bound(memory_, of_place, {}, &Memory::key);
   double pressure = 0.0;
   Eigen::Vector3d traction = Eigen::Vector3d::Zero(), held = Eigen::Vector3d::Zero();
-  if (found != memory_.end() && found->key() == wanted.key()) {
-    pressure = found->pressure;
-    traction = found->traction;
-    held = found->held;
-  } else {
-    const Memory::Key of_place{wanted.kind, wanted.first, 0, 0};
-    const auto begin = std::ranges::lower_bound(memory_, of_place, {}, &Memory::key);
-    int n = 0;
-    for (auto of_first = begin;
-         of_first != memory_.end() && of_first->kind == wanted.kind && of_first->first == wanted.first;
-         ++of_first, ++n) {
-      pressure += of_first->pressure;
-      traction += of_first->traction;
-      held += of_first->held;
-    }
-    if (n == 0) return;
-    pressure /= n;
-    traction /= n;
-    held /= n;
+  int n = 0;
+  for (; begin != memory_.end() && begin->kind == wanted.kind && begin->first == wanted.first; ++begin) {
+    pressure += begin->pressure;
+    traction += begin->traction;
+    held += begin->held;
+    ++n;
+    if (is_known) break;
   }
-  row.force = record.area * pressure;
+  if (n == 0) return;
+  row.force = taken_over * row.area * pressure / n;
   if (row.slides_freely) return;
-  row.tangential = record.area * in_plane(traction, row.normal);
-  row.held = in_plane(held, row.normal);
+  row.tangential = taken_over * row.area / n * in_plane(traction, row.normal);
+  row.held = in_plane(held / n, row.normal);
 }
 
 void MomentumBalance::add(Tie& tie) {
@@ -179,61 +253,83 @@ void MomentumBalance::add(Tie& tie) {
     Eigen::Matrix3d mobility = Eigen::Matrix3d::Zero();
     for (std::uint32_t i = row.first_term; i < tie_terms_.size(); ++i) {
       const TieTerm& term = tie_terms_[i];
-      mobility += term.weight * mobility_.mobility(term.carrier, term.arm) * term.weight.transpose();
+      mobility += term.weight * mobility_.mobility(term.carrier, 1.0, term.arm) * term.weight.transpose();
     }
     if (!(mobility.trace() > 0.0)) continue;
     const double softer = compliance * mobility.trace();
     row.inverse = (dt_ * (mobility + softer * Eigen::Matrix3d::Identity())).inverse();
     row.start = distance + dt_ * velocity;
-    row.force = axes * point.force;
+    row.force = taken_over * axes * point.force;
     push(row, row.force);
     tie_rows_.push_back(row);
   }
 }
 
-Eigen::Vector3d MomentumBalance::change(const Row& row) const {
+/// The change of velocity along the normals [length/time].
+double MomentumBalance::normal_change(const Row& row) const {
   const std::uint32_t end = row.first_term + row.n_terms;
-  if (!row.is_plain) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::uint32_t i = row.first_term; i < end; ++i)
-      sum += terms_[i].weight * mobility_.change(terms_[i].carrier, terms_[i].arm);
-    return sum;
-  }
   NodeVector sum = NodeVector::Zero();
   for (std::uint32_t i = row.first_term; i < end; ++i)
-    sum += plain_[i][0] * mobility_.plain_change(terms_[i].carrier);
-  return sum.head<3>();
+    sum += terms_[i].normal.cwiseProduct(mobility_.plain_change(terms_[i].carrier));
+  double along = sum.sum();
+  if (row.is_plain) return along;
+  for (std::uint32_t i = row.first_term; i < end; ++i)
+    along += mobility_.turning(terms_[i].carrier).dot(terms_[i].turn);
+  return along;
 }
 
-void MomentumBalance::push(const Row& row, const Eigen::Vector3d& force) {
+Eigen::Vector3d MomentumBalance::change(const Row& row) const {
   const std::uint32_t end = row.first_term + row.n_terms;
-  if (!row.is_plain) {
-    for (std::uint32_t i = row.first_term; i < end; ++i)
-      mobility_.push(terms_[i].carrier, terms_[i].arm, terms_[i].weight * force);
-    return;
-  }
-  NodeVector wide;
-  wide << force, 0.0;
+  NodeVector sum = NodeVector::Zero();
   for (std::uint32_t i = row.first_term; i < end; ++i)
-    mobility_.plain_change(terms_[i].carrier) += plain_[i][1] * wide;
+    sum += terms_[i].weight * mobility_.plain_change(terms_[i].carrier);
+  Eigen::Vector3d along = sum.head<3>();
+  if (row.is_plain) return along;
+  for (std::uint32_t i = row.first_term; i < end; ++i)
+    along += mobility_.turning(terms_[i].carrier).cross(terms_[i].arm);
+  return along;
+}
+
+void MomentumBalance::push_normal(const Row& row, double force) {
+  const std::uint32_t end = row.first_term + row.n_terms;
+  for (std::uint32_t i = row.first_term; i < end; ++i) {
+    const Term& term = terms_[i];
+    if (mobility_.is_plain(term.carrier)) {
+      mobility_.plain_change(term.carrier) += (force * mobility_.plain_mobility(term.carrier)) * term.normal;
+    } else {
+      mobility_.push(term.carrier, force * term.normal.head<3>(), force * term.turn);
+    }
+  }
+}
+
+void MomentumBalance::push_along(const Row& row, const Eigen::Vector3d& force) {
+  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i)
+    mobility_.push(terms_[i].carrier, terms_[i].weight * force, terms_[i].arm.cross(force));
 }
 
 Eigen::Vector3d MomentumBalance::change(const TieRow& row) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i)
-    sum += tie_terms_[i].weight * mobility_.change(tie_terms_[i].carrier, tie_terms_[i].arm);
+  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i) {
+    const TieTerm& term = tie_terms_[i];
+    const Eigen::Vector3d moved = mobility_.plain_change(term.carrier).head<3>();
+    sum += term.weight * (moved + mobility_.turning(term.carrier).cross(term.arm));
+  }
   return sum;
 }
 
 void MomentumBalance::push(const TieRow& row, const Eigen::Vector3d& force) {
-  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i)
-    mobility_.push(tie_terms_[i].carrier, tie_terms_[i].arm, tie_terms_[i].weight.transpose() * force);
+  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i) {
+    const TieTerm& term = tie_terms_[i];
+    const Eigen::Vector3d own = term.weight.transpose() * force;
+    mobility_.push(term.carrier, own, term.arm.cross(own));
+  }
 }
 
 double MomentumBalance::slip_limit(const Row& row) const {
   if (row.limit_per_force >= 0.0) return row.limit_per_force * row.force;
-  ContactRecord record = points_[row.point];
+  ContactRecord record = points_[row.first_point];
   record.force = row.force;
+  record.area = row.area;
   record.slip = row.slip + dt_ * in_plane(change(row), row.normal);
   return row.rule->slip_limit(record, dt_);
 }
@@ -241,23 +337,21 @@ double MomentumBalance::slip_limit(const Row& row) const {
 /// Closes the gap of one point: force <- max(0, force - gap / mobility), and the slip likewise, back on the
 /// cone. Returns by how much the forces have changed.
 double MomentumBalance::pass(Row& row) {
-  const Eigen::Vector3d moved = dt_ * change(row);
-  const double gap = row.start + row.normal.dot(moved) + compliance * row.mobility * row.force;
+  if (!(row.mobility > 0.0)) return 0.0;
+  const double gap = row.start + dt_ * normal_change(row) + compliance * row.mobility * row.force;
   const double force = std::max(0.0, row.force - gap / ((1.0 + compliance) * row.mobility));
   const double by = force - row.force;
   row.force = force;
-  if (row.slides_freely) {
-    if (by != 0.0) push(row, by * row.normal);
-    return std::abs(by);
-  }
-  const Eigen::Vector3d slip = recovery * row.held + row.slip + in_plane(moved, row.normal) +
+  if (by != 0.0) push_normal(row, by);
+  if (row.slides_freely || (force == 0.0 && row.tangential.isZero(0.0))) return std::abs(by);
+  const Eigen::Vector3d slip = recovery * row.held + row.slip + dt_ * in_plane(change(row), row.normal) +
                                compliance * row.side_mobility * row.tangential;
   Eigen::Vector3d tangential = row.tangential - slip / ((1.0 + compliance) * row.side_mobility);
   const double limit = slip_limit(row), size = tangential.norm();
   if (size > limit) tangential *= limit / size;
   const Eigen::Vector3d aside = tangential - row.tangential;
   row.tangential = tangential;
-  push(row, by * row.normal + aside);
+  push_along(row, aside);
   return std::abs(by) + aside.norm();
 }
 
@@ -272,6 +366,8 @@ double MomentumBalance::pass(TieRow& row) {
 
 BalanceReport MomentumBalance::solve(int max_iterations) {
   BalanceReport report;
+  std::erase_if(rows_, [](const Row& row) { return row.first_point == none; });
+  for (Row& row : rows_) build(row);
   while (report.n_iterations < max_iterations) {
     const bool goes_back = report.n_iterations % 2 == 1;
     double changed = 0.0, all = 0.0;
@@ -289,13 +385,15 @@ BalanceReport MomentumBalance::solve(int max_iterations) {
   }
   for (Row& row : rows_) finish(row);
   for (const TieRow& row : tie_rows_) finish(row);
-  memory_.clear();
+  std::vector<Memory> known;
   for (const Row& row : rows_) {
     if (!(row.force > 0.0)) continue;
-    const ContactRecord& point = points_[row.point];
-    memory_.push_back({kind_of(point), point.first_place, point.second_place, point.part,
-                       row.force / point.area, row.tangential / point.area, row.held});
+    Memory& memory = known.emplace_back(key_of(row));
+    memory.pressure = row.force / row.area;
+    memory.traction = row.tangential / row.area;
+    memory.held = row.held;
   }
+  memory_ = std::move(known);
   if (!std::ranges::is_sorted(memory_, {}, &Memory::key))
     std::ranges::stable_sort(memory_, {}, &Memory::key);
   return report;
@@ -320,30 +418,51 @@ Eigen::Vector3d MomentumBalance::relative_velocity(const ContactRecord& record, 
 }
 
 void MomentumBalance::finish(Row& row) {
-  ContactRecord& point = points_[row.point];
-  const Eigen::Vector3d after = relative_velocity(point, false) + change(row);
-  if (row.force > 0.0) {
-    const Eigen::Vector3d before = relative_velocity(point, true);
-    const double normal_before = -0.5 * dt_before_ * row.force * row.normal.dot(before);
-    const double normal_after = -0.5 * dt_ * row.force * row.normal.dot(after);
-    const double along_before = -0.5 * dt_before_ * row.tangential.dot(before);
-    const double along_after = -0.5 * dt_ * row.tangential.dot(after);
+  const Eigen::Vector3d changed = change(row);
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();
+  if (!row.slides_freely) slip = row.slip + dt_ * in_plane(changed, row.normal);
+  const bool slides = !row.slides_freely && row.tangential.norm() >= (1.0 - 1e-9) * slip_limit(row);
+  row.held = slides || !(row.force > 0.0) ? Eigen::Vector3d::Zero() : Eigen::Vector3d(row.held + slip);
+  visit_points(row, [&](ContactRecord& point) {
+    if (!(row.force > 0.0)) return;
+    const double share = point.area / row.area, force = share * row.force;
+    const Eigen::Vector3d tangential = share * row.tangential;
+    const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true),
+                          after = dt_ * (relative_velocity(point, false) + change_at(point));
+    const double normal_before = -0.5 * force * point.normal.dot(before),
+                 normal_after = -0.5 * force * point.normal.dot(after);
+    const double along_before = -0.5 * tangential.dot(before), along_after = -0.5 * tangential.dot(after);
     loss_.impact_before += normal_before;
     loss_.impact_after += normal_after;
     loss_.friction_before += along_before;
     loss_.friction_after += along_after;
     point.impact = normal_before + normal_after;
     point.dissipated = along_before + along_after;
-  }
-  point.force += row.force;
-  point.tangential += row.tangential;
-  if (row.slides_freely) return;
-  const Eigen::Vector3d slip = dt_ * in_plane(after, row.normal);
-  const bool slides = row.tangential.norm() >= (1.0 - 1e-9) * slip_limit(row);
-  point.slip = slides ? slip : Eigen::Vector3d::Zero();
-  row.held = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(row.held + slip);
-  if (!(row.force > 0.0)) row.held.setZero();
-  point.elastic = row.held;
+    point.force += force;
+    point.tangential += tangential;
+    point.elastic = row.held;
+    if (slides) point.slip = slip;
+  });
+}
+
+/// The change of the velocity of a point's first side against its second [length/time].
+Eigen::Vector3d MomentumBalance::change_at(const ContactRecord& point) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const auto add_side = [&](const RecordSide& side, double sign) {
+    carriers_.clear();
+    const Eigen::Vector3d beside = -sign * side.radius * point.normal;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double weight = side.weights[static_cast<Eigen::Index>(k)];
+      if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
+    }
+    for (const CarrierTerm& term : carriers_) {
+      const Eigen::Vector3d moved = mobility_.plain_change(term.carrier).head<3>();
+      sum += term.weight * (moved + mobility_.turning(term.carrier).cross(term.arm));
+    }
+  };
+  add_side(point.first, 1.0);
+  add_side(point.second, -1.0);
+  return sum;
 }
 
 void MomentumBalance::finish(const TieRow& row) {
@@ -375,9 +494,9 @@ void MomentumBalance::renumber(const ContactRenumbering& places) {
   constexpr std::uint32_t gone = ContactRenumbering::gone;
   std::vector<Memory> kept;
   for (Memory known : memory_) {
-    const auto& first = known.kind == 0 ? places.faces : known.kind == 2 ? places.edges : places.rows;
+    const auto& first = known.kind == 0 ? places.nodes : known.kind == 2 ? places.edges : places.rows;
     known.first = first[known.first];
-    if (known.kind != 3) known.second = (known.kind == 2 ? places.edges : places.faces)[known.second];
+    if (known.kind == 1 || known.kind == 2) known.second = (known.kind == 2 ? places.edges : places.faces)[known.second];
     if (known.first != gone && known.second != gone) kept.push_back(known);
   }
   std::ranges::stable_sort(kept, {}, &Memory::key);

@@ -63,24 +63,39 @@ class MomentumBalance {
   void archive(StateArchive& saved);
 
  private:
-  static constexpr std::size_t most_terms = 8;
+  static constexpr std::uint32_t none = 0xffffffff;
 
-  /// A contact point as a row of constraints.
+  /// One constraint: a contact point, or all points whose pressure is that of one node, each along its own
+  /// normal by its share of the area.
   struct Row {
+    std::uint32_t first_point = none, last_point = none;  // in points_, linked by next_point_
+    std::uint32_t next = none;                            // row with the same multiplier
+    std::uint32_t part = 0;                               // number of the row among those
+    bool is_open = false;                                 // nothing of it closes yet
+    bool slides_freely = true;                            // without friction
+    bool is_plain = true;                                 // all carriers are
     std::uint32_t first_term = 0, n_terms = 0;
-    bool is_plain = true;        // all carriers are
-    bool slides_freely = true;   // without friction
-    std::uint32_t point = 0;     // in points_
-    Eigen::Vector3d normal;      // [1]
-    double start = 0.0;          // gap at the end of the step without forces, less what it may be [length]
-    double mobility = 0.0;       // gap per normal force [length/force]
-    double side_mobility = 0.0;  // slip per tangential force, of the more mobile direction [length/force]
-    double force = 0.0;          // normal [force]
-    double limit_per_force = 0.0;                    // of the tangential force; < 0: the rule says [1]
+    const PairRule* rule = nullptr;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // mean [1]
+    double area = 0.0;                                 // [length^2]
+    double gap = 0.0, closing = 0.0;                   // means by area [length]
+    double thickness = 0.0;                            // of the thinnest side [length]
+    double start = 0.0;         // gap at the end of the step without forces, less what it may be [length]
+    double mobility = 0.0;      // gap per normal force [length/force]
+    double side_mobility = 0.0;      // slip per tangential force, of the more mobile direction [length/force]
+    double force = 0.0;              // normal [force]
+    double limit_per_force = 0.0;    // of the tangential force; < 0: the rule says [1]
     Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
     Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
     Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  // [force]
-    const PairRule* rule = nullptr;
+  };
+  /// What a row has of one carrier: its velocity along the normals, and along any direction.
+  struct Term {
+    std::uint32_t carrier = 0;
+    NodeVector normal = NodeVector::Zero();  // sum of share, weight and normal; the fourth number is 0 [1]
+    double weight = 0.0;                     // sum of share and weight [1]
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero();  // of the normals about the carrier [length]
+    Eigen::Vector3d arm = Eigen::Vector3d::Zero();   // sum of share, weight and arm [length]
   };
   /// A tied point.
   struct TieRow {
@@ -107,16 +122,24 @@ class MomentumBalance {
   };
 
   static std::uint32_t kind_of(const ContactRecord& record);
-  std::uint32_t add_terms(const ContactRecord& record);
-  void recall(const ContactRecord& record, Row& row) const;
+  std::uint32_t find_row(const ContactRecord& record, const PairRule& rule);
+  void build(Row& row);
+  void add_terms(const Row& row, const ContactRecord& point, double share);
+  Memory key_of(const Row& row) const;
+  void recall(Row& row) const;
+  double normal_change(const Row& row) const;
   Eigen::Vector3d change(const Row& row) const;
-  void push(const Row& row, const Eigen::Vector3d& force);
+  void push_normal(const Row& row, double force);
+  void push_along(const Row& row, const Eigen::Vector3d& force);
   Eigen::Vector3d change(const TieRow& row) const;
   void push(const TieRow& row, const Eigen::Vector3d& force);
   double pass(Row& row);
   double pass(TieRow& row);
   double slip_limit(const Row& row) const;
   Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
+  template <class Visit>
+  void visit_points(const Row& row, const Visit& visit);
+  Eigen::Vector3d change_at(const ContactRecord& point);
   void finish(Row& row);
   void finish(const TieRow& row);
 
@@ -124,8 +147,10 @@ class MomentumBalance {
   const MovingSurface* surface_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
   std::vector<ContactRecord> points_;
-  std::vector<CarrierTerm> terms_;
-  std::vector<std::array<double, 2>> plain_;  // [n_terms] weight, weight times mobility
+  std::vector<std::uint32_t> next_point_;     // [n_points] of the same row
+  std::vector<std::uint32_t> row_of_node_;    // [n_contact_nodes] first row with that multiplier
+  std::vector<Term> terms_;
+  std::vector<CarrierTerm> carriers_;         // scratch
   std::vector<TieTerm> tie_terms_;
   std::vector<Row> rows_;
   std::vector<TieRow> tie_rows_;

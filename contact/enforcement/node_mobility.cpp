@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <span>
 
 #include "core/least_mass.hpp"
 
@@ -140,28 +141,29 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
   same->weight = sum;
 }
 
-Eigen::Matrix3d NodeMobility::mobility(std::uint32_t carrier, const Eigen::Vector3d& arm) const {
-  if (is_plain(carrier)) return plain_mobility(carrier) * Eigen::Matrix3d::Identity();
+Eigen::Matrix3d NodeMobility::mobility(std::uint32_t carrier, double weight, const Eigen::Vector3d& arm) const {
+  const double squared = weight * weight;
+  if (is_plain(carrier)) return squared * plain_mobility(carrier) * Eigen::Matrix3d::Identity();
   const General& general = generals_[general_[carrier]];
   const Eigen::Matrix3d cross = cross_matrix(arm);
-  return half_steps_ * (general.translation + cross.transpose() * general.rotation * cross);
+  return half_steps_ * (squared * general.translation + cross.transpose() * general.rotation * cross);
 }
 
-Eigen::Vector3d NodeMobility::change(std::uint32_t carrier, const Eigen::Vector3d& arm) const {
-  const Eigen::Vector3d change = changes_[carrier].head<3>();
-  if (is_plain(carrier)) return change;
-  return change + generals_[general_[carrier]].turning.cross(arm);
+double NodeMobility::mobility(std::uint32_t carrier, const Eigen::Vector3d& along,
+                              const Eigen::Vector3d& turn) const {
+  if (is_plain(carrier)) return plain_mobility(carrier) * along.squaredNorm();
+  const General& general = generals_[general_[carrier]];
+  return half_steps_ * (along.dot(general.translation * along) + turn.dot(general.rotation * turn));
 }
 
-void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& arm, const Eigen::Vector3d& force) {
+void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
   if (is_plain(carrier)) {
     changes_[carrier].head<3>() += plain_mobility(carrier) * force;
     return;
   }
   General& general = generals_[general_[carrier]];
-  const Eigen::Vector3d impulse = half_steps_ * force;
-  changes_[carrier].head<3>() += general.translation * impulse;
-  general.turning += general.rotation * arm.cross(impulse);
+  changes_[carrier].head<3>() += general.translation * (half_steps_ * force);
+  general.turning += general.rotation * (half_steps_ * moment);
 }
 
 }  // namespace contactsim

@@ -41,17 +41,23 @@ class NodeMobility {
   bool is_plain(std::uint32_t carrier) const { return general_[carrier] == none; }
   /// Change of velocity over force of a plain carrier [time/mass].
   double plain_mobility(std::uint32_t carrier) const { return half_steps_ * inverse_mass_[carrier]; }
-  /// The change of velocity of a point per force at the point [time/mass].
-  Eigen::Matrix3d mobility(std::uint32_t carrier, const Eigen::Vector3d& arm) const;
+  /// The change of velocity of a point per force at the point, times the square of a weight [time/mass].
+  ///   arm  from the carrier to the point, times the weight [length]
+  Eigen::Matrix3d mobility(std::uint32_t carrier, double weight, const Eigen::Vector3d& arm) const;
+  /// The same along generalised directions.
+  ///   along  of the carrier's velocity [1]
+  ///   turn   of its angular velocity [length]
+  double mobility(std::uint32_t carrier, const Eigen::Vector3d& along, const Eigen::Vector3d& turn) const;
 
-  /// The changes of velocity so far, of a plain carrier.
+  /// The changes of velocity so far [length/time], and of angular velocity [1/time].
   NodeVector& plain_change(std::uint32_t carrier) { return changes_[carrier]; }
   const NodeVector& plain_change(std::uint32_t carrier) const { return changes_[carrier]; }
-  /// The change of velocity of a point that moves with a carrier [length/time].
-  Eigen::Vector3d change(std::uint32_t carrier, const Eigen::Vector3d& arm) const;
-  /// Pushes a point that moves with a carrier.
-  ///   force  over the coming step [force]
-  void push(std::uint32_t carrier, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
+  Eigen::Vector3d turning(std::uint32_t carrier) const {
+    return is_plain(carrier) ? Eigen::Vector3d::Zero() : generals_[general_[carrier]].turning;
+  }
+  /// Pushes a carrier.
+  ///   force, moment  over the coming step [force] [force length]
+  void push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
