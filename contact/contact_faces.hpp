@@ -86,7 +86,6 @@ struct ContactFaces {
   std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
   std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
   std::vector<double> mass;                ///< [n_contact_nodes] [mass]
-  std::vector<double> face_sizes;          ///< [n_surfaces] mean area of the faces at the start [length^2]
   PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }

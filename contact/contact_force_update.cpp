@@ -39,12 +39,6 @@ ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) cons
   };
   if (std::ranges::any_of(setup_.contact.pairs, is_of_faces)) measure_sharpness(start, faces);
   add_backing(setup_.model, faces);
-  faces.face_sizes.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
-  for (std::uint32_t i = 0; i < faces.face_sizes.size(); ++i) {
-    const std::uint32_t begin = faces.first_face[i], end = faces.first_face[i + 1];
-    for (std::uint32_t face = begin; face < end; ++face)
-      faces.face_sizes[i] += start.area(faces.faces[face]).norm() / (end - begin);
-  }
   return faces;
 }
 

@@ -19,8 +19,6 @@ struct RecordSide {
 
 /// One place where two sides meet in a step: a pair of faces, a node and a face, two edges, a tied point.
 struct ContactRecord {
-  static constexpr std::uint32_t no_multiplier = 0xffffffff;
-
   std::uint32_t pair = 0;          ///< position in the list of surface pairs
   std::uint32_t first_place = 0;   ///< face, surface node or edge
   std::uint32_t second_place = 0;  ///< face or edge
@@ -28,11 +26,7 @@ struct ContactRecord {
   bool is_swapped = false;     ///< the first side is of the pair's second surface
   bool is_held_apart = false;  ///< a law acts on it whether it touches or not
   bool is_balanced = false;    ///< its force comes from the balance of momentum, not from its gap
-  bool is_open = false;        ///< is_balanced: nothing of it closes yet
   std::uint8_t part = 0;       ///< of several contact points between the same places
-  /// Contact node whose shape function weights the point; points of one node have one pressure. Of points
-  /// that stand alone `no_multiplier`.
-  std::uint32_t multiplier = no_multiplier;
   RecordSide first, second;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
   double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]

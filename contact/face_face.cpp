@@ -195,13 +195,14 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
 
 namespace {
 
-/// The part of an overlap that a corner has, by its shape function on one of the faces.
-OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction& shape,
+/// The part of an overlap that a corner has, by its shape function on one of the faces; all of it without one.
+OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction* shape,
                       bool is_of_first) {
   FaceMoments on_first{}, on_second{};
   for (const OverlapBatch& batch : points.batches()) {
-    const Lanes f = batch.weight * (is_of_first ? evaluate(shape, batch.xi_1, batch.eta_1)
-                                                : evaluate(shape, batch.xi_2, batch.eta_2));
+    Lanes f = batch.weight;
+    if (shape != nullptr)
+      f *= is_of_first ? evaluate(*shape, batch.xi_1, batch.eta_1) : evaluate(*shape, batch.xi_2, batch.eta_2);
     add_moments(f, batch.xi_1, batch.eta_1, on_first);
     add_moments(f, batch.xi_2, batch.eta_2, on_second);
   }
@@ -224,27 +225,36 @@ std::span<const FaceFunction> shape_functions(bool is_triangle) {
 
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintReach& reach) {
-  constexpr double negligible = 1e-9;  // of an area
+  constexpr double large = 0.5, negligible = 1e-6;  // of an area
   FaceFaceConstraints found;
   auto pair = project_pair(first, second, reach.ahead);
   if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
   make_maps(first, second, *pair);
   OverlapPolygon whole = overlap_of(*pair);
-  const double area = whole.area();
-  if (!(area > 0.0)) return found;
+  if (!whole.has_area()) return found;
+  const double area_1 = std::abs(area_vector(first.x).dot(pair->plane.normal)),
+               area_2 = std::abs(area_vector(second.x).dot(pair->plane.normal));
+  const double smaller = std::min(area_1, area_2);
   set_gaps(pair->map_1, pair->map_2, whole);
   std::array<OverlapPolygon, 2> scratch;
   const OverlapPolygon* part = &part_between(-reach.depth, reach.margin, whole, scratch);
-  found.is_open = !(part->area() > negligible * area);
-  if (found.is_open) part = &part_between(-reach.depth, std::max(reach.near, reach.margin), whole, scratch);
-  if (!(part->area() > negligible * area)) return found;
+  const double closed = part->area();
+  if (!(closed > 0.0) && reach.near > reach.margin)
+    part = &part_between(-reach.depth, reach.near, whole, scratch);
+  const double area = closed > 0.0 ? closed : part->area();
+  if (!(area > negligible * smaller)) return found;
   OverlapPoints points;
   place_points(*part, pair->map_1, pair->map_2, points);
   points.spread(pair->plane.spread);
   found.normal = pair->plane.normal;
-  const auto shapes = shape_functions(reach.is_of_first ? first.is_triangle : second.is_triangle);
+  if (area < large * smaller) {
+    found.points[found.n++] = share_of(*pair, points, nullptr, true);
+    return found;
+  }
+  const bool is_of_first = area_1 <= area_2;
+  const auto shapes = shape_functions(is_of_first ? first.is_triangle : second.is_triangle);
   for (std::size_t k = 0; k < shapes.size(); ++k) {
-    OverlapShare share = share_of(*pair, points, shapes[k], reach.is_of_first);
+    OverlapShare share = share_of(*pair, points, &shapes[k], is_of_first);
     share.corner = k;
     if (share.area > negligible * points.area) found.points[found.n++] = share;
   }

@@ -59,10 +59,9 @@ struct ConstraintReach {
   double margin = 0.0;  ///< gaps up to it count as closed, > 0 [length]
   double near = 0.0;    ///< where no gap closes those up to it may close soon, >= margin [length]
   double depth = 0.0;   ///< what lies deeper is another wall [length]
-  bool is_of_first = true;  ///< the first face's shape functions share out the overlap
 };
 
-/// The part of an overlap that one corner of a face has.
+/// The part of an overlap that one corner of a face has; of a small overlap all of it.
 struct OverlapShare {
   double area = 0.0;                     ///< [length^2]
   Eigen::Vector4d weights_1, weights_2;  ///< of the corners, sum 1 each [1]
@@ -72,18 +71,18 @@ struct OverlapShare {
 /// The contact points of two faces.
 struct FaceFaceConstraints {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
-  bool is_open = false;  ///< nothing closes in the coming step
   std::size_t n = 0;
   std::array<OverlapShare, 4> points;
 
   std::span<const OverlapShare> all() const { return {points.data(), n}; }
 };
 
-/// Finds the part of the overlap of two faces whose gap closes in the coming step, and shares it out among the
-/// corners of one face by their shape functions. All overlaps of a corner together make one constraint: its
-/// weighted gap. Seen along the normal both sides of a share coincide now, so that equal and opposite forces
+/// Finds the part of the overlap of two faces whose gap closes in the coming step, else what may close soon, and
+/// shares it out among the corners of the smaller face by their shape functions: so the points carry any
+/// pressure that is linear over it, and a uniform one exactly. A part that is less than half of the smaller face
+/// is one point. Seen along the normal both sides of a point coincide now, so that equal and opposite forces
 /// leave no moment.
-/// Source: weighted gaps of the mortar method, Puso and Laursen (2004), eq. 12.
+/// Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintReach& reach);
 

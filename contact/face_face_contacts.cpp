@@ -111,9 +111,8 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
   if (scene.balances) {
     const double depth = did_touch ? any_depth : penalty.depth + 1.5 * closing * scene.coming_dt;
-    const bool is_of_first = gives_multipliers(candidate);
-    return find_constraints(scene, candidate, first, second,
-                            {scene.coming_dt, margin, reach, depth, is_of_first}, did_touch, records);
+    return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth}, did_touch,
+                            records);
   }
   const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
   if (!contact.overlaps) return;
@@ -133,15 +132,6 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   record.elastic = elastic_[candidate.place];
   add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
   if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
-}
-
-/// Whether the nodes of the first face carry the pressures of an overlap, and not those of the second: those
-/// of the surface with the smaller faces.
-bool FaceFaceContacts::gives_multipliers(const Candidate& candidate) const {
-  const std::uint32_t first = faces_.faces[candidate.first].surface,
-                      second = faces_.faces[candidate.second].surface;
-  if (first == second) return true;
-  return faces_.face_sizes[first] <= (1.0 + 1e-6) * faces_.face_sizes[second];
 }
 
 double FaceFaceContacts::closed_margin(const Candidate& candidate) const {
@@ -168,9 +158,7 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
     ContactRecord& record = records.emplace_back(make_record(candidate, contact));
     record.stiffness = 0.0;
     record.is_balanced = true;
-    record.is_open = found.is_open;
     record.part = static_cast<std::uint8_t>(point.corner);
-    record.multiplier = (reach.is_of_first ? record.first : record.second).nodes[point.corner];
     record.closing = -apart.dot(found.normal) * scene.coming_dt;
     if (record.is_met() && !scene.is_frozen) touched_[candidate.place] = 1;
   }

@@ -50,7 +50,6 @@ class FaceFaceContacts {
   void find_constraints(const ContactScene& scene, const Candidate& candidate, const MovingFace& first,
                         const MovingFace& second, const ConstraintReach& reach, bool did_touch,
                         std::vector<ContactRecord>& records);
-  bool gives_multipliers(const Candidate& candidate) const;
   /// Gaps up to it count as closed where momentum is balanced [length].
   double closed_margin(const Candidate& candidate) const;
   ContactRecord make_record(const Candidate& candidate, const FaceFaceContact& contact) const;

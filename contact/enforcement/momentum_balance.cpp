@@ -2,9 +2,9 @@
 #include "contact/enforcement/momentum_balance.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/state_archive.hpp"
 
@@ -12,19 +12,20 @@ namespace contactsim {
 
 namespace {
 
-/// Share of a penetration that comes out in a step, and the most of it, over the thickness.
-constexpr double recovery = 0.1, fastest_recovery = 1e-4;
+/// The most of a penetration that comes out in a step, over the thickness, and the share of a slip held by
+/// friction.
+constexpr double fastest_recovery = 2e-4, recovery = 0.1;
 
-/// Constraints give way by this share of their mobility, so that forces which move nothing stay bounded.
+/// Constraints give way by this share of their softness, so that forces which move nothing stay bounded.
 constexpr double compliance = 1e-6;
 
-/// Share of the forces of the step before that those of a step begin with. A pass leaves the share r of a slow
-/// mode of gaps g; with a share w of the forces taken over, g(n+1) = r ((2 + w) g(n) - (1 + 2 w) g(n-1) +
-/// w g(n-2)), which for r near 1 stays bounded for w < 2/3 only.
+/// Share of the forces of the step before that those of a step begin with. Where passes leave the share r of a
+/// slow mode of gaps g, a share w taken over makes g(n+1) = r ((2 + w) g(n) - (1 + 2 w) g(n-1) + w g(n-2)), which
+/// for r near 1 stays bounded for w < 2/3 only.
 constexpr double taken_over = 0.5;
 
 /// Forces that change by less in a pass, over their sum, are balanced.
-constexpr double balanced = 1e-5;
+constexpr double balanced = 1e-4;
 
 Eigen::Vector3d in_plane(const Eigen::Vector3d& vector, const Eigen::Vector3d& normal) {
   return vector - normal.dot(vector) * normal;
@@ -44,8 +45,6 @@ void MomentumBalance::begin(const Model& model, const MovingSurface& surface, co
   dt_ = state.next_dt;
   dt_before_ = state.dt;
   points_.clear();
-  next_point_.clear();
-  row_of_node_.assign(surface.faces().n_nodes(), none);
   terms_.clear();
   tie_terms_.clear();
   rows_.clear();
@@ -53,141 +52,50 @@ void MomentumBalance::begin(const Model& model, const MovingSurface& surface, co
   loss_ = {};
 }
 
-/// The row of a point, a new one if need be: points of one multiplier that look the same way have one. What is
-/// still open stands aside where something closes.
-std::uint32_t MomentumBalance::find_row(const ContactRecord& record, const PairRule& rule) {
-  constexpr double same_way = 0.7;
-  const auto make = [&] {
-    Row& row = rows_.emplace_back();
-    row.rule = &rule;
-    row.is_open = record.is_open;
-    row.normal = record.normal;
-    return static_cast<std::uint32_t>(rows_.size()) - 1;
-  };
-  if (record.multiplier == ContactRecord::no_multiplier) return make();
-  std::uint32_t* place = &row_of_node_[record.multiplier];
-  std::uint32_t n = 0;
-  for (; *place != none; place = &rows_[*place].next, ++n) {
-    Row& row = rows_[*place];
-    if (row.rule != &rule || row.normal.normalized().dot(record.normal) < same_way) continue;
-    if (row.is_open == record.is_open) return *place;
-    if (record.is_open) return none;
-    row.first_point = row.last_point = none;
-    row.is_open = false;
-    row.area = row.gap = row.closing = 0.0;
-    return *place;
-  }
-  const std::uint32_t made = static_cast<std::uint32_t>(rows_.size());
-  *place = made;  // before the rows may move
-  make();
-  rows_.back().part = n;
-  return made;
-}
-
-void MomentumBalance::add(const ContactRecord& record, const PairRule& rule, double thickness) {
-  const auto point = static_cast<std::uint32_t>(points_.size());
-  points_.push_back(record);
-  next_point_.push_back(none);
-  if (record.touches()) {  // a law that acts besides
-    Row law;
-    law.first_term = static_cast<std::uint32_t>(terms_.size());
-    add_terms(law, record, 1.0);
-    law.n_terms = static_cast<std::uint32_t>(terms_.size()) - law.first_term;
-    push_along(law, record.force_on_first());
-  }
-  if (!record.is_balanced || !(record.area > 0.0)) return;
-  const std::uint32_t index = find_row(record, rule);
-  if (index == none) return;
-  Row& row = rows_[index];
-  if (row.first_point == none) {
-    row.first_point = point;
-    row.normal.setZero();
-    row.thickness = thickness;
-  } else {
-    next_point_[row.last_point] = point;
-  }
-  row.last_point = point;
-  row.area += record.area;
-  row.normal += record.area * record.normal;
-  row.gap += record.area * record.gap;
-  row.closing += record.area * record.closing;
-  row.thickness = std::min(row.thickness, thickness);
-}
-
-/// Adds the terms of a point to those at the end, which are of its row.
-void MomentumBalance::add_terms(const Row& row, const ContactRecord& point, double share) {
+void MomentumBalance::add_terms(const ContactRecord& record, std::vector<Term>& terms) {
   const auto add_side = [&](const RecordSide& side, double sign) {
     carriers_.clear();
-    const Eigen::Vector3d beside = -sign * side.radius * point.normal;
+    const Eigen::Vector3d beside = -sign * side.radius * record.normal;
     for (std::size_t k = 0; k < 4; ++k) {
       const double weight = side.weights[static_cast<Eigen::Index>(k)];
       if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
     }
-    for (const CarrierTerm& carrier : carriers_) {
-      auto term = std::find_if(terms_.begin() + row.first_term, terms_.end(),
-                               [&](const Term& known) { return known.carrier == carrier.carrier; });
-      if (term == terms_.end()) {
-        terms_.emplace_back().carrier = carrier.carrier;
-        term = terms_.end() - 1;
-      }
-      const double weight = share * carrier.weight;
-      term->normal.head<3>() += weight * point.normal;
-      term->weight += weight;
-      term->turn += weight * carrier.arm.cross(point.normal);
-      term->arm += weight * carrier.arm;
-    }
+    for (const CarrierTerm& term : carriers_) terms.push_back({term.carrier, term.weight, term.weight * term.arm});
   };
-  add_side(point.first, 1.0);
-  add_side(point.second, -1.0);
+  add_side(record.first, 1.0);
+  add_side(record.second, -1.0);
 }
 
-template <class Visit>
-void MomentumBalance::visit_points(const Row& row, const Visit& visit) {
-  for (std::uint32_t i = row.first_point; i != none; i = next_point_[i]) visit(points_[i]);
-}
-
-/// Completes a row whose points are all there, and pushes with the force that it begins with.
-void MomentumBalance::build(Row& row) {
-  row.gap /= row.area;
-  row.closing /= row.area;
-  row.normal.normalize();
+void MomentumBalance::add(const ContactRecord& record, const PairRule& rule, double thickness) {
+  Row row;
+  row.point = static_cast<std::uint32_t>(points_.size());
+  points_.push_back(record);
   row.first_term = static_cast<std::uint32_t>(terms_.size());
-  visit_points(row, [&](const ContactRecord& point) { add_terms(row, point, point.area / row.area); });
+  add_terms(record, terms_);
   row.n_terms = static_cast<std::uint32_t>(terms_.size()) - row.first_term;
-  Eigen::Matrix3d along = Eigen::Matrix3d::Zero();
-  for (std::uint32_t i = row.first_term; i < terms_.size(); ++i) {
-    const Term& term = terms_[i];
-    row.is_plain = row.is_plain && mobility_.is_plain(term.carrier);
-    row.mobility += dt_ * mobility_.mobility(term.carrier, term.normal.head<3>(), term.turn);
-    along += dt_ * mobility_.mobility(term.carrier, term.weight, term.arm);
+  if (record.touches()) {  // a law that acts besides
+    const Eigen::Vector3d force = record.force_on_first();
+    for (std::uint32_t i = row.first_term; i < terms_.size(); ++i)
+      mobility_.push(terms_[i].carrier, terms_[i].weight * force, terms_[i].arm.cross(force));
   }
-  const double deep = std::max(0.0, -row.gap);
-  const double comes_out = std::min(recovery * deep, fastest_recovery * row.thickness);
-  row.start = row.gap - row.closing + std::max(0.0, deep - comes_out);
-  row.slides_freely = !(row.rule->friction > 0.0);
-  if (!(row.mobility > 0.0)) return;  // both sides are held or driven
-  recall(row);
-  if (row.force > 0.0) push_normal(row, row.force);
-  if (row.slides_freely) return;
-  row.limit_per_force = row.rule->place == nullptr ? row.rule->friction : -1.0;
-  const Eigen::Matrix3d flat = Eigen::Matrix3d::Identity() - row.normal * row.normal.transpose();
-  row.side_mobility = (flat * along * flat).cwiseAbs().rowwise().sum().maxCoeff();
-  visit_points(row, [&](const ContactRecord& point) {
-    row.slip += dt_ * point.area / row.area * in_plane(relative_velocity(point, false), row.normal);
-  });
-  push_along(row, row.tangential);
-}
-
-MomentumBalance::Memory MomentumBalance::key_of(const Row& row) const {
-  const ContactRecord& point = points_[row.first_point];
-  if (point.multiplier != ContactRecord::no_multiplier)
-    return {kind_of(point), point.multiplier, point.pair, row.part};
-  return {kind_of(point), point.first_place, point.second_place, point.part};
+  if (!record.is_balanced || !(record.area > 0.0)) return;
+  for (std::uint32_t i = row.first_term; i < terms_.size(); ++i)
+    row.is_plain = row.is_plain && mobility_.is_plain(terms_[i].carrier);
+  row.rule = &rule;
+  row.normal = record.normal;
+  row.start = record.gap - record.closing + std::max(0.0, -record.gap - fastest_recovery * thickness);
+  row.slides_freely = !(rule.friction > 0.0);
+  if (!row.slides_freely) {
+    row.limit_per_force = rule.place == nullptr ? rule.friction : -1.0;
+    row.slip = dt_ * in_plane(relative_velocity(record, false), record.normal);
+  }
+  recall(record, row);
+  rows_.push_back(row);
 }
 
 /// A contact point that is new takes over the mean of what its first place has remembered.
-void MomentumBalance::recall(Row& row) const {
-  const Memory wanted = key_of(row);
+void MomentumBalance::recall(const ContactRecord& record, Row& row) const {
+  const Memory wanted{kind_of(record), record.first_place, record.second_place, record.part};
   const auto found = std::ranges::lower_bound(memory_, wanted.key(), {}, &Memory::key);
   const bool is_known = found != memory_.end() && found->key() == wanted.key();
   const Memory::Key of_place{wanted.kind, wanted.first, 0, 0};
@@ -203,9 +111,9 @@ void MomentumBalance::recall(Row& row) const {
     if (is_known) break;
   }
   if (n == 0) return;
-  row.force = taken_over * row.area * pressure / n;
+  row.force = taken_over * record.area * pressure / n * row.normal;
   if (row.slides_freely) return;
-  row.tangential = taken_over * row.area / n * in_plane(traction, row.normal);
+  row.force += taken_over * record.area / n * in_plane(traction, row.normal);
   row.held = in_plane(held / n, row.normal);
 }
 
@@ -250,153 +158,195 @@ void MomentumBalance::add(Tie& tie) {
       }
     }
     row.n_terms = static_cast<std::uint32_t>(tie_terms_.size()) - row.first_term;
-    Eigen::Matrix3d mobility = Eigen::Matrix3d::Zero();
-    for (std::uint32_t i = row.first_term; i < tie_terms_.size(); ++i) {
-      const TieTerm& term = tie_terms_[i];
-      mobility += term.weight * mobility_.mobility(term.carrier, 1.0, term.arm) * term.weight.transpose();
-    }
-    if (!(mobility.trace() > 0.0)) continue;
-    const double softer = compliance * mobility.trace();
-    row.inverse = (dt_ * (mobility + softer * Eigen::Matrix3d::Identity())).inverse();
     row.start = distance + dt_ * velocity;
     row.force = taken_over * axes * point.force;
-    push(row, row.force);
     tie_rows_.push_back(row);
   }
 }
 
-/// The change of velocity along the normals [length/time].
-double MomentumBalance::normal_change(const Row& row) const {
-  const std::uint32_t end = row.first_term + row.n_terms;
-  NodeVector sum = NodeVector::Zero();
-  for (std::uint32_t i = row.first_term; i < end; ++i)
-    sum += terms_[i].normal.cwiseProduct(mobility_.plain_change(terms_[i].carrier));
-  double along = sum.sum();
-  if (row.is_plain) return along;
-  for (std::uint32_t i = row.first_term; i < end; ++i)
-    along += mobility_.turning(terms_[i].carrier).dot(terms_[i].turn);
-  return along;
+namespace {
+
+/// Bound of how much a matrix lengthens vectors, exact for multiples of the identity.
+double bound_of(const Eigen::Matrix3d& matrix) {
+  const Eigen::Matrix3d sizes = matrix.cwiseAbs();
+  return std::max(sizes.rowwise().sum().maxCoeff(), sizes.colwise().sum().maxCoeff());
+}
+
+}  // namespace
+
+/// By sums of rows: with the areas a > 0 of the points, |A| a <= D a bounds the eigenvalues of D^-1 A by 1
+/// (Collatz and Wielandt). Where nodes are free, D is the lumped mass per area on both sides in series.
+void MomentumBalance::find_softness() {
+  area_of_.assign(mobility_.n_carriers(), {0.0, 0.0});
+  const auto visit_rows = [&](const auto& visit) {
+    for (Row& row : rows_) {
+      const auto terms = std::span(terms_).subspan(row.first_term, row.n_terms);
+      visit(row, points_[row.point].area, terms, [&](const Term& term) {
+        const double turn = row.slides_freely ? mobility_.turn_root(term.carrier, term.arm.cross(row.normal))
+                                              : mobility_.turn_bound(term.carrier) * term.arm.norm();
+        return std::array{std::abs(term.weight), turn};
+      });
+    }
+    for (TieRow& row : tie_rows_) {
+      const auto terms = std::span(tie_terms_).subspan(row.first_term, row.n_terms);
+      visit(row, row.tie->points[row.point].area, terms, [&](const TieTerm& term) {
+        const double bound = bound_of(term.weight);
+        return std::array{bound, mobility_.turn_bound(term.carrier) * bound * term.arm.norm()};
+      });
+    }
+  };
+  visit_rows([&](const auto&, double area, const auto& terms, const auto& sizes_of) {
+    for (const auto& term : terms) {
+      const auto sizes = sizes_of(term);
+      area_of_[term.carrier][0] += area * sizes[0];
+      area_of_[term.carrier][1] += area * sizes[1];
+    }
+  });
+  visit_rows([&](auto& row, double area, const auto& terms, const auto& sizes_of) {
+    double gap = 0.0;
+    for (const auto& term : terms) {
+      const auto sizes = sizes_of(term);
+      gap += mobility_.translation_bound(term.carrier) * sizes[0] * area_of_[term.carrier][0] +
+             sizes[1] * area_of_[term.carrier][1];
+    }
+    row.softness = dt_ * gap / area;
+  });
 }
 
 Eigen::Vector3d MomentumBalance::change(const Row& row) const {
-  const std::uint32_t end = row.first_term + row.n_terms;
   NodeVector sum = NodeVector::Zero();
-  for (std::uint32_t i = row.first_term; i < end; ++i)
-    sum += terms_[i].weight * mobility_.plain_change(terms_[i].carrier);
-  Eigen::Vector3d along = sum.head<3>();
-  if (row.is_plain) return along;
-  for (std::uint32_t i = row.first_term; i < end; ++i)
-    along += mobility_.turning(terms_[i].carrier).cross(terms_[i].arm);
-  return along;
-}
-
-void MomentumBalance::push_normal(const Row& row, double force) {
-  const std::uint32_t end = row.first_term + row.n_terms;
-  for (std::uint32_t i = row.first_term; i < end; ++i) {
-    const Term& term = terms_[i];
-    if (mobility_.is_plain(term.carrier)) {
-      mobility_.plain_change(term.carrier) += (force * mobility_.plain_mobility(term.carrier)) * term.normal;
-    } else {
-      mobility_.push(term.carrier, force * term.normal.head<3>(), force * term.turn);
-    }
-  }
-}
-
-void MomentumBalance::push_along(const Row& row, const Eigen::Vector3d& force) {
-  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i)
-    mobility_.push(terms_[i].carrier, terms_[i].weight * force, terms_[i].arm.cross(force));
+  for (const Term& term : std::span(terms_).subspan(row.first_term, row.n_terms))
+    sum += term.weight * mobility_.change(term.carrier);
+  Eigen::Vector3d changed = sum.head<3>();
+  if (row.is_plain) return changed;
+  for (const Term& term : std::span(terms_).subspan(row.first_term, row.n_terms))
+    changed += mobility_.turning(term.carrier).cross(term.arm);
+  return changed;
 }
 
 Eigen::Vector3d MomentumBalance::change(const TieRow& row) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i) {
-    const TieTerm& term = tie_terms_[i];
-    const Eigen::Vector3d moved = mobility_.plain_change(term.carrier).head<3>();
+  for (const TieTerm& term : std::span(tie_terms_).subspan(row.first_term, row.n_terms)) {
+    const Eigen::Vector3d moved = mobility_.change(term.carrier).head<3>();
     sum += term.weight * (moved + mobility_.turning(term.carrier).cross(term.arm));
   }
   return sum;
 }
 
-void MomentumBalance::push(const TieRow& row, const Eigen::Vector3d& force) {
-  for (std::uint32_t i = row.first_term; i < row.first_term + row.n_terms; ++i) {
-    const TieTerm& term = tie_terms_[i];
-    const Eigen::Vector3d own = term.weight.transpose() * force;
-    mobility_.push(term.carrier, own, term.arm.cross(own));
+/// Has the carriers move by the forces that the next pass looks at.
+void MomentumBalance::push_all() {
+  mobility_.begin_pass();
+  for (const Row& row : rows_) {
+    if (row.ahead.isZero(0.0)) continue;
+    for (const Term& term : std::span(terms_).subspan(row.first_term, row.n_terms)) {
+      if (row.is_plain) {
+        mobility_.push_plain(term.carrier, term.weight * row.ahead);
+      } else {
+        mobility_.push(term.carrier, term.weight * row.ahead, term.arm.cross(row.ahead));
+      }
+    }
+  }
+  for (const TieRow& row : tie_rows_) {
+    for (const TieTerm& term : std::span(tie_terms_).subspan(row.first_term, row.n_terms)) {
+      const Eigen::Vector3d own = term.weight.transpose() * row.ahead;
+      mobility_.push(term.carrier, own, term.arm.cross(own));
+    }
   }
 }
 
-double MomentumBalance::slip_limit(const Row& row) const {
-  if (row.limit_per_force >= 0.0) return row.limit_per_force * row.force;
-  ContactRecord record = points_[row.first_point];
-  record.force = row.force;
-  record.area = row.area;
+double MomentumBalance::slip_limit(const Row& row, double normal_force) const {
+  if (row.limit_per_force >= 0.0) return row.limit_per_force * normal_force;
+  ContactRecord record = points_[row.point];
+  record.force = normal_force;
   record.slip = row.slip + dt_ * in_plane(change(row), row.normal);
   return row.rule->slip_limit(record, dt_);
 }
 
-/// Closes the gap of one point: force <- max(0, force - gap / mobility), and the slip likewise, back on the
-/// cone. Returns by how much the forces have changed.
-double MomentumBalance::pass(Row& row) {
-  if (!(row.mobility > 0.0)) return 0.0;
-  const double gap = row.start + dt_ * normal_change(row) + compliance * row.mobility * row.force;
-  const double force = std::max(0.0, row.force - gap / ((1.0 + compliance) * row.mobility));
-  const double by = force - row.force;
-  row.force = force;
-  if (by != 0.0) push_normal(row, by);
-  if (row.slides_freely || (force == 0.0 && row.tangential.isZero(0.0))) return std::abs(by);
-  const Eigen::Vector3d slip = recovery * row.held + row.slip + dt_ * in_plane(change(row), row.normal) +
-                               compliance * row.side_mobility * row.tangential;
-  Eigen::Vector3d tangential = row.tangential - slip / ((1.0 + compliance) * row.side_mobility);
-  const double limit = slip_limit(row), size = tangential.norm();
+/// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone.
+Eigen::Vector3d MomentumBalance::next_force(const Row& row) const {
+  const Eigen::Vector3d changed = dt_ * change(row);
+  const double now = row.normal.dot(row.ahead), rate = (1.0 - compliance) / row.softness;
+  const double gap = row.start + row.normal.dot(changed) + compliance * row.softness * now;
+  const double force = std::max(0.0, now - rate * gap);
+  if (row.slides_freely) return force * row.normal;
+  const Eigen::Vector3d slip = recovery * row.held + row.slip + in_plane(changed, row.normal);
+  Eigen::Vector3d tangential = in_plane(row.ahead, row.normal) - rate * slip;
+  const double limit = slip_limit(row, force), size = tangential.norm();
   if (size > limit) tangential *= limit / size;
-  const Eigen::Vector3d aside = tangential - row.tangential;
-  row.tangential = tangential;
-  push_along(row, aside);
-  return std::abs(by) + aside.norm();
+  return force * row.normal + tangential;
 }
 
-double MomentumBalance::pass(TieRow& row) {
-  const double softness = compliance / std::max(row.inverse.trace(), 1e-300);
-  const Eigen::Vector3d distance = row.start + dt_ * change(row) + softness * row.force;
-  const Eigen::Vector3d by = -(row.inverse * distance);
-  row.force += by;
-  push(row, by);
-  return by.norm();
+Eigen::Vector3d MomentumBalance::next_force(const TieRow& row) const {
+  const Eigen::Vector3d distance = row.start + dt_ * change(row) + compliance * row.softness * row.ahead;
+  return row.ahead - (1.0 - compliance) / row.softness * distance;
+}
+
+/// Finds the next forces of all points, and what the pass after looks at: by the momentum beyond them.
+MomentumBalance::Pass MomentumBalance::pass(double momentum) {
+  Pass sums;
+  const auto pass_all = [&](auto& rows) {
+    for (auto& row : rows) {
+      const Eigen::Vector3d force = next_force(row), step = force - row.force, over = row.ahead - force;
+      sums.changed += over.norm();
+      sums.all += force.norm();
+      sums.uphill += row.softness * over.dot(step);
+      row.force = force;
+      row.ahead = force + momentum * step;
+    }
+  };
+  pass_all(tie_rows_);
+  pass_all(rows_);
+  return sums;
 }
 
 BalanceReport MomentumBalance::solve(int max_iterations) {
   BalanceReport report;
-  std::erase_if(rows_, [](const Row& row) { return row.first_point == none; });
-  for (Row& row : rows_) build(row);
+  mobility_.begin_passes();
+  find_softness();
+  // Between sides that are held or driven nothing can be done.
+  std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
+  std::erase_if(tie_rows_, [](const TieRow& row) { return !(row.softness > 0.0); });
+  const auto forget_momentum = [](auto& rows) {
+    for (auto& row : rows) row.ahead = row.force;
+  };
+  forget_momentum(rows_);
+  forget_momentum(tie_rows_);
+  double theta = 1.0;
   while (report.n_iterations < max_iterations) {
-    const bool goes_back = report.n_iterations % 2 == 1;
-    double changed = 0.0, all = 0.0;
-    const auto pass_all = [&](auto& rows) {
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        changed += pass(rows[goes_back ? rows.size() - 1 - i : i]);
-    };
-    pass_all(tie_rows_);
-    pass_all(rows_);
-    for (const Row& row : rows_) all += row.force;
-    for (const TieRow& row : tie_rows_) all += row.force.norm();
+    push_all();
+    const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta * theta));
+    const bool is_last = report.n_iterations + 1 == max_iterations;
+    const Pass sums = pass(is_last ? 0.0 : (theta - 1.0) / next);
+    theta = next;
     ++report.n_iterations;
-    report.residual = all > 0.0 ? changed / all : 0.0;
+    report.residual = sums.all > 0.0 ? sums.changed / sums.all : 0.0;
     if (report.residual <= balanced) break;
+    if (sums.uphill > 0.0) {
+      theta = 1.0;
+      forget_momentum(rows_);
+      forget_momentum(tie_rows_);
+    }
   }
+  forget_momentum(rows_);
+  forget_momentum(tie_rows_);
+  push_all();
   for (Row& row : rows_) finish(row);
   for (const TieRow& row : tie_rows_) finish(row);
-  std::vector<Memory> known;
+  remember();
+  return report;
+}
+
+void MomentumBalance::remember() {
+  memory_.clear();
   for (const Row& row : rows_) {
-    if (!(row.force > 0.0)) continue;
-    Memory& memory = known.emplace_back(key_of(row));
-    memory.pressure = row.force / row.area;
-    memory.traction = row.tangential / row.area;
-    memory.held = row.held;
+    const double force = row.normal.dot(row.force);
+    if (!(force > 0.0)) continue;
+    const ContactRecord& point = points_[row.point];
+    memory_.push_back({kind_of(point), point.first_place, point.second_place, point.part, force / point.area,
+                       in_plane(row.force, row.normal) / point.area, row.held});
   }
-  memory_ = std::move(known);
   if (!std::ranges::is_sorted(memory_, {}, &Memory::key))
     std::ranges::stable_sort(memory_, {}, &Memory::key);
-  return report;
 }
 
 /// The velocity of the first side against the second, in the step before or in the coming one without these
@@ -418,51 +368,29 @@ Eigen::Vector3d MomentumBalance::relative_velocity(const ContactRecord& record, 
 }
 
 void MomentumBalance::finish(Row& row) {
-  const Eigen::Vector3d changed = change(row);
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();
-  if (!row.slides_freely) slip = row.slip + dt_ * in_plane(changed, row.normal);
-  const bool slides = !row.slides_freely && row.tangential.norm() >= (1.0 - 1e-9) * slip_limit(row);
-  row.held = slides || !(row.force > 0.0) ? Eigen::Vector3d::Zero() : Eigen::Vector3d(row.held + slip);
-  visit_points(row, [&](ContactRecord& point) {
-    if (!(row.force > 0.0)) return;
-    const double share = point.area / row.area, force = share * row.force;
-    const Eigen::Vector3d tangential = share * row.tangential;
-    const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true),
-                          after = dt_ * (relative_velocity(point, false) + change_at(point));
-    const double normal_before = -0.5 * force * point.normal.dot(before),
-                 normal_after = -0.5 * force * point.normal.dot(after);
-    const double along_before = -0.5 * tangential.dot(before), along_after = -0.5 * tangential.dot(after);
-    loss_.impact_before += normal_before;
-    loss_.impact_after += normal_after;
-    loss_.friction_before += along_before;
-    loss_.friction_after += along_after;
-    point.impact = normal_before + normal_after;
-    point.dissipated = along_before + along_after;
-    point.force += force;
-    point.tangential += tangential;
-    point.elastic = row.held;
-    if (slides) point.slip = slip;
-  });
-}
-
-/// The change of the velocity of a point's first side against its second [length/time].
-Eigen::Vector3d MomentumBalance::change_at(const ContactRecord& point) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  const auto add_side = [&](const RecordSide& side, double sign) {
-    carriers_.clear();
-    const Eigen::Vector3d beside = -sign * side.radius * point.normal;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = side.weights[static_cast<Eigen::Index>(k)];
-      if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
-    }
-    for (const CarrierTerm& term : carriers_) {
-      const Eigen::Vector3d moved = mobility_.plain_change(term.carrier).head<3>();
-      sum += term.weight * (moved + mobility_.turning(term.carrier).cross(term.arm));
-    }
-  };
-  add_side(point.first, 1.0);
-  add_side(point.second, -1.0);
-  return sum;
+  const double force = row.normal.dot(row.force);
+  if (!(force > 0.0)) return;
+  ContactRecord& point = points_[row.point];
+  const Eigen::Vector3d tangential = in_plane(row.force, row.normal);
+  const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true),
+                        after = dt_ * (relative_velocity(point, false) + change(row));
+  const double normal_before = -0.5 * force * row.normal.dot(before),
+               normal_after = -0.5 * force * row.normal.dot(after);
+  const double along_before = -0.5 * tangential.dot(before), along_after = -0.5 * tangential.dot(after);
+  loss_.impact_before += normal_before;
+  loss_.impact_after += normal_after;
+  loss_.friction_before += along_before;
+  loss_.friction_after += along_after;
+  point.impact = normal_before + normal_after;
+  point.dissipated = along_before + along_after;
+  point.force += force;
+  point.tangential += tangential;
+  if (row.slides_freely) return;
+  const Eigen::Vector3d slip = in_plane(after, row.normal);
+  const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, force);
+  if (slides) point.slip = slip;
+  row.held = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(row.held + slip);
+  point.elastic = row.held;
 }
 
 void MomentumBalance::finish(const TieRow& row) {
@@ -494,9 +422,9 @@ void MomentumBalance::renumber(const ContactRenumbering& places) {
   constexpr std::uint32_t gone = ContactRenumbering::gone;
   std::vector<Memory> kept;
   for (Memory known : memory_) {
-    const auto& first = known.kind == 0 ? places.nodes : known.kind == 2 ? places.edges : places.rows;
+    const auto& first = known.kind == 0 ? places.faces : known.kind == 2 ? places.edges : places.rows;
     known.first = first[known.first];
-    if (known.kind == 1 || known.kind == 2) known.second = (known.kind == 2 ? places.edges : places.faces)[known.second];
+    if (known.kind != 3) known.second = (known.kind == 2 ? places.edges : places.faces)[known.second];
     if (known.first != gone && known.second != gone) kept.push_back(known);
   }
   std::ranges::stable_sort(kept, {}, &Memory::key);

@@ -23,18 +23,21 @@ struct BalanceReport {
 };
 
 /// Forces that let nothing through: at the end of the coming step no contact point penetrates, and tied points
-/// are where they belong. Contact points are constraints on the velocities of their carriers. They are passed
-/// over one by one in a fixed order, to and fro, each getting the force that closes its own gap, pushing only,
-/// with friction returned to the Coulomb cone, until the forces no longer change. Forces begin as those of the
-/// step before. Each force acts on both sides of its point alike.
+/// are where they belong. Contact points are constraints on the velocities of their carriers, which lumped
+/// masses make cheap: A = B M^-1 B^T with one row per point. A pass gives every point the force that would close
+/// its gap if all points around had the same pressure, pushing only, with friction returned to the Coulomb cone;
+/// so a uniform pressure takes one pass, and waves of the mesh's length a few. Passes are accelerated, begin
+/// with half of the forces of the step before, and end when the forces no longer change. Each force acts on
+/// both sides of its point alike. The same bits for any number of threads.
 ///
-/// A point that is still apart may close by its gap; one that penetrates already comes out slowly, so that
-/// nothing is thrown out. What meets loses the energy of the motion of its carriers against each other, once;
-/// elements behind them keep theirs.
+/// A point that is apart may close by its gap; one that penetrates comes out slowly, so that nothing is thrown
+/// out. What meets loses the energy of the motion of its carriers against each other, once; the elements behind
+/// them keep theirs.
 ///
 /// Source: forward increment Lagrange multipliers of Carpenter, Taylor and Katona, IJNME 32 (1991) 103-128;
-/// momentum balance iterations of Heinstein, Mello, Attaway and Laursen, CMAME 187 (2000) 621-640; projected
-/// Gauss-Seidel as in Jean, CMAME 177 (1999) 235-257.
+/// momentum balance iterations of Heinstein, Mello, Attaway and Laursen, CMAME 187 (2000) 621-640; accelerated
+/// projected gradients of Mazhar, Heyn, Negrut and Tasora, ACM Trans. Graph. 34 (2015) 32, restarted as by
+/// O'Donoghue and Candes, Found. Comput. Math. 15 (2015) 715-732.
 class MomentumBalance {
  public:
   /// Begins a step.
@@ -63,48 +66,36 @@ class MomentumBalance {
   void archive(StateArchive& saved);
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
-
-  /// One constraint: a contact point, or all points whose pressure is that of one node, each along its own
-  /// normal by its share of the area.
-  struct Row {
-    std::uint32_t first_point = none, last_point = none;  // in points_, linked by next_point_
-    std::uint32_t next = none;                            // row with the same multiplier
-    std::uint32_t part = 0;                               // number of the row among those
-    bool is_open = false;                                 // nothing of it closes yet
-    bool slides_freely = true;                            // without friction
-    bool is_plain = true;                                 // all carriers are
-    std::uint32_t first_term = 0, n_terms = 0;
-    const PairRule* rule = nullptr;
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // mean [1]
-    double area = 0.0;                                 // [length^2]
-    double gap = 0.0, closing = 0.0;                   // means by area [length]
-    double thickness = 0.0;                            // of the thinnest side [length]
-    double start = 0.0;         // gap at the end of the step without forces, less what it may be [length]
-    double mobility = 0.0;      // gap per normal force [length/force]
-    double side_mobility = 0.0;      // slip per tangential force, of the more mobile direction [length/force]
-    double force = 0.0;              // normal [force]
-    double limit_per_force = 0.0;    // of the tangential force; < 0: the rule says [1]
-    Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
-    Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
-    Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  // [force]
-  };
-  /// What a row has of one carrier: its velocity along the normals, and along any direction.
+  /// What a row has of one carrier: its velocity along the normal, and along any direction.
   struct Term {
     std::uint32_t carrier = 0;
-    NodeVector normal = NodeVector::Zero();  // sum of share, weight and normal; the fourth number is 0 [1]
-    double weight = 0.0;                     // sum of share and weight [1]
-    Eigen::Vector3d turn = Eigen::Vector3d::Zero();  // of the normals about the carrier [length]
-    Eigen::Vector3d arm = Eigen::Vector3d::Zero();   // sum of share, weight and arm [length]
+    double weight = 0.0;                            // signed [1]
+    Eigen::Vector3d arm = Eigen::Vector3d::Zero();  // from the carrier, times the weight [length]
+  };
+  /// A contact point.
+  struct Row {
+    std::uint32_t point = 0;  // in points_
+    std::uint32_t first_term = 0, n_terms = 0;
+    bool is_plain = true;       // all carriers are
+    bool slides_freely = true;  // without friction
+    const PairRule* rule = nullptr;
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // [1]
+    double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
+    double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
+    double limit_per_force = 0.0;  // of the tangential force; < 0: the rule says [1]
+    Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
+    Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the first side [force]
+    Eigen::Vector3d ahead = Eigen::Vector3d::Zero();  // that the next pass looks at [force]
   };
   /// A tied point.
   struct TieRow {
-    std::uint32_t first_term = 0, n_terms = 0;
-    Eigen::Vector3d start;            // distance at the end of the step without forces [length]
-    Eigen::Matrix3d inverse;          // force per distance [force/length]
-    Eigen::Vector3d force;            // on the first side [force]
     Tie* tie = nullptr;
     std::uint32_t point = 0;  // of the tie
+    std::uint32_t first_term = 0, n_terms = 0;
+    Eigen::Vector3d start = Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
+    double softness = 0.0;                            // as of contact points [length/force]
+    Eigen::Vector3d force = Eigen::Vector3d::Zero(), ahead = Eigen::Vector3d::Zero();  // as of contact points
   };
   struct TieTerm {
     std::uint32_t carrier = 0;
@@ -121,37 +112,37 @@ class MomentumBalance {
     Key key() const { return {kind, first, second, part}; }
   };
 
+  /// Sums of a pass.
+  struct Pass {
+    double changed = 0.0, all = 0.0;  // of forces [force]
+    double uphill = 0.0;              // > 0: the acceleration has gone too far
+  };
+
   static std::uint32_t kind_of(const ContactRecord& record);
-  std::uint32_t find_row(const ContactRecord& record, const PairRule& rule);
-  void build(Row& row);
-  void add_terms(const Row& row, const ContactRecord& point, double share);
-  Memory key_of(const Row& row) const;
-  void recall(Row& row) const;
-  double normal_change(const Row& row) const;
+  void add_terms(const ContactRecord& record, std::vector<Term>& terms);
+  void recall(const ContactRecord& record, Row& row) const;
+  void find_softness();
   Eigen::Vector3d change(const Row& row) const;
-  void push_normal(const Row& row, double force);
-  void push_along(const Row& row, const Eigen::Vector3d& force);
   Eigen::Vector3d change(const TieRow& row) const;
-  void push(const TieRow& row, const Eigen::Vector3d& force);
-  double pass(Row& row);
-  double pass(TieRow& row);
-  double slip_limit(const Row& row) const;
+  void push_all();
+  Eigen::Vector3d next_force(const Row& row) const;
+  Eigen::Vector3d next_force(const TieRow& row) const;
+  double slip_limit(const Row& row, double normal_force) const;
+  Pass pass(double momentum);
   Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
-  template <class Visit>
-  void visit_points(const Row& row, const Visit& visit);
-  Eigen::Vector3d change_at(const ContactRecord& point);
   void finish(Row& row);
   void finish(const TieRow& row);
+  void remember();
 
   NodeMobility mobility_;
   const MovingSurface* surface_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
   std::vector<ContactRecord> points_;
-  std::vector<std::uint32_t> next_point_;     // [n_points] of the same row
-  std::vector<std::uint32_t> row_of_node_;    // [n_contact_nodes] first row with that multiplier
   std::vector<Term> terms_;
-  std::vector<CarrierTerm> carriers_;         // scratch
   std::vector<TieTerm> tie_terms_;
+  std::vector<CarrierTerm> carriers_;            // scratch
+  std::vector<std::array<double, 2>> area_of_;   // [n_carriers] scratch: areas that lean on each, by translation
+                                                 // and by rotation
   std::vector<Row> rows_;
   std::vector<TieRow> tie_rows_;
   std::vector<Memory> memory_;  // ascending by key

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "core/least_mass.hpp"
@@ -11,17 +12,15 @@ namespace contactsim {
 
 namespace {
 
-/// The matrix of the cross product with a vector: cross_matrix(a) b = a x b.
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
-  Eigen::Matrix3d matrix;
-  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return matrix;
-}
-
 /// The free directions of a node; null when no condition acts on it.
 const Eigen::Matrix3d* find_projection(std::span<const FreeDirections> held, NodeIndex node) {
   const auto found = std::ranges::lower_bound(held, node, {}, &FreeDirections::node);
   return found != held.end() && found->node == node ? &found->projection : nullptr;
+}
+
+/// Bound of the largest eigenvalue of a symmetric matrix without negative ones, by the smaller of two bounds.
+double largest_stretch(const Eigen::Matrix3d& symmetric) {
+  return std::min(symmetric.trace(), symmetric.cwiseAbs().rowwise().sum().maxCoeff());
 }
 
 bool is_positive(double mass) { return mass > least_mass; }
@@ -42,8 +41,12 @@ void NodeMobility::begin(const Model& model, const MovingSurface& surface, const
     set_bodies(model);
   }
   changes_.assign(inverse_mass_.size(), NodeVector::Zero());
-  for (General& general : generals_) general.turning.setZero();
   turn_bodies(model, state);
+  for (General& general : generals_) {
+    general.turning.setZero();
+    general.translation_bound = largest_stretch(general.translation);
+    general.rotation_bound = largest_stretch(general.rotation);
+  }
 }
 
 /// Returns whether any has changed.
@@ -141,19 +144,28 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
   same->weight = sum;
 }
 
-Eigen::Matrix3d NodeMobility::mobility(std::uint32_t carrier, double weight, const Eigen::Vector3d& arm) const {
-  const double squared = weight * weight;
-  if (is_plain(carrier)) return squared * plain_mobility(carrier) * Eigen::Matrix3d::Identity();
-  const General& general = generals_[general_[carrier]];
-  const Eigen::Matrix3d cross = cross_matrix(arm);
-  return half_steps_ * (squared * general.translation + cross.transpose() * general.rotation * cross);
+double NodeMobility::translation_bound(std::uint32_t carrier) const {
+  if (is_plain(carrier)) return plain_mobility(carrier);
+  return half_steps_ * generals_[general_[carrier]].translation_bound;
 }
 
-double NodeMobility::mobility(std::uint32_t carrier, const Eigen::Vector3d& along,
-                              const Eigen::Vector3d& turn) const {
-  if (is_plain(carrier)) return plain_mobility(carrier) * along.squaredNorm();
-  const General& general = generals_[general_[carrier]];
-  return half_steps_ * (along.dot(general.translation * along) + turn.dot(general.rotation * turn));
+double NodeMobility::turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const {
+  if (is_plain(carrier)) return 0.0;
+  return std::sqrt(std::max(0.0, half_steps_ * turn.dot(generals_[general_[carrier]].rotation * turn)));
+}
+
+double NodeMobility::turn_bound(std::uint32_t carrier) const {
+  return is_plain(carrier) ? 0.0 : std::sqrt(half_steps_ * generals_[general_[carrier]].rotation_bound);
+}
+
+void NodeMobility::begin_passes() {
+  first_changes_ = changes_;
+  for (General& general : generals_) general.first_turning = general.turning;
+}
+
+void NodeMobility::begin_pass() {
+  changes_ = first_changes_;
+  for (General& general : generals_) general.turning = general.first_turning;
 }
 
 void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {

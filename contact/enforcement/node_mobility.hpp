@@ -41,23 +41,28 @@ class NodeMobility {
   bool is_plain(std::uint32_t carrier) const { return general_[carrier] == none; }
   /// Change of velocity over force of a plain carrier [time/mass].
   double plain_mobility(std::uint32_t carrier) const { return half_steps_ * inverse_mass_[carrier]; }
-  /// The change of velocity of a point per force at the point, times the square of a weight [time/mass].
-  ///   arm  from the carrier to the point, times the weight [length]
-  Eigen::Matrix3d mobility(std::uint32_t carrier, double weight, const Eigen::Vector3d& arm) const;
-  /// The same along generalised directions.
-  ///   along  of the carrier's velocity [1]
-  ///   turn   of its angular velocity [length]
-  double mobility(std::uint32_t carrier, const Eigen::Vector3d& along, const Eigen::Vector3d& turn) const;
+  /// The largest change of velocity per force [time/mass].
+  double translation_bound(std::uint32_t carrier) const;
+  /// The square root of the change of angular velocity about a direction per moment, times its length.
+  double turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const;
+  /// The largest of those for unit length.
+  double turn_bound(std::uint32_t carrier) const;
 
-  /// The changes of velocity so far [length/time], and of angular velocity [1/time].
-  NodeVector& plain_change(std::uint32_t carrier) { return changes_[carrier]; }
-  const NodeVector& plain_change(std::uint32_t carrier) const { return changes_[carrier]; }
+  /// Forces that were pushed before stay in all passes.
+  void begin_passes();
+  void begin_pass();
+  /// The changes of velocity so far [length/time], the fourth number is 0, and of angular velocity [1/time].
+  const NodeVector& change(std::uint32_t carrier) const { return changes_[carrier]; }
   Eigen::Vector3d turning(std::uint32_t carrier) const {
     return is_plain(carrier) ? Eigen::Vector3d::Zero() : generals_[general_[carrier]].turning;
   }
   /// Pushes a carrier.
   ///   force, moment  over the coming step [force] [force length]
   void push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment);
+  void push_plain(std::uint32_t carrier, const Eigen::Vector3d& force) {
+    changes_[carrier].head<3>() += plain_mobility(carrier) * force;
+  }
+  std::size_t n_carriers() const { return general_.size(); }
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
@@ -66,7 +71,9 @@ class NodeMobility {
   struct General {
     Eigen::Matrix3d translation = Eigen::Matrix3d::Zero();  // velocity per impulse [1/mass]
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();     // angular velocity per angular impulse
+    double translation_bound = 0.0, rotation_bound = 0.0;   // of the above
     Eigen::Vector3d turning = Eigen::Vector3d::Zero();      // its change so far [1/time]
+    Eigen::Vector3d first_turning = Eigen::Vector3d::Zero();  // before any pass
   };
 
   bool find_free_directions(const Model& model, const State& state);
@@ -80,7 +87,7 @@ class NodeMobility {
   const State* state_ = nullptr;
   std::vector<std::uint32_t> general_;    // [n_carriers] position in generals_, or none
   std::vector<double> inverse_mass_;      // [n_carriers] of plain ones, 0 of held ones [1/mass]
-  std::vector<NodeVector> changes_;       // [n_carriers] of velocity; the fourth number is not used
+  std::vector<NodeVector> changes_, first_changes_;  // [n_carriers] of velocity; those before any pass
   std::vector<General> generals_;
   std::array<std::vector<std::uint8_t>, 4> active_;  // conditions, as the directions below are of
   std::vector<FreeDirections> held_, held_turns_, held_bodies_, held_body_turns_;  // ascending
