@@ -5,8 +5,6 @@
 
 #include <iterator>
 
-#include "core/state_motion.hpp"
-
 namespace contactsim {
 
 std::vector<std::string> ContactDebugFiles::paths() const {
@@ -23,11 +21,7 @@ ContactDebugFiles contact_debug_files(const SimulationDefinition& definition, co
   return files;
 }
 
-std::string format_places_csv(ContactForce& force, const ContactModel& contact, const Mesh& mesh,
-                              const State& state) {
-  std::vector<ContactRecord> places;
-  std::vector<TieForces> ties;
-  force.find_places(motion_of(state), places, ties);
+std::string format_places_csv(const ContactForce& force, const ContactModel& contact, const Mesh& mesh) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   fmt::format_to(
@@ -39,7 +33,7 @@ std::string format_places_csv(ContactForce& force, const ContactModel& contact, 
     return fmt::format("{},{}", mesh.element_id(side.element()), side.side());
   };
   const auto& surfaces = contact.surfaces.surfaces;
-  for (const ContactRecord& place : places) {
+  for (const ContactRecord& place : force.points()) {
     const SurfacePair& pair = contact.pairs[place.pair];
     const bool is_node = place.first.is_node() && !place.is_of_edges;
     const bool is_rigid = place.second.weights.isZero(0.0);

@@ -22,7 +22,6 @@ ContactDebugFiles contact_debug_files(const SimulationDefinition& definition, co
 
 /// The places of contact of a state that the contact force has seen last: pair, faces or node by their ids,
 /// gap, area, normal and tangential force.
-std::string format_places_csv(ContactForce& force, const ContactModel& contact, const Mesh& mesh,
-                              const State& state);
+std::string format_places_csv(const ContactForce& force, const ContactModel& contact, const Mesh& mesh);
 
 }  // namespace contactsim

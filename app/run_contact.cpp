@@ -62,10 +62,10 @@ std::vector<SurfaceChange> RunContact::bury(const State& state, std::span<const 
   return changes;
 }
 
-void RunContact::write_debug_files(const State& state) {
+void RunContact::write_debug_files() {
   if (!debug_.facets.empty())
     write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_), "contact facets");
-  if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_, state));
+  if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_));
 }
 
 void RunContact::add_suffix(const std::string& suffix) {

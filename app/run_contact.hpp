@@ -41,7 +41,7 @@ class RunContact {
 
   /// The files that BEGIN DEBUG asks for, and writing them with the last state. Throws FileError.
   std::vector<std::string> paths() const { return debug_.paths(); }
-  void write_debug_files(const State& state);
+  void write_debug_files();
 
   /// Gives the names of these files an end.
   void add_suffix(const std::string& suffix);

@@ -79,7 +79,7 @@ class Run {
     if (contact_ != nullptr) {
       contact_->warn_of_energy(state_.energies, warnings_);
       log_.write(contact_->report());
-      contact_->write_debug_files(state_);
+      contact_->write_debug_files();
     }
     log_.write(restart_.report());
     write_wall_times(whole);

@@ -134,10 +134,16 @@ bool ContactForce::glues(const ContactRecord& record) const {
   return rule.law == ContactLaw::glued;
 }
 
+/// Adds a contact point whose forces are known to all sums.
+void ContactForce::keep(const ContactRecord& record) {
+  sums_.add(record);
+  points_.push_back(record);
+}
+
 void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   const auto take = [&](const ContactRecord& record) {
-    sums_.add(record);
+    keep(record);
     if (record.touches() && glues(record)) to_glue.push_back(record);
   };
   visit_places(face_face_, scene, [&](const ContactRecord& record) {
@@ -224,6 +230,8 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     surface_.bound_watched();
   }
   sums_.begin_step();
+  points_.clear();
+  held_.begin_step();
   face_face_.begin_step();
   edges_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
@@ -310,7 +318,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   std::vector<ContactRecord> to_glue;
   add_balanced(scene, to_glue);
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
-  for (const ContactRecord& point : balance_.points()) sums_.add(point);
+  for (const ContactRecord& point : balance_.points()) keep(point);
   held_.take_balanced(scene, balance_, glued_, sums_);
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
   write_forces(forces);
@@ -342,21 +350,6 @@ void ContactForce::note_histories(double dt) {
     history.impulse -= dt * step.force;
     history.friction_work += step.dissipated;
   }
-}
-
-void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>& places,
-                               std::vector<TieForces>& ties) {
-  places.clear();
-  ties.clear();
-  surface_.move_nodes(motion);
-  surface_.bound_watched();
-  const ContactScene scene{surface_, rules_, glued_, motion.dt, true};
-  const auto take = [&](const ContactRecord& record) { places.push_back(record); };
-  visit_places(face_face_, scene, take);
-  visit_places(node_face_, scene, take);
-  visit_places(edges_, scene, take);
-  visit_places(planes_, scene, take);
-  held_.find_forces(scene, ties);
 }
 
 }  // namespace contactsim

@@ -75,9 +75,10 @@ class ContactForce final : public ForceTerm {
            edges_.candidates().partners.size() + planes_.n_rows();
   }
 
-  /// The places of contact of the last step, in their order, and the forces of the ties. Changes nothing.
-  ///   motion  of that step
-  void find_places(const Motion& motion, std::vector<ContactRecord>& places, std::vector<TieForces>& ties);
+  /// The contact points of the last step, in their order, and what held places together, as their forces were
+  /// added: what is written is what acted.
+  std::span<const ContactRecord> points() const { return points_; }
+  std::span<const HeldForces> held_forces() const { return held_.forces(); }
 
   /// Saves or restores all that contact remembers between two steps.
   ///   motion  of the step before
@@ -93,7 +94,8 @@ class ContactForce final : public ForceTerm {
   void begin(const Motion& motion);
   void archive_faces(StateArchive& saved);
   void renumber(const ContactRenumbering& places);
-  void forget_stored(const Motion& motion);
+  void forget_stored();
+  void keep(const ContactRecord& record);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
@@ -123,11 +125,13 @@ class ContactForce final : public ForceTerm {
   HeldPlaces held_;
   ContactSums sums_;
   MomentumBalance balance_;
-  bool balances_ = false;                          // some pair is enforced so
-  Eigen::Matrix3Xd free_velocity_, free_turning_;  // of contact nodes in the coming step, without these forces
+  bool balances_ = false;  // some pair is enforced so
+  Eigen::Matrix3Xd free_velocity_,
+      free_turning_;  // of contact nodes in the coming step, without these forces
   MomentumBalance::Loss last_loss_;
   BalanceReport balance_report_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
+  std::vector<ContactRecord> points_;               // of the step
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]

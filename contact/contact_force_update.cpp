@@ -27,6 +27,23 @@ void take_off_new_edges(const ContactFaces& before, ContactFaces& faces) {
   });
 }
 
+/// Whether both sides of a contact point are still there; it has their new numbers then.
+bool keep_point(const ContactRenumbering& places, ContactRecord& point) {
+  constexpr std::uint32_t gone = ContactRenumbering::gone;
+  const bool is_node = point.first.is_node() && !point.is_of_edges;
+  const bool is_plane = point.second.weights.isZero(0.0);
+  point.first_place = (point.is_of_edges ? places.edges
+                       : is_node         ? places.rows
+                                         : places.faces)[point.first_place];
+  if (!is_plane) point.second_place = (point.is_of_edges ? places.edges : places.faces)[point.second_place];
+  if (point.first_place == gone || point.second_place == gone) return false;
+  for (RecordSide* side : {&point.first, &point.second}) {
+    if (side == &point.second && is_plane) continue;
+    for (std::uint32_t& node : side->nodes) node = places.nodes[node];
+  }
+  return true;
+}
+
 }  // namespace
 
 ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) const {
@@ -53,6 +70,7 @@ void ContactForce::renumber(const ContactRenumbering& places) {
   held_.renumber(places);
   sums_.renumber(places);
   balance_.renumber(places);
+  std::erase_if(points_, [&](ContactRecord& point) { return !keep_point(places, point); });
 }
 
 void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes,
@@ -72,19 +90,16 @@ void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode>
   surface_.bound_all();
   surface_.watch(faces_with_candidates());
   has_new_surfaces_ = true;
-  forget_stored(motion);
+  forget_stored();
 }
 
 /// What springs stored that are gone is not given back.
-void ContactForce::forget_stored(const Motion& motion) {
-  std::vector<ContactRecord> places;
-  std::vector<TieForces> ties;
-  find_places(motion, places, ties);
+void ContactForce::forget_stored() {
   std::fill(stored_.begin(), stored_.end(), 0.0);
-  for (const ContactRecord& place : places) {
-    if (place.touches()) stored_[place.pair] += place.stored();
+  for (const ContactRecord& point : points_) {
+    if (point.touches()) stored_[point.pair] += point.stored();
   }
-  for (std::size_t i = 0; i < ties.size(); ++i) stored_[held_[i].pair] += ties[i].stored;
+  for (const HeldForces& held : held_.forces()) stored_[held.place.pair] += held.forces.stored;
 }
 
 }  // namespace contactsim

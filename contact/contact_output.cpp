@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/names.hpp"
-#include "core/state_motion.hpp"
 
 namespace contactsim {
 
@@ -123,7 +122,6 @@ void ContactOutput::look_at(const State& state) {
   if (state.step == step_) return;
   if (step_ < 0) begin();
   step_ = state.step;
-  force_.find_places(motion_of(state), places_, ties_);
   const auto friction = force_.node_friction();
   const auto& first_alike = force_.faces().first_alike;
   for (NodeContact& node : nodes_) {
@@ -139,8 +137,8 @@ void ContactOutput::look_at(const State& state) {
     nodes_[first_alike[node.node]].surface_area += node.area;
   std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
   std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
-  for (const ContactRecord& place : places_) add_place(place);
-  for (std::size_t i = 0; i < ties_.size(); ++i) add_tie(force_.held()[i], ties_[i]);
+  for (const ContactRecord& point : force_.points()) add_place(point);
+  for (const HeldForces& held : force_.held_forces()) add_tie(held.place, held.forces);
 }
 
 void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {

@@ -90,8 +90,6 @@ class ContactOutput {
   std::vector<std::uint32_t> contact_node_;  // [n_nodes] position among the contact nodes, or none
   std::vector<NodeContact> nodes_;           // [n_contact_nodes]
   std::vector<ContactTotal> surfaces_, pairs_;
-  std::vector<ContactRecord> places_;  // scratch
-  std::vector<TieForces> ties_;        // scratch
 };
 
 }  // namespace contactsim

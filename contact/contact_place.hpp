@@ -16,8 +16,8 @@ inline constexpr double known_depth = 1.5;
 /// front: facets of a round surface change that much.
 inline constexpr double shallow_depth = 0.02;
 
-/// Where momentum is balanced, a gap up to this share of an element's thickness counts as closed: what lies on
-/// something else stays in contact through round-off, and a stack falls as one.
+/// Where momentum is balanced, a gap up to this share of an element's thickness counts as closed: what lies
+/// on something else stays in contact through round-off, and a stack falls as one.
 inline constexpr double closed_share = 1e-3;
 
 /// Contact that momentum balance has found once is not let go for its depth [length].

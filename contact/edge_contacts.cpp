@@ -195,7 +195,8 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   if (is_sharp && !touched && scene.dt > 0.0 && record.gap + closed < -shallow) return record;
   const double width = std::min(first.width, second.width);
   const double area = width * (place.length > 0.0 ? place.length : width);
-  push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt, scene.coming_dt, relative}, record);
+  push_node({penalty, rule.pair->damping_fraction, area, relative, scene.dt, scene.coming_dt, relative},
+            record);
   return record;
 }
 

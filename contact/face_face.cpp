@@ -195,14 +195,16 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
 
 namespace {
 
-/// The part of an overlap that a corner has, by its shape function on one of the faces; all of it without one.
+/// The part of an overlap that a corner has, by its shape function on one of the faces; all of it without
+/// one.
 OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction* shape,
                       bool is_of_first) {
   FaceMoments on_first{}, on_second{};
   for (const OverlapBatch& batch : points.batches()) {
     Lanes f = batch.weight;
     if (shape != nullptr)
-      f *= is_of_first ? evaluate(*shape, batch.xi_1, batch.eta_1) : evaluate(*shape, batch.xi_2, batch.eta_2);
+      f *=
+          is_of_first ? evaluate(*shape, batch.xi_1, batch.eta_1) : evaluate(*shape, batch.xi_2, batch.eta_2);
     add_moments(f, batch.xi_1, batch.eta_1, on_first);
     add_moments(f, batch.xi_2, batch.eta_2, on_second);
   }

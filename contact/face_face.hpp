@@ -77,12 +77,11 @@ struct FaceFaceConstraints {
   std::span<const OverlapShare> all() const { return {points.data(), n}; }
 };
 
-/// Finds the part of the overlap of two faces whose gap closes in the coming step, else what may close soon, and
-/// shares it out among the corners of the smaller face by their shape functions: so the points carry any
-/// pressure that is linear over it, and a uniform one exactly. A part that is less than half of the smaller face
-/// is one point. Seen along the normal both sides of a point coincide now, so that equal and opposite forces
-/// leave no moment.
-/// Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
+/// Finds the part of the overlap of two faces whose gap closes in the coming step, else what may close soon,
+/// and shares it out among the corners of the smaller face by their shape functions: so the points carry any
+/// pressure that is linear over it, and a uniform one exactly. A part that is less than half of the smaller
+/// face is one point. Seen along the normal both sides of a point coincide now, so that equal and opposite
+/// forces leave no moment. Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintReach& reach);
 

@@ -111,8 +111,8 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
   if (scene.balances) {
     const double depth = did_touch ? any_depth : penalty.depth + 1.5 * closing * scene.coming_dt;
-    return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth}, did_touch,
-                            records);
+    return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth},
+                            did_touch, records);
   }
   const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
   if (!contact.overlaps) return;

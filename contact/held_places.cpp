@@ -110,6 +110,11 @@ TieForces at_failure(const WeldHold& weld, const HeldPlace& place, TieForces for
 
 }  // namespace
 
+void HeldPlaces::add(const HeldPlace& place, const TieForces& forces, ContactSums& sums) {
+  sums.add(place, forces);
+  forces_.push_back({place, forces});
+}
+
 const HeldPlace& HeldPlaces::operator[](std::size_t i) const {
   if (i < ties_.size()) return ties_[i];
   i -= ties_.size();
@@ -184,6 +189,7 @@ void HeldPlaces::renumber(const ContactRenumbering& places) {
   renumber_all(ties_);
   renumber_all(bonds_);
   renumber_all(fading_);
+  std::erase_if(forces_, [&](HeldForces& held) { return !keep_place(places, held.place); });
 }
 
 void HeldPlaces::step(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums) {
@@ -201,7 +207,7 @@ void HeldPlaces::step_fading(const ContactScene& scene, ContactSums& sums) {
     TieForces now = find_fading_forces(place, x);
     // What the place held and what is done on it while it fades is lost.
     now.dissipated = before.stored - now.stored - work_of(scene, place, 0.5 * (before.forces + now.forces));
-    sums.add(place, now);
+    add(place, now, sums);
   }
   std::erase_if(fading_, [](const FadingPlace& place) { return place.is_over(); });
 }
@@ -233,16 +239,16 @@ void HeldPlaces::take_ties(const ContactScene& scene, bool is_balanced, const Fi
     const TieVectors x = corners_of(scene, tie);
     const TieForces forces = find_forces(tie, x);
     if (rule.law != ContactLaw::welded) {
-      sums.add(tie, forces);
+      add(tie, forces, sums);
       continue;
     }
     const WeldHold& weld = std::get<WeldHold>(*rule.place->hold);
     if (weld_envelope(weld, tie, forces) <= 1.0) {
-      sums.add(tie, forces);
+      add(tie, forces, sums);
       continue;
     }
     const TieForces last = at_failure(weld, tie, forces);
-    sums.add(tie, last);
+    add(tie, last, sums);
     fading_.push_back(make_fading(tie, last, x, rule.place->decay_cycles));
     glued.remove(tie.is_node, tie.first_place, tie.is_node ? tie.pair : tie.second_place);
     tie.area = 0.0;
@@ -258,26 +264,12 @@ void HeldPlaces::step_bonds(const ContactScene& scene, ContactSums& sums) {
     if (!rule.is_active) continue;
     const TieVectors x = corners_of(scene, bond);
     const TieForces forces = step_bond(*rule.place->hold, x, false, bond);
-    sums.add(bond, forces);
+    add(bond, forces, sums);
     if (!bond.has_failed) continue;
     has_failed = true;
     fading_.push_back(make_fading(bond, forces, x, rule.place->decay_cycles));
   }
   if (has_failed) std::erase_if(bonds_, [](const Bond& bond) { return bond.has_failed; });
-}
-
-void HeldPlaces::find_forces(const ContactScene& scene, std::vector<TieForces>& forces) {
-  const TieForces none{TieVectors::Zero(), Eigen::Vector3d::Zero()};
-  const auto add = [&](const HeldPlace& place, const auto& find) {
-    forces.push_back(rule_of(scene, place).is_active ? find(corners_of(scene, place)) : none);
-  };
-  for (const Tie& tie : ties_) add(tie, [&](const TieVectors& x) { return find_tie_forces(tie, x); });
-  for (Bond& bond : bonds_) {
-    const Hold& hold = *rule_of(scene, bond).place->hold;
-    add(bond, [&](const TieVectors& x) { return step_bond(hold, x, true, bond); });
-  }
-  for (const FadingPlace& place : fading_)
-    add(place, [&](const TieVectors& x) { return find_fading_forces(place, x); });
 }
 
 void mark_close_places(const ContactScene& scene, const NearCandidates& candidates, PairRules& rules) {

@@ -20,6 +20,12 @@ struct NearCandidates {
   double size_share = 0.0;  ///< automatic tolerance over the square root of a face's area [1]
 };
 
+/// A place that was held in a step, and by which forces.
+struct HeldForces {
+  HeldPlace place;
+  TieForces forces;
+};
+
 /// All that holds places together: ties of tied, glued and welded pairs, bonds of spring welds, cohesive
 /// zones and threaded joints, and what fades once a weld or a bond has failed. A weld that has failed leaves
 /// its place to contact at once.
@@ -37,13 +43,14 @@ class HeldPlaces {
 
   /// Takes a step: adds all forces, ends what has failed.
   void step(const ContactScene& scene, GluedPlaces& glued, ContactSums& sums);
-  /// The ties of pairs that are enforced by momentum balance: gives them to it, and takes their forces from it,
-  /// ending what has failed.
+  /// The ties of pairs that are enforced by momentum balance: gives them to it, and takes their forces from
+  /// it, ending what has failed.
   void add_balanced(const ContactScene& scene, MomentumBalance& balance);
   void take_balanced(const ContactScene& scene, const MomentumBalance& balance, GluedPlaces& glued,
                      ContactSums& sums);
-  /// The forces of the last step, in the order of at(); all 0 of pairs that do not act.
-  void find_forces(const ContactScene& scene, std::vector<TieForces>& forces);
+  /// What held in the last step, with its forces.
+  std::span<const HeldForces> forces() const { return forces_; }
+  void begin_step() { forces_.clear(); }
 
   std::span<const Tie> ties() const { return ties_; }
   std::span<const Bond> bonds() const { return bonds_; }
@@ -64,6 +71,9 @@ class HeldPlaces {
                  GluedPlaces& glued, ContactSums& sums);
   void step_bonds(const ContactScene& scene, ContactSums& sums);
 
+  void add(const HeldPlace& place, const TieForces& forces, ContactSums& sums);
+
+  std::vector<HeldForces> forces_;
   std::vector<Tie> ties_;
   std::vector<Bond> bonds_;
   std::vector<FadingPlace> fading_;

@@ -27,7 +27,8 @@ class MovingSurface {
   /// by what forces and moments on the nodes work on, and make no energy. Where no node turns they follow the
   /// normals of the shells.
   void step(const Motion& motion);
-  /// Has v() answer with the velocities that the coming step would have; last_v() still with those of the last.
+  /// Has v() answer with the velocities that the coming step would have; last_v() still with those of the
+  /// last.
   ///   motion  its coordinates are those of now
   void foresee(const Motion& motion);
   /// Goes over to other faces: points of lofts that are still there stand off their nodes as they did.
@@ -90,7 +91,7 @@ class MovingSurface {
   const Eigen::Matrix3Xd* velocity_ = nullptr;  // of the mesh's nodes [length/time]
   const Eigen::Matrix3Xd* turning_ = nullptr;   // of the mesh's nodes [1/time]; null when none turns
   const Eigen::Matrix3Xd *last_velocity_ = nullptr, *last_turning_ = nullptr;  // of the step before
-  std::vector<FaceBound> bounds_;               // [n_faces]
+  std::vector<FaceBound> bounds_;                                              // [n_faces]
 };
 
 /// The contact nodes where the mesh has them; velocities mean nothing. Both must outlive it.

@@ -77,8 +77,9 @@ void NodeFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/node_pairs", candidates_, saved);
   std::vector<Touch> all;
   for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
-  saved.rows("contact/node_pairs/touches", all,
-             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.is_balanced, touch.normal, touch.elastic); });
+  saved.rows("contact/node_pairs/touches", all, [](Touch& touch, RowNumbers& row) {
+    row(touch.row, touch.is_balanced, touch.normal, touch.elastic);
+  });
   if (!saved.restores()) return;
   for (std::vector<Touch>& chunk : touches_) chunk.clear();
   for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
@@ -158,8 +159,8 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (rule.is_balanced != scene.balances) return;
   const double margin =
       scene.balances ? closed_share * std::min(face.backing.thickness, node.backing.thickness) : 0.0;
-  const double reach = std::max(
-      {rule.reach, margin, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
+  const double reach =
+      std::max({rule.reach, margin, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
   hit.near = std::max(near, margin);
   const bool may_be_deep = scene.balances && !memory.touches.empty();
   const double deepest =

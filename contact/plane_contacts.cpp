@@ -79,9 +79,14 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     record.normal = place.normal;
     record.gap = gap;
     const double area = scene.surface.area_against(node, place.normal);
-    const NodePush push{penalty, rule.pair->damping_fraction, area, velocity, scene.dt, scene.coming_dt,
-                        scene.surface.last_velocity_beside(
-                            node.node, -static_cast<double>(node.radius) * place.normal)};
+    const NodePush push{
+        penalty,
+        rule.pair->damping_fraction,
+        area,
+        velocity,
+        scene.dt,
+        scene.coming_dt,
+        scene.surface.last_velocity_beside(node.node, -static_cast<double>(node.radius) * place.normal)};
     push_node(push, record);
     if (rule.acts_apart()) {
       record.elastic = place.elastic;

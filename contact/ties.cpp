@@ -99,8 +99,7 @@ void balance(const TieVectors& arms, TieVectors& forces) {
 std::array<Eigen::Matrix3d, 4> carry_point(const FaceCorners& x, const Eigen::Vector4d& weights,
                                            const Eigen::Vector3d& offset) {
   std::array<Eigen::Matrix3d, 4> carried;
-  for (int k = 0; k < 4; ++k)
-    carried[static_cast<std::size_t>(k)] = weights[k] * Eigen::Matrix3d::Identity();
+  for (int k = 0; k < 4; ++k) carried[static_cast<std::size_t>(k)] = weights[k] * Eigen::Matrix3d::Identity();
   if (offset.isZero(0.0)) return carried;
   // The face turns by inverse_inertia * sum of arm x velocity, and moves the point by turn x offset.
   const CornerMasses masses = corner_masses(x);

@@ -28,11 +28,11 @@ struct HeldPlace {
 
 /// A point of a tie that momentum balance holds where it was tied.
 struct TiePoint {
-  double area = 0.0;                                         ///< that it stands for [length^2]
-  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero();       ///< of the first side's corners, sum 1 [1]
-  Eigen::Vector4d weights_2 = Eigen::Vector4d::Zero();       ///< of the second side's [1]
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();          ///< between them, in axes of the second [length]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();           ///< of the last step, in the same axes [force]
+  double area = 0.0;                                    ///< that it stands for [length^2]
+  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero();  ///< of the first side's corners, sum 1 [1]
+  Eigen::Vector4d weights_2 = Eigen::Vector4d::Zero();  ///< of the second side's [1]
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();     ///< between them, in axes of the second [length]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< of the last step, in the same axes [force]
 };
 
 /// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between

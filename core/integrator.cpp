@@ -150,8 +150,7 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
   state.energies.friction += report->friction_work;
   state.energies.contact_damping += report->contact_damping_work;
   state.energies.impact += report->impact_work;
-  if (state.rotations.exist())
-    terms.contact->set_moments(motion_of(state), state.rotations.moments.contact);
+  if (state.rotations.exist()) terms.contact->set_moments(motion_of(state), state.rotations.moments.contact);
   find_accelerations(model, state);
 }
 

@@ -19,9 +19,9 @@ constexpr double fastest_recovery = 2e-4, recovery = 0.1;
 /// Constraints give way by this share of their softness, so that forces which move nothing stay bounded.
 constexpr double compliance = 1e-6;
 
-/// Share of the forces of the step before that those of a step begin with. Where passes leave the share r of a
-/// slow mode of gaps g, a share w taken over makes g(n+1) = r ((2 + w) g(n) - (1 + 2 w) g(n-1) + w g(n-2)), which
-/// for r near 1 stays bounded for w < 2/3 only.
+/// Share of the forces of the step before that those of a step begin with. Where passes leave the share r of
+/// a slow mode of gaps g, a share w taken over makes g(n+1) = r ((2 + w) g(n) - (1 + 2 w) g(n-1) + w g(n-2)),
+/// which for r near 1 stays bounded for w < 2/3 only.
 constexpr double taken_over = 0.5;
 
 /// Forces that change by less in a pass, over their sum, are balanced.
@@ -60,7 +60,8 @@ void MomentumBalance::add_terms(const ContactRecord& record, std::vector<Term>& 
       const double weight = side.weights[static_cast<Eigen::Index>(k)];
       if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
     }
-    for (const CarrierTerm& term : carriers_) terms.push_back({term.carrier, term.weight, term.weight * term.arm});
+    for (const CarrierTerm& term : carriers_)
+      terms.push_back({term.carrier, term.weight, term.weight * term.arm});
   };
   add_side(record.first, 1.0);
   add_side(record.second, -1.0);
@@ -136,12 +137,14 @@ void MomentumBalance::add(Tie& tie) {
     for (std::size_t k = 0; k < 8; ++k) {
       const bool is_first = k < 4;
       const Eigen::Matrix3d weight =
-          is_first ? point.weights_1[static_cast<Eigen::Index>(k)] * Eigen::Matrix3d::Identity() : carried[k - 4];
+          is_first ? point.weights_1[static_cast<Eigen::Index>(k)] * Eigen::Matrix3d::Identity()
+                   : carried[k - 4];
       const double share = is_first ? weight(0, 0) : point.weights_2[static_cast<Eigen::Index>(k) - 4];
       distance += (is_first ? share : -share) * (x[k] - x[0]);
       velocity += (is_first ? 1.0 : -1.0) * (weight * surface_->v(tie.nodes[k]));
       if (share != 0.0)
-        mobility_.add_terms(tie.nodes[k], share, Eigen::Vector3d::Zero(), is_first ? first_side : second_side);
+        mobility_.add_terms(tie.nodes[k], share, Eigen::Vector3d::Zero(),
+                            is_first ? first_side : second_side);
     }
     for (const CarrierTerm& term : first_side)
       tie_terms_.push_back({term.carrier, term.weight * Eigen::Matrix3d::Identity(), term.arm});
@@ -345,8 +348,7 @@ void MomentumBalance::remember() {
     memory_.push_back({kind_of(point), point.first_place, point.second_place, point.part, force / point.area,
                        in_plane(row.force, row.normal) / point.area, row.held});
   }
-  if (!std::ranges::is_sorted(memory_, {}, &Memory::key))
-    std::ranges::stable_sort(memory_, {}, &Memory::key);
+  if (!std::ranges::is_sorted(memory_, {}, &Memory::key)) std::ranges::stable_sort(memory_, {}, &Memory::key);
 }
 
 /// The velocity of the first side against the second, in the step before or in the coming one without these

@@ -22,22 +22,22 @@ struct BalanceReport {
   double residual = 0.0;  ///< change of all forces in the last iteration over their sum [1]
 };
 
-/// Forces that let nothing through: at the end of the coming step no contact point penetrates, and tied points
-/// are where they belong. Contact points are constraints on the velocities of their carriers, which lumped
-/// masses make cheap: A = B M^-1 B^T with one row per point. A pass gives every point the force that would close
-/// its gap if all points around had the same pressure, pushing only, with friction returned to the Coulomb cone;
-/// so a uniform pressure takes one pass, and waves of the mesh's length a few. Passes are accelerated, begin
-/// with half of the forces of the step before, and end when the forces no longer change. Each force acts on
-/// both sides of its point alike. The same bits for any number of threads.
+/// Forces that let nothing through: at the end of the coming step no contact point penetrates, and tied
+/// points are where they belong. Contact points are constraints on the velocities of their carriers, which
+/// lumped masses make cheap: A = B M^-1 B^T with one row per point. A pass gives every point the force that
+/// would close its gap if all points around had the same pressure, pushing only, with friction returned to
+/// the Coulomb cone; so a uniform pressure takes one pass, and waves of the mesh's length a few. Passes are
+/// accelerated, begin with half of the forces of the step before, and end when the forces no longer change.
+/// Each force acts on both sides of its point alike. The same bits for any number of threads.
 ///
-/// A point that is apart may close by its gap; one that penetrates comes out slowly, so that nothing is thrown
-/// out. What meets loses the energy of the motion of its carriers against each other, once; the elements behind
-/// them keep theirs.
+/// A point that is apart may close by its gap; one that penetrates comes out slowly, so that nothing is
+/// thrown out. What meets loses the energy of the motion of its carriers against each other, once; the
+/// elements behind them keep theirs.
 ///
 /// Source: forward increment Lagrange multipliers of Carpenter, Taylor and Katona, IJNME 32 (1991) 103-128;
-/// momentum balance iterations of Heinstein, Mello, Attaway and Laursen, CMAME 187 (2000) 621-640; accelerated
-/// projected gradients of Mazhar, Heyn, Negrut and Tasora, ACM Trans. Graph. 34 (2015) 32, restarted as by
-/// O'Donoghue and Candes, Found. Comput. Math. 15 (2015) 715-732.
+/// momentum balance iterations of Heinstein, Mello, Attaway and Laursen, CMAME 187 (2000) 621-640;
+/// accelerated projected gradients of Mazhar, Heyn, Negrut and Tasora, ACM Trans. Graph. 34 (2015) 32,
+/// restarted as by O'Donoghue and Candes, Found. Comput. Math. 15 (2015) 715-732.
 class MomentumBalance {
  public:
   /// Begins a step.
@@ -82,9 +82,9 @@ class MomentumBalance {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // [1]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
-    double limit_per_force = 0.0;  // of the tangential force; < 0: the rule says [1]
-    Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
-    Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
+    double limit_per_force = 0.0;                     // of the tangential force; < 0: the rule says [1]
+    Eigen::Vector3d held = Eigen::Vector3d::Zero();   // slip of earlier steps that friction holds [length]
+    Eigen::Vector3d slip = Eigen::Vector3d::Zero();   // of the step without forces, in the plane [length]
     Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the first side [force]
     Eigen::Vector3d ahead = Eigen::Vector3d::Zero();  // that the next pass looks at [force]
   };
@@ -93,8 +93,9 @@ class MomentumBalance {
     Tie* tie = nullptr;
     std::uint32_t point = 0;  // of the tie
     std::uint32_t first_term = 0, n_terms = 0;
-    Eigen::Vector3d start = Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
-    double softness = 0.0;                            // as of contact points [length/force]
+    Eigen::Vector3d start =
+        Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
+    double softness = 0.0;        // as of contact points [length/force]
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), ahead = Eigen::Vector3d::Zero();  // as of contact points
   };
   struct TieTerm {
@@ -140,9 +141,9 @@ class MomentumBalance {
   std::vector<ContactRecord> points_;
   std::vector<Term> terms_;
   std::vector<TieTerm> tie_terms_;
-  std::vector<CarrierTerm> carriers_;            // scratch
-  std::vector<std::array<double, 2>> area_of_;   // [n_carriers] scratch: areas that lean on each, by translation
-                                                 // and by rotation
+  std::vector<CarrierTerm> carriers_;           // scratch
+  std::vector<std::array<double, 2>> area_of_;  // [n_carriers] scratch: areas that lean on each, by
+                                                // translation and by rotation
   std::vector<Row> rows_;
   std::vector<TieRow> tie_rows_;
   std::vector<Memory> memory_;  // ascending by key

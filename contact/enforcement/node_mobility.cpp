@@ -99,7 +99,8 @@ void NodeMobility::set_bodies(const Model& model) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
     General& general = make_general(static_cast<std::uint32_t>(surface_->faces().n_nodes()) + i);
     const Eigen::Matrix3d* free = find_projection(held_bodies_, {i});
-    general.translation = (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
+    general.translation =
+        (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
   }
 }
 
@@ -132,9 +133,8 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
   const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);
   const auto carrier = static_cast<std::uint32_t>(faces.n_nodes()) + body;
   const Eigen::Vector3d arm = surface_->x(node) + beside - state_->rigid[body].position;
-  const auto same = std::ranges::find_if(terms, [&](const CarrierTerm& term) {
-    return term.carrier == carrier && term.weight * weight > 0.0;
-  });
+  const auto same = std::ranges::find_if(
+      terms, [&](const CarrierTerm& term) { return term.carrier == carrier && term.weight * weight > 0.0; });
   if (same == terms.end()) {
     terms.push_back({carrier, weight, arm});
     return;

@@ -20,10 +20,10 @@ struct CarrierTerm {
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();  ///< from the carrier to the point [length]
 };
 
-/// How the carriers of contact nodes answer to forces over the coming step: by lumped mass and rotary inertia,
-/// along the directions that conditions leave free; rigid bodies by their six degrees of freedom. A carrier
-/// that is held or driven does not answer at all. Collects the changes of velocity.
-/// Source: v(t + dt/2) = v* + (dt_before + dt_after) / 2 M^-1 f, as the integrator moves them.
+/// How the carriers of contact nodes answer to forces over the coming step: by lumped mass and rotary
+/// inertia, along the directions that conditions leave free; rigid bodies by their six degrees of freedom. A
+/// carrier that is held or driven does not answer at all. Collects the changes of velocity. Source: v(t +
+/// dt/2) = v* + (dt_before + dt_after) / 2 M^-1 f, as the integrator moves them.
 class NodeMobility {
  public:
   /// Carriers: contact nodes, the first one with each node of the mesh, then rigid bodies.
@@ -69,10 +69,10 @@ class NodeMobility {
 
   /// A carrier that turns, or that conditions hold along some directions.
   struct General {
-    Eigen::Matrix3d translation = Eigen::Matrix3d::Zero();  // velocity per impulse [1/mass]
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();     // angular velocity per angular impulse
-    double translation_bound = 0.0, rotation_bound = 0.0;   // of the above
-    Eigen::Vector3d turning = Eigen::Vector3d::Zero();      // its change so far [1/time]
+    Eigen::Matrix3d translation = Eigen::Matrix3d::Zero();    // velocity per impulse [1/mass]
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();       // angular velocity per angular impulse
+    double translation_bound = 0.0, rotation_bound = 0.0;     // of the above
+    Eigen::Vector3d turning = Eigen::Vector3d::Zero();        // its change so far [1/time]
     Eigen::Vector3d first_turning = Eigen::Vector3d::Zero();  // before any pass
   };
 
@@ -85,13 +85,13 @@ class NodeMobility {
   const MovingSurface* surface_ = nullptr;
   const RigidNodes* rigid_ = nullptr;
   const State* state_ = nullptr;
-  std::vector<std::uint32_t> general_;    // [n_carriers] position in generals_, or none
-  std::vector<double> inverse_mass_;      // [n_carriers] of plain ones, 0 of held ones [1/mass]
+  std::vector<std::uint32_t> general_;               // [n_carriers] position in generals_, or none
+  std::vector<double> inverse_mass_;                 // [n_carriers] of plain ones, 0 of held ones [1/mass]
   std::vector<NodeVector> changes_, first_changes_;  // [n_carriers] of velocity; those before any pass
   std::vector<General> generals_;
   std::array<std::vector<std::uint8_t>, 4> active_;  // conditions, as the directions below are of
   std::vector<FreeDirections> held_, held_turns_, held_bodies_, held_body_turns_;  // ascending
-  double half_steps_ = 0.0;                          // a force acts for [time]
+  double half_steps_ = 0.0;                                                        // a force acts for [time]
 };
 
 }  // namespace contactsim

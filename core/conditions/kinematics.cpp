@@ -23,8 +23,8 @@ std::vector<NodeIndex> all_nodes(const Mesh& mesh, std::span<const DrivenNodes> 
   return nodes;
 }
 
-/// Adds the directions that a condition takes from a node, as the sum of their dyads. About an axis nodes keep
-/// only their motion along it.
+/// Adds the directions that a condition takes from a node, as the sum of their dyads. About an axis nodes
+/// keep only their motion along it.
 void add_taken_directions(const Direction& direction, Eigen::Matrix3d& taken) {
   if (const auto* axis = std::get_if<Axis>(&direction)) {
     taken += Eigen::Matrix3d::Identity() - axis->direction * axis->direction.transpose();

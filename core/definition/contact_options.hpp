@@ -29,11 +29,12 @@ struct DashOptions {
 /// the step, from masses and the step; penalty: by an elastic force that grows with the penetration.
 enum class Enforcement : std::uint8_t { momentum_balance, penalty };
 
-/// BEGIN ENFORCEMENT OPTIONS, and the line ENFORCEMENT of the contact definition. Source: Sierra/SM 5.22, 8.2 and 8.9.
+/// BEGIN ENFORCEMENT OPTIONS, and the line ENFORCEMENT of the contact definition. Source: Sierra/SM 5.22, 8.2
+/// and 8.9.
 struct EnforcementOptions {
   std::optional<Enforcement> enforcement;  ///< of pairs that say nothing else
-  std::int64_t balance_iterations = 20;  ///< MOMENTUM BALANCE ITERATIONS, the most of a step, >= 1
-  double penalty_scale = 1.0;  ///< of all pairs, times their own, > 0 [1]
+  std::int64_t balance_iterations = 20;    ///< MOMENTUM BALANCE ITERATIONS, the most of a step, >= 1
+  double penalty_scale = 1.0;              ///< of all pairs, times their own, > 0 [1]
 };
 
 /// BEGIN SURFACE OPTIONS, older SHELL LOFTING: how lofted elements of some contact surfaces get their

@@ -81,7 +81,8 @@ std::span<const OutputRow> global_output_rows() {
       energy_row<&Energies::hourglass>("hourglass_energy", "Part of internal_energy [energy]"),
       energy_row<&Energies::bulk_viscosity>("bulk_viscosity_energy", "Part of internal_energy [energy]"),
       energy_row<&Energies::contact>(
-          "contact_energy", "Taken up by contact forces; friction, contact damping and impact included [energy]"),
+          "contact_energy",
+          "Taken up by contact forces; friction, contact damping and impact included [energy]"),
       energy_row<&Energies::friction>("friction_energy", "Part of contact_energy, lost to friction [energy]"),
       energy_row<&Energies::contact_damping>("contact_damping_energy",
                                              "Part of contact_energy, lost to contact damping [energy]"),

@@ -43,7 +43,8 @@ const Table<EnforcementOptions>& enforcement_options_table() {
   using E = EnforcementOptions;
   static const Table<E> table({
       row("momentum balance iterations", read::positive_integer, &E::balance_iterations,
-          "Passes over the contact points in a step at most; fewer where the momentum is balanced before", "20"),
+          "Passes over the contact points in a step at most; fewer where the momentum is balanced before",
+          "20"),
       ignored<E>("num geometry update iterations", "= <integer>",
                  "The set of touching pairs is renewed in every step"),
       row("penalty scale", read::positive, &E::penalty_scale,
@@ -197,7 +198,8 @@ std::vector<Row<ContactDefinition>> contact_option_rows() {
       {
           row<C>("search", "= {DASH|ACME}", read_search, "Search algorithm; ACME is taken as DASH", "DASH"),
           row<C>("enforcement", "= {MOMENTUM_BALANCE|PENALTY|AL|KINEMATIC}", read_enforcement,
-                 "How the sides of all pairs are kept apart that say nothing else; AL and KINEMATIC, of implicit "
+                 "How the sides of all pairs are kept apart that say nothing else; AL and KINEMATIC, of "
+                 "implicit "
                  "runs, leave it at that",
                  "MOMENTUM_BALANCE"),
           ignored<C>("contact residual norm scale factor", "= <real>", "Of implicit runs only"),
