@@ -53,10 +53,12 @@ ContactForce::ContactForce(const ContactSetup& setup)
 
 void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();
-  search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
+  const std::vector<float> node_depths = node_face_.depths();
+  search_.find(surface_, motion,
+               {face_face_.next_candidates(), node_face_.candidates(), face_face_.depths(), node_depths});
   face_face_.take_candidates();
   if (!faces_.edges.empty()) {
-    search_.find_edges(surface_, motion, edges_.next_candidates());
+    search_.find_edges(surface_, motion, edges_.next_candidates(), edges_.depths());
     edges_.take_candidates();
   }
   surface_.watch(faces_with_candidates());
@@ -229,6 +231,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   write_forces(forces);
   if (is_first) stored_at_start_ = stored();
   note_histories(motion);
+  note_lost(motion.time);
   ForceReport report;
   report.friction_work = sums_.dissipated();
   report.contact_damping_work = sums_.damped();

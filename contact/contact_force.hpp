@@ -99,6 +99,7 @@ class ContactForce final : public ForceTerm {
   void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
   void note_histories(const Motion& motion);
+  void note_lost(double time);
 
   ContactSetup setup_;
   ContactFaces faces_;

@@ -52,7 +52,7 @@ struct CubeOnPlate : ContactParts {
     move();
   }
   void renew_candidates() {
-    search();
+    search(contacts.depths());
     contacts.next_candidates() = face_partners;
     contacts.take_candidates();
   }
@@ -95,7 +95,7 @@ TEST_CASE("a cube in a plate is pushed out by stiffness, area and depth", "[cont
   CHECK((parts.force_on_cube(parts.find()) - Vector3d(0, 0, 2.5)).norm() < 1e-12);
 }
 
-TEST_CASE("contact reaches half an element deep, and deeper where it knows the faces",
+TEST_CASE("contact begins up to half an element deep, and goes on however deep it gets",
           "[contact][face_face_contacts]") {
   CubeOnPlate jumped;
   jumped.move_cube({0, 0, -0.55}, false);
@@ -103,10 +103,20 @@ TEST_CASE("contact reaches half an element deep, and deeper where it knows the f
   CubeOnPlate pushed;
   pushed.move_cube({0, 0, -0.3}, false);
   CHECK(!pushed.find().empty());
-  pushed.move_cube({0, 0, -0.25}, false);
-  CHECK(!pushed.find().empty());
-  pushed.move_cube({0, 0, -0.25}, false);
+  for (int step = 0; step < 6; ++step) {
+    pushed.move_cube({0, 0, -0.25}, false);
+    if (step % 2 == 1) pushed.renew_candidates();
+    CHECK(pushed.find().size() == 1);
+  }
+  CHECK(pushed.find()[0].gap == Approx(-1.8));
+  std::vector<LostContact> lost;
+  pushed.contacts.find_lost(pushed.rules, lost);
+  CHECK(lost.empty());
+  pushed.move_cube({5, 0, 0}, false);
   CHECK(pushed.find().empty());
+  pushed.contacts.find_lost(pushed.rules, lost);
+  REQUIRE(lost.size() == 1);
+  CHECK(lost[0].depth == Approx(1.8));
   CubeOnPlate fast;  // what a step has brought in is in touch
   fast.move_cube({0, 0, -0.7});
   CHECK(!fast.find().empty());
