@@ -18,6 +18,9 @@ namespace {
 
 constexpr std::uint32_t no_partner = 0xffffffff;
 
+/// Faces that have touched something may be this share of a thickness deep in the next partner, at least.
+constexpr double slide_depth = 0.1;
+
 Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
   return face.v * weights;
 }
@@ -198,7 +201,10 @@ bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& 
   if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
   const double thickness = std::min(faces_.faces[candidate.first].backing.thickness,
                                     faces_.faces[candidate.second].backing.thickness);
-  return contact.gap + closed > -shallow_depth * thickness || depth_before(candidate) > 0.0;
+  if (contact.gap + closed > -shallow_depth * thickness) return true;
+  // One that slides on from another partner may be about as deep as it was there, but not behind a far wall.
+  const double before = depth_before(candidate);
+  return before > 0.0 && -contact.gap < depth_of_known(slide_depth * thickness, before, closed);
 }
 
 double FaceFaceContacts::depth_before(const Candidate& candidate) const {
