@@ -20,6 +20,9 @@ namespace {
 /// over each other keep touching when they spread by different strains.
 constexpr double automatic_beyond = 0.02;
 
+/// Nodes that stand this share of an element's thickness beyond an edge stand over it.
+constexpr double just_beyond = 1e-6;
+
 /// Normals closer than this are of one surface that bends, not of the walls of a hollow.
 constexpr double same_wall = 0.7;
 
@@ -232,7 +235,10 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
-  return hit.point.gap + approach > -shallow_depth * node.backing.thickness;
+  // Beyond the edge of a face it may be outside the body: there it has to come from in front.
+  const bool is_beyond = hit.point.edge >= 0 && hit.point.beyond > just_beyond * node.backing.thickness;
+  const double shallow = is_beyond ? just_beyond : shallow_depth;
+  return hit.point.gap + approach > -shallow * node.backing.thickness;
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
