@@ -47,7 +47,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       node_face_(faces_),
       edges_(faces_),
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
-      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
+      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
+            std::ranges::any_of(faces_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {}
 

@@ -145,7 +145,10 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
   Elastic now = no_slip;
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
-  const bool is_on = rule.is_active && rule.law != ContactLaw::tied;
+  // Sharp edges know no ties, glue or halves of a HYBRID pair: their faces meet all the same.
+  const bool is_simple = rule.law == ContactLaw::sliding && rule.far == PairRule::not_hybrid;
+  const bool are_sharp = first.is_sharp() && second.is_sharp();
+  const bool is_on = rule.is_active && (are_sharp ? is_simple : rule.law != ContactLaw::tied);
   for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
     const EdgePlace& place = places.get()[i];
     const Eigen::Vector3d way =

@@ -101,14 +101,15 @@ TEST_CASE("contact begins up to half an element deep, and goes on however deep i
   jumped.move_cube({0, 0, -0.55}, false);
   CHECK(jumped.find().empty());
   CubeOnPlate pushed;
-  pushed.move_cube({0, 0, -0.3}, false);
+  pushed.move_cube({0, 0, -0.3});
   CHECK(!pushed.find().empty());
-  for (int step = 0; step < 6; ++step) {
-    pushed.move_cube({0, 0, -0.25}, false);
-    if (step % 2 == 1) pushed.renew_candidates();
-    CHECK(pushed.find().size() == 1);
+  for (int step = 1; step <= 6; ++step) {  // far through the plate, which is 1 thick
+    pushed.move_cube({0, 0, -0.25});
+    if (step % 2 == 0) pushed.renew_candidates();
+    const auto records = pushed.find();
+    REQUIRE(records.size() == 1);
+    CHECK(records[0].gap == Approx(-0.3 - 0.25 * step));
   }
-  CHECK(pushed.find()[0].gap == Approx(-1.8));
   std::vector<LostContact> lost;
   pushed.contacts.find_lost(pushed.rules, lost);
   CHECK(lost.empty());
