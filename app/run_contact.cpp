@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/contact_report.hpp"
+#include "app/counted.hpp"
 #include "app/pair_report.hpp"
 #include "contact/surface_drawing.hpp"
 #include "core/state_motion.hpp"
@@ -84,6 +85,24 @@ void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings)
                   "largest term)",
                   made, 100.0 * made / energies.largest),
       "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
+}
+
+void RunContact::warn_of_lost(Diagnostics& warnings) const {
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const PairHistory& history = histories[i];
+    if (history.n_lost == 0) continue;
+    const SurfacePair& pair = contact_.pairs[i];
+    const auto name = [&](std::uint32_t surface) { return contact_.surfaces.surfaces[surface].name; };
+    const NodeIndex node{history.lost_node};
+    warnings.add_warning(
+        "contact-lost", {},
+        fmt::format(
+            "contact of {} and {} ended at time {:.6g} at node {}, {:.3g} deep: one side has got past "
+            "the other ({} in the run)",
+            name(pair.first), name(pair.second), history.lost_time, mesh_.node_id(node), history.lost_depth,
+            counted(history.n_lost, "place")));
+  }
 }
 
 std::string RunContact::start_report(Diagnostics& warnings) const {

@@ -50,6 +50,8 @@ class RunContact {
   std::string start_report(Diagnostics& warnings) const;
   /// Warns when contact has given out energy that nothing had put into it.
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
+  /// Warns of pairs whose contact ended though it was deep.
+  void warn_of_lost(Diagnostics& warnings) const;
   /// What the pairs did and the search took, for the log.
   std::string report() const;
 

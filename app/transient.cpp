@@ -78,6 +78,7 @@ class Run {
     if (death_ != nullptr) log_.write(death_->report(state_));
     if (contact_ != nullptr) {
       contact_->warn_of_energy(state_.energies, warnings_);
+      contact_->warn_of_lost(warnings_);
       log_.write(contact_->report());
       contact_->write_debug_files();
     }

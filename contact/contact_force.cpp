@@ -47,7 +47,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       node_face_(faces_),
       edges_(faces_),
       planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
-      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(), !faces_.edges.empty()),
+      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
+            std::ranges::any_of(faces_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
@@ -55,10 +56,12 @@ ContactForce::ContactForce(const ContactSetup& setup)
 
 void ContactForce::find_candidates(const Motion& motion) {
   surface_.bound_all();
-  search_.find(surface_, motion, {face_face_.next_candidates(), node_face_.candidates()});
+  const std::vector<float> node_depths = node_face_.depths();
+  search_.find(surface_, motion,
+               {face_face_.next_candidates(), node_face_.candidates(), face_face_.depths(), node_depths});
   face_face_.take_candidates();
   if (!faces_.edges.empty()) {
-    search_.find_edges(surface_, motion, edges_.next_candidates());
+    search_.find_edges(surface_, motion, edges_.next_candidates(), edges_.depths());
     edges_.take_candidates();
   }
   surface_.watch(faces_with_candidates());
@@ -237,7 +240,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
   write_forces(forces);
   if (is_first) stored_at_start_ = stored();
-  if (!balances_) end_step(motion.dt);
+  if (!balances_) end_step(motion.time, motion.dt);
   ForceReport report;
   report.friction_work = sums_.dissipated();
   report.contact_damping_work = sums_.damped();
@@ -253,9 +256,10 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   return report;
 }
 
-void ContactForce::end_step(double dt) {
+void ContactForce::end_step(double time, double dt) {
   sums_.end_step();
   note_histories(dt);
+  note_lost(time);
 }
 
 /// The velocities of the contact nodes in the coming step, as the forces so far give them.
@@ -322,7 +326,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   held_.take_balanced(scene, balance_, glued_, sums_);
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
   write_forces(forces);
-  end_step(state.dt);
+  end_step(state.time, state.dt);
   ForceReport report;
   const MomentumBalance::Loss& loss = balance_.loss();
   report.friction_work = last_loss_.friction_after + loss.friction_before;

@@ -105,11 +105,12 @@ class ContactForce final : public ForceTerm {
   void add_places(const ContactScene& scene);
   void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
-  void end_step(double dt);
+  void end_step(double time, double dt);
   void note_histories(double dt);
   void foresee(const State& state);
   void add_balanced(const ContactScene& scene, std::vector<ContactRecord>& to_glue);
   double thinner_side(const ContactRecord& record) const;
+  void note_lost(double time);
 
   ContactSetup setup_;
   ContactFaces faces_;

@@ -102,4 +102,19 @@ void ContactForce::forget_stored() {
   for (const HeldForces& held : held_.forces()) stored_[held.place.pair] += held.forces.stored;
 }
 
+/// Contacts that ended though their sides did not part; those that a pair's period ends are not among them.
+void ContactForce::note_lost(double time) {
+  std::vector<LostContact> lost;
+  face_face_.find_lost(rules_, lost);
+  node_face_.find_lost(lost);
+  for (const LostContact& one : lost) {
+    if (!rules_[one.pair].is_active) continue;
+    PairHistory& history = histories_[one.pair];
+    if (history.n_lost++ > 0) continue;
+    history.lost_node = faces_.mesh_nodes[one.node];
+    history.lost_time = time;
+    history.lost_depth = one.depth;
+  }
+}
+
 }  // namespace contactsim

@@ -21,15 +21,13 @@ std::vector<OwnedElement> owned_elements(std::span<const ContactSurface> surface
   return owned;
 }
 
-/// The owners of parts of lofts; parts and owned elements both ascend by element.
+/// The owners of parts of lofts; owned elements ascend.
 template <class Part>
 std::vector<std::uint32_t> owners_of(const std::vector<Part>& parts, const std::vector<OwnedElement>& owned) {
   std::vector<std::uint32_t> owners;
-  auto owner = owned.begin();
-  for (const Part& part : parts) {
-    while (owner->element < part.element) ++owner;
-    owners.push_back(owner->surface);
-  }
+  owners.reserve(parts.size());
+  for (const Part& part : parts)
+    owners.push_back(std::ranges::lower_bound(owned, part.element, {}, &OwnedElement::element)->surface);
   return owners;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "contact/contact_record.hpp"
 #include "contact/face_face.hpp"
@@ -9,8 +11,27 @@
 /// What all kinds of places of contact share.
 namespace contactsim {
 
-/// What touched in the last step may be this much deeper than what did not.
+/// What touched in the last step may be this much deeper than what did not, and as much deeper than it was.
 inline constexpr double known_depth = 1.5;
+
+/// The penetration up to which something counts as what touched in the last step: no limit of its own ends a
+/// contact that keeps getting deeper.
+///   depth   of what did not touch [length]
+///   before  penetration in the last step [length]
+///   closed  by which the gap has shrunk since [length]
+inline double depth_of_known(double depth, double before, double closed) {
+  return known_depth * std::max(depth, before + closed);
+}
+
+/// A contact that has ended though its sides did not part: one of them has got past the other.
+struct LostContact {
+  std::uint32_t pair = 0;  ///< position in the list of surface pairs
+  std::uint32_t node = 0;  ///< contact node of one of the sides
+  double depth = 0.0;      ///< penetration in the step before [length]
+};
+
+/// A penetration beyond this share of the thinner element's thickness does not end in one step by parting.
+inline constexpr double deep_share = 0.5;
 
 /// What was behind the other side one step ago by no more than this share of an element's thickness met it in
 /// front: facets of a round surface change that much.

@@ -25,13 +25,21 @@ void match(std::span<const Key> before, std::span<const Key> after, std::uint32_
   }
 }
 
-/// What tells a face of a surface from its others. Those of lofts follow the others.
-using FaceKey = std::pair<bool, ElementSide>;
+/// What tells a face of a surface from its others. Those of lofts follow the others, joints those of bricks.
+using FaceKey = std::tuple<int, ElementSide, std::array<std::uint32_t, 4>>;
+
+FaceKey key_of(const ContactFaces& faces, const ContactFace& face) {
+  constexpr int of_edges = 6;  // sides of a shell's brick; those of joints are greater
+  std::array<std::uint32_t, 4> nodes{};
+  const bool is_joint = faces.is_lofted(face) && face.side.side() > of_edges;
+  for (std::size_t k = 0; is_joint && k < 4; ++k) nodes[k] = faces.mesh_nodes[face.corners[k]];
+  return {is_joint ? 2 : faces.is_lofted(face) ? 1 : 0, face.side, nodes};
+}
 
 std::vector<FaceKey> face_keys(const ContactFaces& faces, std::size_t surface) {
   std::vector<FaceKey> keys;
   for (std::uint32_t f = faces.first_face[surface]; f < faces.first_face[surface + 1]; ++f)
-    keys.emplace_back(faces.is_lofted(faces.faces[f]), faces.faces[f].side);
+    keys.push_back(key_of(faces, faces.faces[f]));
   return keys;
 }
 

@@ -42,6 +42,8 @@ void widen(double margin, Box& box) {
   }
 }
 
+double depth_of(std::span<const float> depths, std::uint32_t i) { return depths.empty() ? 0.0 : depths[i]; }
+
 bool is_marked(const std::vector<std::uint8_t>& marks, std::uint32_t i) {
   return !marks.empty() && marks[i] != 0;
 }
@@ -121,8 +123,9 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
     throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
   };
   const auto n_faces = static_cast<std::uint32_t>(faces_.faces.size());
-  if (const auto bad = faces_phase_.update(
-          n_faces, [&](std::uint32_t face) { return face_box(surface, face, motion.dt); })) {
+  if (const auto bad = faces_phase_.update(n_faces, [&](std::uint32_t face) {
+        return face_box(surface, face, motion.dt, depth_of(candidates.face_depths, face));
+      })) {
     for (const std::uint32_t corner : faces_.faces[*bad].corners) {
       if (!surface.x(corner).allFinite() || !surface.v(corner).allFinite()) stop_at(corner);
     }
@@ -134,7 +137,9 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
   }
   if (has_node_pairs_ || has_free_nodes_) {
     const auto n_rows = static_cast<std::uint32_t>(faces_.surface_nodes.size());
-    const auto box_of = [&](std::uint32_t row) { return node_box(surface, row, motion.dt); };
+    const auto box_of = [&](std::uint32_t row) {
+      return node_box(surface, row, motion.dt, depth_of(candidates.node_depths, row));
+    };
     if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(faces_.surface_nodes[*bad].node);
     nodes_phase_.find_pairs(
         faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
@@ -148,10 +153,10 @@ void ContactSearch::find(const MovingSurface& surface, const Motion& motion, Con
     searched_at_[i] = (surface.x(i) - searched_from_).cast<float>();
 }
 
-Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, double dt) const {
+Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, double dt, double deep) const {
   const ContactFace& face = faces_.faces[index];
   const Eigen::Vector3d inward =
-      -depth_share * face.backing.thickness * surface.bound(index).normal().cast<double>();
+      -std::max(depth_share * face.backing.thickness, deep) * surface.bound(index).normal().cast<double>();
   Box box = box_at(surface.x(face.corners[0]));
   for (const std::uint32_t corner : face.corners) {
     const Eigen::Vector3d x = surface.x(corner);
@@ -163,16 +168,16 @@ Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, d
   return box;
 }
 
-Box ContactSearch::node_box(const MovingSurface& surface, std::uint32_t row, double dt) const {
+Box ContactSearch::node_box(const MovingSurface& surface, std::uint32_t row, double dt, double deep) const {
   const std::uint32_t node = faces_.surface_nodes[row].node;
   Box box = box_at(surface.x(node));
   include(surface.x(node) - dt * surface.v(node), box);
   const SurfaceNode& own = faces_.surface_nodes[row];
-  widen(node_margin_[node] + own.radius + 0.5 * reach_[own.surface], box);
+  widen(node_margin_[node] + std::max<double>(own.radius, deep) + 0.5 * reach_[own.surface], box);
   return box;
 }
 
-Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, double dt) const {
+Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, double dt, double deep) const {
   const ContactEdge& edge = faces_.edges[index];
   Box box = box_at(surface.x(edge.nodes[0]));
   double margin = 0.0;
@@ -181,14 +186,17 @@ Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, d
     include(surface.x(node) - dt * surface.v(node), box);
     margin = std::max<double>(margin, node_margin_[node]);
   }
-  const double deep = edge.is_sharp() ? depth_share * edge.backing.thickness : edge.radius;
-  widen(margin + deep + 0.5 * reach_[edge.surface], box);
+  const double around = edge.is_sharp() ? depth_share * edge.backing.thickness : edge.radius;
+  widen(margin + std::max(around, deep) + 0.5 * reach_[edge.surface], box);
   return box;
 }
 
-void ContactSearch::find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners) {
+void ContactSearch::find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners,
+                               std::span<const float> depths) {
   const auto n_edges = static_cast<std::uint32_t>(faces_.edges.size());
-  const auto box_of = [&](std::uint32_t edge) { return edge_box(surface, edge, motion.dt); };
+  const auto box_of = [&](std::uint32_t edge) {
+    return edge_box(surface, edge, motion.dt, depth_of(depths, edge));
+  };
   if (const auto bad = edges_phase_.update(n_edges, box_of))
     throw SolveError(motion.time,
                      fmt::format("node {} moves without bound",

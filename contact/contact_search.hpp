@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/broad_phase.hpp"
@@ -17,6 +18,9 @@ namespace contactsim {
 struct ContactCandidates {
   PairLists& face_partners;  ///< [n_faces] faces of greater number
   PairLists& node_faces;     ///< [n_surface_nodes] faces
+  /// How deep faces and surface nodes are in something already: [n_faces], [n_surface_nodes], or nothing
+  /// [length].
+  std::span<const float> face_depths = {}, node_depths = {};
 };
 
 /// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new
@@ -43,7 +47,9 @@ class ContactSearch {
 
   /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
   ///   partners  [n_edges] edges of greater number
-  void find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners);
+  ///   depths    [n_edges] how deep edges are in others already, or nothing [length]
+  void find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners,
+                  std::span<const float> depths = {});
 
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
@@ -58,11 +64,11 @@ class ContactSearch {
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
   /// beyond its own, at its widest, the other has left at its narrowest.
   bool has_room(std::uint32_t first, double first_used, std::uint32_t second, double second_used) const;
-  Box face_box(const MovingSurface& surface, std::uint32_t face, double dt) const;
-  Box node_box(const MovingSurface& surface, std::uint32_t row, double dt) const;
+  Box face_box(const MovingSurface& surface, std::uint32_t face, double dt, double deep) const;
+  Box node_box(const MovingSurface& surface, std::uint32_t row, double dt, double deep) const;
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
-  Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt) const;
+  Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt, double deep) const;
   bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
   /// Of what slides infinitesimally; what deaths have exposed slides as it will.

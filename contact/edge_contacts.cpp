@@ -2,6 +2,7 @@
 #include "contact/edge_contacts.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -57,7 +58,7 @@ PairLists list_edges_of_nodes(const ContactFaces& faces) {
 }  // namespace
 
 EdgeContacts::EdgeContacts(const ContactFaces& faces)
-    : faces_(faces), was_touched_(faces.edges.size(), 0), is_touched_(faces.edges.size(), 0) {
+    : faces_(faces), depth_before_(faces.edges.size(), 0.0f), depth_now_(faces.edges.size(), 0.0f) {
   edges_of_node_ = list_edges_of_nodes(faces);
 }
 
@@ -85,18 +86,21 @@ void EdgeContacts::take_candidates() {
 }
 
 void EdgeContacts::begin_step() {
-  std::swap(was_touched_, is_touched_);
-  std::fill(is_touched_.begin(), is_touched_.end(), 0);
+  std::swap(depth_before_, depth_now_);
+  std::fill(depth_now_.begin(), depth_now_.end(), 0.0f);
 }
 
 void EdgeContacts::note(const ContactRecord& record) {
-  if (record.is_met()) is_touched_[record.first_place] = is_touched_[record.second_place] = 1;
+  if (!record.is_met()) return;
+  const float depth = std::max(static_cast<float>(-record.gap), std::numeric_limits<float>::min());
+  for (const std::uint32_t edge : {record.first_place, record.second_place})
+    depth_now_[edge] = std::max(depth_now_[edge], depth);
 }
 
 void EdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
   saved.rows("contact/edge_pairs/elastic_slip", elastic_, [](Elastic& slip, RowNumbers& row) { row(slip); });
-  saved.list("contact/edges/was_touched", is_touched_);
+  saved.list("contact/edges/depth", depth_now_);
 }
 
 void EdgeContacts::renumber(const ContactRenumbering& places) {
@@ -119,8 +123,8 @@ void EdgeContacts::renumber(const ContactRenumbering& places) {
     candidates_.begin.push_back(static_cast<std::uint32_t>(candidates_.partners.size()));
   }
   edges_of_node_ = list_edges_of_nodes(faces_);
-  carry(places.edges, places.n_edges_after, std::uint8_t{0}, was_touched_);
-  carry(places.edges, places.n_edges_after, std::uint8_t{0}, is_touched_);
+  carry(places.edges, places.n_edges_after, 0.0f, depth_before_);
+  carry(places.edges, places.n_edges_after, 0.0f, depth_now_);
 }
 
 void EdgeContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
@@ -140,16 +144,19 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
   if (rule.is_balanced != scene.balances) return;
   const Elastic held = elastic_[candidate];
   Elastic now = no_slip;
-  const bool touched = was_touched_[first_edge] != 0 || was_touched_[second_edge] != 0;
+  const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
-  const bool is_on = rule.is_active && rule.law != ContactLaw::tied;
+  // Sharp edges know no ties, glue or halves of a HYBRID pair: their faces meet all the same.
+  const bool is_simple = rule.law == ContactLaw::sliding && rule.far == PairRule::not_hybrid;
+  const bool are_sharp = first.is_sharp() && second.is_sharp();
+  const bool is_on = rule.is_active && (are_sharp ? is_simple : rule.law != ContactLaw::tied);
   for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
     const EdgePlace& place = places.get()[i];
     const Eigen::Vector3d way =
         point_at(scene.surface, second, place.t) - point_at(scene.surface, first, place.s);
     if (!owns(scene, first_edge, place.s, place, way) || !owns(scene, second_edge, place.t, place, -way))
       continue;
-    ContactRecord record = make_record(scene, {first, second, rule, touched}, place);
+    ContactRecord record = make_record(scene, {first, second, rule, before > 0.0, before}, place);
     if (record.stiffness == 0.0 && !record.is_balanced) continue;
     record.part = static_cast<std::uint8_t>(i);
     record.pair = pair;
@@ -167,7 +174,7 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
 }
 
 ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place) {
-  const auto& [first, second, rule, touched] = pair;
+  const auto& [first, second, rule, touched, before] = pair;
   ContactRecord record;
   record.is_of_edges = true;
   record.is_swapped = first.surface != rule.pair->first;
@@ -177,9 +184,8 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   if (first.is_sharp() != second.is_sharp() && !is_inside(first.is_sharp() ? place.t : place.s))
     return record;
   const PairPenalty penalty = make_pair_penalty(first.backing, &second.backing, *rule.pair);
-  const double deepest =
-      touched && scene.balances ? any_depth : (touched ? known_depth : 1.0) * penalty.depth;
-  const auto found = find_edge_gap(scene.surface, first, second, place, deepest);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto found = find_edge_gap(scene.surface, first, second, place, infinite);
   if (!found) return record;
   record.normal = found->normal;
   record.gap = found->gap;
@@ -189,6 +195,10 @@ ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& p
   const double thinner = std::min(first.backing.thickness, second.backing.thickness);
   const double margin = scene.balances ? closed_share * thinner : 0.0;
   if (record.gap > std::max(margin, closing * scene.ahead())) return record;
+  const double deepest = touched && scene.balances ? infinite
+                         : touched                 ? depth_of_known(penalty.depth, before, closed)
+                                                   : std::max(penalty.depth, 1.5 * closed);
+  if ((first.is_sharp() && second.is_sharp()) && record.gap < -deepest) return record;
   // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
   const bool is_sharp = first.is_sharp() || second.is_sharp();
   const double shallow = shallow_depth * thinner;

@@ -38,6 +38,9 @@ class EdgeContacts {
   void find(const ContactScene& scene, std::size_t begin, std::size_t end,
             std::vector<ContactRecord>& records);
 
+  /// How deep each edge was in the last step [n_edges], 0 where it did not touch.
+  std::span<const float> depths() const { return depth_now_; }
+
   void archive(StateArchive& saved);
 
  private:
@@ -46,7 +49,8 @@ class EdgeContacts {
   struct Pair {
     const ContactEdge &first, &second;
     const PairRule& rule;
-    bool touched;  ///< one of the edges, something, in the last step
+    bool touched;         ///< one of the edges, something, in the last step
+    double depth_before;  ///< and how deep it was [length]
   };
 
   void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
@@ -61,9 +65,10 @@ class EdgeContacts {
 
   const ContactFaces& faces_;
   PairLists candidates_, next_;
-  PairLists edges_of_node_;                             // [n_contact_nodes] round ones, by first_alike
-  std::vector<Elastic> elastic_;                        // [n_candidates]
-  std::vector<std::uint8_t> was_touched_, is_touched_;  // [n_edges] in the last step, in this one
+  PairLists edges_of_node_;       // [n_contact_nodes] round ones, by first_alike
+  std::vector<Elastic> elastic_;  // [n_candidates]
+  // [n_edges] penetration, 0 where nothing touches, in the last step and in this one [length]
+  std::vector<float> depth_before_, depth_now_;
 };
 
 }  // namespace contactsim

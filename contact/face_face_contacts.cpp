@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "contact/contact_place.hpp"
@@ -14,6 +15,11 @@
 namespace contactsim {
 
 namespace {
+
+constexpr std::uint32_t no_partner = 0xffffffff;
+
+/// Faces that have touched something may be this share of a thickness deep in the next partner, at least.
+constexpr double slide_depth = 0.1;
 
 Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
   return face.v * weights;
@@ -42,14 +48,20 @@ void FaceFaceContacts::renumber(const ContactRenumbering& places) {
   const Eigen::Vector4d no_slip = Eigen::Vector4d::Zero();
   carry(places.faces, places.n_faces_after, no_slip, means_);
   carry(places.faces, places.n_faces_after, no_slip, next_means_);
-  carry(places.faces, places.n_faces_after, std::uint8_t{0}, was_pushed_);
-  carry(places.faces, places.n_faces_after, std::uint8_t{0}, is_pushed_);
+  carry(places.faces, places.n_faces_after, 0.0f, depth_before_);
+  carry(places.faces, places.n_faces_after, 0.0f, depth_now_);
+  // Contacts that deaths end are not lost.
+  for (std::vector<std::uint32_t>* partners : {&partner_before_, &partner_now_})
+    partners->assign(depth_now_.size(), no_partner);
 }
 
 void FaceFaceContacts::begin_step() {
-  std::swap(was_pushed_, is_pushed_);
-  was_pushed_.resize(faces_.faces.size(), 0);
-  is_pushed_.assign(faces_.faces.size(), 0);
+  std::swap(depth_before_, depth_now_);
+  std::swap(partner_before_, partner_now_);
+  depth_before_.resize(faces_.faces.size(), 0.0f);
+  partner_before_.resize(faces_.faces.size(), no_partner);
+  depth_now_.assign(faces_.faces.size(), 0.0f);
+  partner_now_.assign(faces_.faces.size(), no_partner);
   if (!has_friction_) return;
   std::swap(means_, next_means_);
   means_.resize(faces_.faces.size(), Eigen::Vector4d::Zero());
@@ -58,7 +70,14 @@ void FaceFaceContacts::begin_step() {
 
 void FaceFaceContacts::note(const ContactRecord& record) {
   if (!record.is_met() || record.is_held_apart) return;
-  is_pushed_[record.first_place] = is_pushed_[record.second_place] = 1;
+  const auto deepen = [&](std::uint32_t face, std::uint32_t partner) {
+    const float depth = std::max(static_cast<float>(-record.gap), std::numeric_limits<float>::min());
+    if (!(depth > depth_now_[face])) return;
+    depth_now_[face] = depth;
+    partner_now_[face] = partner;
+  };
+  deepen(record.first_place, record.second_place);
+  deepen(record.second_place, record.first_place);
   if (!has_friction_ || record.is_balanced) return;
   Eigen::Vector4d share;
   share << record.area * record.elastic, 0.0;
@@ -73,7 +92,8 @@ void FaceFaceContacts::archive(StateArchive& saved) {
   saved.list("contact/face_pairs/elastic_slip", elastic_);
   // What is known of faces between steps; begin_step() makes it that of the last one.
   saved.list("contact/faces/mean_slip", next_means_);
-  saved.list("contact/faces/was_pushed", is_pushed_);
+  saved.list("contact/faces/depth", depth_now_);
+  saved.list("contact/faces/partner", partner_now_);
 }
 
 void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
@@ -106,11 +126,15 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
 
   PairPenalty penalty = make_pair_penalty(faces_.faces[candidate.first].backing,
                                           &faces_.faces[candidate.second].backing, *rule.pair);
-  // What came in by itself may be as deep as its speed brought it, and stays known a bit deeper than that.
-  penalty.depth = std::max((did_touch ? known_depth : 1.0) * penalty.depth, 1.5 * closed);
+  // What came in by itself may be as deep as its speed brought it; what has touched has no depth at which it
+  // ends; what slides on from another partner may be as deep as it was there.
+  const double before = depth_before(candidate);
+  penalty.depth = did_touch      ? std::numeric_limits<double>::infinity()
+                  : before > 0.0 ? std::max(penalty.depth, depth_of_known(0.0, before, closed))
+                                 : std::max(penalty.depth, 1.5 * closed);
   const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
   if (scene.balances) {
-    const double depth = did_touch ? any_depth : penalty.depth + 1.5 * closing * scene.coming_dt;
+    const double depth = penalty.depth + 1.5 * closing * scene.coming_dt;
     return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth},
                             did_touch, records);
   }
@@ -215,8 +239,28 @@ bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& 
   if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
   const double thickness = std::min(faces_.faces[candidate.first].backing.thickness,
                                     faces_.faces[candidate.second].backing.thickness);
-  return contact.gap + closed > -shallow_depth * thickness || was_pushed_[candidate.first] != 0 ||
-         was_pushed_[candidate.second] != 0;
+  if (contact.gap + closed > -shallow_depth * thickness) return true;
+  // One that slides on from another partner may be about as deep as it was there, but not behind a far wall.
+  const double before = depth_before(candidate);
+  return before > 0.0 && -contact.gap < depth_of_known(slide_depth * thickness, before, closed);
+}
+
+double FaceFaceContacts::depth_before(const Candidate& candidate) const {
+  if (depth_before_.empty()) return 0.0;
+  return std::max(depth_before_[candidate.first], depth_before_[candidate.second]);
+}
+
+void FaceFaceContacts::find_lost(const PairRules& rules, std::vector<LostContact>& lost) const {
+  for (std::uint32_t face = 0; face < partner_before_.size(); ++face) {
+    const std::uint32_t partner = partner_before_[face];
+    if (partner == no_partner || partner < face) continue;
+    const bool is_over = partner_now_[face] == no_partner && partner_now_[partner] == no_partner;
+    if (!is_over) continue;
+    const ContactFace &a = faces_.faces[face], &b = faces_.faces[partner];
+    const double depth = depth_before_[face];
+    if (depth < deep_share * std::min(a.backing.thickness, b.backing.thickness)) continue;
+    lost.push_back({rules.find(a.surface, b.surface), a.corners[0], depth});
+  }
 }
 
 Eigen::Vector3d FaceFaceContacts::mean_slip(const Candidate& candidate) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact/contact_place.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
 #include "contact/pair_lists.hpp"
@@ -8,8 +9,9 @@
 namespace contactsim {
 
 /// The pairs of faces that may touch, and what contact remembers of each: whether it touched, and the slip
-/// that its tangential spring holds. A pair that starts to touch takes over the mean slip of its first face,
-/// else of its second, so that friction is not lost when a face slides from one partner to the next.
+/// that its tangential spring holds. A pair that touches goes on however deep it gets, until the faces part
+/// or no longer overlap. A pair that starts to touch takes over the mean slip of its first face, else of its
+/// second, so that friction is not lost when a face slides from one partner to the next.
 class FaceFaceContacts {
  public:
   /// The faces must outlive this.
@@ -37,6 +39,12 @@ class FaceFaceContacts {
   /// Adds a record to what is known of its faces. Records come in order.
   void note(const ContactRecord& record);
 
+  /// How deep each face was in the last step [n_faces], 0 where it did not touch; nothing before the first.
+  std::span<const float> depths() const { return depth_now_; }
+  /// Appends the contacts of the step before the last one that ended though they were deep. To be called
+  /// after the last note() of a step.
+  void find_lost(const PairRules& rules, std::vector<LostContact>& lost) const;
+
   void archive(StateArchive& saved);
 
  private:
@@ -56,6 +64,8 @@ class FaceFaceContacts {
   /// Adds what a law does across the gap, or beside the penalty.
   void pull_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
   Eigen::Vector3d mean_slip(const Candidate& candidate) const;
+  /// How deep one of the two faces was in the last step, in whatever it touched; 0 if they touched nothing.
+  double depth_before(const Candidate& candidate) const;
   /// Whether faces that overlap got there through their fronts: they were in front of each other, or hardly
   /// behind, one step ago, or one of them has touched something already. The sides of two bodies that
   /// lie on each other at an edge overlap too, by a sliver that is far deeper than wide, and do not touch.
@@ -71,7 +81,9 @@ class FaceFaceContacts {
   /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
   /// without friction.
   std::vector<Eigen::Vector4d> means_, next_means_;
-  std::vector<std::uint8_t> was_pushed_, is_pushed_;  // [n_faces] in the last step, in this one
+  // [n_faces] penetration, 0 where nothing touches, in the last step and in this one [length]
+  std::vector<float> depth_before_, depth_now_;
+  std::vector<std::uint32_t> partner_before_, partner_now_;  // [n_faces] by which each is deepest
 };
 
 }  // namespace contactsim

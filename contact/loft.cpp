@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/loft_joints.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {
@@ -160,7 +161,9 @@ LoftGeometry make_loft(const Mesh& mesh, const Eigen::Matrix3Xd& coordinates,
                        std::span<const ElementIndex> elements, std::span<const LoftSize> sizes) {
   LoftBuilder builder(mesh, coordinates, elements);
   for (std::size_t i = 0; i < elements.size(); ++i) builder.add(elements[i], sizes[i]);
-  return builder.take();
+  LoftGeometry loft = builder.take();
+  add_joints(mesh, coordinates, loft);
+  return loft;
 }
 
 double facet_area(const LoftGeometry& loft, const LoftFacet& facet) {

@@ -20,13 +20,13 @@ struct LoftSize {
 };
 
 /// Which part of a lofted body a facet is.
-enum class LoftPart : std::uint8_t { top, bottom, side, prism };
+enum class LoftPart : std::uint8_t { top, bottom, side, joint, prism };
 
 /// One flat facet of a lofted body, corners in outward right-hand order; a triangle repeats its last.
 struct LoftFacet {
   ElementIndex element;
   LoftPart part = LoftPart::top;
-  std::uint8_t side = 1;  ///< of a shell 1 top, 2 bottom, 3 and up its edges; of a prism 1
+  std::uint8_t side = 1;  ///< of a shell 1 top, 2 bottom, 3 to 6 its edges, 7 and 8 joints; of a prism 1
   std::array<std::uint32_t, 4> vertices{};
 };
 
@@ -58,15 +58,15 @@ struct LoftGeometry {
   std::vector<LoftArm> arms;              ///< [n_vertices]
   std::vector<TurnedShell> arm_shells;    ///< their shells
   std::vector<ElementIndex> shells;       ///< that are lofted, ascending
-  std::vector<LoftFacet> facets;          ///< by element, then side
+  std::vector<LoftFacet> facets;          ///< by element, then side; then joints
   std::vector<LoftSphere> spheres;        ///< by element
   std::vector<LoftRod> rods;              ///< by element
 };
 
 /// Lofts elements at the given coordinates. Shells that share a node bend the loft along their mean normal
 /// there, so that smooth shells have a smooth skin; side faces stand only on edges that no other lofted shell
-/// has. A line's prism is inscribed in the cylinder of its radius, its ends closed where no other lofted line
-/// goes on.
+/// has; joints close sharp folds. A line's prism is inscribed in the cylinder of its radius, its ends closed
+/// where no other lofted line goes on.
 ///   coordinates  3 x n_nodes [length]
 ///   elements     ascending; shells, lines and particles
 ///   sizes        [n_elements] of each of them

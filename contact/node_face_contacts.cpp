@@ -21,6 +21,9 @@ namespace {
 /// over each other keep touching when they spread by different strains.
 constexpr double automatic_beyond = 0.02;
 
+/// Nodes that stand this share of an element's thickness beyond an edge stand over it.
+constexpr double just_beyond = 1e-6;
+
 /// Normals closer than this are of one surface that bends, not of the walls of a hollow.
 constexpr double same_wall = 0.7;
 
@@ -66,6 +69,20 @@ Eigen::Vector3d NodeFaceContacts::Memory::elastic(const Eigen::Vector3d& normal)
   return elastic;
 }
 
+double NodeFaceContacts::Memory::depth(const Eigen::Vector3d& normal) const {
+  float depth = 0.0f;
+  for (const Touch& touch : touches) {
+    if (touch.normal.cast<double>().dot(normal) > same_side) depth = std::max(depth, touch.depth);
+  }
+  return depth;
+}
+
+double NodeFaceContacts::Memory::depth() const {
+  float depth = 0.0f;
+  for (const Touch& touch : touches) depth = std::max(depth, touch.depth);
+  return depth;
+}
+
 /// What is known of a node, the faces that it is near to, and the touches of this step so far.
 struct NodeFaceContacts::Work {
   Memory memory;
@@ -78,7 +95,7 @@ void NodeFaceContacts::archive(StateArchive& saved) {
   std::vector<Touch> all;
   for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
   saved.rows("contact/node_pairs/touches", all, [](Touch& touch, RowNumbers& row) {
-    row(touch.row, touch.is_balanced, touch.normal, touch.elastic);
+    row(touch.row, touch.is_balanced, touch.normal, touch.elastic, touch.depth, touch.is_deep, touch.pair);
   });
   if (!saved.restores()) return;
   for (std::vector<Touch>& chunk : touches_) chunk.clear();
@@ -92,11 +109,13 @@ void NodeFaceContacts::renumber(const ContactRenumbering& places) {
   for (const std::vector<Touch>& chunk : touches_) {
     for (Touch touch : chunk) {
       touch.row = places.rows[touch.row];
+      touch.is_deep = 0;  // what deaths end is not lost
       if (touch.row != ContactRenumbering::gone) touches[touch.row / rows_per_chunk].push_back(touch);
     }
   }
   for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
   touches_ = std::move(touches);
+  lost_.assign(touches_.size(), {});
 }
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
@@ -113,7 +132,26 @@ void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
                  [&](const Touch& touch) { return touch.is_balanced != scene.balances; });
     if (!candidates_.of(row).empty()) find_one(scene, row, work, records);
   }
-  if (!scene.is_frozen) touches = std::move(work.touches);
+  if (scene.is_frozen) return;
+  std::vector<LostContact>& lost = lost_[begin / rows_per_chunk];
+  if (!scene.balances) lost.clear();
+  for (const Touch& touch : touches) {
+    if (touch.is_deep != 0 && !std::ranges::binary_search(work.touches, touch.row, {}, &Touch::row))
+      lost.push_back({touch.pair, faces_.surface_nodes[touch.row].node, touch.depth});
+  }
+  touches = std::move(work.touches);
+}
+
+void NodeFaceContacts::find_lost(std::vector<LostContact>& lost) const {
+  for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
+}
+
+std::vector<float> NodeFaceContacts::depths() const {
+  std::vector<float> depths(faces_.surface_nodes.size(), 0.0f);
+  for (const std::vector<Touch>& chunk : touches_) {
+    for (const Touch& touch : chunk) depths[touch.row] = std::max(depths[touch.row], touch.depth);
+  }
+  return depths;
 }
 
 void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Work& work,
@@ -137,8 +175,22 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
       add_friction(hit.penalty.stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
                    record);
     }
-    work.touches.push_back({row, record.is_balanced, record.normal.cast<float>(), record.elastic});
+    work.touches.push_back(make_touch(row, hit, record));
   }
+}
+
+NodeFaceContacts::Touch NodeFaceContacts::make_touch(std::uint32_t row, const Hit& hit,
+                                                     const ContactRecord& record) const {
+  const double thickness =
+      std::min(faces_.surface_nodes[row].backing.thickness, faces_.faces[hit.face].backing.thickness);
+  const double depth = std::max(0.0, -hit.point.gap);
+  return {row,
+          record.is_balanced,
+          record.normal.cast<float>(),
+          record.elastic,
+          static_cast<float>(depth),
+          depth > deep_share * thickness,
+          hit.pair};
 }
 
 void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std::uint32_t face_index,
@@ -162,10 +214,10 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const double reach =
       std::max({rule.reach, margin, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
   hit.near = std::max(near, margin);
-  const bool may_be_deep = scene.balances && !memory.touches.empty();
-  const double deepest =
-      may_be_deep ? any_depth
-                  : std::max(rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed);
+  const double of_known =
+      scene.balances && !memory.touches.empty() ? any_depth : depth_of_known(0.0, memory.depth(), closed);
+  const double deepest = std::max(
+      {rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed, of_known});
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.twist() - bound.height_of(x));
@@ -181,7 +233,8 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.distance = std::abs(point->gap + node.radius) + point->beyond;
   hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
   const bool is_known = memory.knows(hit.point.normal);
-  hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
+  hit.penalty.depth = is_known ? depth_of_known(hit.penalty.depth, memory.depth(hit.point.normal), closed)
+                               : std::max(hit.penalty.depth, 1.5 * closed);
   if (is_known && scene.balances) hit.penalty.depth = any_depth;
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
   if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
@@ -194,7 +247,10 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
-  return hit.point.gap + approach > -shallow_depth * node.backing.thickness;
+  // Beyond the edge of a face it may be outside the body: there it has to come from in front.
+  const bool is_beyond = hit.point.edge >= 0 && hit.point.beyond > just_beyond * node.backing.thickness;
+  const double shallow = is_beyond ? just_beyond : shallow_depth;
+  return hit.point.gap + approach > -shallow * node.backing.thickness;
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,

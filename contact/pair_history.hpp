@@ -21,6 +21,12 @@ struct PairHistory {
   double work = 0.0;                                  ///< stored in its springs and lost [energy]
   double friction_work = 0.0;                         ///< lost to friction, >= 0 [energy]
 
+  /// Contacts that ended deep, because a side got past the other; the first of them (NaN: none).
+  std::uint64_t n_lost = 0;
+  std::uint32_t lost_node = 0;                                   ///< of the mesh
+  double lost_time = std::numeric_limits<double>::quiet_NaN();   ///< [time]
+  double lost_depth = std::numeric_limits<double>::quiet_NaN();  ///< penetration [length]
+
   bool has_touched() const { return contact_time > 0.0 || peak_force > 0.0; }
 };
 

@@ -23,8 +23,11 @@ constexpr double well_between = 0.1, just_between = -0.02;
 /// Edges that miss each other by this share of their lengths cross all the same.
 constexpr double just_beside = 1e-6;
 
-/// What is sharp to beams and trusses, if the deck does not say [degrees].
-constexpr double usual_angle = 30.0;
+/// What is sharp to beams and trusses, and to other sharp edges, if the deck does not say [degrees].
+constexpr double usual_angle = 30.0, usual_feature_angle = 45.0;
+
+/// By which an angle must be passed: whether a right angle cut in two is sharp must not be chance [degrees].
+constexpr double round_off = 1e-6;
 
 /// Width of the strip along a sharp edge that touches another one, over the size of its face.
 constexpr double strip = 0.25;
@@ -123,15 +126,18 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto is_line = [](const ContactEdge& edge) { return !edge.is_particle(); };
   const bool has_lines = std::ranges::any_of(faces.edges, is_line);
-  std::vector<double> angle(surfaces.size(), has_lines ? usual_angle : infinite);
-  std::vector<std::uint8_t> meets(surfaces.size(), 1), is_feature(surfaces.size(), 0);
+  std::vector<double> feature_angle(surfaces.size(), usual_feature_angle);
+  std::vector<double> line_angle(surfaces.size(), has_lines ? usual_angle : infinite);
+  std::vector<std::uint8_t> meets(surfaces.size(), 1);
   visit_surface_options(options, surfaces, [&](std::size_t i, const SurfaceOptions& of) {
-    if (of.feature_angle) angle[i] = *of.feature_angle, is_feature[i] = 1;
+    if (of.feature_angle) feature_angle[i] = *of.feature_angle;
+    if (of.feature_angle && std::isfinite(*of.feature_angle)) line_angle[i] = infinite;
     if (of.has_edge_contact) meets[i] = *of.has_edge_contact ? 1 : 0;
   });
   std::erase_if(faces.edges, [&](const ContactEdge& edge) { return meets[edge.surface] == 0; });
+  std::vector<double> angle(surfaces.size(), infinite);
   for (std::size_t i = 0; i < angle.size(); ++i) {
-    if (meets[i] == 0) angle[i] = infinite;
+    if (meets[i] != 0) angle[i] = std::min(feature_angle[i], line_angle[i]);
   }
   if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
   const std::vector<FaceEdge> edges = list_edges(faces.faces);
@@ -139,10 +145,11 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
     const FaceEdge &one = edges[i], &other = edges[i + 1];
     if (std::tie(one.low, one.high) != std::tie(other.low, other.high)) continue;
     const ContactFace &a = faces.faces[one.face], &b = faces.faces[other.face];
-    const double turn = std::acos(cosine_of_turn(start_of(start, a), start_of(start, b)));
-    if (!(turn > angle[a.surface] * std::numbers::pi / 180.0)) continue;
+    const double turn =
+        std::acos(cosine_of_turn(start_of(start, a), start_of(start, b))) * 180.0 / std::numbers::pi;
+    if (!(turn > angle[a.surface] + round_off)) continue;
     faces.edges.push_back(make_edge(start, one, other));
-    faces.edges.back().is_feature = is_feature[a.surface] != 0;
+    faces.edges.back().is_feature = turn > feature_angle[a.surface] + round_off;
   }
 }
 

@@ -11,10 +11,10 @@
 namespace contactsim {
 
 /// Adds the edges between faces that turn away from each other by more than the FEATURE ANGLE of their
-/// surface's options, and takes away all edges of surfaces with EDGE CONTACT = OFF. Faces of bricks count
-/// too: the rims of shells are sharp. Without a FEATURE ANGLE edges of more than 30 degrees meet beams and
-/// trusses where there are any, and no other sharp edges. Source: feature edges of Abaqus/Explicit general
-/// contact, 36.4.2.
+/// surface's options, 45 degrees if they say none, and takes away all edges of surfaces with EDGE CONTACT =
+/// OFF. Faces of bricks count too: the rims of shells are sharp. Without a number for FEATURE ANGLE edges of
+/// more than 30 degrees meet beams and trusses where there are any; with OFF sharp edges meet nothing else.
+/// Source: feature edges of Abaqus/Explicit general contact, 36.4.2.
 ///   start  the faces at the start
 void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const ContactSurface> surfaces,
                   const MovingSurface& start, ContactFaces& faces);

@@ -50,12 +50,47 @@ std::vector<TurnedShell> ShellNeighbours::around(std::uint32_t shell, int corner
   const auto first = std::lower_bound(shells_of_node_.begin(), shells_of_node_.end(), std::pair(node, 0u));
   const auto last = std::upper_bound(first, shells_of_node_.end(), std::pair(node, UINT32_MAX));
   if (last - first > max_smooth_shells) return {{shell, false}};
+  const std::span shells(first, last);
+  const auto place = std::ranges::find(shells, shell, &std::pair<NodeIndex, std::uint32_t>::second);
+  const std::vector<int> oriented =
+      orientations(node, shells, static_cast<std::size_t>(place - shells.begin()));
   std::vector<TurnedShell> around;
-  for (auto entry = first; entry != last; ++entry) {
-    const double cosine = own.dot(area_vectors_[entry->second].normalized());
-    if (std::abs(cosine) > smooth_cosine) around.push_back({entry->second, cosine < 0.0});
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    const std::uint32_t other = shells[i].second;
+    const double cosine = own.dot(area_vectors_[other].normalized());
+    const int sign = oriented[i] != 0 ? oriented[i] : cosine < 0.0 ? -1 : 1;
+    if (sign * cosine > smooth_cosine) around.push_back({other, sign < 0});
   }
   return around;
+}
+
+std::vector<int> ShellNeighbours::orientations(NodeIndex node,
+                                               std::span<const std::pair<NodeIndex, std::uint32_t>> shells,
+                                               std::size_t own) const {
+  struct Ends {
+    NodeIndex before, after;  // of the shell's corners, next to the node
+  };
+  std::vector<Ends> ends;
+  for (const auto& [at, shell] : shells) {
+    const auto nodes = corners(shell);
+    const auto k = static_cast<std::size_t>(std::ranges::find(nodes, node) - nodes.begin());
+    ends.push_back({nodes[(k + nodes.size() - 1) % nodes.size()], nodes[(k + 1) % nodes.size()]});
+  }
+  std::vector<int> oriented(shells.size(), 0);
+  std::vector<std::size_t> reached{own};
+  oriented[own] = 1;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Ends& a = ends[reached[i]];
+    for (std::size_t other = 0; other < ends.size(); ++other) {
+      const Ends& b = ends[other];
+      const bool goes_on = a.before == b.after || a.after == b.before;
+      const bool turns = a.before == b.before || a.after == b.after;
+      if (oriented[other] != 0 || !(goes_on || turns)) continue;
+      oriented[other] = goes_on ? oriented[reached[i]] : -oriented[reached[i]];
+      reached.push_back(other);
+    }
+  }
+  return oriented;
 }
 
 Eigen::Vector3d ShellNeighbours::mean_normal(std::span<const TurnedShell> around) const {

@@ -26,7 +26,9 @@ class ShellNeighbours {
                   std::span<const ElementIndex> shells);
 
   /// The shells around the node of a corner that share their normal with this one: those within 60 degrees
-  /// of it, ascending. Where more than 256 shells meet in a node, this one alone.
+  /// of it, seen from the same side of the sheet as edges around the node lead from one to the next: a sheet
+  /// folded back on itself is not smooth. Ascending. Where more than 256 shells meet in a node, this one
+  /// alone.
   ///   shell  position in `shells`
   std::vector<TurnedShell> around(std::uint32_t shell, int corner) const;
 
@@ -46,6 +48,10 @@ class ShellNeighbours {
   };
 
   std::span<const NodeIndex> corners(std::uint32_t shell) const;
+  /// Whether the shells at a node are oriented as the one at a position among them: 1, or -1 if not; 0 of
+  /// shells that no edges join to it there.
+  std::vector<int> orientations(NodeIndex node, std::span<const std::pair<NodeIndex, std::uint32_t>> shells,
+                                std::size_t own) const;
 
   const Mesh& mesh_;
   std::span<const ElementIndex> shells_;

@@ -62,6 +62,8 @@ void add_loft_parts(const ContactModel& model, std::vector<SurfaceSummary>& summ
       case LoftPart::side:
         ++summary.side;
         break;
+      case LoftPart::joint:
+        break;
       case LoftPart::prism:
         summary.prisms += is_new_prism ? 1 : 0;
         break;
@@ -82,6 +84,8 @@ std::string_view kind_of(LoftPart part) {
       return "bottom";
     case LoftPart::side:
       return "side";
+    case LoftPart::joint:
+      return "joint";
     case LoftPart::prism:
       return "prism";
   }

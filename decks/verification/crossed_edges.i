@@ -1,6 +1,6 @@
 # A steel brick, one of its edges ahead, flies at 10 m/s across the edge of another one, at a right angle, both free (SI).
 #
-# Shows FEATURE ANGLE: sharp edges meet as lines, at once, where faces alone would first let them pass through each other;
+# Shows sharp edges at the default FEATURE ANGLE: they meet as lines, at once, where faces alone would first let them pass through each other;
 # what the contact has taken it gives back. Expected: first touch after 1 mm within 5 %, energy left in contact below 1 %.
 #
 # {ifndef(form)}
@@ -46,9 +46,6 @@ begin sierra crossed edges
 
       begin contact definition
         skin all blocks = on
-        begin surface options
-          feature angle = 45
-        end
         begin interaction defaults
           general contact = on
           constraint formulation = {form}

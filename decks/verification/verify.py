@@ -20,6 +20,7 @@ import cases_crash  # noqa: E402, F401
 import cases_death  # noqa: E402, F401
 import cases_discrete  # noqa: E402, F401
 import cases_figures  # noqa: E402, F401
+import cases_folds  # noqa: E402, F401
 import cases_friction  # noqa: E402, F401
 import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/contact_option_commands.hpp"
 
+#include <limits>
+
 #include "parser/commands/row_lists.hpp"
 
 namespace contactsim {
@@ -62,6 +64,11 @@ void read_lofting(Arguments& arguments, SurfaceOptions&) {
   }
 }
 
+void read_feature_angle(Arguments& arguments, SurfaceOptions& options) {
+  const bool is_off = !arguments.at_end() && arguments.accept("off");
+  options.feature_angle = is_off ? std::numeric_limits<double>::infinity() : arguments.non_negative();
+}
+
 void read_allowable_thickness(Arguments& arguments, SurfaceOptions& options) {
   options.smallest_shell_thickness = arguments.non_negative();
   arguments.expect("to");
@@ -82,8 +89,8 @@ const Table<SurfaceOptions>& surface_options_table() {
       row("beam radius", read::positive, &S::beam_radius, "Radius of lofted beams [length]", "the section's"),
       row("edge contact", read::on_off, &S::has_edge_contact,
           "Whether beams, particles and sharp edges meet each other; contactsim's own line", "ON"),
-      row("feature angle", read::non_negative, &S::feature_angle,
-          "Edges at which faces turn by more [degrees] meet other edges; contactsim's own line", "none"),
+      row<S>("feature angle", "= {<degrees>|OFF}", read_feature_angle,
+             "Edges at which faces turn by more [degrees] meet other edges; contactsim's own line", "45"),
       row<S>("lofting algorithm", "= {ON|OFF}", read_lofting,
              "OFF is refused: lofted geometry is always used", "ON"),
       row("contact shell thickness", thickness, &S::shell_thickness, "Which thickness lofted shells have"),

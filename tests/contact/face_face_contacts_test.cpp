@@ -52,7 +52,7 @@ struct CubeOnPlate : ContactParts {
     move();
   }
   void renew_candidates() {
-    search();
+    search(contacts.depths());
     contacts.next_candidates() = face_partners;
     contacts.take_candidates();
   }
@@ -95,18 +95,29 @@ TEST_CASE("a cube in a plate is pushed out by stiffness, area and depth", "[cont
   CHECK((parts.force_on_cube(parts.find()) - Vector3d(0, 0, 2.5)).norm() < 1e-12);
 }
 
-TEST_CASE("contact reaches half an element deep, and deeper where it knows the faces",
+TEST_CASE("contact begins up to half an element deep, and goes on however deep it gets",
           "[contact][face_face_contacts]") {
   CubeOnPlate jumped;
   jumped.move_cube({0, 0, -0.55}, false);
   CHECK(jumped.find().empty());
   CubeOnPlate pushed;
-  pushed.move_cube({0, 0, -0.3}, false);
+  pushed.move_cube({0, 0, -0.3});
   CHECK(!pushed.find().empty());
-  pushed.move_cube({0, 0, -0.25}, false);
-  CHECK(!pushed.find().empty());
-  pushed.move_cube({0, 0, -0.25}, false);
+  for (int step = 1; step <= 6; ++step) {  // far through the plate, which is 1 thick
+    pushed.move_cube({0, 0, -0.25});
+    if (step % 2 == 0) pushed.renew_candidates();
+    const auto records = pushed.find();
+    REQUIRE(records.size() == 1);
+    CHECK(records[0].gap == Approx(-0.3 - 0.25 * step));
+  }
+  std::vector<LostContact> lost;
+  pushed.contacts.find_lost(pushed.rules, lost);
+  CHECK(lost.empty());
+  pushed.move_cube({5, 0, 0}, false);
   CHECK(pushed.find().empty());
+  pushed.contacts.find_lost(pushed.rules, lost);
+  REQUIRE(lost.size() == 1);
+  CHECK(lost[0].depth == Approx(1.8));
   CubeOnPlate fast;  // what a step has brought in is in touch
   fast.move_cube({0, 0, -0.7});
   CHECK(!fast.find().empty());

@@ -64,7 +64,8 @@ struct TipOnFloor : ContactParts {
       x.col(i) += way;
       if (in_a_step) v.col(i) = way;
     }
-    search();
+    const std::vector<float> depths = contacts.depths();
+    search({}, depths);
     contacts.candidates() = node_faces;
     return look(in_a_step ? 1.0 : 0.0, is_frozen);
   }
@@ -178,6 +179,23 @@ TEST_CASE("a node that turns up deep inside did not go in there", "[contact][nod
   later.search();
   later.contacts.candidates() = later.node_faces;
   CHECK(later.look(1.0).empty());
+}
+
+TEST_CASE("a node that went in goes on touching however deep it gets", "[contact][node_face_contacts]") {
+  TipOnFloor parts;
+  parts.put({0.6, 0.7, 0.02});
+  std::vector<LostContact> lost;
+  for (int step = 1; step <= 18; ++step) {  // far through the floor, which is 1 thick
+    const auto records = parts.put({0.6, 0.7, -0.1 * step}, true);
+    REQUIRE(records.size() == 1);
+    CHECK(records[0].gap == Approx(-0.1 * step));
+    parts.contacts.find_lost(lost);
+  }
+  CHECK(lost.empty());
+  parts.put({20.0, 0.7, -1.8});
+  parts.contacts.find_lost(lost);
+  REQUIRE(lost.size() == 1);
+  CHECK(lost[0].depth == Approx(1.8));
 }
 
 TEST_CASE("in a hollow a node touches both walls", "[contact][node_face_contacts]") {

@@ -128,10 +128,10 @@ ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contac
   move();
 }
 
-void ContactParts::search() {
+void ContactParts::search(std::span<const float> face_depths, std::span<const float> node_depths) {
   move();
   ContactSearch(faces, mesh, rules, definition.search, definition.dash)
-      .find(surface, motion(), {face_partners, node_faces});
+      .find(surface, motion(), {face_partners, node_faces, face_depths, node_depths});
 }
 
 }  // namespace contactsim::test

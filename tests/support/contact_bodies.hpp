@@ -87,8 +87,9 @@ struct ContactParts {
     return {surface, rules, glued, dt, is_frozen};
   }
   /// The candidates of a search now.
+  ///   depths  of faces and surface nodes that are in something already
   PairLists face_partners, node_faces;
-  void search();
+  void search(std::span<const float> face_depths = {}, std::span<const float> node_depths = {});
 };
 
 }  // namespace contactsim::test
