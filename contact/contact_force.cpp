@@ -136,8 +136,10 @@ void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   const auto take = [&](const ContactRecord& record) {
     sums_.add(record);
+    depths_.note(surface_, record);
     if (record.touches() && glues(record)) to_glue.push_back(record);
   };
+  depths_.begin_step(faces_.faces.size());
   face_face_.begin_step();
   visit_places(face_face_, scene, [&](const ContactRecord& record) {
     take(record);
@@ -225,7 +227,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     surface_.bound_watched();
   }
   sums_.begin_step();
-  add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
+  add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step, &depths_});
   write_forces(forces);
   if (is_first) stored_at_start_ = stored();
   note_histories(motion);
@@ -271,7 +273,7 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   ties.clear();
   surface_.move_nodes(motion);
   surface_.bound_watched();
-  const ContactScene scene{surface_, rules_, glued_, motion.dt, true};
+  const ContactScene scene{surface_, rules_, glued_, motion.dt, true, 0.0, &depths_};
   const auto take = [&](const ContactRecord& record) { places.push_back(record); };
   visit_places(face_face_, scene, take);
   visit_places(node_face_, scene, take);

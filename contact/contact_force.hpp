@@ -13,6 +13,7 @@
 #include "contact/held_places.hpp"
 #include "contact/node_face_contacts.hpp"
 #include "contact/pair_history.hpp"
+#include "contact/penetration_depths.hpp"
 #include "contact/plane_contacts.hpp"
 #include "core/definition/contact.hpp"
 #include "core/force_term.hpp"
@@ -106,6 +107,7 @@ class ContactForce final : public ForceTerm {
   PairRules rules_;
   GluedPlaces glued_;
   MovingSurface surface_;
+  PenetrationDepths depths_;
   ContactSearch search_;
   FaceFaceContacts face_face_;
   NodeFaceContacts node_face_;

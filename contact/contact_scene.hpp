@@ -8,6 +8,7 @@
 #include "contact/contact_record.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/moving_surface.hpp"
+#include "contact/penetration_depths.hpp"
 #include "contact/place_keys.hpp"
 #include "contact/place_law.hpp"
 #include "contact/surface_pairs.hpp"
@@ -129,6 +130,7 @@ struct ContactScene {
   double dt = 0.0;         ///< of the step that ended, 0 at the start [time]
   bool is_frozen = false;  ///< nothing is remembered: the step has been taken, someone only looks
   double first_dt = 0.0;   ///< of the step to come, at the start [time]
+  const PenetrationDepths* depths = nullptr;  ///< of the last step; null: nothing is known of it
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the
   /// penalty of what it brings into touch [time].

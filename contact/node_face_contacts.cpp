@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "contact/contact_place.hpp"
+#include "contact/flush_rims.hpp"
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
 #include "contact/make_ties.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
-#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -71,31 +71,6 @@ struct NodeFaceContacts::Work {
   Hits hits;
   std::vector<Touch> touches;
 };
-
-void NodeFaceContacts::archive(StateArchive& saved) {
-  contactsim::archive("contact/node_pairs", candidates_, saved);
-  std::vector<Touch> all;
-  for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
-  saved.rows("contact/node_pairs/touches", all,
-             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.normal, touch.elastic); });
-  if (!saved.restores()) return;
-  for (std::vector<Touch>& chunk : touches_) chunk.clear();
-  for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
-}
-
-void NodeFaceContacts::renumber(const ContactRenumbering& places) {
-  std::vector<std::size_t> before;
-  candidates_ = carried(candidates_, places.rows, places.faces, places.n_rows_after, before);
-  std::vector<std::vector<Touch>> touches(places.n_rows_after / rows_per_chunk + 1);
-  for (const std::vector<Touch>& chunk : touches_) {
-    for (Touch touch : chunk) {
-      touch.row = places.rows[touch.row];
-      if (touch.row != ContactRenumbering::gone) touches[touch.row / rows_per_chunk].push_back(touch);
-    }
-  }
-  for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
-  touches_ = std::move(touches);
-}
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
@@ -172,7 +147,10 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
   if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
-  if (looks_at(scene, node, hit.point.normal) && stands_over(scene, face_index, hit)) hits.add(hit);
+  if (!looks_at(scene, node, hit.point.normal) || !stands_over(scene, face_index, hit)) return;
+  if (hit.point.gap < 0.0 && node.radius == 0.0f && is_at_flush_rim(scene, row, face_index, hit.point.normal))
+    return;
+  hits.add(hit);
 }
 
 bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const SurfaceNode& node,
@@ -181,7 +159,8 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
-  return hit.point.gap + approach > -shallow_depth * node.backing.thickness;
+  const double shallow = std::max(shallow_depth * node.backing.thickness, flush_width(scene, hit.face));
+  return hit.point.gap + approach > -shallow;
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,
