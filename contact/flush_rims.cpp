@@ -13,12 +13,13 @@ namespace {
 /// Faces whose normals have a smaller cosine have a rim between them.
 constexpr double sharpest_smooth = 0.7;
 
-/// A strip may be this much wider than the penetration of the face beyond the rim was deep: the rim may be
-/// deeper than the face's middle.
-constexpr double over_depth = 1.5;
+/// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be deeper
+/// than the face's middle, and what carries a body gives way by some layers of elements where the next part,
+/// which carries nothing, does not. A penalty or a step is as soft as three layers.
+constexpr double over_depth = 4.0;
 
-/// Faces are flush though they miss each other by this share of a side face's height: round-off of meshes.
-constexpr double just_flush = 2e-4;
+/// Faces are flush though they miss each other by this share of half a side face's height.
+constexpr double just_flush = 2e-3;
 
 /// What lies before a side face, as seen from its rims.
 struct Ahead {

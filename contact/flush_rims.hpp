@@ -8,7 +8,7 @@ namespace contactsim {
 /// Where bodies lie flush beside each other, a body that slides over them penetrates them a little, and the
 /// strip of its side faces below their surface meets the side faces inside the joint. Those contact points
 /// are false: the faces on the other side of the rim carry the body. A strip counts as flush when it is not
-/// wider than the face beyond the rim penetrated something in the last step, by half as much again.
+/// wider than some times what the face beyond the rim penetrated something by in the last step.
 
 /// Whether the overlap of two faces lies in a flush strip of either.
 ///   contact  overlaps
