@@ -65,6 +65,14 @@ Eigen::Vector3d NodeFaceContacts::Memory::elastic(const Eigen::Vector3d& normal)
   return elastic;
 }
 
+double NodeFaceContacts::Memory::depth(const Eigen::Vector3d& normal) const {
+  double deepest = 0.0;
+  for (const Touch& touch : touches) {
+    if (touch.normal.cast<double>().dot(normal) > 0.5) deepest = std::max(deepest, touch.depth);
+  }
+  return deepest;
+}
+
 /// What is known of a node, the faces that it is near to, and the touches of this step so far.
 struct NodeFaceContacts::Work {
   Memory memory;
@@ -107,7 +115,7 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
       add_friction(hit.penalty.stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
                    record);
     }
-    work.touches.push_back({row, record.normal.cast<float>(), record.elastic});
+    work.touches.push_back({row, record.normal.cast<float>(), record.elastic, -record.gap});
   }
 }
 
@@ -146,7 +154,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const bool is_known = memory.knows(hit.point.normal);
   hit.penalty.depth = std::max((is_known ? known_depth : 1.0) * hit.penalty.depth, 1.5 * closed);
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
-  if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
+  if (!comes_from_outside(scene, node, moving, hit, memory.depth(hit.point.normal))) return;
   if (!looks_at(scene, node, hit.point.normal) || !stands_over(scene, face_index, hit)) return;
   if (hit.point.gap < 0.0 && node.radius == 0.0f && is_at_flush_rim(scene, row, face_index, hit.point.normal))
     return;
@@ -154,12 +162,13 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
 }
 
 bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const SurfaceNode& node,
-                                          const MovingFace& face, const Hit& hit) const {
+                                          const MovingFace& face, const Hit& hit, double depth) const {
   // Before the first step nobody knows; what overlaps then is pushed out.
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
-  const double shallow = std::max(shallow_depth * node.backing.thickness, flush_width(scene, hit.face));
+  const double shallow =
+      std::max({shallow_depth * node.backing.thickness, flush_width(scene, hit.face), known_depth * depth});
   return hit.point.gap + approach > -shallow;
 }
 

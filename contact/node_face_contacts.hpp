@@ -45,6 +45,7 @@ class NodeFaceContacts {
     std::uint32_t row = 0;
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();
     Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
+    double depth = 0.0;  ///< of the penetration [length]
   };
   /// What is known of one node.
   struct Memory {
@@ -57,6 +58,8 @@ class NodeFaceContacts {
     }
     /// The slip that was held against a face that looks almost the same way [length].
     Eigen::Vector3d elastic(const Eigen::Vector3d& normal) const;
+    /// The deepest penetration of a face that looks the same way [length].
+    double depth(const Eigen::Vector3d& normal) const;
   };
   struct Hit;
   struct Hits;
@@ -70,10 +73,12 @@ class NodeFaceContacts {
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool looks_at(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
-  /// Whether the node was in front of the face, or hardly behind it, one step ago. A node that turns up deep
-  /// inside went in elsewhere; pushing it out here would make energy from nothing.
+  /// Whether the node was in front of the face, or hardly behind it, or hardly deeper than behind the faces
+  /// that it knows, one step ago. A node that turns up deep inside went in elsewhere; pushing it out here
+  /// would make energy from nothing.
+  ///   depth  of what it knows [length]
   bool comes_from_outside(const ContactScene& scene, const SurfaceNode& node, const MovingFace& face,
-                          const Hit& hit) const;
+                          const Hit& hit, double depth) const;
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
   static std::size_t share_edge(Hits& hits);
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;

@@ -9,7 +9,7 @@ void NodeFaceContacts::archive(StateArchive& saved) {
   std::vector<Touch> all;
   for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
   saved.rows("contact/node_pairs/touches", all,
-             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.normal, touch.elastic); });
+             [](Touch& touch, RowNumbers& row) { row(touch.row, touch.normal, touch.elastic, touch.depth); });
   if (!saved.restores()) return;
   for (std::vector<Touch>& chunk : touches_) chunk.clear();
   for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
