@@ -132,6 +132,13 @@ bool ContactForce::glues(const ContactRecord& record) const {
   return rule.law == ContactLaw::glued;
 }
 
+std::span<const ContactRecord> ContactForce::find_node_places(const ContactScene& scene) {
+  node_places_.clear();
+  visit_places(node_face_, scene, [&](const ContactRecord& record) { node_places_.push_back(record); });
+  node_areas_.share_out(scene, node_places_);
+  return node_places_;
+}
+
 void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   const auto take = [&](const ContactRecord& record) {
@@ -145,7 +152,7 @@ void ContactForce::add_places(const ContactScene& scene) {
     take(record);
     face_face_.note(record);
   });
-  visit_places(node_face_, scene, take);
+  for (const ContactRecord& record : find_node_places(scene)) take(record);
   edges_.begin_step();
   visit_places(edges_, scene, [&](const ContactRecord& record) {
     take(record);
@@ -276,7 +283,7 @@ void ContactForce::find_places(const Motion& motion, std::vector<ContactRecord>&
   const ContactScene scene{surface_, rules_, glued_, motion.dt, true, 0.0, &depths_};
   const auto take = [&](const ContactRecord& record) { places.push_back(record); };
   visit_places(face_face_, scene, take);
-  visit_places(node_face_, scene, take);
+  for (const ContactRecord& record : find_node_places(scene)) take(record);
   visit_places(edges_, scene, take);
   visit_places(planes_, scene, take);
   held_.find_forces(scene, ties);

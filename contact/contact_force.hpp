@@ -11,6 +11,7 @@
 #include "contact/edge_contacts.hpp"
 #include "contact/face_face_contacts.hpp"
 #include "contact/held_places.hpp"
+#include "contact/node_areas.hpp"
 #include "contact/node_face_contacts.hpp"
 #include "contact/pair_history.hpp"
 #include "contact/penetration_depths.hpp"
@@ -96,6 +97,8 @@ class ContactForce final : public ForceTerm {
   void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
   bool glues(const ContactRecord& record) const;
   NearCandidates near_candidates() const;
+  /// The contact points of nodes with faces.
+  std::span<const ContactRecord> find_node_places(const ContactScene& scene);
   void add_places(const ContactScene& scene);
   void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
@@ -115,7 +118,9 @@ class ContactForce final : public ForceTerm {
   PlaneContacts planes_;
   HeldPlaces held_;
   ContactSums sums_;
+  NodeAreas node_areas_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
+  std::vector<ContactRecord> node_places_;          // scratch
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
