@@ -140,7 +140,15 @@ bool ContactForce::glues(const ContactRecord& record) const {
 /// Adds a contact point whose forces are known to all sums.
 void ContactForce::keep(const ContactRecord& record) {
   sums_.add(record);
+  depths_.note(surface_, record);
   points_.push_back(record);
+}
+
+std::span<const ContactRecord> ContactForce::find_node_places(const ContactScene& scene) {
+  node_places_.clear();
+  visit_places(node_face_, scene, [&](const ContactRecord& record) { node_places_.push_back(record); });
+  node_areas_.share_out(scene, node_places_);
+  return node_places_;
 }
 
 void ContactForce::add_places(const ContactScene& scene) {
@@ -153,7 +161,7 @@ void ContactForce::add_places(const ContactScene& scene) {
     take(record);
     face_face_.note(record);
   });
-  visit_places(node_face_, scene, take);
+  for (const ContactRecord& record : find_node_places(scene)) take(record);
   visit_places(edges_, scene, [&](const ContactRecord& record) {
     take(record);
     edges_.note(record);
@@ -235,9 +243,10 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   sums_.begin_step();
   points_.clear();
   held_.begin_step();
+  depths_.begin_step(faces_.faces.size());
   face_face_.begin_step();
   edges_.begin_step();
-  add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
+  add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step, &depths_});
   write_forces(forces);
   if (is_first) stored_at_start_ = stored();
   if (!balances_) end_step(motion.time, motion.dt);
@@ -303,7 +312,7 @@ void ContactForce::add_balanced(const ContactScene& scene, std::vector<ContactRe
     take(record);
     face_face_.note(record);
   });
-  visit_places(node_face_, scene, take);
+  for (const ContactRecord& record : find_node_places(scene)) take(record);
   visit_places(edges_, scene, [&](const ContactRecord& record) {
     take(record);
     edges_.note(record);
@@ -316,6 +325,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   if (!balances_) return std::nullopt;
   foresee(state);
   ContactScene scene{surface_, rules_, glued_, state.dt};
+  scene.depths = &depths_;
   scene.balances = true;
   scene.coming_dt = state.next_dt;
   balance_.begin(setup_.model, surface_, state);

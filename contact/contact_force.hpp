@@ -12,8 +12,10 @@
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/face_face_contacts.hpp"
 #include "contact/held_places.hpp"
+#include "contact/node_areas.hpp"
 #include "contact/node_face_contacts.hpp"
 #include "contact/pair_history.hpp"
+#include "contact/penetration_depths.hpp"
 #include "contact/plane_contacts.hpp"
 #include "core/definition/contact.hpp"
 #include "core/force_term.hpp"
@@ -102,6 +104,8 @@ class ContactForce final : public ForceTerm {
   void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
   bool glues(const ContactRecord& record) const;
   NearCandidates near_candidates() const;
+  /// The contact points of nodes with faces.
+  std::span<const ContactRecord> find_node_places(const ContactScene& scene);
   void add_places(const ContactScene& scene);
   void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
@@ -118,6 +122,7 @@ class ContactForce final : public ForceTerm {
   PairRules rules_;
   GluedPlaces glued_;
   MovingSurface surface_;
+  PenetrationDepths depths_;
   ContactSearch search_;
   FaceFaceContacts face_face_;
   NodeFaceContacts node_face_;
@@ -133,6 +138,8 @@ class ContactForce final : public ForceTerm {
   BalanceReport balance_report_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<ContactRecord> points_;               // of the step
+  NodeAreas node_areas_;
+  std::vector<ContactRecord> node_places_;          // scratch
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]

@@ -27,6 +27,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   surface_.archive(saved);
   rules_.archive(saved);
   glued_.archive(saved);
+  depths_.archive(saved);
   search_.archive(saved);
   face_face_.archive(saved);
   node_face_.archive(saved);

@@ -62,6 +62,7 @@ ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) cons
 void ContactForce::renumber(const ContactRenumbering& places) {
   rules_.renumber(places);
   glued_.renumber(places);
+  depths_.renumber(places);
   search_.renumber(places);
   face_face_.renumber(places);
   node_face_.renumber(places);

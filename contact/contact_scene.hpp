@@ -8,6 +8,7 @@
 #include "contact/contact_record.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/moving_surface.hpp"
+#include "contact/penetration_depths.hpp"
 #include "contact/place_keys.hpp"
 #include "contact/place_law.hpp"
 #include "contact/surface_pairs.hpp"
@@ -130,6 +131,7 @@ struct ContactScene {
   double dt = 0.0;         ///< of the step that ended, 0 at the start [time]
   bool is_frozen = false;  ///< nothing is remembered: the step has been taken, someone only looks
   double first_dt = 0.0;   ///< of the step to come, at the start [time]
+  const PenetrationDepths* depths = nullptr;  ///< of the last step; null: nothing is known of it
   /// Which pairs are looked at: those enforced by momentum balance, or by penalty. For the former the
   /// velocities are those that the coming step would have without contact.
   bool balances = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact/contact_place.hpp"
+#include "contact/flush_rims.hpp"
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
@@ -145,6 +146,8 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   if (contact.force > 0.0 && !did_touch &&
       !met_in_front(scene, candidate, contact, -apart.dot(contact.normal) * scene.dt))
     return;
+
+  if (contact.force > 0.0 && is_at_flush_rim(scene, candidate.first, candidate.second, contact)) return;
 
   ContactRecord& record = records.emplace_back(make_record(candidate, contact));
   record.damped = contact.damped_power * scene.dt;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/common_plane.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
 
@@ -61,9 +62,11 @@ double share_of_node(const ContactScene& scene, const PairLists& node_faces, con
 std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
                                    double tolerance) {
   const MovingFace moving = scene.surface.face(face);
-  const std::uint32_t node = scene.surface.faces().surface_nodes[row].node;
-  const auto point = project_onto_face(moving.x, moving.is_triangle, scene.surface.x(node));
-  if (!point || std::abs(point->gap) > tolerance) return std::nullopt;
+  const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
+  auto point = project_onto_face(moving.x, moving.is_triangle, scene.surface.x(node.node));
+  if (!point) return std::nullopt;
+  point->gap -= node.radius;
+  if (std::abs(point->gap) > tolerance) return std::nullopt;
   if (point->beyond > beside * scene.surface.bound(face).radius()) return std::nullopt;
   return point;
 }
@@ -122,21 +125,40 @@ std::optional<Tie> make_node_tie(const ContactScene& scene, const NearPlace& pla
 
 namespace {
 
-/// The nearest of the faces that a node stands over and is held to.
+/// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
+bool is_facing(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) {
+  const ContactFaces& faces = scene.surface.faces();
+  bool has_faces = false;
+  for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
+    if (faces.faces[own].surface != node.surface) continue;
+    const Eigen::Vector3d area = scene.surface.area(faces.faces[own]);
+    if (area.dot(normal) < most_aside * area.norm()) return true;
+    has_faces = true;
+  }
+  return !has_faces;
+}
+
+/// The nearest of the faces that a node stands over and is held to; one that looks at the node's own faces
+/// before all others. On the rim of a joint the sides of the other body are as near as what the joint joins.
 std::optional<NearPlace> find_nearest(const ContactScene& scene, const PairLists& node_faces,
                                       std::uint32_t row, double size_share, const HoldsPlace& holds) {
   const ContactFaces& faces = scene.surface.faces();
   std::optional<NearPlace> best;
   Eigen::Vector4d weights;
   double nearest = std::numeric_limits<double>::infinity();
+  bool faces_best = false;
   for (const std::uint32_t face : node_faces.of(row)) {
     const std::uint32_t pair = scene.rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface);
     if (pair == PairRules::none || !scene.rules[pair].is_active || !holds(scene.rules.of_node(pair, row)))
       continue;
     const double tolerance = tolerance_of(*scene.rules[pair].pair, scene.surface.bound(face), size_share);
     const auto foot = find_foot(scene, row, face, tolerance);
-    if (!foot || std::abs(foot->gap) + foot->beyond >= nearest) continue;
-    nearest = std::abs(foot->gap) + foot->beyond;
+    if (!foot) continue;
+    const double distance = std::abs(foot->gap) + foot->beyond;
+    const bool faces_node = is_facing(scene, faces.surface_nodes[row], foot->normal);
+    if (faces_node == faces_best ? distance >= nearest : faces_best) continue;
+    nearest = distance;
+    faces_best = faces_node;
     best = {row, face, pair, true, tolerance};
     weights = corner_weights(foot->xi, foot->eta, faces.faces[face].is_triangle());
   }

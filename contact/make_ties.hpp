@@ -45,7 +45,8 @@ std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_part
 HeldPlace place_of_faces(const ContactScene& scene, std::uint32_t first, std::uint32_t second);
 HeldPlace place_of_node(const ContactScene& scene, std::uint32_t row, std::uint32_t face);
 
-/// Where a surface node stands over a face; nothing when it does not, or the gap is beyond the tolerance.
+/// Where a surface node stands over a face; nothing when it does not, or the gap is beyond the tolerance. The
+/// gap of a ball counts from its surface.
 std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
                                    double tolerance);
 

@@ -6,12 +6,12 @@
 #include <iterator>
 
 #include "contact/contact_place.hpp"
+#include "contact/flush_rims.hpp"
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
 #include "contact/make_ties.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
-#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -89,34 +89,6 @@ struct NodeFaceContacts::Work {
   Hits hits;
   std::vector<Touch> touches;
 };
-
-void NodeFaceContacts::archive(StateArchive& saved) {
-  contactsim::archive("contact/node_pairs", candidates_, saved);
-  std::vector<Touch> all;
-  for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
-  saved.rows("contact/node_pairs/touches", all, [](Touch& touch, RowNumbers& row) {
-    row(touch.row, touch.is_balanced, touch.normal, touch.elastic, touch.depth, touch.is_deep, touch.pair);
-  });
-  if (!saved.restores()) return;
-  for (std::vector<Touch>& chunk : touches_) chunk.clear();
-  for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
-}
-
-void NodeFaceContacts::renumber(const ContactRenumbering& places) {
-  std::vector<std::size_t> before;
-  candidates_ = carried(candidates_, places.rows, places.faces, places.n_rows_after, before);
-  std::vector<std::vector<Touch>> touches(places.n_rows_after / rows_per_chunk + 1);
-  for (const std::vector<Touch>& chunk : touches_) {
-    for (Touch touch : chunk) {
-      touch.row = places.rows[touch.row];
-      touch.is_deep = 0;  // what deaths end is not lost
-      if (touch.row != ContactRenumbering::gone) touches[touch.row / rows_per_chunk].push_back(touch);
-    }
-  }
-  for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
-  touches_ = std::move(touches);
-  lost_.assign(touches_.size(), {});
-}
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
@@ -237,20 +209,26 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
                                : std::max(hit.penalty.depth, 1.5 * closed);
   if (is_known && scene.balances) hit.penalty.depth = any_depth;
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
-  if (!is_known && !comes_from_outside(scene, node, moving, hit)) return;
-  if (looks_at(scene, node, hit.point.normal) && stands_over(scene, face_index, hit)) hits.add(hit);
+  if (!comes_from_outside(scene, node, moving, hit, memory.depth(hit.point.normal))) return;
+  if (!looks_at(scene, node, hit.point.normal) || !stands_over(scene, face_index, hit)) return;
+  if (hit.point.gap < 0.0 && node.radius == 0.0f && is_at_flush_rim(scene, row, face_index, hit.point.normal))
+    return;
+  hits.add(hit);
 }
 
 bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const SurfaceNode& node,
-                                          const MovingFace& face, const Hit& hit) const {
+                                          const MovingFace& face, const Hit& hit, double depth) const {
   // Before the first step nobody knows; what overlaps then is pushed out.
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
   // Beyond the edge of a face it may be outside the body: there it has to come from in front.
   const bool is_beyond = hit.point.edge >= 0 && hit.point.beyond > just_beyond * node.backing.thickness;
-  const double shallow = is_beyond ? just_beyond : shallow_depth;
-  return hit.point.gap + approach > -shallow * node.backing.thickness;
+  const double shallow =
+      is_beyond ? just_beyond * node.backing.thickness
+                : std::max({shallow_depth * node.backing.thickness, flush_width(scene, hit.face),
+                            known_depth * depth});
+  return hit.point.gap + approach > -shallow;
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,

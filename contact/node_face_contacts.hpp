@@ -84,10 +84,12 @@ class NodeFaceContacts {
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
   bool looks_at(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
-  /// Whether the node was in front of the face, or hardly behind it, one step ago. A node that turns up deep
-  /// inside went in elsewhere; pushing it out here would make energy from nothing.
+  /// Whether the node was in front of the face, or hardly behind it, or hardly deeper than behind the faces
+  /// that it knows, one step ago. A node that turns up deep inside went in elsewhere; pushing it out here
+  /// would make energy from nothing.
+  ///   depth  of what it knows [length]
   bool comes_from_outside(const ContactScene& scene, const SurfaceNode& node, const MovingFace& face,
-                          const Hit& hit) const;
+                          const Hit& hit, double depth) const;
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
   static std::size_t share_edge(Hits& hits);
   void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;

@@ -52,7 +52,9 @@ void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFa
 }
 
 PairPenalty make_pair_penalty(const Backing& first, const Backing* second, const SurfacePair& pair) {
-  constexpr double deep = 0.5;  // of the thinner element
+  // Of the thinner element. What is right in its middle, such as a sheet that stands on another's, is on
+  // neither side of it.
+  constexpr double deep = 0.5 * (1.0 - 1e-6);
   PairPenalty penalty;
   penalty.stiffness =
       pair.penalty_stiffness.value_or(in_series(first.stiffness, second ? &second->stiffness : nullptr)) *
