@@ -78,6 +78,7 @@ class Run {
     if (death_ != nullptr) log_.write(death_->report(state_));
     if (contact_ != nullptr) {
       contact_->warn_of_energy(state_.energies, warnings_);
+      log_.write(format_energy_balance(state_.energies, contact_->force().stored_at_start()));
       log_.write(contact_->report());
       contact_->write_debug_files(state_);
     }
@@ -118,6 +119,7 @@ class Run {
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
+    if (contact_ != nullptr) contact_->stop_at_runaway(state_);
     end_step();
     store(false);
     progress_.show(state_.time);

@@ -42,7 +42,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
-      search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
+      search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash,
+              setup.model.rigid.nodes.body_of),
       face_face_(faces_, rules_.has_friction()),
       node_face_(faces_),
       edges_(faces_),
@@ -225,9 +226,14 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     surface_.bound_watched();
   }
   sums_.begin_step();
+  sums_.begin_work(surface_, motion.dt);
   add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step});
   write_forces(forces);
-  if (is_first) stored_at_start_ = stored();
+  if (is_first) {
+    stored_at_start_ = stored();
+    for (std::size_t i = 0; i < histories_.size(); ++i)
+      histories_[i].stored_at_start = sums_.pairs()[i].stored;
+  }
   note_histories(motion);
   ForceReport report;
   report.friction_work = sums_.dissipated();
@@ -257,6 +263,7 @@ void ContactForce::note_histories(const Motion& motion) {
     PairHistory& history = histories_[i];
     history.work += step.stored - stored_[i] + step.dissipated + step.damped;
     stored_[i] = step.stored;
+    history.taken = sums_.taken()[i];
     if (!step.touches) continue;
     history.contact_time += motion.dt;
     history.peak_force = std::max(history.peak_force, step.force.norm());

@@ -35,7 +35,8 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   held_.archive(saved);
   sums_.archive(saved);
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
-    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work);
+    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
+        history.taken, history.stored_at_start);
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
   saved.numbers("contact/step_share", step_share_.share);

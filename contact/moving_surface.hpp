@@ -52,6 +52,11 @@ class MovingSurface {
     if (turning_ == nullptr) return v(node);
     return v(node) + Eigen::Vector3d(turning_->col(faces_.mesh_nodes[node])).cross(arm);
   }
+  /// How the node of the mesh turns that a contact node hangs on [1/time].
+  Eigen::Vector3d turning(std::uint32_t node) const {
+    if (turning_ == nullptr) return Eigen::Vector3d::Zero();
+    return turning_->col(faces_.mesh_nodes[node]);
+  }
   /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
   const Eigen::Matrix3Xd& arms() const { return arms_; }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }

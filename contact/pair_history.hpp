@@ -20,6 +20,11 @@ struct PairHistory {
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< of the net force on `second` [force time]
   double work = 0.0;                                  ///< stored in its springs and lost [energy]
   double friction_work = 0.0;                         ///< lost to friction, >= 0 [energy]
+  double taken = 0.0;            ///< by its forces from the bodies, < 0 given to them [energy]
+  double stored_at_start = 0.0;  ///< part of work: in overlaps of the mesh, before the first step [energy]
+
+  /// What it holds and has lost beyond what it had and took: energy from nowhere; < 0 destroyed [energy].
+  double made() const { return work - stored_at_start - taken; }
 
   bool has_touched() const { return contact_time > 0.0 || peak_force > 0.0; }
 };
