@@ -151,6 +151,28 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
   }
 }
 
+void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
+  std::vector<std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
+  for (const ContactEdge& edge : force.faces().edges) {
+    if (!edge.is_particle() && (!edge.is_sharp() || edge.is_feature)) has_edges[edge.surface] = 1;
+  }
+  for (const SurfacePair& pair : contact.pairs) {
+    const bool only_pushes = std::holds_alternative<Frictionless>(pair.law) ||
+                             std::holds_alternative<ConstantFriction>(pair.law) ||
+                             std::holds_alternative<PressureVelocityFriction>(pair.law);
+    if (only_pushes || has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
+    warnings.add_warning(
+        "edges-without-law", pair.location,
+        fmt::format("{}: where edges, beams or trusses meet each other the law '{}' does not "
+                    "act: {}",
+                    names_of(pair, contact), describe_law(pair.law),
+                    std::holds_alternative<Tied>(pair.law)
+                        ? "they are not tied"
+                        : "they only push each other apart, with its friction"),
+        "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");
+  }
+}
+
 std::string format_contact(const ContactForce& contact) {
   const ContactSearch& search = contact.search();
   const BroadPhaseCounts &faces = search.face_counts(), &nodes = search.node_counts();

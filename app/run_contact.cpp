@@ -122,8 +122,8 @@ void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings)
 void RunContact::stop_at_runaway(const State& state) {
   const Energies& e = state.energies;
   const double made = made_by_contact(force_, e);
-  const double put_in =
-      e.start + std::max(0.0, e.external) + std::max(0.0, -e.internal) + force_.stored_at_start();
+  const double put_in = std::max(0.0, e.start) + std::max(0.0, e.external) + std::max(0.0, -e.internal) +
+                        force_.stored_at_start();
   const bool runs_away = made > std::max(put_in, energy_of_round_off(model_, state.dt));
   n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
   if (n_runaway_steps_ < longest_runaway || contact_.pairs.empty()) return;
@@ -142,6 +142,7 @@ void RunContact::stop_at_runaway(const State& state) {
 
 std::string RunContact::start_report(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
+  warn_of_edges(force_, contact_, warnings);
   warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
   std::vector<double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);

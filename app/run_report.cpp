@@ -63,7 +63,7 @@ std::string format_energy_balance(const Energies& energies, double of_overlaps) 
     text += fmt::format("  {:<30} {:>13.5e}\n", name, energy);
   };
   const double lost = energies.friction + energies.contact_damping;
-  add("kinetic at the start", energies.start);
+  add("start, between half steps", energies.start);
   add("put in by the start, overlaps", of_overlaps);
   add("work of loads and motion", energies.external);
   add("kinetic", energies.kinetic);

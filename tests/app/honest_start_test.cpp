@@ -148,6 +148,23 @@ TEST_CASE("SKIN ALL BLOCKS passes over point masses, and the table tells", "[app
   CHECK_THAT(out, Contains("passed over, as point masses, springs and dampers have no size: block_2"));
 }
 
+TEST_CASE("a point mass in a contact node set is pushed", "[app][transient]") {
+  const Mesh mesh = MeshBuilder()
+                        .add_hexes({.id = 1})
+                        .add_spheres(2, "", {{0.4, 0.4, 1.01}})
+                        .add_node_set(1, "", [](const Eigen::Vector3d& x) { return x.z() > 1.0; })
+                        .build();
+  const std::string lines =
+      "contact surface box contains block_1\ncontact node set dot contains nodelist_1\n";
+  const std::string towards =
+      held + "begin initial velocity\nblock = block_2\ncomponent = z\nmagnitude = -10\nend\n";
+  const auto [code, out, err] =
+      TwoParts(mesh, lines, towards, "section = s\n", "begin point mass section s\nmass = 1\nend\n")
+          .run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("Contact of pairs in the run") && !Contains("Pairs that never touched"));
+}
+
 TEST_CASE("a surface that is wrong by the deck alone is told once", "[app][surfaces]") {
   const TwoParts parts(two_blocks(0.0),
                        "contact surface a contains block_1\ncontact surface a contains block_2\n"
