@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
+#include <set>
 
 #include "app/counted.hpp"
 #include "contact/friction_words.hpp"
@@ -32,6 +35,56 @@ bool holds_at_start(const FrictionLaw& law) {
   return std::holds_alternative<Tied>(law) || std::holds_alternative<SpringWeld>(law) ||
          std::holds_alternative<SurfaceWeld>(law) || std::holds_alternative<CohesiveZone>(law) ||
          std::holds_alternative<Threaded>(law);
+}
+
+/// What of a side some tie holds.
+struct TiedSide {
+  std::size_t n_tied = 0, n_all = 0;
+  bool has_nodes = false;  ///< nodes are counted, not faces
+
+  bool is_partial() const { return n_tied < n_all; }
+};
+
+/// Counts what ties of a pair hold of one of its surfaces: of NODE_FACE its nodes, else its faces.
+TiedSide count_tied(const ContactForce& force, std::uint32_t pair_index, const SurfacePair& pair,
+                    std::uint32_t surface) {
+  const ContactFaces& faces = force.faces();
+  std::set<std::uint32_t> tied_faces, tied_nodes;
+  for (std::size_t i = 0; i < force.held().size(); ++i) {
+    const HeldPlace& tie = force.held()[i];
+    if (tie.pair != pair_index) continue;
+    if (tie.is_node) tied_nodes.insert(tie.first_place);
+    if (tie.is_node) continue;
+    tied_faces.insert(tie.first_place);
+    tied_faces.insert(tie.second_place);
+  }
+  const auto count = [](const std::set<std::uint32_t>& tied, std::uint32_t begin, std::uint32_t end) {
+    const auto first = tied.lower_bound(begin), last = tied.lower_bound(end);
+    return TiedSide{static_cast<std::size_t>(std::distance(first, last)), end - begin, false};
+  };
+  if (pair.formulation == ConstraintFormulation::face_face)
+    return count(tied_faces, faces.first_face[surface], faces.first_face[surface + 1]);
+  TiedSide side = count(tied_nodes, faces.first_node[surface], faces.first_node[surface + 1]);
+  side.has_nodes = true;
+  return side;
+}
+
+/// Whether the deck names all that a surface has by side sets and node sets, and not the skin of a block, of
+/// which a part may be meant.
+bool is_of_sets(const ContactSurface& surface, const ContactDefinition& definition, const Mesh& mesh) {
+  return std::ranges::any_of(definition.surface_commands, [&](const SurfaceCommand& command) {
+    const auto are_sets = [&](const DeckName& name, const std::vector<DeckName>& items) {
+      return fold(name.text) == fold(surface.name) && std::ranges::all_of(items, [&](const DeckName& item) {
+               return mesh.find(EntityKind::side_set, item.text) ||
+                      mesh.find(EntityKind::node_set, item.text);
+             });
+    };
+    if (const auto* line = std::get_if<ContactSurfaceLine>(&command))
+      return are_sets(line->name, line->items);
+    if (const auto* line = std::get_if<ContactNodeSetLine>(&command))
+      return are_sets(line->name, line->items);
+    return false;
+  });
 }
 
 std::string names_of(const SurfacePair& pair, const ContactModel& contact) {
@@ -67,6 +120,56 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
     warnings.add_warning("tie-empty", pair.location,
                          fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
                          "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
+  }
+}
+
+void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact,
+                          const ContactDefinition& definition, const Mesh& mesh, Diagnostics& warnings) {
+  const auto areas = tied_areas(force, contact);
+  for (std::uint32_t i = 0; i < areas.size(); ++i) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (!holds_at_start(pair.law) || areas[i].n_ties == 0) continue;
+    std::optional<TiedSide> least;  // untied; a side that is tied as a whole is as the deck wants it
+    bool is_whole = false;
+    std::uint32_t of = pair.first;
+    for (const std::uint32_t surface : {pair.second, pair.first}) {
+      const bool gives_ties = surface == pair.second || !pair.is_one_sided;
+      if (!gives_ties || !is_of_sets(contact.surfaces.surfaces[surface], definition, mesh)) continue;
+      const TiedSide side = count_tied(force, i, pair, surface);
+      is_whole |= !side.is_partial();
+      if (least && least->n_all - least->n_tied <= side.n_all - side.n_tied) continue;
+      least = side;
+      of = surface;
+    }
+    if (is_whole || !least) continue;
+    warnings.add_warning(
+        "tie-partial", pair.location,
+        fmt::format("{}: {} of the {} {} of '{}' are not tied", names_of(pair, contact),
+                    least->n_all - least->n_tied, least->n_all, least->has_nodes ? "nodes" : "faces",
+                    contact.surfaces.surfaces[of].name),
+        "CAPTURE TOLERANCE says how far ties reach");
+  }
+}
+
+void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
+  std::vector<std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
+  for (const ContactEdge& edge : force.faces().edges) {
+    if (!edge.is_particle() && (!edge.is_sharp() || edge.is_feature)) has_edges[edge.surface] = 1;
+  }
+  for (const SurfacePair& pair : contact.pairs) {
+    const bool only_pushes = std::holds_alternative<Frictionless>(pair.law) ||
+                             std::holds_alternative<ConstantFriction>(pair.law) ||
+                             std::holds_alternative<PressureVelocityFriction>(pair.law);
+    if (only_pushes || has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
+    warnings.add_warning(
+        "edges-without-law", pair.location,
+        fmt::format("{}: where edges, beams or trusses meet each other the law '{}' does not "
+                    "act: {}",
+                    names_of(pair, contact), describe_law(pair.law),
+                    std::holds_alternative<Tied>(pair.law)
+                        ? "they are not tied"
+                        : "they only push each other apart, with its friction"),
+        "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");
   }
 }
 

@@ -15,6 +15,14 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
 /// Warns of tied pairs that tie nothing.
 void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
 
+/// Adds the warning "tie-partial" for every pair that should hold surfaces of side sets or node sets together
+/// and leaves a part of each of them free.
+void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact,
+                          const ContactDefinition& definition, const Mesh& mesh, Diagnostics& warnings);
+
+/// Warns of pairs whose edges meet while their law ties, pulls or changes: contact of edges does not know it.
+void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
+
 /// What the search of a run did, what is tied, and how much contact lowered the stable step. Without times of
 /// the clock.
 std::string format_contact(const ContactForce& contact);

@@ -15,6 +15,9 @@ ExitCode guard_exit(const std::function<ExitCode()>& work,
   } catch (const FileError& error) {
     tell(fmt::format("error: {}", error.what()));
     return ExitCode::file;
+  } catch (const SolveError& error) {
+    tell(fmt::format("error: {}", error.what()));
+    return ExitCode::solve;
   } catch (const std::bad_alloc&) {
     tell("error: out of memory");
     return ExitCode::file;

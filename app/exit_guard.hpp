@@ -9,8 +9,8 @@
 namespace contactsim {
 
 /// Runs some work; what it throws is told in one line and becomes an exit code: a file error and lack of
-/// memory are the user's to mend (3), anything else is a bug of ours (1). Deck errors have more to tell than
-/// a line, so the work catches them itself.
+/// memory are the user's to mend (3), a motion that cannot go on is 4, anything else a bug of ours (1). Deck
+/// errors have more to tell than a line, so the work catches them itself.
 ///   tell  takes the line, without its end
 ExitCode guard_exit(const std::function<ExitCode()>& work,
                     const std::function<void(const std::string&)>& tell);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/counted.hpp"
+#include "contact/body_parting.hpp"
 #include "core/conditions/kinematics.hpp"
 #include "core/errors.hpp"
 
@@ -16,8 +17,13 @@ namespace {
 /// Overlap that is left is worth a warning when it is this share of what there was.
 constexpr double worrying_share = 1e-3;
 
-/// [n_nodes] 1 for the nodes that conditions hold or drive in all directions at the start; empty when there
-/// are none, or when the conditions are wrong, which the run tells.
+/// Overlap above this share of the size of the face is worth a warning: less is round-off of the mesh's
+/// maker.
+constexpr double worrying_depth = 1e-4;
+
+/// [n_nodes] held_fully for the nodes that conditions hold or drive in all directions at the start,
+/// held_in_part for those that they do in some; empty when there are none, or when the conditions are wrong,
+/// which the run tells.
 std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
   if (!input.procedure.time_control) return {};
   Diagnostics unheard;
@@ -39,7 +45,7 @@ std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
   std::vector<std::uint8_t> is_held(static_cast<std::size_t>(n), 0);
   for (const NodeIndex node : kinematics.nodes()) {
     const double difference = (one.col(node.value) - other.col(node.value)).norm();
-    is_held[node.value] = difference < 1e-12 ? 1 : 0;
+    is_held[node.value] = difference < 1e-12 ? held_fully : held_in_part;
   }
   return is_held;
 }
@@ -58,13 +64,91 @@ void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diag
   }
 }
 
+std::string names_of(const ContactModel& model, std::uint32_t pair) {
+  const auto& surfaces = model.surfaces.surfaces;
+  return fmt::format("'{}' and '{}'", surfaces[model.pairs[pair].first].name,
+                     surfaces[model.pairs[pair].second].name);
+}
+
+/// Stops when elements would be turned inside out: the run could not begin with them.
+void stop_at_turned(const OverlapRemoved& removed, const RunInput& input) {
+  if (removed.turned.empty()) return;
+  const TurnedElement& first = removed.turned.front();
+  const Mesh& mesh = input.mesh;
+  const auto& control = input.procedure.time_control;
+  const double time = control && !control->blocks.empty() ? control->blocks.front().start_time : 0.0;
+  throw SolveError(
+      time,
+      fmt::format("overlap removal between {} would turn {} inside out, the first of them element {} of "
+                  "{}; no node has been moved. Move the bodies apart in the mesh, refine it less there, "
+                  "or set a smaller OVERLAP NORMAL TOLERANCE",
+                  names_of(*input.contact, first.pair), counted(removed.turned.size(), "element"),
+                  mesh.element_id(first.element),
+                  mesh.name({EntityKind::block, mesh.block_of(first.element)})));
+}
+
+std::string describe(const StartOverlap& overlap, const ContactModel& model, const Mesh& mesh) {
+  std::string text = fmt::format(
+      "{} overlap at the start: {} behind {}, deepest by {:.4g} at node {}", names_of(model, overlap.pair),
+      counted(overlap.n_nodes, "node"),
+      overlap.n_faces > 0 ? counted(overlap.n_faces, "face or edge", "faces and edges") : "a plane",
+      overlap.deepest, mesh.node_id(overlap.node));
+  if (overlap.other) text += fmt::format(", beside node {} of the other side", mesh.node_id(*overlap.other));
+  if (overlap.n_deep > 0)
+    text +=
+        fmt::format("; {} deeper than half an element", counted(overlap.n_deep, "node lies", "nodes lie"));
+  return text;
+}
+
 }  // namespace
+
+std::string format_start_overlaps(std::span<const StartOverlap> overlaps, const ContactModel& model,
+                                  const Mesh& mesh) {
+  if (overlaps.empty()) return "";
+  constexpr const char* row = "{:>4}  {:<28} {:<28} {:>9} {:>9} {:>9} {:>15} {:>10}\n";
+  std::string text = "\nOverlap at the start\n" + fmt::format(row, "no", "first", "second", "nodes", "faces",
+                                                              "deep", "deepest overlap", "at node");
+  for (const StartOverlap& overlap : overlaps) {
+    const SurfacePair& pair = model.pairs[overlap.pair];
+    text += fmt::format(row, overlap.pair + 1, model.surfaces.surfaces[pair.first].name,
+                        model.surfaces.surfaces[pair.second].name, overlap.n_nodes, overlap.n_faces,
+                        overlap.n_deep, fmt::format("{:.6g}", overlap.deepest), mesh.node_id(overlap.node));
+  }
+  return text + "      deep: nodes more than half an element behind the surface\n";
+}
+
+std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log) {
+  if (input.contact == nullptr) return {};
+  auto overlaps = find_start_overlaps(*input.contact, input.mesh, *input.region.contact);
+  log.write(format_start_overlaps(overlaps, *input.contact, input.mesh));
+  return overlaps;
+}
+
+void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
+                      std::span<const double> stored, Diagnostics& warnings) {
+  if (input.contact == nullptr || input.region.contact->overlap_removal.is_on()) return;
+  for (const StartOverlap& overlap : overlaps) {
+    const SurfacePair& pair = input.contact->pairs[overlap.pair];
+    const bool is_tied = std::holds_alternative<Tied>(pair.law);
+    if (is_tied || !(overlap.deepest > worrying_depth * overlap.size)) continue;
+    std::string text = describe(overlap, *input.contact, input.mesh);
+    if (!stored.empty() && stored[overlap.pair] > 0.0)
+      text += fmt::format("; contact stores {:.4g} of energy in it, which the bodies will get",
+                          stored[overlap.pair]);
+    warnings.add_warning("overlap-at-start", pair.location, text,
+                         "INITIAL OVERLAP REMOVAL = ON in the contact definition moves them apart before the "
+                         "first step");
+  }
+}
 
 std::string format_overlap(const OverlapRemoved& removed, const ContactModel& model, const Mesh& mesh) {
   constexpr const char* row = "{:>4}  {:<28} {:<28} {:>11} {:>15} {:>13} {:>10} {:>13}\n";
   if (removed.moves.empty()) return "\nOverlap removal: no surfaces overlap\n";
-  std::string text = fmt::format("\nOverlap removal in {}\n",
-                                 counted(static_cast<std::size_t>(removed.n_passes), "pass", "passes"));
+  const auto passes = [](std::int64_t n) { return counted(static_cast<std::size_t>(n), "pass", "passes"); };
+  std::string text = fmt::format("\nOverlap removal in {}\n", passes(removed.n_passes));
+  if (removed.n_body_passes > 0)
+    text += fmt::format("  before, in {}, bodies that lay deep in others went apart as wholes\n",
+                        passes(removed.n_body_passes));
   text += fmt::format(row, "no", "first", "second", "nodes moved", "deepest overlap", "largest move",
                       "of node", "left");
   for (const OverlapMoves& moves : removed.moves) {
@@ -85,8 +169,9 @@ std::optional<Mesh> remove_initial_overlap(const RunInput& input, Log& log, Diag
   OverlapRemoved removed =
       remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
   log.write(format_overlap(removed, *input.contact, input.mesh));
+  stop_at_turned(removed, input);
   warn_of_rest(removed, *input.contact, warnings);
-  if (removed.n_passes == 0) return std::nullopt;
+  if (removed.n_passes + removed.n_body_passes == 0) return std::nullopt;
   return input.mesh.with_coordinates(std::move(removed.coordinates));
 }
 

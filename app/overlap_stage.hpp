@@ -2,11 +2,14 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/log.hpp"
 #include "app/transient.hpp"
 #include "contact/overlap_removal.hpp"
+#include "contact/start_overlaps.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -15,7 +18,21 @@ namespace contactsim {
 /// Removes the overlap of contact surfaces, if the deck asks for it, and tells the log. Returns the mesh with
 /// the nodes moved, which is free of stress; nothing when no node moves.
 ///   warnings  gains what overlap is left: "overlap-left"
+/// Throws SolveError naming pair and element when elements would be turned inside out.
 std::optional<Mesh> remove_initial_overlap(const RunInput& input, Log& log, Diagnostics& warnings);
+
+/// Finds what overlaps as the run starts, and tells the log.
+std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log);
+
+/// Warns of every pair that overlaps at the start, unless it is tied or overlap removal has been asked for:
+/// "overlap-at-start", with the deck line that would remove it.
+///   stored  [n_pairs] that contact holds in it [energy]; empty when that is not known
+void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
+                      std::span<const double> stored, Diagnostics& warnings);
+
+/// The table of overlaps at the start: a row for every pair that overlaps; "" without any.
+std::string format_start_overlaps(std::span<const StartOverlap> overlaps, const ContactModel& model,
+                                  const Mesh& mesh);
 
 /// The table of moves: a row for every pair that overlapped.
 std::string format_overlap(const OverlapRemoved& removed, const ContactModel& model, const Mesh& mesh);

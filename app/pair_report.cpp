@@ -24,7 +24,7 @@ constexpr const char* start_format =
 constexpr const char* settings_format =
     "      {:<22} {:>6}  {:<13} {:>11} {:>11} {:>11} {:>11} {:>11} {:>9} {:>11} {:>9}\n";
 constexpr const char* history_format =
-    "{:>4}  {:<28} {:<28} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13}\n";
+    "{:>4}  {:<28} {:<28} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13}\n";
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.6g}", value); }
 
@@ -95,7 +95,8 @@ std::string format_history(const ContactModel& model, const PairHistory& history
   return fmt::format(history_format, i + 1, model.surfaces.surfaces[pair.first].name,
                      model.surfaces.surfaces[pair.second].name, number(history.contact_time),
                      number(history.peak_force), number(history.impulse.x()), number(history.impulse.y()),
-                     number(history.impulse.z()), number(history.work), number(history.friction_work));
+                     number(history.impulse.z()), number(history.work + history.impact), number(history.friction_work),
+                     number(history.made()));
 }
 
 }  // namespace
@@ -140,7 +141,7 @@ std::string format_pair_histories(const ContactModel& model, std::span<const Pai
   if (!rows.empty()) {
     text = "\nContact of pairs in the run\n" +
            fmt::format(history_format, "no", "first", "second", "contact time", "peak force", "impulse x",
-                       "impulse y", "impulse z", "work", "friction work") +
+                       "impulse y", "impulse z", "work", "friction work", "made") +
            rows;
   }
   if (!idle.empty()) text += "\nPairs that never touched\n" + idle;

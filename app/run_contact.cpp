@@ -7,6 +7,8 @@
 
 #include "app/contact_report.hpp"
 #include "app/counted.hpp"
+#include "app/energy_watch.hpp"
+#include "app/overlap_stage.hpp"
 #include "app/pair_report.hpp"
 #include "contact/surface_drawing.hpp"
 #include "core/state_motion.hpp"
@@ -20,10 +22,33 @@ namespace {
 /// Energy that contact makes is worth a warning when it is this share of the largest term.
 constexpr double worrying_share = 0.02;
 
+/// Energy from nowhere that exceeds what was put in for so many steps will not go away.
+constexpr int longest_runaway = 20;
+
+/// What contact has given out that nothing had put into it [energy].
+double made_by_contact(const ContactForce& force, const Energies& energies) {
+  const double stored = force.stored() - force.stored_at_start();
+  return stored + energies.friction + energies.contact_damping + std::max(energies.impact, 0.0) -
+         energies.contact;
+}
+
+/// The pair that has made the most energy; the first without any pairs.
+std::size_t find_culprit(std::span<const PairHistory> histories) {
+  const auto most = std::ranges::max_element(histories, {}, &PairHistory::made);
+  return static_cast<std::size_t>(most - histories.begin());
+}
+
+std::string names_of(const ContactModel& contact, std::size_t pair) {
+  const auto& surfaces = contact.surfaces.surfaces;
+  return fmt::format("'{}' and '{}'", surfaces[contact.pairs[pair].first].name,
+                     surfaces[contact.pairs[pair].second].name);
+}
+
 }  // namespace
 
 RunContact::RunContact(const RunInput& input, const Model& model)
     : input_(input),
+      model_(model),
       mesh_(input.mesh),
       contact_(*input.contact),
       force_(ContactSetup{*input.region.contact, contact_, model, input.procedure.time_control->blocks,
@@ -34,8 +59,16 @@ RunContact::RunContact(const RunInput& input, const Model& model)
 void RunContact::add_to(OutputSettings& settings) {
   settings.variables = output_.variables();
   for (const ContactSurface& surface : contact_.surfaces.surfaces) {
-    if (!surface.faces.empty())
-      settings.side_sets.push_back({0, "contact_" + surface.name, surface.faces, {}});
+    if (surface.faces.empty()) continue;
+    // A mesh that was written as results has such names already.
+    const auto is_taken = [&](const std::string& name) {
+      return mesh_.find(EntityKind::side_set, name).has_value() ||
+             std::ranges::any_of(settings.side_sets,
+                                 [&](const SideSet& set) { return fold(set.name) == fold(name); });
+    };
+    std::string name = "contact_" + surface.name;
+    for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface.name, i);
+    settings.side_sets.push_back({0, name, surface.faces, {}});
   }
 }
 
@@ -76,14 +109,15 @@ void RunContact::add_suffix(const std::string& suffix) {
 }
 
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
-  const double stored = force_.stored() - force_.stored_at_start();
-  const double made = stored + energies.friction + energies.contact_damping - energies.contact;
-  if (made <= worrying_share * energies.largest) return;
+  const double made = made_by_contact(force_, energies);
+  if (made <= worrying_share * energies.largest || contact_.pairs.empty()) return;
+  const std::size_t culprit = find_culprit(force_.histories());
   warnings.add_warning(
-      "contact-energy", {},
+      "contact-energy", contact_.pairs[culprit].location,
       fmt::format("contact has given out {:.3g} of energy that nothing put in ({:.2g} % of the "
-                  "largest term)",
-                  made, 100.0 * made / energies.largest),
+                  "largest term), most of it between {}: {:.3g}",
+                  made, 100.0 * made / energies.largest, names_of(contact_, culprit),
+                  force_.histories()[culprit].made()),
       "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
 }
 
@@ -105,8 +139,34 @@ void RunContact::warn_of_lost(Diagnostics& warnings) const {
   }
 }
 
+void RunContact::stop_at_runaway(const State& state) {
+  const Energies& e = state.energies;
+  const double made = made_by_contact(force_, e);
+  const double put_in = std::max(0.0, e.start) + std::max(0.0, e.external) + std::max(0.0, -e.internal) +
+                        force_.stored_at_start();
+  const bool runs_away = made > std::max(put_in, energy_of_round_off(model_, state.dt));
+  n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
+  if (n_runaway_steps_ < longest_runaway || contact_.pairs.empty()) return;
+  const std::size_t culprit = find_culprit(force_.histories());
+  // Without springs nobody knows what an overlap of the mesh has put in.
+  const bool overlapped = force_.stored_at_start() == 0.0 &&
+                          std::ranges::any_of(input_.overlaps, [&](const StartOverlap& overlap) {
+                            return overlap.pair == culprit;
+                          });
+  if (overlapped) return;
+  throw SolveError(
+      state.time, fmt::format("contact between {} runs away: it has given out {:.3g} of energy from nowhere, "
+                              "and all contact {:.3g}, more than all that was put into the model, {:.3g}",
+                              names_of(contact_, culprit), force_.histories()[culprit].made(), made, put_in));
+}
+
 std::string RunContact::start_report(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
+  warn_of_edges(force_, contact_, warnings);
+  warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
+  std::vector<double> stored;
+  for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
+  warn_of_overlaps(input_, input_.overlaps, stored, warnings);
   return format_contact_start(force_, contact_);
 }
 

@@ -48,15 +48,19 @@ class RunContact {
 
   /// What the log says once the first forces are known. Ties that tie nothing are a warning.
   std::string start_report(Diagnostics& warnings) const;
-  /// Warns when contact has given out energy that nothing had put into it.
+  /// Warns when contact has given out energy that nothing had put into it, and names the pair.
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   /// Warns of pairs whose contact ended though it was deep.
   void warn_of_lost(Diagnostics& warnings) const;
+  /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
+  /// out more energy from nowhere than all that was put into the model.
+  void stop_at_runaway(const State& state);
   /// What the pairs did and the search took, for the log.
   std::string report() const;
 
  private:
   const RunInput& input_;
+  const Model& model_;
   const Mesh& mesh_;
   ContactModel contact_;  // of the living elements
   ContactForce force_;
@@ -65,6 +69,7 @@ class RunContact {
   std::optional<LivingSurfaces> living_;  // only when elements may die
   std::optional<FreeNodes> free_nodes_;
   bool makes_new_edges_ = true;
+  int n_runaway_steps_ = 0;  // on end
 };
 
 }  // namespace contactsim

@@ -57,6 +57,25 @@ std::string format_step(const State& state) {
                      error);
 }
 
+std::string format_energy_balance(const Energies& energies, double of_overlaps) {
+  std::string text = "\nEnergy balance\n";
+  const auto add = [&](const char* name, double energy) {
+    text += fmt::format("  {:<30} {:>13.5e}\n", name, energy);
+  };
+  const double lost = energies.friction + energies.contact_damping + energies.impact;
+  add("start, between half steps", energies.start);
+  add("put in by the start, overlaps", of_overlaps);
+  add("work of loads and motion", energies.external);
+  add("kinetic", energies.kinetic);
+  add("internal", energies.internal);
+  add("held by contact", of_overlaps + energies.contact - lost);
+  add("lost to friction", energies.friction);
+  add("lost to contact damping", energies.contact_damping);
+  add("lost where sides met", energies.impact);
+  add("error of the balance", energies.error);
+  return text;
+}
+
 std::string format_wall_times(std::span<const PartTime> parts, double whole, std::int64_t n_steps,
                               std::size_t n_elements) {
   std::string text = "\nWall time\n";

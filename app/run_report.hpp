@@ -24,6 +24,10 @@ std::string step_heading();
 /// Step, time, step size, energies and their error as a share of the largest.
 std::string format_step(const State& state);
 
+/// What was put into a run with contact and what has become of it.
+///   of_overlaps  that contact held before the first step [energy]
+std::string format_energy_balance(const Energies& energies, double of_overlaps);
+
 /// A part of the run and how long it took.
 struct PartTime {
   std::string name;

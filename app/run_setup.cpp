@@ -36,7 +36,7 @@ std::vector<std::uint32_t> blocks_in_use(const Mesh& mesh) {
 }  // namespace
 
 Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
-  check_elements(input.mesh, blocks_in_use(input.mesh), diagnostics);
+  check_elements(input.mesh, blocks_in_use(input.mesh));
   Model model = make_model(input.definition, input.region, input.mesh, diagnostics);
   StoredVariables stored;
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);

@@ -103,9 +103,19 @@ bool asks_to_go_on(const SimulationDefinition& definition) {
 
 /// A deck with errors goes no further, but wrong names of surfaces are found all the same.
 void add_name_errors(const Options& options, const SimulationDefinition& definition, Diagnostics& errors) {
-  Diagnostics unheard;
+  Diagnostics unheard, found;
   const Region region = choose_region(definition, unheard).region;
-  add_surface_name_errors(definition, region, run_mesh_path(options, definition, region), errors);
+  add_surface_name_errors(definition, region, run_mesh_path(options, definition, region), found);
+  // What the deck alone shows to be wrong has been told.
+  const auto is_told = [known = errors.all()](const Diagnostic& error) {
+    return std::ranges::any_of(known, [&](const Diagnostic& other) {
+      return other.severity == Severity::error && error.severity == Severity::error &&
+             to_string(other.location) == to_string(error.location);
+    });
+  };
+  for (const Diagnostic& error : found.all()) {
+    if (!is_told(error)) errors.add(error);
+  }
 }
 
 /// The mesh that the deck names must outlive the run as well.
@@ -135,13 +145,19 @@ ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
   ResolvedContact contact;
   if (region.contact || options.stage == Stage::check) {
     contact = resolve_contact(options, definition, region, mesh, log, warnings);
-    if (options.stage == Stage::check || contact.code != ExitCode::done) return contact.code;
+    if (contact.code != ExitCode::done) return contact.code;
   }
   const ContactModel* model = contact.model ? &*contact.model : nullptr;
-  const std::optional<Mesh> moved =
-      remove_initial_overlap({options, definition, chosen.procedure, region, mesh, model}, log, warnings);
-  const Mesh& start = moved ? *moved : mesh;
-  return run_transient({options, definition, chosen.procedure, region, start, model}, log, warnings);
+  const RunInput input{options, definition, chosen.procedure, region, mesh, model};
+  const std::optional<Mesh> moved = remove_initial_overlap(input, log, warnings);
+  const RunInput started{options, definition, chosen.procedure, region, moved ? *moved : mesh, model};
+  const std::vector<StartOverlap> overlaps = find_overlaps(started, log);
+  if (options.stage == Stage::check) {
+    warn_of_overlaps(started, overlaps, {}, warnings);
+    return ExitCode::done;
+  }
+  return run_transient({options, definition, chosen.procedure, region, started.mesh, model, overlaps}, log,
+                       warnings);
 }
 
 }  // namespace contactsim

@@ -145,6 +145,15 @@ std::string format_surface_tables(const ContactModel& model, std::span<const Sur
   return text + format_lost_claims(model) + format_warnings(model);
 }
 
+std::string format_passed_over(const ContactModel& model, const Mesh& mesh) {
+  const auto& blocks = model.surfaces.blocks_passed_over;
+  if (blocks.empty()) return "";
+  std::vector<std::string> names;
+  for (const std::uint32_t block : blocks) names.push_back(mesh.name({EntityKind::block, block}));
+  return fmt::format("      passed over, as point masses, springs and dampers have no size: {}\n",
+                     fmt::join(names, ", "));
+}
+
 std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
   Json surfaces = Json::array(), pairs = Json::array(), warnings = Json::array();
   for (std::size_t i = 0; i < summaries.size(); ++i) {

@@ -14,6 +14,9 @@ namespace contactsim {
 /// diff.
 std::string format_surface_tables(const ContactModel& model, std::span<const SurfaceSummary> summaries);
 
+/// A line under the tables for the blocks that SKIN ALL BLOCKS passes over; "" without any.
+std::string format_passed_over(const ContactModel& model, const Mesh& mesh);
+
 /// The same and the pairs as JSON, schema contactsim-surfaces/1.
 std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries);
 

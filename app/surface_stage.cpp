@@ -68,10 +68,11 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
   }
   ContactModel model = make_contact_model(definition, region, mesh, {}, warnings);
   if (warnings.has_errors()) throw DeckError(warnings);
-  check_elements(mesh, blocks_in_contact(model, mesh), warnings);
+  check_elements(mesh, blocks_in_contact(model, mesh));
   const auto summaries = summarize(model, mesh);
   const auto starts = find_pair_starts(model, mesh, region.contact->dash);
-  log.write(format_surface_tables(model, summaries) + format_pairs(model, summaries, starts));
+  log.write(format_surface_tables(model, summaries) + format_passed_over(model, mesh) +
+            format_pairs(model, summaries, starts));
   add_surface_warnings(model.surfaces, warnings);
   const ExitCode code = write_surface_files(options, model, summaries, mesh, log);
   return {std::move(model), code};

@@ -79,6 +79,7 @@ class Run {
     if (contact_ != nullptr) {
       contact_->warn_of_energy(state_.energies, warnings_);
       contact_->warn_of_lost(warnings_);
+      log_.write(format_energy_balance(state_.energies, contact_->force().stored_at_start()));
       log_.write(contact_->report());
       contact_->write_debug_files();
     }
@@ -119,6 +120,7 @@ class Run {
   void step() {
     advance(model_, terms(), control_, state_);
     warn_of_energy();
+    if (contact_ != nullptr) contact_->stop_at_runaway(state_);
     end_step();
     store(false);
     progress_.show(state_.time);

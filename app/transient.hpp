@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <span>
+
 #include "app/log.hpp"
 #include "app/options.hpp"
 #include "contact/contact_model.hpp"
+#include "contact/start_overlaps.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/errors.hpp"
@@ -18,7 +21,8 @@ struct RunInput {
   const Procedure& procedure;
   const Region& region;
   const Mesh& mesh;
-  const ContactModel* contact = nullptr;  ///< null without a contact definition
+  const ContactModel* contact = nullptr;        ///< null without a contact definition
+  std::span<const StartOverlap> overlaps = {};  ///< of contact surfaces, on this mesh
 };
 
 /// Moves a region from its start time to its termination time, with log and output files.

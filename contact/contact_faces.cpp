@@ -7,6 +7,7 @@
 
 #include "contact/loft_faces.hpp"
 #include "contact/surface_nodes.hpp"
+#include "core/elements/element_table.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"
 #include "core/threads.hpp"
@@ -79,6 +80,20 @@ class Materials {
     backing.stiffness = penalty_over_element * moduli_of(properties.law).bulk / thickness;
     // Half of a solid moves with its face, all of a shell.
     backing.mass_per_area = (is_shell ? 1.0 : 0.5) * properties.density * thickness;
+  }
+
+  /// Whether an element is of a material: point masses, springs and dampers are not.
+  bool has_material(ElementSide side) const {
+    const ModelBlock& block = block_of(side);
+    return block.element->step_rule == StepRule::material && block.properties.density > 0.0;
+  }
+
+  /// A node of a point mass alone stands for a rigid cube as wide as the thinnest element that it may meet;
+  /// what it may bear limits its stiffness.
+  static void add_rigid_cube(double mass, double width, SurfaceNode& node) {
+    constexpr double rigid = 1e200;  // its product with any stiffness is finite
+    node.area = width * width;
+    node.backing = {width, rigid, mass / node.area};
   }
 
   /// A node without faces stands for a cube of its mass.
@@ -161,8 +176,15 @@ void add_backing(const Model& model, ContactFaces& faces) {
   }
   const Materials materials(model);
   for (ContactFace& face : faces.faces) materials.add(face.side, face.backing);
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const ContactFace& face : faces.faces) thinnest = std::min(thinnest, face.backing.thickness);
   for (SurfaceNode& node : faces.surface_nodes) {
-    if (std::isnan(node.backing.thickness)) materials.add_cube(faces.mass[node.node], node);
+    const bool has_faces = !std::isnan(node.backing.thickness);
+    if (!has_faces && !materials.has_material(node.side)) {
+      Materials::add_rigid_cube(faces.mass[node.node], std::isinf(thinnest) ? 1.0 : thinnest, node);
+      continue;
+    }
+    if (!has_faces) materials.add_cube(faces.mass[node.node], node);
     materials.add(node.side, node.backing);
   }
   for (ContactEdge& edge : faces.edges) materials.add(edge.side, edge.backing);

@@ -42,7 +42,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
-      search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash),
+      search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash,
+              setup.model.rigid.nodes.body_of),
       face_face_(faces_, rules_.has_friction()),
       node_face_(faces_),
       edges_(faces_),
@@ -243,12 +244,17 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   sums_.begin_step();
   points_.clear();
   held_.begin_step();
+  sums_.begin_work(surface_, motion.dt);
   depths_.begin_step(faces_.faces.size());
   face_face_.begin_step();
   edges_.begin_step();
   add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step, &depths_});
   write_forces(forces);
-  if (is_first) stored_at_start_ = stored();
+  if (is_first) {
+    stored_at_start_ = stored();
+    for (std::size_t i = 0; i < histories_.size(); ++i)
+      histories_[i].stored_at_start = sums_.pairs()[i].stored;
+  }
   if (!balances_) end_step(motion.time, motion.dt);
   ForceReport report;
   report.friction_work = sums_.dissipated();
@@ -356,8 +362,10 @@ void ContactForce::note_histories(double dt) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const PairStep& step = steps[i];
     PairHistory& history = histories_[i];
-    history.work += step.stored - stored_[i] + step.dissipated + step.damped + step.impact;
+    history.work += step.stored - stored_[i] + step.dissipated + step.damped;
+    history.impact += step.impact;
     stored_[i] = step.stored;
+    history.taken = sums_.taken()[i];
     if (!step.touches) continue;
     history.contact_time += dt;
     history.peak_force = std::max(history.peak_force, step.force.norm());

@@ -5,6 +5,7 @@
 
 #include "contact/loft_sizes.hpp"
 #include "contact/resolve_surfaces.hpp"
+#include "contact/section_sizes.hpp"
 #include "contact/surface_names.hpp"
 
 namespace contactsim {
@@ -31,9 +32,18 @@ std::vector<std::uint32_t> owners_of(const std::vector<Part>& parts, const std::
   return owners;
 }
 
-RegionNames names_of(const SimulationDefinition& definition, const Region& region) {
+RegionNames names_of(const SimulationDefinition& definition, const Region& region, const Mesh& mesh) {
   const FiniteElementModel* parts = find_finite_element_model(definition, region);
-  return {region.analytic_planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{}};
+  return {region.analytic_planes, parts ? std::span(parts->aliases) : std::span<const MeshAlias>{},
+          find_sizeless_blocks(definition, region, mesh)};
+}
+
+/// Whether some command takes all blocks of the mesh.
+bool takes_all_blocks(const ContactDefinition& contact) {
+  return std::ranges::any_of(contact.surface_commands, [](const SurfaceCommand& command) {
+    const auto* block = std::get_if<ContactSurfaceBlock>(&command);
+    return std::holds_alternative<SkinAllBlocks>(command) || (block != nullptr && block->includes_all_blocks);
+  });
 }
 
 }  // namespace
@@ -56,7 +66,9 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
                                 Diagnostics& diagnostics) {
   ContactModel model;
   model.planes = region.analytic_planes;
-  model.surfaces = resolve_surfaces(*region.contact, names_of(definition, region), mesh, alive, diagnostics);
+  const RegionNames names = names_of(definition, region, mesh);
+  model.surfaces = resolve_surfaces(*region.contact, names, mesh, alive, diagnostics);
+  if (takes_all_blocks(*region.contact)) model.surfaces.blocks_passed_over = names.sizeless_blocks;
   for (ContactSurface& surface : model.surfaces.surfaces)
     surface.may_gain_faces = surface.may_gain_faces && !region.element_deaths.empty();
   check_surface_names(*region.contact, model.surfaces, diagnostics);
@@ -68,7 +80,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
 std::vector<SurfaceRequest> find_surface_requests(const SimulationDefinition& definition,
                                                   const Region& region, const Mesh& mesh,
                                                   Diagnostics& diagnostics) {
-  return make_surface_requests(*region.contact, names_of(definition, region), mesh, diagnostics);
+  return make_surface_requests(*region.contact, names_of(definition, region, mesh), mesh, diagnostics);
 }
 
 void find_name_errors(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/names.hpp"
 
@@ -50,6 +51,19 @@ ContactTotal opposite(ContactTotal total) {
   return total;
 }
 
+/// The pair that a pair adds to in the totals: what stands in outside the periods of an interaction adds to
+/// that of the interaction.
+std::size_t find_total(std::span<const SurfacePair> pairs, std::size_t index) {
+  const SurfacePair& pair = pairs[index];
+  const bool takes_turns = !pair.periods.active.empty() || !pair.periods.inactive.empty();
+  if (!pair.is_from_defaults || !takes_turns) return index;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i != index && std::minmax(pairs[i].first, pairs[i].second) == std::minmax(pair.first, pair.second))
+      return i;
+  }
+  return index;
+}
+
 }  // namespace
 
 ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, const Model& model)
@@ -93,6 +107,8 @@ std::vector<RunVariable> ContactOutput::variables() {
     for (std::size_t i = 0; i < surfaces.size(); ++i)
       made.push_back(make_total(row, surfaces[i].name, false, i));
     for (std::size_t i = 0; i < contact_.pairs.size(); ++i) {
+      // What stands in for a pair outside its periods adds to its totals.
+      if (find_total(contact_.pairs, i) != i) continue;
       const SurfacePair& pair = contact_.pairs[i];
       made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
     }
@@ -144,7 +160,9 @@ void ContactOutput::look_at(const State& state) {
 void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {
   const ContactTotal on_second = opposite(on_first);
   const SurfacePair& of = contact_.pairs[pair];
-  add(is_swapped ? on_second : on_first, pairs_[pair]);
+  const std::size_t total = find_total(contact_.pairs, pair);
+  const bool is_turned = contact_.pairs[total].first != of.first;
+  add(is_swapped != is_turned ? on_second : on_first, pairs_[total]);
   add(on_first, surfaces_[is_swapped ? of.second : of.first]);
   add(on_second, surfaces_[is_swapped ? of.first : of.second]);
 }

@@ -20,8 +20,9 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
       rule.friction = coulomb->coefficient;
     rule.times = std::move(times[i]);
     rules_.push_back(std::move(rule));
-    table_[pairs[i].first * n_surfaces + pairs[i].second] = i;
-    table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
+    // Of two that take turns the interaction comes first; activate() tells whose turn it is.
+    std::uint32_t& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
+    if (entry == none) entry = table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
   }
 }
 
@@ -63,6 +64,15 @@ void PairRules::activate(double time, bool is_on) {
     rule.has_changed = true;
     rule.now = law;
     rule.take(*law);
+  }
+  // Of two pairs of the same surfaces the one whose periods these are has its turn; both begin anew.
+  for (std::uint32_t i = 0; i < rules_.size(); ++i) {
+    const SurfacePair& pair = *rules_[i].pair;
+    if (!rules_[i].is_active || (pair.periods.active.empty() && pair.periods.inactive.empty())) continue;
+    std::uint32_t& entry = table_[pair.first * n_surfaces_ + pair.second];
+    if (entry == i) continue;
+    rules_[i].has_changed = rules_[entry].has_changed = true;
+    entry = table_[pair.second * n_surfaces_ + pair.first] = i;
   }
 }
 

@@ -56,11 +56,13 @@ bool holds(const PairLists& lists, std::uint32_t row, std::uint32_t partner) {
 }  // namespace
 
 ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
-                             const SearchOptions& search, const DashOptions& dash)
+                             const SearchOptions& search, const DashOptions& dash,
+                             std::span<const std::int32_t> body_of)
     : faces_(faces),
       mesh_(mesh),
       rules_(rules),
       joined_(faces, mesh),
+      body_of_(body_of),
       is_once_(search.global_search_once),
       length_scaling_(dash.search_length_scaling) {
   for (const PairRule& rule : rules.rules()) {
@@ -212,6 +214,7 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   if (a.side.element() == b.side.element() || faces_.share_node(a, b)) return false;
+  if (are_of_one_rigid_body(a.corners, b.corners)) return false;
   return !joined_.are_joined(first, second);
 }
 
@@ -226,6 +229,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   const bool is_ball = node.radius > 0.0f;
   if (!is_ball && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
   if (!is_ball && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  if (are_of_one_rigid_body({&node.node, 1}, face.corners)) return false;
   return !has_element_of(node.node, face) && !joined_.are_joined(node, index);
 }
 
@@ -236,11 +240,19 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
+  if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
   const auto is_of_b = [&](std::uint32_t node) {
     const std::uint32_t alike = faces_.first_alike[node];
     return alike == faces_.first_alike[b.nodes[0]] || alike == faces_.first_alike[b.nodes[1]];
   };
   return !std::ranges::any_of(a.nodes, is_of_b) && !joined_.are_joined(a, b);
+}
+
+std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) const {
+  if (body_of_.empty()) return -1;
+  const auto body = [&](std::uint32_t node) { return body_of_[faces_.mesh_nodes[node]]; };
+  const std::int32_t first = body(nodes[0]);
+  return std::ranges::all_of(nodes, [&](std::uint32_t node) { return body(node) == first; }) ? first : -1;
 }
 
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {

@@ -29,8 +29,11 @@ struct ContactCandidates {
 class ContactSearch {
  public:
   /// All must outlive this.
+  ///   body_of  [n_nodes] the rigid body of each node of the mesh, < 0 of none, or empty: what belongs to one
+  ///            body never meets
   ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
-                const SearchOptions& search, const DashOptions& dash);
+                const SearchOptions& search, const DashOptions& dash,
+                std::span<const std::int32_t> body_of = {});
 
   /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
   /// has to follow.
@@ -70,6 +73,12 @@ class ContactSearch {
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
   Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt, double deep) const;
   bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
+  /// The rigid body that has all of these contact nodes, < 0 if none has.
+  std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;
+  bool are_of_one_rigid_body(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
+    const std::int32_t body = rigid_body_of(a);
+    return body >= 0 && body == rigid_body_of(b);
+  }
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
   /// Of what slides infinitesimally; what deaths have exposed slides as it will.
   void keep_first_partners(ContactCandidates candidates);
@@ -78,6 +87,7 @@ class ContactSearch {
   const Mesh& mesh_;
   const PairRules& rules_;
   JoinedFaces joined_;
+  std::span<const std::int32_t> body_of_;  // [n_nodes], or empty
   bool is_once_;
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;

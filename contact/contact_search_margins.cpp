@@ -44,8 +44,11 @@ void ContactSearch::set_surface_margins() {
   const std::size_t n_surfaces = faces.first_face.size() - 1;
   reach_.assign(n_surfaces, 0.0);
   for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
-    for (const std::uint32_t surface : {rules_[i].pair->first, rules_[i].pair->second})
-      reach_[surface] = std::max(reach_[surface], rules_.largest_reach(i));
+    const SurfacePair& pair = *rules_[i].pair;
+    // Ties reach as far as the deck says.
+    const double given = std::max(pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0));
+    for (const std::uint32_t surface : {pair.first, pair.second})
+      reach_[surface] = std::max({reach_[surface], rules_.largest_reach(i), given});
   }
   widest_margin_.assign(n_surfaces, 0.0);
   narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());

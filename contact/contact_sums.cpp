@@ -14,15 +14,18 @@ ContactSums::ContactSums(std::size_t n_nodes, std::size_t n_pairs, bool has_fric
       moments_(has_moments ? n_nodes : 0, Eigen::Vector3d::Zero()),
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
-      slips_(has_friction ? n_nodes : 0, NodeVector::Zero()) {}
+      slips_(has_friction ? n_nodes : 0, NodeVector::Zero()),
+      work_(n_pairs) {}
 
 void ContactSums::archive(StateArchive& saved) {
+  work_.archive(saved);
   saved.fixed_rows("contact/nodes/friction", friction_, [](NodeFriction& node, RowNumbers& row) {
     row(node.slip, node.slip_length, node.energy, node.last_slip);
   });
 }
 
 void ContactSums::renumber(const ContactRenumbering& places) {
+  work_.forget_forces();
   carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), nodes_);
   carry(places.nodes, places.n_nodes_after, NodeFriction{}, friction_);
   carry(places.nodes, places.n_nodes_after, NodeVector(NodeVector::Zero()), slips_);
@@ -62,6 +65,7 @@ void ContactSums::add(const ContactRecord& record) {
   pair.damped += record.damped;
   pair.impact += record.impact;
   pair.touches = true;
+  if (surface_ != nullptr) work_.add(*surface_, record);
   if (!record.is_balanced) dissipated_ += record.dissipated;
   damped_ += record.damped;
   if (friction_.empty()) return;
@@ -99,6 +103,7 @@ void ContactSums::add(const HeldPlace& place, const TieForces& forces) {
   pair.stored += forces.stored;
   pair.dissipated += forces.dissipated;
   dissipated_ += forces.dissipated;
+  if (surface_ != nullptr) work_.add(*surface_, place, forces);
   pair.touches = pair.is_near = true;
 }
 

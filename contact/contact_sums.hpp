@@ -7,6 +7,7 @@
 #include "contact/contact_faces.hpp"
 #include "contact/contact_record.hpp"
 #include "contact/contact_renumbering.hpp"
+#include "contact/pair_work.hpp"
 #include "contact/ties.hpp"
 #include "core/elements/gather.hpp"
 
@@ -45,6 +46,13 @@ class ContactSums {
   /// Goes over to other nodes. What friction did at nodes that are gone is forgotten.
   void renumber(const ContactRenumbering& places);
   void begin_step();
+  /// From now on the work of the forces is counted, too.
+  ///   surface  must outlive the step
+  ///   dt       of the step [time]
+  void begin_work(const MovingSurface& surface, double dt) {
+    surface_ = &surface;
+    work_.begin_step(surface, dt);
+  }
   void add(const ContactRecord& record);
   void add(const HeldPlace& place, const TieForces& forces);
   /// Ends a step: slips of the nodes are added up.
@@ -57,6 +65,8 @@ class ContactSums {
   std::span<const PairStep> pairs() const { return pairs_; }
   /// [n_contact_nodes], empty without friction
   std::span<const NodeFriction> friction() const { return friction_; }
+  /// [n_pairs] the work that forces have taken from the bodies since the start [energy]
+  std::span<const double> taken() const { return work_.taken(); }
   double dissipated() const { return dissipated_; }
   double damped() const { return damped_; }
 
@@ -74,6 +84,8 @@ class ContactSums {
   std::vector<NodeFriction> friction_;
   std::vector<NodeVector> slips_;  // of the step, times area, and area
   double dissipated_ = 0.0, damped_ = 0.0;
+  const MovingSurface* surface_ = nullptr;  // null where work is not counted
+  PairWork work_;
 };
 
 }  // namespace contactsim

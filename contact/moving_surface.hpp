@@ -52,12 +52,17 @@ class MovingSurface {
   }
   /// In the step before, whatever is foreseen [length/time].
   Eigen::Vector3d last_v(std::uint32_t node) const;
-  /// The velocity of a point that turns with a node [length/time].
+  /// The velocity of a point that turns with a node, in the step before or as foreseen [length/time].
   ///   arm  from the node to the point [length]
   Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const;
   Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
     if (turning_ == nullptr) return v(node);
     return v(node) + Eigen::Vector3d(turning_->col(faces_.mesh_nodes[node])).cross(arm);
+  }
+  /// How the node of the mesh turned in the step before that a contact node hangs on [1/time].
+  Eigen::Vector3d last_turning(std::uint32_t node) const {
+    if (last_turning_ == nullptr) return Eigen::Vector3d::Zero();
+    return last_turning_->col(faces_.mesh_nodes[node]);
   }
   /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
   const Eigen::Matrix3Xd& arms() const { return arms_; }

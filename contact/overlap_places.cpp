@@ -76,6 +76,13 @@ std::optional<Overlap> find_crossing(const MovingSurface& surface, const EdgeNod
 
 }  // namespace
 
+void OverlapPlaces::visit_all(std::uint32_t pair, const Visit& visit) const {
+  visit_nodes(pair, OverlapKind::meshed, visit);
+  visit_nodes(pair, OverlapKind::lofted, visit);
+  visit_edges(pair, visit);
+  visit_rims(pair, visit);
+}
+
 void OverlapPlaces::visit_nodes(std::uint32_t index, OverlapKind kind, const Visit& visit) const {
   const SurfacePair& pair = model_.pairs[index];
   const bool is_lofted = kind == OverlapKind::lofted;

@@ -45,6 +45,8 @@ class OverlapPlaces {
         points_(points),
         tolerance_(tolerance) {}
 
+  /// All of the below.
+  void visit_all(std::uint32_t pair, const Visit& visit) const;
   /// Nodes behind faces, then behind planes, in their order.
   void visit_nodes(std::uint32_t pair, OverlapKind kind, const Visit& visit) const;
   /// Rods, balls and sharp edges in each other, as they stood when the points were renewed.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 
+#include "contact/body_parting.hpp"
 #include "contact/overlap_places.hpp"
+#include "core/mesh/turned_elements.hpp"
 
 namespace contactsim {
 
@@ -21,14 +23,17 @@ class OverlapRemover {
   OverlapRemover(const ContactModel& model, const Mesh& mesh, const ContactDefinition& definition,
                  std::span<const std::uint8_t> is_held)
       : model_(model),
+        mesh_(mesh),
         settings_(definition.overlap_removal),
         parts_(make_overlap_parts(model, definition, mesh)),
         points_(parts_.faces, mesh),
         search_(model, definition, mesh, parts_),
         places_(model, parts_, search_, points_, settings_.shell_tolerance),
+        bodies_(model, mesh, parts_),
         is_held_(is_held),
         deepest_(model.pairs.size(), 0.0),
         moved_(model.pairs.size()) {
+    part_bodies();
     search_.find(points_.renewed());
   }
 
@@ -38,13 +43,16 @@ class OverlapRemover {
   OverlapRemoved take();
 
  private:
+  /// The pair that has moved the nodes of an element farthest.
+  std::uint32_t culprit_of(ElementIndex element) const;
+  /// Moves whole bodies out of what they lie deep in.
+  void part_bodies();
   void renew_lofts() {
     points_.renew();
     search_.renew_lofts(points_.renewed());
   }
   bool pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_last);
   bool pass_lofts(std::uint32_t pair, bool is_last);
-  void visit_all(std::uint32_t pair, const OverlapPlaces::Visit& visit);
   void note(std::uint32_t pair, const Overlap& overlap) {
     deepest_of_pass_ = std::max(deepest_of_pass_, overlap.depth);
     deepest_[pair] = std::max(deepest_[pair], overlap.depth);
@@ -60,20 +68,39 @@ class OverlapRemover {
   /// Half the way when the nodes of the other side, which go out on their own account, can move.
   double share_of_first(std::uint32_t pair, const Overlap& overlap) const;
   bool is_held(std::uint32_t point) const {
-    return !is_held_.empty() && is_held_[parts_.faces.mesh_nodes[point]] != 0;
+    return !is_held_.empty() && is_held_[parts_.faces.mesh_nodes[point]] == held_fully;
   }
 
   const ContactModel& model_;
+  const Mesh& mesh_;
   const OverlapRemoval& settings_;
   const OverlapParts parts_;
   ShiftedPoints points_;
   OverlapSearch search_;
   OverlapPlaces places_;
+  BodyParting bodies_;
   std::span<const std::uint8_t> is_held_;
+  std::int64_t n_parted_ = 0;                                    ///< passes that moved bodies
   double deepest_of_pass_ = 0.0;                                 ///< found so far [length]
   std::vector<double> deepest_;                                  ///< [n_pairs] found so far [length]
   std::vector<std::map<std::uint32_t, Eigen::Vector3d>> moved_;  ///< [n_pairs] by mesh node [length]
 };
+
+void OverlapRemover::part_bodies() {
+  for (; n_parted_ < settings_.iterations; ++n_parted_) {
+    const std::vector<BodyMove> moves =
+        bodies_.find_moves(points_.coordinates(), points_.renewed(), is_held_);
+    if (moves.empty()) return;
+    for (const BodyMove& move : moves) {
+      deepest_[move.pair] = std::max(deepest_[move.pair], move.depth);
+      for (const NodeIndex node : bodies_.nodes_of(move.body)) {
+        points_.shift(node, move.way);
+        moved_[move.pair].try_emplace(node.value, Eigen::Vector3d::Zero()).first->second += move.way;
+      }
+    }
+    points_.renew();
+  }
+}
 
 double OverlapRemover::mobility(const RecordSide& side) const {
   double sum = 0.0;
@@ -176,19 +203,30 @@ bool OverlapRemover::pass(std::int64_t n_before) {
   return has_moved;
 }
 
-void OverlapRemover::visit_all(std::uint32_t pair, const OverlapPlaces::Visit& visit) {
-  places_.visit_nodes(pair, OverlapKind::meshed, visit);
-  places_.visit_nodes(pair, OverlapKind::lofted, visit);
-  places_.visit_edges(pair, visit);
-  places_.visit_rims(pair, visit);
+std::uint32_t OverlapRemover::culprit_of(ElementIndex element) const {
+  std::uint32_t culprit = 0;
+  double farthest = 0.0;
+  for (std::uint32_t p = 0; p < moved_.size(); ++p) {
+    for (const NodeIndex node : mesh_.element_nodes(element)) {
+      const auto found = moved_[p].find(node.value);
+      if (found == moved_[p].end() || found->second.norm() <= farthest) continue;
+      farthest = found->second.norm();
+      culprit = p;
+    }
+  }
+  return culprit;
 }
 
 OverlapRemoved OverlapRemover::take() {
   OverlapRemoved removed;
   renew_lofts();
+  std::vector<double> left(model_.pairs.size(), 0.0);
+  for (const DeepOverlap& deep : bodies_.find_deep(points_.coordinates(), points_.renewed()))
+    left[deep.pair] = std::max(left[deep.pair], deep.depth);
   for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
     OverlapMoves moves;
-    visit_all(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
+    moves.left = left[p];
+    places_.visit_all(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
     moves.deepest = std::max(deepest_[p], moves.left);
     if (moves.deepest == 0.0) continue;
     moves.pair = p;
@@ -201,6 +239,9 @@ OverlapRemoved OverlapRemover::take() {
     removed.moves.push_back(moves);
   }
   removed.coordinates = points_.take();
+  removed.n_body_passes = n_parted_;
+  for (const ElementIndex element : find_turned_elements(mesh_, removed.coordinates))
+    removed.turned.push_back({element, culprit_of(element)});
   return removed;
 }
 

@@ -23,11 +23,19 @@ struct OverlapMoves {
   bool operator==(const OverlapMoves&) const = default;
 };
 
+/// An element that overlap removal would turn inside out, and the pair that moves its nodes farthest.
+struct TurnedElement {
+  ElementIndex element;
+  std::uint32_t pair = 0;  ///< position in ContactModel::pairs
+};
+
 /// Coordinates without overlap, and how they came about.
 struct OverlapRemoved {
-  Eigen::Matrix3Xd coordinates;     ///< 3 x n_nodes [length]
-  std::vector<OverlapMoves> moves;  ///< of the pairs that overlapped, in order
-  std::int64_t n_passes = 0;        ///< that moved nodes
+  Eigen::Matrix3Xd coordinates;       ///< 3 x n_nodes [length]
+  std::vector<OverlapMoves> moves;    ///< of the pairs that overlapped, in order
+  std::int64_t n_passes = 0;          ///< that moved nodes
+  std::int64_t n_body_passes = 0;     ///< that moved bodies, before those
+  std::vector<TurnedElement> turned;  ///< ascending; the coordinates are of no use when there are any
 };
 
 /// Moves nodes of contact faces out of the faces of paired surfaces that they lie behind, along the face's
@@ -45,9 +53,11 @@ struct OverlapRemoved {
 /// balls in each other, and rods in sharp edges, part by half the way each. These may automatically be as
 /// deep as their radius. Passes over lofts have a limit of their own, SHELL OVERLAP ITERATIONS, and overlap
 /// of lofts no deeper than the SHELL OVERLAP TOLERANCE is left. What the mesh joins within its thickness
-/// never counts as overlap.
+/// never counts as overlap. Bodies that lie deeper in solids of others than half an element go apart as
+/// wholes before that (BodyParting).
 ///   definition  of the model
-///   is_held     [n_nodes] 0 or 1: 1 stays where it is; or empty
+///   is_held     [n_nodes] 0 moves, held_fully stays, the body of held_in_part does not go as a whole; or
+///   empty
 /// Throws SolveError when a line or particle is nowhere. Source: Sierra/SM 5.22, 8.9.4.
 OverlapRemoved remove_overlap(const ContactModel& model, const Mesh& mesh,
                               const ContactDefinition& definition, std::span<const std::uint8_t> is_held);

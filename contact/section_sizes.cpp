@@ -72,6 +72,25 @@ std::vector<SectionSize> find_section_sizes(const SimulationDefinition& definiti
   return sizes;
 }
 
+std::vector<std::uint32_t> find_sizeless_blocks(const SimulationDefinition& definition, const Region& region,
+                                                const Mesh& mesh) {
+  std::vector<std::uint32_t> blocks;
+  const FiniteElementModel* model = find_finite_element_model(definition, region);
+  if (model == nullptr) return blocks;
+  const auto names = find_block_names(mesh, model->aliases);
+  for (std::uint32_t block = 0; block < names.size(); ++block) {
+    const BlockParameters* parameters = find_block_parameters(*model, names[block]);
+    const SectionDefinition* section = parameters ? find_section(definition, *parameters) : nullptr;
+    if (section == nullptr) continue;
+    const auto& properties = section->properties;
+    const bool is_sizeless = std::holds_alternative<PointMassSection>(properties) ||
+                             std::holds_alternative<SpringSection>(properties) ||
+                             std::holds_alternative<DamperSection>(properties);
+    if (is_sizeless) blocks.push_back(block);
+  }
+  return blocks;
+}
+
 double radius_of_area(double area) { return std::sqrt(area / std::numbers::pi); }
 
 }  // namespace contactsim

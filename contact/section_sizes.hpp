@@ -29,6 +29,10 @@ struct SectionSize {
 std::vector<SectionSize> find_section_sizes(const SimulationDefinition& definition, const Region& region,
                                             const Mesh& mesh);
 
+/// Positions of the blocks whose section is one of point masses, springs or dampers, ascending.
+std::vector<std::uint32_t> find_sizeless_blocks(const SimulationDefinition& definition, const Region& region,
+                                                const Mesh& mesh);
+
 /// Radius of a circle of this area [length].
 double radius_of_area(double area);
 

@@ -25,11 +25,14 @@ class ShiftedPoints {
   void shift(std::uint32_t point, const Eigen::Vector3d& step) {
     coordinates_.col(faces_.mesh_nodes[point]) += step;
   }
+  void shift(NodeIndex node, const Eigen::Vector3d& step) { coordinates_.col(node.value) += step; }
   /// Stands the lofts off along the shells' normals as they are now.
   void renew() { renewed_.move_nodes({0.0, 0.0, coordinates_, coordinates_}); }
 
   /// The contact nodes at the last renewal.
   const MovingSurface& renewed() const { return renewed_; }
+  /// Where the nodes of the mesh are now [3 x n_nodes] [length].
+  const Eigen::Matrix3Xd& coordinates() const { return coordinates_; }
   /// Hands out the nodes of the mesh [3 x n_nodes] [length].
   Eigen::Matrix3Xd take() { return std::move(coordinates_); }
 

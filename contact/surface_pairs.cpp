@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <unordered_map>
@@ -67,6 +68,20 @@ PairSettings shared_settings(const ContactDefinition& contact) {
   return shared;
 }
 
+bool has_periods(const ActivePeriods& periods) {
+  return !periods.active.empty() || !periods.inactive.empty();
+}
+
+/// The periods in which these do not act. Precondition: there are some.
+ActivePeriods rest_of(const ActivePeriods& periods) {
+  if (periods.active.empty()) return {periods.inactive, {}};
+  ActivePeriods rest;
+  std::ranges::copy_if(periods.active, std::back_inserter(rest.inactive), [&](const DeckName& name) {
+    return std::ranges::find(periods.inactive, name) == periods.inactive.end();
+  });
+  return rest;
+}
+
 /// Two surfaces in the order in which an interaction names them.
 struct Meeting {
   std::uint32_t first = 0, second = 0;
@@ -90,6 +105,7 @@ class PairMaker {
   struct Entry {
     SurfacePair pair;
     std::optional<std::size_t> interaction;  ///< position; absent: the defaults
+    std::optional<SurfacePair> otherwise;    ///< by the defaults, outside the interaction's periods
   };
   using Overridden = std::map<std::size_t, std::vector<PairKey>>;  ///< by the earlier interaction
 
@@ -214,9 +230,13 @@ void PairMaker::add_interaction(std::size_t index) {
     is_served = is_served || has_empty_side(meeting);
     if (!can_meet(meeting)) continue;
     is_served = true;
+    const bool is_known = entries_.contains(key);
     Entry& entry = entries_[key];
     if (entry.interaction) overridden[*entry.interaction].push_back(key);
-    entry = {pair, index};
+    std::optional<SurfacePair> otherwise = std::move(entry.otherwise);
+    if (!entry.interaction && is_known) otherwise = std::move(entry.pair);
+    if (otherwise && has_periods(pair.periods)) otherwise->periods = rest_of(pair.periods);
+    entry = {pair, index, std::move(otherwise)};
     settle(meeting, entry.pair);
   }
   warn_of_overridden(index, overridden);
@@ -245,10 +265,14 @@ void PairMaker::warn_of_overridden(std::size_t index, const Overridden& overridd
 std::vector<SurfacePair> PairMaker::take() {
   std::vector<SurfacePair> pairs;
   for (auto& [key, entry] : entries_) {
+    const bool goes_on = entry.otherwise && has_periods(entry.pair.periods) &&
+                         entry.otherwise->behavior != InteractionBehavior::no_interaction;
+    if (goes_on) pairs.push_back(std::move(*entry.otherwise));
     if (entry.pair.behavior != InteractionBehavior::no_interaction) pairs.push_back(std::move(entry.pair));
   }
-  std::sort(pairs.begin(), pairs.end(), [](const SurfacePair& a, const SurfacePair& b) {
-    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+  // What stands in for an interaction outside its periods comes after it.
+  std::stable_sort(pairs.begin(), pairs.end(), [](const SurfacePair& a, const SurfacePair& b) {
+    return std::tie(a.first, a.second, a.is_from_defaults) < std::tie(b.first, b.second, b.is_from_defaults);
   });
   return pairs;
 }

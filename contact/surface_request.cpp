@@ -17,8 +17,8 @@ namespace contactsim {
 namespace {
 
 /// The list ascends.
-bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
-  return std::binary_search(list.begin(), list.end(), value);
+bool contains(std::span<const std::uint32_t> list, std::uint32_t value) {
+  return std::ranges::binary_search(list, value);
 }
 
 SurfaceRequest make_request(std::string name, SurfaceKind kind, std::string command,
@@ -36,6 +36,7 @@ class RequestMaker {
  public:
   RequestMaker(const RegionNames& names, const Mesh& mesh, Diagnostics& diagnostics)
       : planes_(names.planes),
+        sizeless_(names.sizeless_blocks),
         mesh_(mesh),
         names_(mesh, names.aliases, diagnostics, "nodes go into CONTACT NODE SET"),
         diagnostics_(diagnostics) {}
@@ -78,6 +79,7 @@ class RequestMaker {
   void take_name(const std::string& name, const DeckLocation& location);
 
   std::span<const AnalyticPlane> planes_;
+  std::span<const std::uint32_t> sizeless_;
   const Mesh& mesh_;
   NameLookup names_;
   Diagnostics& diagnostics_;
@@ -184,7 +186,7 @@ void RequestMaker::find_removed(const ContactSurfaceBlock& block, SurfaceRequest
 
 void RequestMaker::add_all_blocks(const DeckLocation& location, SurfaceRequest& request) {
   for (std::uint32_t i = 0; i < mesh_.blocks().size(); ++i) {
-    if (contains(request.removed_blocks, i)) continue;
+    if (contains(request.removed_blocks, i) || contains(sizeless_, i)) continue;
     const bool is_particles = topology(mesh_.blocks()[i].shape).family == Family::particle;
     if (is_particles) {
       request.particle_blocks_left_out.push_back(i);
@@ -252,7 +254,7 @@ void RequestMaker::add(const SkinAllBlocks& skin) {
   }
   sort_once(excluded);
   for (std::uint32_t i = 0; i < mesh_.blocks().size(); ++i) {
-    if (contains(excluded, i)) continue;
+    if (contains(excluded, i) || contains(sizeless_, i)) continue;
     auto request =
         make_request(mesh_.name({EntityKind::block, i}), SurfaceKind::face, "SKIN ALL BLOCKS", skin.location);
     add_block(i, skin.location, request);

@@ -45,6 +45,9 @@ struct SurfaceRequest {
 struct RegionNames {
   std::span<const AnalyticPlane> planes;
   std::span<const MeshAlias> aliases;
+  /// Blocks of point masses, springs and dampers, ascending: they have no size, and what takes all blocks
+  /// passes over them.
+  std::vector<std::uint32_t> sizeless_blocks = {};
 };
 
 /// Looks up every name of the surface-making commands, SKIN ALL BLOCKS taken apart into one request per

@@ -107,6 +107,10 @@ constexpr double vanishing = 1e-4;
 
 void check_step(const Model& model, const State& state, const StepReport& report) {
   const double dt = state.next_dt;
+  if (std::isinf(dt))
+    throw SolveError(state.time,
+                     "nothing in the model sets a time step: no element has stiffness and nothing touches; "
+                     "USER TIME STEP gives one");
   if (dt > vanishing * state.first_dt && state.time + dt > state.time) return;
   std::string cause = fmt::format("the stable time step has fallen to {:.3g}", dt);
   if (report.critical_element)

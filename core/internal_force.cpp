@@ -8,6 +8,7 @@
 
 #include "core/discrete_steps.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/elements/elements.hpp"
 #include "core/errors.hpp"
 #include "core/threads.hpp"
 
@@ -36,6 +37,23 @@ double find_step_at_rest(const Model& model, bool only_rigid) {
     motion.angular_velocity = &still;
     for (const BatchChunk& chunk : block.chunks)
       step = std::min(step, block.element->advance(block, chunk, motion, state).stable_step);
+  }
+  return step;
+}
+
+/// The time that sound takes through the smallest particle: particles have no stress, but what they are made
+/// of says how fast they may answer a hit.
+double find_step_of_particles(const Model& model) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const ModelBlock& block : model.blocks) {
+    if (block.element != &sphere_particle) continue;
+    const ElementProperties& properties = block.properties;
+    const ElasticModuli moduli = moduli_of(properties.law);
+    const double speed = std::sqrt((moduli.bulk + 4.0 / 3.0 * moduli.shear) / properties.density);
+    for (std::size_t i = 0; i < block.n_elements; ++i) {
+      const double radius = block.section[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
+      step = std::min(step, 2.0 * radius / speed);
+    }
   }
   return step;
 }
@@ -108,6 +126,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
   report.stable_step = combined_step(steps.material, steps.stiffness, steps.damping);
   if (std::isinf(report.stable_step)) {
     if (std::isinf(idle_step_)) idle_step_ = find_step_at_rest(model_, false);
+    if (std::isinf(idle_step_)) idle_step_ = find_step_of_particles(model_);
     report.stable_step = idle_step_;
   }
   return report;

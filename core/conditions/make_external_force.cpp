@@ -83,7 +83,9 @@ bool ExternalForceMaker::check_turn(std::span<const NodeIndex> nodes, const Cond
   if (still == nodes.end()) return true;
   const bool none_turns = std::none_of(nodes.begin(), nodes.end(), turns);
   add_error(label.location,
-            none_turns ? "the prescribed moment cannot act: the nodes of solids have no rotations"
+            none_turns ? "the prescribed moment cannot act: none of its nodes has rotations: only those of "
+                         "shells, beams and "
+                         "point inertias do"
                        : fmt::format("the prescribed moment cannot act on node {}: it has no rotations",
                                      scope_.mesh.node_id(*still)),
             "forces on several nodes make a moment");

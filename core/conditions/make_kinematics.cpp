@@ -116,7 +116,8 @@ void KinematicsMaker::add(const FixedCondition& fixed) {
   const bool has_nodes = find_names(fixed.set, fixed.direction, driven);
   if (!keep_turning(driven.nodes)) {
     scope_.diagnostics.add_warning("condition-ignored", fixed.name.location,
-                                   "the fixed rotation has no effect: the nodes of solids have no rotations");
+                                   "the fixed rotation has no effect: none of its nodes has rotations, as "
+                                   "those of shells, beams and point inertias do");
     return;
   }
   if (has_nodes) driven_.push_back(std::move(driven));
@@ -130,7 +131,9 @@ void KinematicsMaker::add(const PrescribedCondition& prescribed) {
   const bool has_nodes = find_names(prescribed.set, prescribed.direction, driven);
   if (!keep_turning(driven.nodes)) {
     return scope_.diagnostics.add_error(
-        driven.label.location, driven.label.what + " cannot act: the nodes of solids have no rotations",
+        driven.label.location,
+        driven.label.what +
+            " cannot act: none of its nodes has rotations, as those of shells, beams and point inertias do",
         "PRESCRIBED DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis");
   }
   if (wanted_.are_bodies && prescribed.variable.variable && has_nodes) {

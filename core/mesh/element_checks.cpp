@@ -112,7 +112,7 @@ double solid_volume(const Eigen::Matrix3Xd& coordinates, std::span<const NodeInd
   return sum / 6.0;
 }
 
-void check_elements(const Mesh& mesh, std::span<const std::uint32_t> blocks, Diagnostics& warnings) {
+void check_elements(const Mesh& mesh, std::span<const std::uint32_t> blocks) {
   ElementList inverted, flat;
   for (std::uint32_t index : blocks) {
     check_type(mesh, index);
@@ -123,10 +123,13 @@ void check_elements(const Mesh& mesh, std::span<const std::uint32_t> blocks, Dia
       (doubtful.is_flat ? flat : inverted).add(name, mesh.element_id(doubtful.element), doubtful.volume);
     }
   }
+  std::string text;
+  if (inverted.count() > 0) text = inverted.describe("inside out");
   if (flat.count() > 0) {
-    warnings.add_warning("element-without-volume", {}, mesh.path() + ": " + flat.describe("without volume"));
+    if (!text.empty()) text += '\n';
+    text += flat.describe("without volume");
   }
-  if (inverted.count() > 0) throw FileError(mesh.path(), inverted.describe("inside out"));
+  if (!text.empty()) throw FileError(mesh.path(), text);
 }
 
 }  // namespace contactsim

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -37,7 +38,9 @@ class FieldMaker {
     for (const char* name : {"kinetic_energy", "internal_energy", "external_energy", "hourglass_energy",
                              "bulk_viscosity_energy", "contact_energy", "energy_error", "momentum"}) {
       const VariablePick pick{variables_.find(FieldLocation::global, name), {}, {}};
-      if (names_.count({FieldLocation::global, 0, name}) == 0) add_field(pick, {}, name);
+      const bool is_taken = names_.count({FieldLocation::global, 0, name}) != 0 ||
+                            columns_.count({FieldLocation::global, 0, name}) != 0;
+      if (!is_taken) add_field(pick, {}, name);
     }
     return std::move(fields_);
   }
@@ -101,7 +104,8 @@ class FieldMaker {
   }
 
   bool is_free(const VariablePick& pick, std::size_t block, const std::string& name, const DeckName& at) {
-    if (names_.count({pick.variable->location, block, fold(name)}) == 0) return true;
+    if (names_.count({pick.variable->location, block, fold(name)}) == 0)
+      return !has_taken_component(pick, block, name, at);
     warn("output-name-taken", at,
          fmt::format("a {} variable {} is on the file already: this one is left out",
                      to_string(pick.variable->location), name),
@@ -109,12 +113,38 @@ class FieldMaker {
     return false;
   }
 
+  /// Whether a component would have the name of another field's: a file cannot hold both.
+  bool has_taken_component(const VariablePick& pick, std::size_t block, const std::string& name,
+                           const DeckName& at) {
+    const OutputField field = describe(pick, {block, 0, 1, {}}, name).field;
+    for (int c = 0; c < field.n_components; ++c) {
+      const auto found = columns_.find({field.location, block, fold(component_name(field, c))});
+      if (found == columns_.end()) continue;
+      diagnostics_.add_error(
+          at.location,
+          fmt::format("{} variable {}: the file has {} of the variable {} already", to_string(field.location),
+                      name, component_name(field, c), found->second),
+          "leave one of them out, or give it another name: AS <alias>", static_cast<int>(at.text.size()));
+      return true;
+    }
+    return false;
+  }
+
+  RequestedFields::Field describe(const VariablePick& pick, const EntityRange& range,
+                                  const std::string& name) const {
+    RequestedFields::Field made = make_field(pick, variables_.model(), range, name);
+    made.field.separator = requests_.separator;
+    return made;
+  }
+
   void add_field(const VariablePick& pick, EntityRange range, const std::string& name) {
     const Model& model = variables_.model();
     names_.insert({pick.variable->location, range.block, fold(name)});
     range.count = count_entities(pick, model, range.block);
-    fields_.push_back(make_field(pick, model, range, name));
-    fields_.back().field.separator = requests_.separator;
+    fields_.push_back(describe(pick, range, name));
+    const OutputField& field = fields_.back().field;
+    for (int c = 0; c < field.n_components; ++c)
+      columns_.try_emplace({field.location, range.block, fold(component_name(field, c))}, name);
   }
 
   const RunVariables& variables_;
@@ -122,6 +152,7 @@ class FieldMaker {
   std::span<const std::vector<std::string>> block_names_;
   Diagnostics& diagnostics_;
   std::set<Key> names_;
+  std::map<Key, std::string> columns_;  ///< names of components, with those of their fields
   std::vector<RequestedFields::Field> fields_;
 };
 

@@ -21,7 +21,9 @@ const Table<SearchOptions>& search_options_table() {
       row("tangential tolerance", read::non_negative, &S::tangential_tolerance,
           "Reach of the search beyond a face's edge [length]", "automatic"),
       row("capture tolerance", read::non_negative, &S::capture_tolerance,
-          "Gap that is closed at the start [length]", "0"),
+          "How far apart sides may be at the start for TIED and other laws that hold to hold them [length]; "
+          "the gap stays as it is",
+          "automatic: NORMAL TOLERANCE, else a share of the face"),
       ignored<S>("face multiplier", "= <real>", "SEARCH LENGTH SCALING of DASH OPTIONS scales the search"),
       ignored<S>("secondary decomposition", "= {ON|OFF}", "Of parallel runs only"),
   });

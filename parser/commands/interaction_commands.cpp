@@ -41,7 +41,9 @@ std::vector<Row<PairSettings>> pair_rows() {
       row("overlap tangential tolerance", read::non_negative, &P::overlap_tangential_tolerance,
           "Overlap beyond a face's edge that is removed at the start [length]", "automatic"),
       row("capture tolerance", read::non_negative, &P::capture_tolerance,
-          "Gap that is closed at the start [length]", "0"),
+          "How far apart sides may be at the start for TIED and other laws that hold to hold them [length]; "
+          "the gap stays as it is",
+          "automatic: NORMAL TOLERANCE, else a share of the face"),
       row("penalty scale", read::positive, &P::penalty_scale,
           "Multiplies the penalty stiffness [1]; contactsim's own line", "1"),
       row<P>("penalty stiffness", "= {AUTO|<real>}", read_penalty_stiffness,

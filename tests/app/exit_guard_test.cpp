@@ -35,6 +35,12 @@ TEST_CASE("a file error is told and ends with code 3", "[app][exit]") {
   CHECK(told == "error: a.g: no such file|");
 }
 
+TEST_CASE("an error of the solution is told and ends with code 4, wherever it is thrown", "[app][exit]") {
+  const auto [code, told] = guarded([]() -> ExitCode { throw SolveError(0.5, "node 7 is nowhere"); });
+  CHECK(static_cast<int>(code) == 4);
+  CHECK(told == "error: time 0.5: node 7 is nowhere|");
+}
+
 TEST_CASE("lack of memory ends with code 3, it is no bug", "[app][exit]") {
   const auto [code, told] = guarded([]() -> ExitCode { throw std::bad_alloc(); });
   CHECK(static_cast<int>(code) == 3);

@@ -97,11 +97,11 @@ TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
 
 TEST_CASE("after a run the table tells what pairs did, and which never touched", "[app][pairs]") {
   std::vector<PairHistory> histories(3);
-  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75};
+  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25};
   CHECK(squeezed(format_pair_histories(three_pairs(), histories)) ==
         "\nContact of pairs in the run\n"
-        "no first second contact time peak force impulse x impulse y impulse z work friction work\n"
-        "1 lid box 0.5 1234.5 1 -2 3.25 6.5 0.75\n"
+        "no first second contact time peak force impulse x impulse y impulse z work friction work made\n"
+        "1 lid box 0.5 1234.5 1 -2 3.25 6.5 0.75 1.25\n"
         "\nPairs that never touched\n"
         "2 lid dust general contact 7\n"
         "3 box dust tie 12\n");

@@ -140,6 +140,23 @@ TEST_CASE("an interaction without effect takes its pairs out", "[contact][pairs]
         "b c frictionless face_face (general contact)\n");
 }
 
+TEST_CASE("outside the periods of an interaction its pairs go on as the defaults say", "[contact][pairs]") {
+  const std::string defaults = "begin interaction defaults\n surfaces = a b\n general contact = on\nend\n";
+  const auto timed = pair_up(defaults +
+                             "begin interaction i\n surfaces = a b\n friction coefficient = 0.5\n"
+                             " active periods = p1\nend\n");
+  CHECK(timed.text == "a b friction 0.5 face_face (i)\na b frictionless face_face (general contact)\n");
+  REQUIRE(timed.pairs.size() == 2);
+  CHECK(timed.pairs[0].periods.active.at(0).text == "p1");
+  CHECK(timed.pairs[1].periods.inactive.at(0).text == "p1");
+  const auto off = pair_up(defaults +
+                           "begin interaction i\n surfaces = a b\n"
+                           " interaction behavior = no_interaction\n inactive periods = p2\nend\n");
+  CHECK(off.text == "a b frictionless face_face (general contact)\n");
+  REQUIRE(off.pairs.size() == 1);
+  CHECK(off.pairs[0].periods.active.at(0).text == "p2");
+}
+
 TEST_CASE("of two interactions that name one pair the later wins, with a warning", "[contact][pairs]") {
   const Paired paired = pair_up(
       "begin interaction\n surfaces = a b c\nend\n"

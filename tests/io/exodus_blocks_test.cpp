@@ -62,10 +62,9 @@ TEST_CASE("a block of an unknown or missing type is an error only to who uses it
   CHECK(block.nodes_per_element == 8);
   CHECK(block.nodes.empty());
   const std::uint32_t first[] = {0}, second[] = {1};
-  Diagnostics warnings;
-  CHECK_NOTHROW(check_elements(found, first, warnings));
+  CHECK_NOTHROW(check_elements(found, first));
   CHECK_THROWS_WITH(
-      check_elements(found, second, warnings),
+      check_elements(found, second),
       Contains(is_missing ? "upper: the file does not say what type of elements it has"
                           : "upper: its elements are of type 'BEX_HEX' with 8 nodes, which contactsim "
                             "does not know"));

@@ -222,12 +222,13 @@ TEST_CASE("nodes may be held twice, in slanted directions too", "[core][conditio
 
 TEST_CASE("what solids cannot do is refused, what changes nothing is ignored", "[core][conditions]") {
   CHECK(messages_of(block("fixed rotation", "block = block_1\ncomponents = x y z")) ==
-        "c.i:1:1: warning: the fixed rotation has no effect: the nodes of solids have no rotations "
+        "c.i:1:1: warning: the fixed rotation has no effect: none of its nodes has rotations, as those of "
+        "shells, beams and point inertias do "
         "[condition-ignored]\n");
-  CHECK(
-      messages_of(block("prescribed rotation", "block = block_1\ncomponent = x\nfunction = one")) ==
-      "c.i:1:1: error: the prescribed rotation cannot act: the nodes of solids have no rotations; PRESCRIBED "
-      "DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis\n");
+  CHECK(messages_of(block("prescribed rotation", "block = block_1\ncomponent = x\nfunction = one")) ==
+        "c.i:1:1: error: the prescribed rotation cannot act: none of its nodes has rotations, as those of "
+        "shells, beams and point inertias do; PRESCRIBED "
+        "DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis\n");
   CHECK(
       messages_of(block("prescribed velocity", "block = block_1\ncylindrical axis = none\nfunction = one")) ==
       "d.i:37:13: error: the axis 'none' runs through one point only; its two points lie at one place\n");

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/box_tree.hpp"
+#include "contact/contact_scene.hpp"
+#include "contact/overlap_parts.hpp"
+
+namespace contactsim {
+
+/// A node of a contact surface that lies inside the solids of another body.
+struct DeepOverlap {
+  std::uint32_t pair = 0;
+  std::uint32_t row = 0;                             ///< surface node
+  std::uint32_t face = 0;                            ///< through which its way out leads
+  double depth = 0.0;                                ///< along the face's normal, > 0 [length]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the face: the node's way out [1]
+  bool is_deep = false;                              ///< by more than half the thinner element
+};
+
+/// Finds the nodes of contact surfaces that lie inside solids of other bodies, however deep: point in
+/// element. Bodies are what solids and shells join; a body that lies in itself is not found.
+class DeepOverlaps {
+ public:
+  /// All must outlive this.
+  DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts);
+
+  /// [n_nodes] the first node of each node's body.
+  const std::vector<std::uint32_t>& bodies() const { return bodies_; }
+
+  /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
+  /// it the way out is the nearest one, nearer the more it looks against the node's surface; those that look
+  /// the same way are none.
+  ///   coordinates  [3 x n_nodes] of the mesh [length]
+  ///   surface      the contact nodes there
+  std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
+
+ private:
+  struct Inside {
+    std::uint32_t row, body;
+  };
+  std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
+  std::vector<ElementIndex> elements_near(const Eigen::Matrix3Xd& coordinates,
+                                          std::span<const Box> boxes) const;
+  std::optional<DeepOverlap> find_way_out(const MovingSurface& surface, const Inside& inside,
+                                          const PairLists& faces_of_body) const;
+  std::uint32_t body_of(const ContactFace& face) const {
+    return bodies_[faces().mesh_nodes[face.corners[0]]];
+  }
+  std::uint32_t body_of_row(std::uint32_t row) const {
+    return bodies_[faces().mesh_nodes[faces().surface_nodes[row].node]];
+  }
+  const ContactFaces& faces() const { return parts_.faces; }
+
+  const Mesh& mesh_;
+  const OverlapParts& parts_;
+  PairRules rules_;
+  std::vector<std::uint32_t> bodies_;          // [n_nodes]
+  std::vector<std::uint32_t> solid_bodies_;    // with contact faces of solids, ascending
+  std::vector<std::uint32_t> number_of_body_;  // [n_nodes] by first node: position in solid_bodies_
+};
+
+}  // namespace contactsim

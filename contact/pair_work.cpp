@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/pair_work.hpp"
+
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Power of a force on a contact node and a moment about it [energy/time].
+double power(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d& force,
+             const Eigen::Vector3d& moment) {
+  const double of_force = force.dot(surface.last_v(node));
+  return moment.isZero(0.0) ? of_force : of_force + moment.dot(surface.last_turning(node));
+}
+
+}  // namespace
+
+void PairWork::begin_step(const MovingSurface& surface, double dt) {
+  half_ = 0.5 * dt;
+  for (const NodeForce& f : forces_) taken_[f.pair] -= half_ * power(surface, f.node, f.force, f.moment);
+  forces_.clear();
+}
+
+void PairWork::add(const MovingSurface& surface, const NodeForce& f) {
+  taken_[f.pair] -= half_ * power(surface, f.node, f.force, f.moment);
+  forces_.push_back(f);
+}
+
+void PairWork::add_side(const MovingSurface& surface, std::uint32_t pair, const RecordSide& side,
+                        const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    if (weight == 0.0) continue;
+    const Eigen::Vector3d own = weight * force;
+    const Eigen::Vector3d moment =
+        side.radius == 0.0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(arm.cross(own));
+    add(surface, {pair, side.nodes[k], own, moment});
+  }
+}
+
+void PairWork::add(const MovingSurface& surface, const ContactRecord& record) {
+  if (!record.touches()) return;
+  const Eigen::Vector3d force = record.force_on_first();
+  add_side(surface, record.pair, record.first, force, -record.first.radius * record.normal);
+  add_side(surface, record.pair, record.second, -force, record.second.radius * record.normal);
+}
+
+void PairWork::add(const MovingSurface& surface, const HeldPlace& place, const TieForces& forces) {
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Eigen::Vector3d force = forces.forces.col(static_cast<Eigen::Index>(k));
+    if (!force.isZero(0.0)) add(surface, {place.pair, place.nodes[k], force, Eigen::Vector3d::Zero()});
+  }
+}
+
+void PairWork::archive(StateArchive& saved) {
+  saved.fixed("contact/pairs/taken", std::span(taken_));
+  saved.rows("contact/pairs/forces", forces_,
+             [](NodeForce& f, RowNumbers& row) { row(f.pair, f.node, f.force, f.moment); });
+}
+
+}  // namespace contactsim
