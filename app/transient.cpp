@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/block_energy_watch.hpp"
 #include "app/energy_watch.hpp"
 #include "app/progress.hpp"
 #include "app/refusals.hpp"
@@ -77,7 +78,8 @@ class Run {
     const double whole = clock_seconds() - begun_;
     if (death_ != nullptr) log_.write(death_->report(state_));
     if (contact_ != nullptr) {
-      contact_->warn_of_energy(state_.energies, warnings_);
+      if (state_.energies.largest > energy_of_round_off(model_, state_.dt))
+        contact_->warn_of_energy(state_.energies, warnings_);
       contact_->warn_of_lost(warnings_);
       log_.write(format_energy_balance(state_.energies, contact_->force().stored_at_start()));
       log_.write(contact_->report());
@@ -104,6 +106,7 @@ class Run {
     const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
     log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) + step_heading());
     warn_of_user_step(at_start);
+    block_watch_.begin(state_);
     end_step();
     restart_.begin(state_);
   }
@@ -112,6 +115,7 @@ class Run {
     StateArchive saved(earlier);
     archive(memory(), saved);
     restart_.forget_earlier();
+    block_watch_.begin(state_);
     outputs_.go_on(state_);
     restart_.begin(state_);
     log_.write(format_paths(outputs_.paths()) + step_heading());
@@ -135,6 +139,7 @@ class Run {
   }
 
   void finish() {
+    warn_of_negative_energy();
     // A run that goes on from here must not know that this one ended: the state comes first.
     store(true);
     tell(true);
@@ -179,6 +184,7 @@ class Run {
   }
 
   void warn_of_energy() {
+    if (state_.step % BlockEnergyWatch::interval == 0) warn_of_negative_energy();
     const Energies& e = state_.energies;
     if (has_warned_ || !watch_.is_off(state_)) return;
     has_warned_ = true;
@@ -187,6 +193,24 @@ class Run {
                                       "({:.2g} % of the largest term)",
                                       state_.step, state_.time, e.error, 100.0 * e.error / e.largest),
                           "a smaller TIME STEP SCALE FACTOR tells whether the steps are too large");
+  }
+
+  void warn_of_negative_energy() {
+    for (const NegativeEnergy& found : block_watch_.look(state_)) {
+      const std::string block =
+          fmt::format("{} (block {})", model_.mesh->name({EntityKind::block, found.mesh_block}),
+                      model_.mesh->blocks()[found.mesh_block].id);
+      warnings_.add_warning(
+          "negative-internal-energy", {},
+          fmt::format("at step {}, time {:.6g}, {} of {} {} given out {:.3g} more energy than {} taken up "
+                      "({:.2g} % of the largest term)",
+                      state_.step, state_.time,
+                      found.is_of_hourglasses ? "the hourglass resistance" : "the stresses", block,
+                      found.is_of_hourglasses ? "has" : "have", -found.energy,
+                      found.is_of_hourglasses ? "it has" : "they have",
+                      -100.0 * found.energy / state_.energies.largest),
+          "the energy balance does not show it; a smaller TIME STEP SCALE FACTOR or finer elements help");
+    }
   }
 
   void write_wall_times(double whole) {
@@ -225,6 +249,7 @@ class Run {
   std::optional<std::int64_t> last_line_;  // of the log, its step
   bool is_for_overlap_only_ = false;       // the deck wants no steps
   EnergyWatch watch_{model_};
+  BlockEnergyWatch block_watch_{model_};
   bool has_warned_ = false;
   std::optional<std::string> end_;         // why the run ends before its termination time
   std::optional<std::string> stopped_by_;  // a signal

@@ -121,13 +121,16 @@ void check_step(const Model& model, const State& state, const StepReport& report
 void add_work(const NodeWork& work, State& state) {
   Energies& energies = state.energies;
   energies.kinetic = work.kinetic;
-  energies.internal -= state.begun.internal + work.ended.internal;
+  if (state.step == 0) energies.unseen = work.unseen;
+  energies.internal -= state.begun.internal + work.ended.internal + (work.unseen - energies.unseen);
+  energies.unseen = work.unseen;
   energies.external += state.begun.external + work.ended.external;
   energies.contact -= state.begun.contact + work.ended.contact;
   state.begun = work.begun;
   state.momentum = work.momentum;
-  if (state.step == 0) energies.start = work.conserved;
-  energies.error = work.conserved + energies.internal + energies.contact - energies.external - energies.start;
+  const double seen = work.conserved + work.unseen;
+  if (state.step == 0) energies.start = seen;
+  energies.error = seen + energies.internal + energies.contact - energies.external - energies.start;
   for (const double term : {energies.kinetic, energies.internal, energies.external, energies.contact})
     energies.largest = std::max(energies.largest, std::abs(term));
 }
@@ -161,7 +164,7 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
 /// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
 void complete(const Model& model, ForceTerms terms, const TimeStepControl& control, const StepReport& report,
               State& state) {
-  state.next_dt = control.step_after(state.time, state.dt, report.stable_step);
+  state.next_dt = control.step_after(state.time, state.dt, state.stable_steps.with(report.stable_step));
   if (state.step == 0) state.first_dt = state.next_dt;
   check_step(model, state, report);
   find_accelerations(model, state);

@@ -119,6 +119,7 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
       double& step = steps.of(block.element->step_rule);
       step = std::min(step, chunk.stable_step);
       report.hourglass_work += chunk.hourglass_work;
+      state_.blocks[index].hourglass_work += chunk.hourglass_work;
       report.viscous_work += chunk.viscous_work;
     }
     block.sums.add(state_.blocks[index].forces, forces);

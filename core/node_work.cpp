@@ -16,16 +16,19 @@ constexpr Eigen::Index groups_per_chunk = 256;
 
 /// The sums of a chunk, component by component.
 struct GroupSums {
-  Group kinetic = Group::Zero(), conserved = Group::Zero(), momentum = Group::Zero();
+  Group kinetic = Group::Zero(), conserved = Group::Zero(), unseen = Group::Zero();
+  Group momentum = Group::Zero();
   Group internal_ended = Group::Zero(), internal_begun = Group::Zero();
   Group external_ended = Group::Zero(), external_begun = Group::Zero();
   Group contact_ended = Group::Zero(), contact_begun = Group::Zero();
 
   /// Half steps are weighted with their sizes here.
-  NodeWork total(double half_before, double half_after) const {
+  ///   half_behind  as half_before; at the start, which has none, half_after
+  NodeWork total(double half_before, double half_after, double half_behind) const {
     NodeWork work;
     work.kinetic = 0.5 * kinetic.sum();
     work.conserved = 0.5 * conserved.sum();
+    work.unseen = 0.5 * half_behind * half_after * unseen.sum();
     work.ended = {half_before * internal_ended.sum(), half_before * external_ended.sum(),
                   half_before * contact_ended.sum()};
     work.begun = {half_after * internal_begun.sum(), half_after * external_begun.sum(),
@@ -72,7 +75,7 @@ class Completion {
     const Eigen::Index first = chunk * groups_per_chunk * group_size;
     const Eigen::Index end = std::min(size_, first + groups_per_chunk * group_size);
     for (Eigen::Index i = first; i < end; i += group_size) complete_group(i, sums);
-    return sums.total(half_before_, half_after_);
+    return sums.total(half_before_, half_after_, product_span_ - half_after_);
   }
 
  private:
@@ -94,6 +97,7 @@ class Completion {
     sums.conserved += after * (after - product_span_ * a) * mass;
     sums.momentum += mass * now;
     const Group internal = load(nodes_.forces.internal, i), external = load(nodes_.forces.external, i);
+    sums.unseen += (internal != 0.0).select(a * a * mass, 0.0);
     sums.internal_ended += internal * before;
     sums.internal_begun += internal * after;
     sums.external_ended += external * before;
@@ -141,6 +145,7 @@ NodeWork complete_nodes(const NodeMotion& nodes, const State& state) {
   for (const NodeWork& part : parts) {
     work.kinetic += part.kinetic;
     work.conserved += part.conserved;
+    work.unseen += part.unseen;
     work.momentum += part.momentum;
     add(part.ended, work.ended);
     add(part.begun, work.begun);
@@ -176,6 +181,7 @@ NodeWork complete_velocities(const Model& model, State& state) {
   add_reactions(turning, model.rotation_kinematics.nodes(), state, of_turning);
   work.kinetic += of_turning.kinetic;
   work.conserved += of_turning.conserved;
+  work.unseen += of_turning.unseen;
   add(of_turning.ended, work.ended);
   add(of_turning.begun, work.begun);
   return work;

@@ -10,6 +10,7 @@ namespace contactsim {
 struct NodeWork {
   double kinetic = 0.0;      ///< of the velocities now [energy]
   double conserved = 0.0;    ///< of the velocities half a step before times those half a step behind [energy]
+  double unseen = 0.0;       ///< as Energies::unseen [energy]
   HalfStepWork ended;        ///< of the half step that ends now, along its velocity
   HalfStepWork begun;        ///< of the half step that begins now, along its velocity
   Eigen::Vector3d momentum;  ///< [mass length/time]

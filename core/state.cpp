@@ -45,7 +45,8 @@ void archive(NodalRotations& rotations, bool have_contact, StateArchive& saved) 
 void archive(Energies& energies, StateArchive& saved) {
   saved.numbers("run/energies", energies.kinetic, energies.internal, energies.hourglass,
                 energies.bulk_viscosity, energies.external, energies.contact, energies.friction,
-                energies.contact_damping, energies.impact, energies.error, energies.start, energies.largest);
+                energies.contact_damping, energies.impact, energies.error, energies.unseen, energies.start,
+                energies.largest);
 }
 
 void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {
@@ -62,6 +63,8 @@ void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {
 
 void archive(State& state, StateArchive& saved) {
   saved.numbers("run/steps", state.step, state.time, state.dt, state.next_dt, state.first_dt);
+  saved.numbers("run/stable_steps", state.stable_steps.now, state.stable_steps.before,
+                state.stable_steps.count);
   saved.fixed("nodes/coordinates", state.coordinates);
   saved.fixed("nodes/velocity", state.velocity);
   saved.fixed("nodes/acceleration", state.acceleration);
@@ -75,6 +78,7 @@ void archive(State& state, StateArchive& saved) {
     std::vector<Lanes>& values = state.blocks[i].values;
     saved.fixed(fmt::format("blocks/{}/values", i + 1),
                 std::span(values.data()->data(), n_lanes * values.size()));
+    saved.numbers(fmt::format("blocks/{}/hourglass_work", i + 1), state.blocks[i].hourglass_work);
     std::vector<Lanes>& life = state.blocks[i].life;
     if (!life.empty())
       saved.fixed(fmt::format("blocks/{}/life", i + 1),

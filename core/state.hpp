@@ -8,6 +8,7 @@
 
 #include "core/elements/model_block.hpp"
 #include "core/rigid/rigid_body.hpp"
+#include "core/time_step.hpp"
 
 namespace contactsim {
 
@@ -32,8 +33,10 @@ struct NodalRotations {
 
 /// Energies since the start.
 struct Energies {
-  double kinetic = 0.0;          ///< now [energy]
-  double internal = 0.0;         ///< work of all internal forces, the two below included [energy]
+  double kinetic = 0.0;  ///< now [energy]
+  /// Work of all internal forces, the two below included, less what `unseen` has grown by since the start:
+  /// with `kinetic`, the energy that central differences conserve [energy].
+  double internal = 0.0;
   double hourglass = 0.0;        ///< part of internal [energy]
   double bulk_viscosity = 0.0;   ///< part of internal [energy]
   double external = 0.0;         ///< work of loads, gravity and prescribed motion [energy]
@@ -45,6 +48,11 @@ struct Energies {
   /// kinetic energy here is the product of the velocities half a step before and behind, for which central
   /// differences conserve the sum to round-off, so that only real errors show [energy].
   double error = 0.0;
+  /// mass x acceleration^2 x (half step before) x (half step behind) / 2, where internal forces act: by so
+  /// much `kinetic` exceeds the product above. It comes and goes with every vibration, as what the strain
+  /// energy has too much. Source: Krieg and Key, in: Numerical and Computer Methods in Structural Mechanics,
+  /// Academic Press (1973) 237-258 [energy].
+  double unseen = 0.0;
   double start = 0.0;    ///< kinetic energy at the start, as the error takes it [energy]
   double largest = 0.0;  ///< of the terms so far, to compare the error with [energy]
 };
@@ -74,6 +82,7 @@ struct State {
   double dt = 0.0;                ///< of the step that ended here, 0 before the first [time]
   double next_dt = 0.0;           ///< of the step that begins here [time]
   double first_dt = 0.0;          ///< of the first step [time]
+  RecentLeast stable_steps;       ///< of the steps so far
   Eigen::Matrix3Xd coordinates;   ///< [3 x n_nodes] [length]
   Eigen::Matrix3Xd velocity;      ///< [3 x n_nodes] [length/time]
   Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [length/time^2]

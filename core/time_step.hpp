@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +25,25 @@ struct TimePeriod {
 struct StepTarget {
   std::function<std::optional<double>(double time)> next_time;  ///< the first after a time [time]
   std::int64_t n_steps = 1;  ///< over so many steps before its time the steps may be shortened, >= 1
+};
+
+/// The least stable step of late. Steps that followed the stable one through every vibration, larger as the
+/// elements grow and smaller as they shrink, would feed the vibration: central differences keep an energy
+/// that depends on the step. Held, they change for good reasons only, and what has passed is forgotten.
+/// Source: Skeel and Gear, Physica D 60 (1992) 311-313, for why.
+struct RecentLeast {
+  static constexpr std::int64_t n_steps = 100;  ///< at least so many are remembered, at most twice as many
+  double now = std::numeric_limits<double>::infinity();     ///< of the last `count` steps [time]
+  double before = std::numeric_limits<double>::infinity();  ///< of the n_steps before those [time]
+  std::int64_t count = 0;
+
+  /// Takes in one more; returns the least.
+  double with(double stable) {
+    if (count == n_steps) *this = {std::numeric_limits<double>::infinity(), now, 0};
+    now = std::min(now, stable);
+    ++count;
+    return std::min(now, before);
+  }
 };
 
 /// How long the run is and how large its steps are. Source: Sierra/SM 5.22, 3.1.

@@ -189,8 +189,8 @@ struct PointHex {
     }
     const Lanes stiffness = modulus * middle.gradient_norm * middle.per_volume;
     const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
-    turn_vectors(split_motion(middle.velocity_gradient, motion.dt).rotation, own);
-    return update_hourglass<HexGeometry>(motion, middle, stiffness, damping, own);
+    const TensorLanes rotation = split_motion(middle.velocity_gradient, motion.dt).rotation;
+    return update_hourglass<HexGeometry>(motion, middle, stiffness, damping, rotation, own);
   }
 
   static PointForces split_stresses(const ElementProperties& properties, const NodeVectors<8>& x,

@@ -30,28 +30,6 @@ struct HourglassStep {
   Lanes work = Lanes::Zero();
 };
 
-/// Brings the elastic hourglass forces to the end of the step and adds the viscous ones.
-///   stiffness  [force/length]
-///   viscosity  [force time/length]
-///   elastic    [3 x n_patterns] in: turned to the end of the step
-template <class Geometry>
-HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_nodes>& motion,
-                                         const MiddleOfStep<Geometry>& middle, const Lanes& stiffness,
-                                         const Lanes& viscosity, std::span<Lanes> elastic) {
-  HourglassStep<Geometry> step;
-  const PatternVectors<Geometry> rates = hourglass_rates(motion.v, middle);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
-      Lanes& force = elastic[i * Geometry::n_patterns + k];
-      const Lanes rate = rates[i][k], growth = motion.dt * stiffness * rate, damping = viscosity * rate;
-      force += growth;
-      step.work += motion.dt * rate * (force - 0.5 * growth + damping);
-      step.force[i][k] = force + damping;
-    }
-  }
-  return step;
-}
-
 /// Turns the vectors (v[k], v[n + k], v[2 n + k]), n their number.
 inline void turn_vectors(const TensorLanes& rotation, std::span<Lanes> v) {
   const std::size_t n = v.size() / 3;
@@ -60,6 +38,42 @@ inline void turn_vectors(const TensorLanes& rotation, std::span<Lanes> v) {
     for (std::size_t i = 0; i < 3; ++i)
       v[i * n + k] = rotation[i][0] * x + rotation[i][1] * y + rotation[i][2] * z;
   }
+}
+
+/// Brings the elastic hourglass forces to the end of the step and adds the viscous ones. What the elastic
+/// ones grow by is added half before the step's rotation and half after, as update_point does.
+///   stiffness  [force/length]
+///   viscosity  [force time/length]
+///   rotation   of the step
+///   elastic    [3 x n_patterns]
+template <class Geometry>
+HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_nodes>& motion,
+                                         const MiddleOfStep<Geometry>& middle, const Lanes& stiffness,
+                                         const Lanes& viscosity, const TensorLanes& rotation,
+                                         std::span<Lanes> elastic) {
+  constexpr std::size_t n = Geometry::n_patterns;
+  HourglassStep<Geometry> step;
+  const PatternVectors<Geometry> rates = hourglass_rates(motion.v, middle);
+  const Lanes half = 0.5 * motion.dt * stiffness;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      step.work += rates[i][k] * elastic[i * n + k];
+      elastic[i * n + k] += half * rates[i][k];
+    }
+  }
+  turn_vectors(rotation, elastic);
+  Lanes of_end = Lanes::Zero();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Lanes rate = rates[i][k], damping = viscosity * rate;
+      Lanes& force = elastic[i * n + k];
+      force += half * rate;
+      of_end += rate * (force + 2.0 * damping);
+      step.force[i][k] = force + damping;
+    }
+  }
+  step.work = 0.5 * motion.dt * (step.work + of_end);
+  return step;
 }
 
 }  // namespace contactsim

@@ -2,6 +2,7 @@
 #include "core/elements/material_point.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace contactsim {
 
@@ -25,12 +26,38 @@ void turn_each(const TensorLanes& rotation, std::span<Lanes> vectors) {
   }
 }
 
+/// The mean of a strain of the middle of a step and of what the step's rotation makes of it.
+SymmetricLanes turned_half(const SymmetricLanes& strain, const TensorLanes& rotation) {
+  SymmetricLanes mean = transformed(strain, rotation);
+  for (std::size_t i = 0; i < 6; ++i) mean[i] = 0.5 * (mean[i] + strain[i]);
+  return mean;
+}
+
+/// Brings a stress to the end of the step: what the law adds is added half before the rotation, half after.
+template <class Law>
+LaneModuli advance_stress(const Law& law, const StepMotion& motion, std::span<Lanes> material,
+                          SymmetricLanes& stress) {
+  if constexpr (std::is_same_v<Law, ElasticLaw>) {  // the same, with one tensor less to turn
+    SymmetricLanes growth = SymmetricLanes::zero();
+    const LaneModuli moduli = law.update(motion.strain, growth, material);
+    for (std::size_t i = 0; i < 6; ++i) stress[i] += growth[i] *= 0.5;
+    stress = transformed(stress, motion.rotation);
+    for (std::size_t i = 0; i < 6; ++i) stress[i] += growth[i];
+    return moduli;
+  } else {
+    StrainStep step = motion.strain;
+    step.strain = turned_half(motion.strain.strain, motion.rotation);
+    stress = transformed(stress, motion.rotation);
+    return law.update(step, stress, material);
+  }
+}
+
 }  // namespace
 
 PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::span<Lanes> point) {
   const auto update = [&](const auto& held) {
     using Law = std::decay_t<decltype(held)>;
-    const SymmetricLanes before = transformed(tensor_at(point), motion.rotation);
+    const SymmetricLanes before = tensor_at(point);
     const std::span<Lanes> material = point.subspan(6);
     for (std::size_t i = 0; i < Law::n_tensors; ++i) {
       const std::span<Lanes> numbers = material.subspan(6 * i, 6);
@@ -39,7 +66,7 @@ PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::sp
     if constexpr (requires { Law::n_vectors; })
       turn_each(motion.rotation, material.subspan(6 * Law::n_tensors, 3 * Law::n_vectors));
     PointStep step{before, {}, {}};
-    step.moduli = held.update(motion.strain, step.stress, material);
+    step.moduli = advance_stress(held, motion, material, step.stress);
     store(step.stress, point);
     step.work = 0.5 * (contract(before, motion.strain.strain) + contract(step.stress, motion.strain.strain));
     return step;

@@ -84,6 +84,7 @@ struct ModelBlockState {
   /// [n_batches] what is left of each element's forces: 1 of one that lives, 0 of a dead one, in between
   /// while it dies; empty when none can die [1]
   std::vector<Lanes> life;
+  double hourglass_work = 0.0;  ///< done on what resists hourglasses since the start [energy]
 
   std::span<Lanes> batch(const StateLayout& layout, std::size_t batch) {
     return {values.data() + batch * layout.size(), layout.size()};

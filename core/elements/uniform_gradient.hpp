@@ -99,8 +99,7 @@ void advance_uniform_gradient(const ElementProperties& properties,
 
   const Lanes stiffness = patterns * middle.gradient_norm * middle.per_volume;
   const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
-  turn_vectors(split.rotation, own);
-  const auto hourglass = update_hourglass<Geometry>(motion, middle, stiffness, damping, own);
+  const auto hourglass = update_hourglass<Geometry>(motion, middle, stiffness, damping, split.rotation, own);
   step.hourglass_work = hourglass.work;
   set_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step);
 }

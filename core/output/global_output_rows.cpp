@@ -74,8 +74,10 @@ std::span<const OutputRow> global_output_rows() {
                 },
                 "Number of steps so far [1]"},
       energy_row<&Energies::kinetic>("kinetic_energy", "Kinetic energy [energy]"),
-      energy_row<&Energies::internal>(
-          "internal_energy", "Work of all internal forces, hourglass and bulk viscosity included [energy]"),
+      energy_row<&Energies::internal>("internal_energy",
+                                      "Work of all internal forces, hourglass and bulk viscosity included; "
+                                      "summed with kinetic_energy it is "
+                                      "what the steps conserve [energy]"),
       energy_row<&Energies::external>("external_energy",
                                       "Work of loads, gravity and prescribed motion [energy]"),
       energy_row<&Energies::hourglass>("hourglass_energy", "Part of internal_energy [energy]"),

@@ -113,6 +113,39 @@ def spinning_body(bench, n=2):
             Check("energy balance", 0.0, error, 0.001, kinetic)]
 
 
+def total_energy(run):
+    """The largest change of kinetic + internal energy, as a share of it."""
+    total = run.single("kinetic_energy") + run.single("internal_energy")
+    return np.max(np.abs(total / total[0] - 1))
+
+
+def spin_checks(bench, n, formulations):
+    checks = []
+    for formulation in formulations:
+        run = bench.run("steady_spin", brick("cube", (0.02, 0.02, 0.02), (n, n, n), {}), formulation=formulation)
+        internal = run.single("internal_energy") / run.single("kinetic_energy")[0]
+        checks += [at_most(f"change of kinetic + internal energy, {formulation}", total_energy(run), 0.001),
+                   at_most(f"largest internal energy, {formulation}", np.max(np.abs(internal)), 0.001)]
+    return checks
+
+
+@case()
+def steady_spin(bench, n=2):
+    return spin_checks(bench, n, ["mean_quadrature", "selective_deviatoric", "fully_integrated"])
+
+
+@case(is_long=True)
+def steady_spin_fine(bench, n=8):
+    return spin_checks(bench, n, ["mean_quadrature", "selective_deviatoric", "fully_integrated"])
+
+
+@case()
+def twisted_cube(bench, n=2):
+    sides = {"left": lambda x, y, z: x == 0, "right": lambda x, y, z: x > 0.0799}
+    run = bench.run("twisted_cube", brick("cube", (0.08, 0.08, 0.08), (n, n, n), sides))
+    return [at_most("change of kinetic + internal energy", total_energy(run), 0.01)]
+
+
 def thick_cylinder_mesh(n):
     def place(r, angle, z):
         return (r * math.cos(angle), r * math.sin(angle), z)

@@ -54,6 +54,8 @@ TEST_CASE("velocities are brought to now, and work and energy are sums over the 
     CHECK(nodes.state.velocity == now);
     CHECK(work.kinetic == Approx(0.5 * mass.cwiseProduct(now).cwiseProduct(now).sum()));
     CHECK(work.conserved == Approx(0.5 * mass.cwiseProduct(after).cwiseProduct(before).sum()));
+    // Internal forces act on all; 0.5 half steps^2 mass acceleration^2.
+    CHECK(work.unseen == Approx(0.5 * 0.125 * 0.25 * mass.cwiseProduct(a).cwiseProduct(a).sum()));
     CHECK((work.momentum - mass.cwiseProduct(now).rowwise().sum()).norm() < 1e-10 * static_cast<double>(n));
     const NodalForces& forces = nodes.state.forces;
     const double margin = 1e-12 * static_cast<double>(n);  // round-off of n terms below 1

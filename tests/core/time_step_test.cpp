@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/time_step.hpp"
 
+#include <cmath>
+
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -73,4 +75,18 @@ TEST_CASE("steps before a target are shortened evenly to end at its time", "[cor
   CHECK(steps[0] == Approx(0.1));  // four steps away: not yet
   for (int i : {1, 2, 3}) CHECK(steps[i] == Approx(0.22 / 3));
   CHECK(steps[4] == Approx(0.22 / 3 * 1.1));  // and grows again
+}
+
+TEST_CASE("the least stable step is held through vibrations and forgotten after", "[core][time_step]") {
+  RecentLeast recent;
+  for (int step = 0; step < 1000; ++step) {
+    const double least = recent.with(2.0 + std::cos(0.1 * step + 3.0));  // a period of 63 steps
+    if (step > 63) CHECK(least == Approx(1.0).margin(2e-3));
+  }
+  RecentLeast passed;
+  CHECK(passed.with(0.5) == 0.5);
+  for (int step = 1; step < 100; ++step) CHECK(passed.with(1.0) == 0.5);
+  for (int step = 100; step < 200; ++step) CHECK(passed.with(1.0) == 0.5);
+  CHECK(passed.with(1.0) == 1.0);
+  CHECK(passed.with(0.9) == 0.9);  // at once
 }

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/lone_element.hpp"
+
+/// Every law, and every row of the table of solid elements with them.
+namespace contactsim::test {
+
+inline constexpr ElasticModuli steel{160e9, 80e9};
+
+/// Steel three times as stiff along x as along z.
+inline OrthotropicLaw rolled() {
+  return make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9, {}, {}, {}});
+}
+
+inline std::vector<MaterialLaw> elastic_laws() {
+  return {ElasticLaw{steel}, NeoHookeanLaw{steel}, MooneyRivlinLaw{steel, 15e9}, rolled()};
+}
+
+inline std::vector<MaterialLaw> plastic_laws() {
+  const std::vector<FunctionPoint> points{{0.0, 200e6}, {0.002, 300e6}, {0.01, 350e6}, {0.1, 500e6}};
+  const PlasticLaw<MultilinearHardening> multilinear{steel, {HardeningCurve(points), 0.4}};
+  return {PlasticLaw<LinearHardening>{steel, {200e6, 1e9, 1e9}},
+          PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}},
+          PlasticLaw<JohnsonCookHardening>{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}},
+          FailingJohnsonCookLaw{{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}}, {0.05, 0.3, -2.0, 0.01, 1.0}},
+          multilinear,
+          TearingLaw{multilinear, 1e-4, 0.02},
+          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}}};
+}
+
+inline std::vector<MaterialLaw> all_laws() {
+  std::vector<MaterialLaw> laws = elastic_laws();
+  for (const MaterialLaw& law : plastic_laws()) laws.push_back(law);
+  REQUIRE(laws.size() == std::variant_size_v<MaterialLaw>);
+  return laws;
+}
+
+/// Calls check(row, law) for every row of the element table and each of some laws.
+template <class Check>
+void for_each_row(const std::vector<MaterialLaw>& laws, const Check& check) {
+  for (const ElementFormulation* row : solid_elements()) {
+    for (const MaterialLaw& law : laws) {
+      INFO(name_of(*row) << ", law " << law.index());
+      check(*row, law);
+    }
+  }
+}
+
+}  // namespace contactsim::test
