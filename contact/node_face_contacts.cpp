@@ -10,7 +10,6 @@
 #include "contact/make_ties.hpp"
 #include "contact/node_face.hpp"
 #include "contact/penalty.hpp"
-#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -22,9 +21,6 @@ constexpr double automatic_beyond = 0.02;
 
 /// Nodes that stand this share of an element's thickness beyond an edge stand over it.
 constexpr double just_beyond = 1e-6;
-
-/// Normals closer than this are of one surface that bends, not of the walls of a hollow.
-constexpr double same_wall = 0.7;
 
 double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
   return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
@@ -60,62 +56,12 @@ struct NodeFaceContacts::Hits {
   auto end() { return hits.begin() + static_cast<std::ptrdiff_t>(n); }
 };
 
-Eigen::Vector3d NodeFaceContacts::Memory::elastic(const Eigen::Vector3d& normal) const {
-  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
-  for (const Touch& touch : touches) {
-    if (touch.normal.cast<double>().dot(normal) > same_wall) elastic = touch.elastic;
-  }
-  return elastic;
-}
-
-double NodeFaceContacts::Memory::depth(const Eigen::Vector3d& normal) const {
-  float depth = 0.0f;
-  for (const Touch& touch : touches) {
-    if (touch.normal.cast<double>().dot(normal) > same_side) depth = std::max(depth, touch.depth);
-  }
-  return depth;
-}
-
-double NodeFaceContacts::Memory::depth() const {
-  float depth = 0.0f;
-  for (const Touch& touch : touches) depth = std::max(depth, touch.depth);
-  return depth;
-}
-
 /// What is known of a node, the faces that it is near to, and the touches of this step so far.
 struct NodeFaceContacts::Work {
   Memory memory;
   Hits hits;
   std::vector<Touch> touches;
 };
-
-void NodeFaceContacts::archive(StateArchive& saved) {
-  contactsim::archive("contact/node_pairs", candidates_, saved);
-  std::vector<Touch> all;
-  for (const std::vector<Touch>& chunk : touches_) all.insert(all.end(), chunk.begin(), chunk.end());
-  saved.rows("contact/node_pairs/touches", all, [](Touch& touch, RowNumbers& row) {
-    row(touch.row, touch.normal, touch.elastic, touch.depth, touch.is_deep, touch.pair);
-  });
-  if (!saved.restores()) return;
-  for (std::vector<Touch>& chunk : touches_) chunk.clear();
-  for (const Touch& touch : all) touches_[touch.row / rows_per_chunk].push_back(touch);
-}
-
-void NodeFaceContacts::renumber(const ContactRenumbering& places) {
-  std::vector<std::size_t> before;
-  candidates_ = carried(candidates_, places.rows, places.faces, places.n_rows_after, before);
-  std::vector<std::vector<Touch>> touches(places.n_rows_after / rows_per_chunk + 1);
-  for (const std::vector<Touch>& chunk : touches_) {
-    for (Touch touch : chunk) {
-      touch.row = places.rows[touch.row];
-      touch.is_deep = 0;  // what deaths end is not lost
-      if (touch.row != ContactRenumbering::gone) touches[touch.row / rows_per_chunk].push_back(touch);
-    }
-  }
-  for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
-  touches_ = std::move(touches);
-  lost_.assign(touches_.size(), {});
-}
 
 void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
                             std::vector<ContactRecord>& records) {
@@ -136,18 +82,6 @@ void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
       lost.push_back({touch.pair, faces_.surface_nodes[touch.row].node, touch.depth});
   }
   touches = std::move(work.touches);
-}
-
-void NodeFaceContacts::find_lost(std::vector<LostContact>& lost) const {
-  for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
-}
-
-std::vector<float> NodeFaceContacts::depths() const {
-  std::vector<float> depths(faces_.surface_nodes.size(), 0.0f);
-  for (const std::vector<Touch>& chunk : touches_) {
-    for (const Touch& touch : chunk) depths[touch.row] = std::max(depths[touch.row], touch.depth);
-  }
-  return depths;
 }
 
 void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Work& work,
