@@ -188,8 +188,7 @@ Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, d
     include(surface.x(node) - dt * surface.v(node), box);
     margin = std::max<double>(margin, node_margin_[node]);
   }
-  const double around = edge.is_sharp() ? depth_share * edge.backing.thickness : edge.radius;
-  widen(margin + std::max(around, deep) + 0.5 * reach_[edge.surface], box);
+  widen(margin + std::max(edge.radius, deep) + 0.5 * reach_[edge.surface], box);
   return box;
 }
 

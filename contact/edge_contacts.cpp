@@ -43,6 +43,27 @@ Eigen::Vector3d velocity_at(const MovingSurface& surface, const RecordSide& side
          side.weights[1] * surface.velocity_beside(side.nodes[1], arm);
 }
 
+/// Whether two sharp edges may cross, seen along the normal of both, near enough to touch soon. Says yes
+/// rather too often.
+///   dt_ahead  within which they may close [time]
+bool may_cross(const MovingSurface& surface, const ContactEdge& first, const ContactEdge& second,
+               double dt_ahead) {
+  constexpr double parallel = 0.02, beside = 1e-4;  // less strict than find_edge_gap()
+  const Eigen::Vector3d a = surface.x(first.nodes[0]), b = surface.x(second.nodes[0]);
+  const Eigen::Vector3d p = surface.x(first.nodes[1]) - a, q = surface.x(second.nodes[1]) - b;
+  const Eigen::Vector3d normal = p.cross(q), apart = b - a;
+  const double square = normal.squaredNorm();
+  if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return false;
+  const double s = apart.cross(q).dot(normal), t = apart.cross(p).dot(normal);
+  if (s < -beside * square || s > (1.0 + beside) * square) return false;
+  if (t < -beside * square || t > (1.0 + beside) * square) return false;
+  const auto v = [&](const ContactEdge& edge, std::size_t k) { return surface.v(edge.nodes[k]); };
+  double speed = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) speed = std::max(speed, (v(first, k / 2) - v(second, k % 2)).norm());
+  const double height = apart.dot(normal), reach = first.backing.thickness + speed * dt_ahead;
+  return height * height <= reach * reach * square;
+}
+
 /// Lines and sharp edges by first_alike of their nodes; nothing without any edges.
 PairLists list_edges_of_nodes(const ContactFaces& faces) {
   if (faces.edges.empty()) return {};
@@ -139,16 +160,18 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
                             std::vector<ContactRecord>& records) {
   const std::uint32_t second_edge = candidates_.partners[candidate];
   const ContactEdge &first = faces_.edges[first_edge], &second = faces_.edges[second_edge];
+  const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
+  const bool are_sharp = first.is_sharp() && second.is_sharp();
+  // What touched nothing holds no slip.
+  if (are_sharp && before == 0.0 && !may_cross(scene.surface, first, second, scene.ahead())) return;
   const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
   const PairRule& rule = scene.rules[pair];
   if (rule.is_balanced != scene.balances) return;
   const Elastic held = elastic_[candidate];
   Elastic now = no_slip;
-  const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
   // Sharp edges know no ties, glue or halves of a HYBRID pair: their faces meet all the same.
   const bool is_simple = rule.law == ContactLaw::sliding && rule.far == PairRule::not_hybrid;
-  const bool are_sharp = first.is_sharp() && second.is_sharp();
   const bool is_on = rule.is_active && (are_sharp ? is_simple : rule.law != ContactLaw::tied);
   for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
     const EdgePlace& place = places.get()[i];

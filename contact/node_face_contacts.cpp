@@ -24,9 +24,6 @@ constexpr double automatic_beyond = 0.02;
 /// Nodes that stand this share of an element's thickness beyond an edge stand over it.
 constexpr double just_beyond = 1e-6;
 
-/// Normals closer than this are of one surface that bends, not of the walls of a hollow.
-constexpr double same_wall = 0.7;
-
 double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
   return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
 }
@@ -61,28 +58,6 @@ struct NodeFaceContacts::Hits {
   auto end() { return hits.begin() + static_cast<std::ptrdiff_t>(n); }
 };
 
-Eigen::Vector3d NodeFaceContacts::Memory::elastic(const Eigen::Vector3d& normal) const {
-  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
-  for (const Touch& touch : touches) {
-    if (touch.normal.cast<double>().dot(normal) > same_wall) elastic = touch.elastic;
-  }
-  return elastic;
-}
-
-double NodeFaceContacts::Memory::depth(const Eigen::Vector3d& normal) const {
-  float depth = 0.0f;
-  for (const Touch& touch : touches) {
-    if (touch.normal.cast<double>().dot(normal) > same_side) depth = std::max(depth, touch.depth);
-  }
-  return depth;
-}
-
-double NodeFaceContacts::Memory::depth() const {
-  float depth = 0.0f;
-  for (const Touch& touch : touches) depth = std::max(depth, touch.depth);
-  return depth;
-}
-
 /// What is known of a node, the faces that it is near to, and the touches of this step so far.
 struct NodeFaceContacts::Work {
   Memory memory;
@@ -112,18 +87,6 @@ void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
       lost.push_back({touch.pair, faces_.surface_nodes[touch.row].node, touch.depth});
   }
   touches = std::move(work.touches);
-}
-
-void NodeFaceContacts::find_lost(std::vector<LostContact>& lost) const {
-  for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
-}
-
-std::vector<float> NodeFaceContacts::depths() const {
-  std::vector<float> depths(faces_.surface_nodes.size(), 0.0f);
-  for (const std::vector<Touch>& chunk : touches_) {
-    for (const Touch& touch : chunk) depths[touch.row] = std::max(depths[touch.row], touch.depth);
-  }
-  return depths;
 }
 
 void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Work& work,

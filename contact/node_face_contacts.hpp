@@ -45,6 +45,8 @@ class NodeFaceContacts {
  private:
   static constexpr std::size_t most_walls = 3;
   static constexpr double same_side = 0.5;  // cosine of normals that look the same way
+  // Normals closer than this are of one surface that bends, not of the walls of a hollow.
+  static constexpr double same_wall = 0.7;
 
   /// A face that a node touched in the last step.
   struct Touch {

@@ -1,8 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What contact of nodes with faces remembers from step to step.
+#include <algorithm>
+
+#include "contact/contact_place.hpp"
 #include "contact/node_face_contacts.hpp"
 #include "core/state_archive.hpp"
 
 namespace contactsim {
+
+Eigen::Vector3d NodeFaceContacts::Memory::elastic(const Eigen::Vector3d& normal) const {
+  Eigen::Vector3d elastic = Eigen::Vector3d::Zero();
+  for (const Touch& touch : touches) {
+    if (touch.normal.cast<double>().dot(normal) > same_wall) elastic = touch.elastic;
+  }
+  return elastic;
+}
+
+double NodeFaceContacts::Memory::depth(const Eigen::Vector3d& normal) const {
+  float depth = 0.0f;
+  for (const Touch& touch : touches) {
+    if (touch.normal.cast<double>().dot(normal) > same_side) depth = std::max(depth, touch.depth);
+  }
+  return depth;
+}
+
+double NodeFaceContacts::Memory::depth() const {
+  float depth = 0.0f;
+  for (const Touch& touch : touches) depth = std::max(depth, touch.depth);
+  return depth;
+}
 
 void NodeFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/node_pairs", candidates_, saved);
@@ -30,6 +56,18 @@ void NodeFaceContacts::renumber(const ContactRenumbering& places) {
   for (std::vector<Touch>& chunk : touches) std::ranges::stable_sort(chunk, {}, &Touch::row);
   touches_ = std::move(touches);
   lost_.assign(touches_.size(), {});
+}
+
+void NodeFaceContacts::find_lost(std::vector<LostContact>& lost) const {
+  for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
+}
+
+std::vector<float> NodeFaceContacts::depths() const {
+  std::vector<float> depths(faces_.surface_nodes.size(), 0.0f);
+  for (const std::vector<Touch>& chunk : touches_) {
+    for (const Touch& touch : chunk) depths[touch.row] = std::max(depths[touch.row], touch.depth);
+  }
+  return depths;
 }
 
 }  // namespace contactsim
