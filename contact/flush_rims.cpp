@@ -13,9 +13,9 @@ namespace {
 /// Faces whose normals have a smaller cosine have a rim between them.
 constexpr double sharpest_smooth = 0.7;
 
-/// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be
-/// deeper than the face's middle, and what carries a body gives way by some layers of elements where the next
-/// part, which carries nothing, does not. A penalty or a step is as soft as three layers.
+/// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be deeper
+/// than the face's middle, and what carries a body gives way by some layers of elements where the next part,
+/// which carries nothing, does not. A penalty or a step is as soft as three layers.
 constexpr double over_depth = 4.0;
 
 /// Faces are flush though they miss each other by this share of half a side face's height.
@@ -26,8 +26,6 @@ struct Ahead {
   Eigen::Vector3d closing;                  ///< velocity of the side face relative to it [length/time]
   std::span<const Eigen::Vector3d> points;  ///< [length]
   double share = 1.0;                       ///< of the strip's width that they may lie behind the rim [1]
-  bool is_known =
-      false;  ///< either face touched in the last step: what was apart then is no reason against it
 };
 
 /// Whether all points lie in the strip of a side face below one of its rims.
@@ -44,7 +42,6 @@ bool lie_in_strip(const ContactScene& scene, std::uint32_t face, const Ahead& ah
       const Eigen::Vector3d out = scene.surface.area(faces.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
-      if (ahead.is_known && flush_width(scene, beyond) == 0.0) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * scene.dt;
       const double width =
           std::min(flush_width(scene, beyond) + just_flush * height + closed, height) * ahead.share;
@@ -69,10 +66,9 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t first, std::uint32
   if (contact.area > radius * radius) return false;
   const Eigen::Vector3d centre = scene.surface.face(first).x * contact.weights_1;
   const Eigen::Vector3d closing = (a.velocity() - b.velocity()).cast<double>();
-  const bool is_known = flush_width(scene, first) > 0.0 || flush_width(scene, second) > 0.0;
   constexpr double centre_of_strip = 0.5;
-  return lie_in_strip(scene, first, {closing, {&centre, 1}, centre_of_strip, is_known}) ||
-         lie_in_strip(scene, second, {-closing, {&centre, 1}, centre_of_strip, is_known});
+  return lie_in_strip(scene, first, {closing, {&centre, 1}, centre_of_strip}) ||
+         lie_in_strip(scene, second, {-closing, {&centre, 1}, centre_of_strip});
 }
 
 bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
@@ -84,16 +80,14 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t
   const FaceCorners other = scene.surface.face(face).x;
   const std::array<Eigen::Vector3d, 4> corners{other.col(0), other.col(1), other.col(2), other.col(3)};
   std::vector<Eigen::Vector3d> own_points;
-  bool is_known = flush_width(scene, face) > 0.0;
   for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
     if (faces.faces[own].surface != node.surface) continue;
     if (!(scene.surface.bound(own).normal().cast<double>().dot(normal) < most_aside)) continue;
-    is_known = is_known || flush_width(scene, own) > 0.0;
-    if (lie_in_strip(scene, own, {closing, corners, 1.0, is_known})) return true;
+    if (lie_in_strip(scene, own, {closing, corners})) return true;
     for (const std::uint32_t corner : faces.faces[own].corners) own_points.push_back(scene.surface.x(corner));
   }
   if (own_points.empty()) own_points.push_back(scene.surface.x(node.node));
-  return lie_in_strip(scene, face, {-closing, own_points, 1.0, is_known});
+  return lie_in_strip(scene, face, {-closing, own_points});
 }
 
 }  // namespace contactsim
