@@ -23,7 +23,7 @@ int count_holders(const Mesh& mesh, const Eigen::Vector3d& point) {
 
 /// A block of 3 x 3 x 3 cells of some shape, its nodes inside moved about so that faces are warped.
 Mesh warped_block(int shape) {
-  const Box box{.id = 1, .cells = {3, 3, 3}};
+  const test::Box box{.id = 1, .cells = {3, 3, 3}};
   MeshBuilder b;
   if (shape == 0) b.add_hexes(box);
   if (shape == 1) b.add_tets(box);

@@ -20,11 +20,11 @@ Mesh two_blocks(double depth, int shape = 0, double width = 0.5) {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {4, 4, 4}});
   const double edge = 0.5 * (1.0 - width);
-  const Box upper{.id = 2,
-                  .cells = {2, 2, 4},
-                  .origin = {edge, edge, 1.0 - depth},
-                  .size = {width, width, 1.0},
-                  .share_nodes = false};
+  const test::Box upper{.id = 2,
+                        .cells = {2, 2, 4},
+                        .origin = {edge, edge, 1.0 - depth},
+                        .size = {width, width, 1.0},
+                        .share_nodes = false};
   if (shape == 0) b.add_hexes(upper);
   if (shape == 1) b.add_tets(upper);
   if (shape == 2) b.add_wedges(upper);
