@@ -151,10 +151,24 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
   }
 }
 
+void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
+  std::set<std::string> told;
+  for (const SurfacePair& pair : contact.pairs) {
+    if (pair.enforcement == Enforcement::penalty) continue;
+    if (pair.penalty_scale == 1.0 && pair.damping_fraction == 0.0) continue;
+    if (!told.insert(to_string(pair.location)).second) continue;
+    const bool is_scale = pair.penalty_scale != 1.0;
+    warnings.add_warning("penalty-without-effect", pair.location,
+                         fmt::format("{} has no effect where momentum is balanced",
+                                     is_scale ? "PENALTY SCALE" : "CONTACT DAMPING FRACTION"),
+                         "ENFORCEMENT = PENALTY pushes by elastic penalties");
+  }
+}
+
 void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
   std::vector<std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
   for (const ContactEdge& edge : force.faces().edges) {
-    if (!edge.is_particle() && (!edge.is_sharp() || edge.is_feature)) has_edges[edge.surface] = 1;
+    if (!edge.is_particle() && !edge.is_sharp()) has_edges[edge.surface] = 1;
   }
   for (const SurfacePair& pair : contact.pairs) {
     const bool only_pushes = std::holds_alternative<Frictionless>(pair.law) ||
@@ -163,7 +177,7 @@ void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagn
     if (only_pushes || has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
     warnings.add_warning(
         "edges-without-law", pair.location,
-        fmt::format("{}: where edges, beams or trusses meet each other the law '{}' does not "
+        fmt::format("{}: where beams or trusses meet each other the law '{}' does not "
                     "act: {}",
                     names_of(pair, contact), describe_law(pair.law),
                     std::holds_alternative<Tied>(pair.law)

@@ -22,9 +22,9 @@ constexpr std::size_t most_rows = 1000;
 constexpr const char* start_format =
     "{:>4}  {:<28} {:<28} {:<22} {:>6}  {:<16} {:<19} {:>9} {:>9} {:>9} {:>9} {:>13} {:>9}\n";
 constexpr const char* settings_format =
-    "      {:<22} {:>6}  {:<13} {:>11} {:>11} {:>11} {:>11} {:>11} {:>9} {:>11} {:>9}\n";
+    "      {:<22} {:>6}  {:<13} {:<16} {:>11} {:>11} {:>11} {:>11} {:>11} {:>9} {:>11} {:>9}\n";
 constexpr const char* history_format =
-    "{:>4}  {:<28} {:<28} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13}\n";
+    "{:>4}  {:<28} {:<28} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13}\n";
 
 std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.6g}", value); }
 
@@ -72,9 +72,9 @@ std::string format_start(const ContactModel& model, std::span<const SurfaceSumma
 
 /// Every interaction that has a pair, once, in the order of its first pair.
 std::string format_settings(const ContactModel& model) {
-  std::string text = fmt::format(settings_format, "", "", "", "normal", "tangential", "overlap", "overlap",
+  std::string text = fmt::format(settings_format, "", "", "", "", "normal", "tangential", "overlap", "overlap",
                                  "capture", "penalty", "penalty", "damping");
-  text += fmt::format(settings_format, "interaction", "line", "behavior", "tolerance", "tolerance", "normal",
+  text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance", "tolerance", "normal",
                       "tangential", "tolerance", "scale", "stiffness", "fraction");
   std::set<std::pair<std::string, std::string>> told;
   for (const SurfacePair& pair : model.pairs) {
@@ -82,6 +82,7 @@ std::string format_settings(const ContactModel& model) {
     const bool is_fixed = pair.behavior == InteractionBehavior::infinitesimal_sliding;
     text += fmt::format(
         settings_format, pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
+        pair.enforcement == Enforcement::penalty ? "penalty" : "momentum_balance",
         number_or(pair.normal_tolerance, "auto"), number_or(pair.tangential_tolerance, "auto"),
         number_or(pair.overlap_normal_tolerance, "auto"),
         number_or(pair.overlap_tangential_tolerance, "auto"), number_or(pair.capture_tolerance, "0"),
@@ -96,7 +97,8 @@ std::string format_history(const ContactModel& model, const PairHistory& history
                      model.surfaces.surfaces[pair.second].name, number(history.contact_time),
                      number(history.peak_force), number(history.impulse.x()), number(history.impulse.y()),
                      number(history.impulse.z()), number(history.work + history.impact), number(history.friction_work),
-                     number(history.made()));
+                     number(history.made()),
+                     number(history.deepest), number(history.deepest_share));
 }
 
 }  // namespace
@@ -141,7 +143,8 @@ std::string format_pair_histories(const ContactModel& model, std::span<const Pai
   if (!rows.empty()) {
     text = "\nContact of pairs in the run\n" +
            fmt::format(history_format, "no", "first", "second", "contact time", "peak force", "impulse x",
-                       "impulse y", "impulse z", "work", "friction work", "made") +
+                       "impulse y", "impulse z", "work", "friction work", "made",
+                       "deepest", "of thickness") +
            rows;
   }
   if (!idle.empty()) text += "\nPairs that never touched\n" + idle;

@@ -52,6 +52,8 @@ class RunContact {
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   /// Warns of pairs whose contact ended though it was deep.
   void warn_of_lost(Diagnostics& warnings) const;
+  /// Warns of pairs that have penetrated by more than a tenth of their thickness.
+  void warn_of_penetration(Diagnostics& warnings) const;
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
   /// out more energy from nowhere than all that was put into the model.
   void stop_at_runaway(const State& state);

@@ -141,6 +141,7 @@ bool ContactForce::glues(const ContactRecord& record) const {
 /// Adds a contact point whose forces are known to all sums.
 void ContactForce::keep(const ContactRecord& record) {
   sums_.add(record);
+  if (record.gap < 0.0) sums_.note_penetration(record, thinner_side(record));
   depths_.note(surface_, record);
   points_.push_back(record);
 }
@@ -366,6 +367,10 @@ void ContactForce::note_histories(double dt) {
     history.impact += step.impact;
     stored_[i] = step.stored;
     history.taken = sums_.taken()[i];
+    if (step.penetration > history.deepest) {
+      history.deepest = step.penetration;
+      history.deepest_share = step.penetration_share;
+    }
     if (!step.touches) continue;
     history.contact_time += dt;
     history.peak_force = std::max(history.peak_force, step.force.norm());

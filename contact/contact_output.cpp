@@ -113,6 +113,12 @@ std::vector<RunVariable> ContactOutput::variables() {
       made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
     }
   }
+  RunVariable deepest{"contact_penetration_max", FieldLocation::global, FieldShape::scalar, 1, false, {}, {}};
+  deepest.fill = [this](const OutputMoment&, const EntityRange&, std::span<double> values) {
+    values[0] = 0.0;
+    for (const PairHistory& history : force_.histories()) values[0] = std::max(values[0], history.deepest);
+  };
+  made.push_back(std::move(deepest));
   return made;
 }
 
@@ -153,6 +159,13 @@ void ContactOutput::look_at(const State& state) {
     nodes_[first_alike[node.node]].surface_area += node.area;
   std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
   std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const SurfacePair& pair = contact_.pairs[i];
+    ContactTotal* const of_pair = &pairs_[find_total(contact_.pairs, i)];
+    for (ContactTotal* total : {of_pair, &surfaces_[pair.first], &surfaces_[pair.second]})
+      total->penetration = std::max(total->penetration, histories[i].deepest);
+  }
   for (const ContactRecord& point : force_.points()) add_place(point);
   for (const HeldForces& held : force_.held_forces()) add_tie(held.place, held.forces);
 }

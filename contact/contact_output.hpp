@@ -44,6 +44,7 @@ struct ContactTotal {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< places times normal forces, summed [force length]
   double normal_sum = 0.0;                           ///< of the sizes of normal forces [force]
   double area = 0.0;                                 ///< that touches [length^2]
+  double penetration = 0.0;                          ///< deepest since the start [length]
 };
 
 /// Row of the table of global contact variables: one of each surface, name_<surface>, and of each pair,

@@ -86,6 +86,8 @@ std::span<const ContactTotalRow> contact_total_rows() {
       ContactTotalRow{"contact_centre", vector, set_centre,
                       "Mean place by normal force, 0 without any [length]"},
       ContactTotalRow{"contact_area", scalar, [](T t, double* v) { *v = t.area; }, "That touches [length^2]"},
+      ContactTotalRow{"contact_penetration_max", scalar, [](T t, double* v) { *v = t.penetration; },
+                      "Deepest penetration of what has touched since the start [length]"},
   };
   return rows;
 }

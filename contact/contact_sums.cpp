@@ -73,6 +73,13 @@ void ContactSums::add(const ContactRecord& record) {
   add_slip(record.second, -record.slip, record);
 }
 
+void ContactSums::note_penetration(const ContactRecord& record, double thickness) {
+  PairStep& pair = pairs_[record.pair];
+  if (record.force <= 0.0 || !(-record.gap > pair.penetration)) return;
+  pair.penetration = -record.gap;
+  pair.penetration_share = -record.gap / thickness;
+}
+
 void ContactSums::add_moment(const RecordSide& side, const Eigen::Vector3d& arm,
                              const Eigen::Vector3d& force) {
   if (side.radius == 0.0) return;

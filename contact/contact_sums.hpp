@@ -24,6 +24,8 @@ struct PairStep {
   double dissipated = 0.0;      ///< by friction in the step [energy]
   double damped = 0.0;          ///< by contact damping in the step [energy]
   double impact = 0.0;          ///< lost in the step where sides met without rebound [energy]
+  double penetration = 0.0;        ///< deepest of what touches [length]
+  double penetration_share = 0.0;  ///< the same over the thickness of the thinner side [1]
   bool touches = false;
   bool is_near = false;  ///< some place touches or is about to
 };
@@ -54,6 +56,9 @@ class ContactSums {
     work_.begin_step(surface, dt);
   }
   void add(const ContactRecord& record);
+  /// Notes how deep a contact point that touches is.
+  ///   thickness  of the thinner side [length]
+  void note_penetration(const ContactRecord& record, double thickness);
   void add(const HeldPlace& place, const TieForces& forces);
   /// Ends a step: slips of the nodes are added up.
   void end_step();

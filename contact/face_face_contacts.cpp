@@ -181,12 +181,13 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
     contact.gap = found.normal.dot((first.x.colwise() - origin) * point.weights_1 -
                                    (second.x.colwise() - origin) * point.weights_2);
     const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
-    if (!did_touch && contact.gap < 0.0 && !met_in_front(scene, candidate, contact, 0.0)) continue;
+    const double closing = -apart.dot(found.normal) * scene.coming_dt;
+    if (!did_touch && contact.gap < 0.0 && !met_in_front(scene, candidate, contact, closing)) continue;
     ContactRecord& record = records.emplace_back(make_record(candidate, contact));
     record.stiffness = 0.0;
     record.is_balanced = true;
     record.part = static_cast<std::uint8_t>(point.corner);
-    record.closing = -apart.dot(found.normal) * scene.coming_dt;
+    record.closing = closing;
     if (record.is_met() && !scene.is_frozen) touched_[candidate.place] = 1;
   }
 }

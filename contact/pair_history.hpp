@@ -21,12 +21,15 @@ struct PairHistory {
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< of the net force on `second` [force time]
   double work = 0.0;                                  ///< stored in its springs and lost [energy]
   double friction_work = 0.0;                         ///< lost to friction, >= 0 [energy]
-  double impact = 0.0;                                ///< lost where sides met without rebound [energy]
   double taken = 0.0;            ///< by its forces from the bodies, < 0 given to them [energy]
   double stored_at_start = 0.0;  ///< part of work: in overlaps of the mesh, before the first step [energy]
+  double impact = 0.0;           ///< lost where sides met without rebound [energy]
 
   /// What it holds and has lost beyond what it had and took: energy from nowhere; < 0 destroyed [energy].
   double made() const { return work + std::max(impact, 0.0) - stored_at_start - taken; }
+
+  double deepest = 0.0;        ///< penetration of what has touched [length]
+  double deepest_share = 0.0;  ///< the same over the thickness of the thinner side [1]
 
   /// Contacts that ended deep, because a side got past the other; the first of them (NaN: none).
   std::uint64_t n_lost = 0;

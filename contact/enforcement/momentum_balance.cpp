@@ -416,6 +416,7 @@ TieForces MomentumBalance::find_forces(const Tie& tie) const {
     for (std::size_t k = 0; k < 4; ++k)
       found.forces.col(static_cast<Eigen::Index>(k) + 4) -= carried[k].transpose() * force;
   }
+  contactsim::balance(arms, found.forces);  // what a point is off its place makes no moment
   return found;
 }
 

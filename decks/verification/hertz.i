@@ -140,7 +140,6 @@ begin sierra hertz
 {endif}
         begin interaction press
           surfaces = above below
-          penalty scale = 10
           contact damping fraction = 0.2
         end
       end

@@ -55,7 +55,6 @@ begin sierra rings
         begin interaction defaults
           general contact = on
           self contact = on
-          penalty scale = 4
           constraint formulation = {form}
         end
       end

@@ -5,6 +5,7 @@
 # a block turned as a whole do the same. The direction of flight is (-D vx, vy, vz).
 # Expected: angular momentum within 1e-10, turned motion within 1e-6; with FACE_FACE the joints of the corner, small faces from
 # which the block slides off, keep 1.1 % of the energy.
+# ENFORCEMENT = PENALTY: the energy of corners that bounce is what the deck is about.
 #
 # {ifndef(form)}
 # {form = "face_face"}
@@ -77,6 +78,7 @@ begin sierra shell box
       end
 
       begin contact definition
+        enforcement = penalty
         skin all blocks = on
         begin interaction defaults
           general contact = on

@@ -53,7 +53,6 @@ begin sierra sphere and plate
         begin interaction hit
           surfaces = sphere wall
           constraint formulation = {form}
-          penalty scale = 4
         end
       end
 

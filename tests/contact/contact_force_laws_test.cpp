@@ -186,9 +186,6 @@ TEST_CASE("contact acts in its periods only, ties too", "[contact][contact_force
   bodies.shift(1, {0, 0, law.empty() ? 0.0 : 0.01});
   CHECK(norm_at(0.5) > 1.0);
   CHECK(norm_at(1.5) == 0.0);
-  std::vector<ContactRecord> places;
-  std::vector<TieForces> ties;
-  force.find_places({1.5, 0.1, bodies.x, bodies.v, 1.0}, places, ties);
-  CHECK(places.empty());
-  for (const TieForces& tie : ties) CHECK(tie.forces.norm() == 0.0);
+  CHECK(force.points().empty());
+  for (const HeldForces& held : force.held_forces()) CHECK(held.forces.forces.norm() == 0.0);
 }

@@ -213,14 +213,10 @@ TEST_CASE("forces of holds that are only looked at are those of the step", "[con
   bodies.ask();
   for (int i = 0; i < 12; ++i) {
     force_after(bodies, {0.01, 0, 0.01});
-    std::vector<ContactRecord> places;
-    std::vector<TieForces> held;
-    bodies.contact.find_places(bodies.motion(), places, held);
-    REQUIRE(held.size() == bodies.contact.held().size());
     Vector3d sum = Vector3d::Zero();
-    for (std::size_t k = 0; k < held.size(); ++k) {
-      const Vector3d on_first = held[k].forces.leftCols<4>().rowwise().sum();
-      sum += bodies.contact.held()[k].is_swapped ? on_first : Vector3d(-on_first);
+    for (const HeldForces& held : bodies.contact.held_forces()) {
+      const Vector3d on_first = held.forces.forces.leftCols<4>().rowwise().sum();
+      sum += held.place.is_swapped ? on_first : Vector3d(-on_first);
     }
     CHECK((sum - bodies.force_on(1)).norm() < 1e-9);
   }
