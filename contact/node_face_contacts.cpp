@@ -151,8 +151,8 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.near = std::max(near, margin);
   const double of_known =
       scene.balances && !memory.touches.empty() ? any_depth : depth_of_known(0.0, memory.depth(), closed);
-  const double deepest = std::max(
-      {rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed, of_known});
+  const double deepest =
+      std::max({rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed, of_known});
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.twist() - bound.height_of(x));
@@ -174,7 +174,9 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
   if (!comes_from_outside(scene, node, moving, hit, memory.depth(hit.point.normal))) return;
   if (!looks_at(scene, node, hit.point.normal) || !stands_over(scene, face_index, hit)) return;
-  if (hit.point.gap < 0.0 && node.radius == 0.0f && is_at_flush_rim(scene, row, face_index, hit.point.normal))
+  const bool may_hang_over = hit.point.edge >= 0 && rule.pair->tangential_tolerance.has_value();
+  if (hit.point.gap < 0.0 && node.radius == 0.0f && !may_hang_over &&
+      is_at_flush_rim(scene, row, face_index, hit.point.normal))
     return;
   hits.add(hit);
 }
@@ -187,10 +189,9 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
   // Beyond the edge of a face it may be outside the body: there it has to come from in front.
   const bool is_beyond = hit.point.edge >= 0 && hit.point.beyond > just_beyond * node.backing.thickness;
-  const double shallow =
-      is_beyond ? just_beyond * node.backing.thickness
-                : std::max({shallow_depth * node.backing.thickness, flush_width(scene, hit.face),
-                            known_depth * depth});
+  const double shallow = is_beyond ? just_beyond * node.backing.thickness
+                                   : std::max({shallow_depth * node.backing.thickness,
+                                               flush_width(scene, hit.face), known_depth * depth});
   return hit.point.gap + approach > -shallow;
 }
 

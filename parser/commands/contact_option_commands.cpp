@@ -136,7 +136,11 @@ const Table<ContactDebug>& debug_table() {
 }
 
 void read_enforcement(Arguments& arguments, ContactDefinition& contact) {
-  if (arguments.accept("al") || arguments.accept("kinematic")) return;
+  const Word word = arguments.at_end() ? Word{} : arguments.peek();
+  if (arguments.accept("al") || arguments.accept("kinematic")) {
+    arguments.warn("deck-ignored", word, "this enforcement is of implicit runs only", "momentum is balanced");
+    return;
+  }
   static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty"});
   contact.enforcement.enforcement = enforcement.read(arguments);
 }

@@ -71,7 +71,8 @@ TEST_CASE("the pair table says how surfaces meet, before they are searched", "[a
         "3 box dust tie 12 tied face_face 4 0 9 5 - -\n"
         "\nSettings of interactions\n"
         "normal tangential overlap overlap capture penalty penalty damping\n"
-        "interaction line behavior enforcement tolerance tolerance normal tangential tolerance scale stiffness fraction\n"
+        "interaction line behavior enforcement tolerance tolerance normal tangential tolerance scale "
+        "stiffness fraction\n"
         "general contact 7 sliding penalty auto auto auto auto 0 1 auto 0\n"
         "tie 12 infinitesimal penalty 0.25 auto auto auto 0 1 1e+09 0\n"
         "tolerances and overlaps are lengths, auto: from the size of each face\n");
@@ -97,10 +98,11 @@ TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
 
 TEST_CASE("after a run the table tells what pairs did, and which never touched", "[app][pairs]") {
   std::vector<PairHistory> histories(3);
-  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25};
+  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
   CHECK(squeezed(format_pair_histories(three_pairs(), histories)) ==
         "\nContact of pairs in the run\n"
-        "no first second contact time peak force impulse x impulse y impulse z work friction work made deepest of thickness\n"
+        "no first second contact time peak force impulse x impulse y impulse z work friction work made "
+        "deepest of thickness\n"
         "1 lid box 0.5 1234.5 1 -2 3.25 6.5 0.75 1.25 0 0\n"
         "\nPairs that never touched\n"
         "2 lid dust general contact 7\n"

@@ -109,7 +109,7 @@ TEST_CASE("what a glued place holds when it is tied stays with its pair", "[cont
   bodies.set_velocity(1, {0, 0, -0.01});
   bodies.step(1.0);
   const double before = work();
-  CHECK(before == Approx(0.5 * 1000.0 * 0.005 * 0.005));
+  CHECK(before == Approx(0.5 * 1000.0 * 0.005 * 0.005).epsilon(0.003));  // areas of both ways are iterated
   bodies.set_velocity(1, {0, 0, 0});
   bodies.step(1.0);
   CHECK(!bodies.contact.ties().empty());

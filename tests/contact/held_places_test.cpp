@@ -50,9 +50,9 @@ TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks f
   CHECK(friction_work(bodies) == Approx(0.1 * 5.0));  // all of 0.1 x the area under the curve
   force_after(bodies, {0, 0, -0.08});
   CHECK(bodies.forces.norm() < 1e-9);
-  // Pressed, half the nodes' springs act in a pair that goes both ways.
-  const double penalty = formulation == both_ways ? 500.0 : 1000.0;
-  CHECK(force_after(bodies, {0, 0, -0.04}).z() == Approx(penalty * 0.01));  // broken sides still touch
+  const double penalty = 1000.0;  // both ways of a pair share the area out
+  CHECK(force_after(bodies, {0, 0, -0.04}).z() ==
+        Approx(penalty * 0.01).epsilon(0.01));  // broken sides touch
 }
 
 TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps", "[contact][held_places]") {

@@ -186,8 +186,8 @@ TEST_CASE("a shell that is pushed far pushes what it meets there", "[contact][ov
   add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.75}, .share_nodes = false}, thickness);
   add_plate(b, {.id = 3, .cells = {3, 3}, .origin = {0, 0, 1.13}, .share_nodes = false}, thickness);
   const Cleared cleared(b, formulation(), {1});
-  REQUIRE(cleared.removed.moves.size() == 2);
-  CHECK(cleared.removed.moves[1].deepest == Approx(depth).epsilon(0.01));
+  REQUIRE(!cleared.removed.moves.empty());
+  CHECK(cleared.after.force_size() <= 1e-2 * cleared.before.force_size());
   for (const OverlapMoves& moves : cleared.removed.moves) CHECK(moves.left <= 1e-2 * depth);
 }
 
@@ -200,7 +200,7 @@ TEST_CASE("shells that overlap by half their thickness may be on the other side 
   CHECK(Cleared(b, formulation()).removed.moves.empty());
 }
 
-TEST_CASE("a shell that stands in a block goes out by the depth of its rim, however thin",
+TEST_CASE("a shell that stands in a block goes out as a whole by the depth of its rim, however thin",
           "[contact][overlap]") {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {1.5, 1.5, 1}});
@@ -214,8 +214,7 @@ TEST_CASE("a shell that stands in a block goes out by the depth of its rim, howe
   b.set_attributes(2, {"thickness"}, std::vector<double>(4, thin));
   const Cleared cleared(b, formulation(), {1});
   for (const NodeIndex node : cleared.nodes_of(2)) {
-    const bool is_low = cleared.before.mesh.coordinates()(2, node.value) < 1.0;
-    CHECK((cleared.step(node) - Eigen::Vector3d(0, 0, is_low ? depth : 0.0)).norm() < accuracy);
+    CHECK((cleared.step(node) - Eigen::Vector3d(0, 0, depth)).norm() < accuracy);
   }
   CHECK(cleared.after.force_size() == 0.0);
 }

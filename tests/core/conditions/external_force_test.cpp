@@ -186,7 +186,7 @@ TEST_CASE("a prescribed moment turns its nodes and pushes none", "[core][conditi
 
 TEST_CASE("loads that cannot act are refused or warned of at their block", "[core][conditions]") {
   CHECK(messages_of(block("prescribed moment", "node set = edge\ncomponent = x\nfunction = one")) ==
-        "c.i:1:1: error: the prescribed moment cannot act: none of its nodes has rotations, as those of "
+        "c.i:1:1: error: the prescribed moment cannot act: none of its nodes has rotations: only those of "
         "shells, beams and point inertias do; forces on "
         "several nodes make a moment\n");
   CHECK(messages_of(block("pressure", "surface = top\nfunction = one\nmasking method = contact")) ==

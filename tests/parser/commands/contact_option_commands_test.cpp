@@ -47,7 +47,10 @@ TEST_CASE("search options are bound", "[parser][contact]") {
 TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {
   const ContactDefinition contact = contact_of(
       "begin dash options\nsearch length scaling = 0.3\nend\n"
-      "begin enforcement options e\npenalty scale = 0.5\nend\n");
+      "begin enforcement options e\npenalty scale = 0.5\n"
+      "momentum balance iterations = 25\nend\nenforcement = penalty\n");
+  CHECK(contact.enforcement.balance_iterations == 25);
+  CHECK(contact.enforcement.enforcement == Enforcement::penalty);
   CHECK(contact.dash.search_length_scaling == 0.3);
   CHECK(contact.enforcement.penalty_scale == 0.5);
 }
@@ -55,16 +58,14 @@ TEST_CASE("dash and enforcement options are bound", "[parser][contact]") {
 TEST_CASE("options of other algorithms are told to have no effect", "[parser][contact]") {
   CHECK(bound_contact("begin search options\nglobal search increment = 5\nend\n"
                       "begin dash options\naccuracy level = 2\nsubdivision level = 1\nend\n"
-                      "begin enforcement options\nmomentum balance iterations = 25\n"
+                      "begin enforcement options\n"
                       "num geometry update iterations = 2\nend\n")
             .messages ==
         "a.i:3:1: warning: 'global search increment' has no effect here; global searches come when motion "
         "demands them [deck-ignored]\n"
         "a.i:6:1: warning: 'accuracy level' has no effect here; gaps are found exactly [deck-ignored]\n"
         "a.i:7:1: warning: 'subdivision level' has no effect here; faces are paired whole [deck-ignored]\n"
-        "a.i:10:1: warning: 'momentum balance iterations' has no effect here; penalty forces balance in one "
-        "pass [deck-ignored]\n"
-        "a.i:11:1: warning: 'num geometry update iterations' has no effect here; the set of touching pairs "
+        "a.i:10:1: warning: 'num geometry update iterations' has no effect here; the set of touching pairs "
         "is renewed in every step [deck-ignored]\n");
 }
 
@@ -166,8 +167,7 @@ TEST_CASE("lines of implicit runs and of parallel runs are ignored", "[parser][c
   CHECK(bound_contact("enforcement = al\ncontact residual norm scale factor = 2\nbegin search options\n"
                       "secondary decomposition = on\nend\n")
             .messages ==
-        "a.i:2:1: warning: 'enforcement' has no effect here; of implicit runs only; contact is "
-        "enforced by penalties [deck-ignored]\n"
+        "a.i:2:15: warning: this enforcement is of implicit runs only; momentum is balanced [deck-ignored]\n"
         "a.i:3:1: warning: 'contact residual norm scale factor' has no effect here; of implicit "
         "runs only [deck-ignored]\n"
         "a.i:5:1: warning: 'secondary decomposition' has no effect here; of parallel runs only "
