@@ -175,15 +175,14 @@ void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagn
                              std::holds_alternative<ConstantFriction>(pair.law) ||
                              std::holds_alternative<PressureVelocityFriction>(pair.law);
     if (only_pushes || has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
-    warnings.add_warning(
-        "edges-without-law", pair.location,
-        fmt::format("{}: where beams or trusses meet each other the law '{}' does not "
-                    "act: {}",
-                    names_of(pair, contact), describe_law(pair.law),
-                    std::holds_alternative<Tied>(pair.law)
-                        ? "they are not tied"
-                        : "they only push each other apart, with its friction"),
-        "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");
+    warnings.add_warning("edges-without-law", pair.location,
+                         fmt::format("{}: where beams or trusses meet each other the law '{}' does not "
+                                     "act: {}",
+                                     names_of(pair, contact), describe_law(pair.law),
+                                     std::holds_alternative<Tied>(pair.law)
+                                         ? "they are not tied"
+                                         : "they only push each other apart, with its friction"),
+                         "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");
   }
 }
 

@@ -23,8 +23,8 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
 /// Warns of lines of the elastic penalty on pairs that are enforced by momentum balance.
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings);
 
-/// Warns of pairs whose beams or trusses meet while their law ties, pulls or changes: contact of edges does not
-/// know it.
+/// Warns of pairs whose beams or trusses meet while their law ties, pulls or changes: contact of edges does
+/// not know it.
 void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
 
 /// What the search of a run did, what is tied, and how much contact lowered the stable step. Without times of

@@ -72,10 +72,10 @@ std::string format_start(const ContactModel& model, std::span<const SurfaceSumma
 
 /// Every interaction that has a pair, once, in the order of its first pair.
 std::string format_settings(const ContactModel& model) {
-  std::string text = fmt::format(settings_format, "", "", "", "", "normal", "tangential", "overlap", "overlap",
-                                 "capture", "penalty", "penalty", "damping");
-  text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance", "tolerance", "normal",
-                      "tangential", "tolerance", "scale", "stiffness", "fraction");
+  std::string text = fmt::format(settings_format, "", "", "", "", "normal", "tangential", "overlap",
+                                 "overlap", "capture", "penalty", "penalty", "damping");
+  text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance",
+                      "tolerance", "normal", "tangential", "tolerance", "scale", "stiffness", "fraction");
   std::set<std::pair<std::string, std::string>> told;
   for (const SurfacePair& pair : model.pairs) {
     if (!told.insert({pair.interaction, to_string(pair.location)}).second) continue;
@@ -96,9 +96,9 @@ std::string format_history(const ContactModel& model, const PairHistory& history
   return fmt::format(history_format, i + 1, model.surfaces.surfaces[pair.first].name,
                      model.surfaces.surfaces[pair.second].name, number(history.contact_time),
                      number(history.peak_force), number(history.impulse.x()), number(history.impulse.y()),
-                     number(history.impulse.z()), number(history.work + history.impact), number(history.friction_work),
-                     number(history.made()),
-                     number(history.deepest), number(history.deepest_share));
+                     number(history.impulse.z()), number(history.work + history.impact),
+                     number(history.friction_work), number(history.made()), number(history.deepest),
+                     number(history.deepest_share));
 }
 
 }  // namespace
@@ -143,8 +143,7 @@ std::string format_pair_histories(const ContactModel& model, std::span<const Pai
   if (!rows.empty()) {
     text = "\nContact of pairs in the run\n" +
            fmt::format(history_format, "no", "first", "second", "contact time", "peak force", "impulse x",
-                       "impulse y", "impulse z", "work", "friction work", "made",
-                       "deepest", "of thickness") +
+                       "impulse y", "impulse z", "work", "friction work", "made", "deepest", "of thickness") +
            rows;
   }
   if (!idle.empty()) text += "\nPairs that never touched\n" + idle;

@@ -129,10 +129,11 @@ void RunContact::warn_of_penetration(Diagnostics& warnings) const {
     if (!(histories[i].deepest_share > worrying)) continue;
     const SurfacePair& pair = contact_.pairs[i];
     const bool is_penalty = pair.enforcement == Enforcement::penalty;
-    warnings.add_warning("contact-penetration", pair.location,
-                         fmt::format("{} have penetrated each other by {:.3g}, {:.0f} % of the thickness behind them",
-                                     names_of(contact_, i), histories[i].deepest, 100.0 * histories[i].deepest_share),
-                         is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through" : "");
+    warnings.add_warning(
+        "contact-penetration", pair.location,
+        fmt::format("{} have penetrated each other by {:.3g}, {:.0f} % of the thickness behind them",
+                    names_of(contact_, i), histories[i].deepest, 100.0 * histories[i].deepest_share),
+        is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through" : "");
   }
 }
 
@@ -159,8 +160,8 @@ void RunContact::stop_at_runaway(const State& state) {
   const double made = made_by_contact(force_, e);
   const double put_in = std::max(0.0, e.start) + std::max(0.0, e.external) + std::max(0.0, -e.internal) +
                         force_.stored_at_start();
-  // What comes out of overlaps by itself is not worth a word: all of the mass at a millionth of the model's size
-  // in a step.
+  // What comes out of overlaps by itself is not worth a word: all of the mass at a millionth of the model's
+  // size in a step.
   constexpr double of_round_off = 1e-6 / std::numeric_limits<double>::epsilon();
   const double negligible = of_round_off * of_round_off * energy_of_round_off(model_, state.dt);
   const bool runs_away = made > std::max(put_in, negligible);

@@ -139,7 +139,7 @@ class ContactForce final : public ForceTerm {
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<ContactRecord> points_;               // of the step
   NodeAreas node_areas_;
-  std::vector<ContactRecord> node_places_;          // scratch
+  std::vector<ContactRecord> node_places_;  // scratch
   std::vector<PairHistory> histories_;
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]

@@ -38,8 +38,8 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   balance_.archive(saved);
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
-    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work, history.impact, history.deepest, history.deepest_share,
-        history.taken, history.stored_at_start);
+    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
+        history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start);
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
   saved.numbers("contact/step_share", step_share_.share);

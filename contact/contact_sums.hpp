@@ -24,7 +24,7 @@ struct PairStep {
   double dissipated = 0.0;      ///< by friction in the step [energy]
   double damped = 0.0;          ///< by contact damping in the step [energy]
   double impact = 0.0;          ///< lost in the step where sides met without rebound [energy]
-  double penetration = 0.0;        ///< deepest of what touches [length]
+  double penetration = 0.0;     ///< deepest of what touches [length]
   double penetration_share = 0.0;  ///< the same over the thickness of the thinner side [1]
   bool touches = false;
   bool is_near = false;  ///< some place touches or is about to

@@ -13,9 +13,9 @@ namespace {
 /// Faces whose normals have a smaller cosine have a rim between them.
 constexpr double sharpest_smooth = 0.7;
 
-/// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be deeper
-/// than the face's middle, and what carries a body gives way by some layers of elements where the next part,
-/// which carries nothing, does not. A penalty or a step is as soft as three layers.
+/// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be
+/// deeper than the face's middle, and what carries a body gives way by some layers of elements where the next
+/// part, which carries nothing, does not. A penalty or a step is as soft as three layers.
 constexpr double over_depth = 4.0;
 
 /// Faces are flush though they miss each other by this share of half a side face's height.

@@ -256,10 +256,10 @@ TEST_CASE("damping of a node pushes when it goes in and never pulls", "[contact]
   REQUIRE(in.size() == 1);
   CHECK(in[0].force == Approx(tip_area * (10.0 + damping * 0.02)));
   CHECK(in[0].damped == Approx(tip_area * damping * 0.02 * 0.02));
-  TipOnFloor strong("contact damping fraction = 10\n");
+  TipOnFloor strong("contact damping fraction = 40\n");
   strong.put({0.6, 0.7, 0.01});
   REQUIRE(strong.put({0.6, 0.7, -0.01}, true).size() == 1);
-  strong.v *= -1.0;
+  strong.v *= -0.25;
   strong.move();
   const auto apart = strong.look(1.0);
   REQUIRE(apart.size() == 1);
