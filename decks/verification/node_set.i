@@ -4,6 +4,7 @@
 # size, is nothing to them. Expected: they fly back as fast as they came, within 2 % where nothing can vibrate; the contact
 # force and momentum balance. With `erosion` their elements die on the way: the nodes fly on as free masses, which meet the
 # block ("off") or do not ("on").
+# ENFORCEMENT = PENALTY: nodes alone bounce by the elastic penalty; momentum balance takes the motion of what meets.
 #
 # {ifndef(section)}
 # {section = "ball"} {erosion = ""} {frame = 2e-4}
@@ -67,6 +68,7 @@ begin sierra node set
       end
 {endif}
       begin contact definition
+        enforcement = penalty
         contact surface base contains base
         contact node set nodes contains top
         begin interaction meeting

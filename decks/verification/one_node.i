@@ -1,6 +1,7 @@
 # One node is moved into the middle of a face, onto the edge of two faces, or onto the corner of four (SI).
 #
 # Shows that a node meets one surface there, not two or four faces. Expected: the same force everywhere, within 1e-12.
+# ENFORCEMENT = PENALTY: the forces that the deck expects are stiffness times penetration.
 # {frame = 0.1}
 begin sierra one node
   begin material rubber
@@ -56,6 +57,7 @@ begin sierra one node
       end
 
       begin contact definition
+        enforcement = penalty
         contact surface below contains base
         contact node set above contains tip
         begin interaction press

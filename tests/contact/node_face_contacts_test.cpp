@@ -259,7 +259,7 @@ TEST_CASE("damping of a node pushes when it goes in and never pulls", "[contact]
   TipOnFloor strong("contact damping fraction = 40\n");
   strong.put({0.6, 0.7, 0.01});
   REQUIRE(strong.put({0.6, 0.7, -0.01}, true).size() == 1);
-  strong.v *= -0.25;
+  strong.v *= -0.2;
   strong.move();
   const auto apart = strong.look(1.0);
   REQUIRE(apart.size() == 1);
