@@ -51,10 +51,7 @@ ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) cons
   ContactFaces faces = make_contact_faces(setup_.contact, mesh, free_nodes);
   const MovingSurface start = surface_of_mesh(faces, mesh);
   choose_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, start, faces);
-  const auto is_of_faces = [](const SurfacePair& pair) {
-    return pair.formulation == ConstraintFormulation::face_face;
-  };
-  if (std::ranges::any_of(setup_.contact.pairs, is_of_faces)) measure_sharpness(start, faces);
+  measure_sharpness(start, faces);
   add_backing(setup_.model, faces);
   return faces;
 }

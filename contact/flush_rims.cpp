@@ -13,6 +13,9 @@ namespace {
 /// Faces whose normals have a smaller cosine have a rim between them.
 constexpr double sharpest_smooth = 0.7;
 
+/// A face whose surroundings turn by less at the start has no rim, though it may bend somewhat [degrees].
+constexpr float least_rim = 35.0f;
+
 /// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be
 /// deeper than the face's middle, and what carries a body gives way by some layers of elements where the next
 /// part, which carries nothing, does not. A penalty or a step is as soft as three layers.
@@ -32,6 +35,7 @@ struct Ahead {
 bool lie_in_strip(const ContactScene& scene, std::uint32_t face, const Ahead& ahead) {
   const ContactFaces& faces = scene.surface.faces();
   const ContactFace& side = faces.faces[face];
+  if (side.sharpness < least_rim) return false;
   const Eigen::Vector3d normal = scene.surface.area(side).normalized();
   const Eigen::Vector3d centre = 0.25 * (scene.surface.x(side.corners[0]) + scene.surface.x(side.corners[1]) +
                                          scene.surface.x(side.corners[2]) + scene.surface.x(side.corners[3]));

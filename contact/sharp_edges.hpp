@@ -21,7 +21,7 @@ void choose_edges(const std::vector<SurfaceOptions>& options, std::span<const Co
 
 /// Sets the sharpness of faces: the greatest angle by which a face and one which shares an edge with it on
 /// the same surface turn away from each other, a right angle at the border of a surface. Whole degrees, so
-/// that round-off does not matter. Only face-to-face contact asks for it.
+/// that round-off does not matter.
 ///   start  the faces at the start
 void measure_sharpness(const MovingSurface& start, ContactFaces& faces);
 
