@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/momentum_balance.hpp"
+
+#include <omp.h>
+
+#include "core/state.hpp"
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+#include "support/mesh_builder.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+/// Two free blocks of unlike meshes, one above the other, that close by their velocities in the coming step.
+struct ClosingBlocks {
+  explicit ClosingBlocks(const std::string& more, double gap = 0.01, int cells = 3)
+      : bodies(blocks(gap, cells), general_contact("enforcement = momentum_balance\n" + more)) {
+    bodies.ask();
+    state = make_state(bodies.x, bodies.model.blocks, 0.0);
+    state.dt = state.next_dt = step;
+    state.velocity = Eigen::Matrix3Xd::Zero(3, bodies.x.cols());
+    state.acceleration = Eigen::Matrix3Xd::Zero(3, bodies.x.cols());
+  }
+
+  static MeshBuilder blocks(double gap, int cells) {
+    MeshBuilder b;
+    b.add_hexes({.id = 1, .cells = {2, 2, 1}});
+    b.add_hexes({.id = 2, .cells = {cells, cells, 1}, .origin = {0, 0, 1 + gap}, .share_nodes = false});
+    return b;
+  }
+
+  /// Throws the upper block; the forces of the balance.
+  Eigen::Matrix3Xd forces_at(const Eigen::Vector3d& velocity) {
+    bodies.set_velocity(1, velocity);
+    state.velocity = bodies.v;
+    state.coordinates = bodies.x;
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, bodies.x.cols());
+    bodies.contact.set_forces(bodies.motion(), forces);
+    CHECK(forces.isZero(0.0));
+    report = bodies.contact.balance(state, forces);
+    return forces;
+  }
+
+  /// Velocities after the forces have acted over the step.
+  Eigen::Matrix3Xd velocity_after(const Eigen::Matrix3Xd& forces) const {
+    return state.velocity + step * forces.cwiseQuotient(bodies.model.mass);
+  }
+
+  static constexpr double step = 0.1;
+  ContactBodies bodies;
+  State state;
+  std::optional<ForceReport> report;
+};
+
+const std::string node_face = "constraint formulation = node_face\n";
+const std::string rough =
+    "friction model = rough\nend\nbegin constant friction model rough\nfriction coefficient = 0.2\n";
+
+}  // namespace
+
+TEST_CASE("momentum balance closes the gap and no more, alike on both sides", "[contact][enforcement]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  const int cells = GENERATE(1, 2, 3);
+  ClosingBlocks blocks(formulation, 0.01, cells);
+  const Eigen::Matrix3Xd forces = blocks.forces_at({0, 0, -1.0});
+  REQUIRE(blocks.report);
+  const double size = forces.colwise().norm().sum();
+  REQUIRE(size > 0.0);
+  CHECK(forces.rowwise().sum().norm() < 1e-12 * size);
+  const Eigen::Matrix3Xd after = blocks.velocity_after(forces);
+  double lowest = 1.0, highest = -1.0;  // of the interface at the end of the step
+  for (Eigen::Index i = 0; i < after.cols(); ++i) {
+    const double z = blocks.bodies.x(2, i), at_end = z + ClosingBlocks::step * after(2, i);
+    if (z == 1.0) highest = std::max(highest, at_end);
+    if (z == 1.01) lowest = std::min(lowest, at_end);
+  }
+  CHECK(lowest - highest == Approx(0.0).margin(1e-4));
+  // What is lost is never gained.
+  CHECK(blocks.report->impact_work >= 0.0);
+  const auto kinetic = [&](const Eigen::Matrix3Xd& v) {
+    return 0.5 * v.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass).sum();
+  };
+  CHECK(kinetic(after) <= kinetic(blocks.state.velocity));
+}
+
+TEST_CASE("momentum balance does nothing where the step closes nothing", "[contact][enforcement]") {
+  ClosingBlocks blocks("");
+  CHECK(blocks.forces_at({0, 0, 1.0}).isZero(0.0));
+  CHECK(blocks.forces_at({0.3, 0, 0}).isZero(0.0));
+}
+
+TEST_CASE("friction of momentum balance stays on the cone of each contact point", "[contact][enforcement]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  ClosingBlocks blocks(formulation + rough);
+  blocks.forces_at({2.0, 0, -1.0});
+  double normal = 0.0, along = 0.0;
+  for (const ContactRecord& point : blocks.bodies.contact.points()) {
+    CHECK(point.force >= 0.0);
+    CHECK(point.tangential.norm() <= 0.2 * point.force * (1.0 + 1e-9));
+    normal += point.force;
+    along += std::abs(point.tangential.x());
+  }
+  CHECK(normal > 0.0);
+  CHECK(along == Approx(0.2 * normal).epsilon(1e-6));  // it slides everywhere
+}
+
+TEST_CASE("momentum balance has the same bits with one thread and with two", "[contact][enforcement]") {
+  ClosingBlocks one(rough, 0.01, 24), two(rough, 0.01, 24);
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Eigen::Matrix3Xd first = one.forces_at({0.5, 0.1, -1.0});
+  omp_set_num_threads(2);
+  CHECK(first == two.forces_at({0.5, 0.1, -1.0}));
+  omp_set_num_threads(before);
+}
