@@ -153,22 +153,30 @@ std::span<const ContactRecord> ContactForce::find_node_places(const ContactScene
   return node_places_;
 }
 
-void ContactForce::add_places(const ContactScene& scene) {
+/// Takes all contact points of the pairs that the scene looks at, in their order. Returns those that are to
+/// be glued.
+template <class Take>
+std::vector<ContactRecord> ContactForce::visit_points(const ContactScene& scene, const Take& take) {
   std::vector<ContactRecord> to_glue;
-  const auto take = [&](const ContactRecord& record) {
-    keep(record);
-    if (record.touches() && glues(record)) to_glue.push_back(record);
+  const auto take_one = [&](const ContactRecord& record) {
+    take(record);
+    if (record.is_met() && glues(record)) to_glue.push_back(record);
   };
   visit_places(face_face_, scene, [&](const ContactRecord& record) {
-    take(record);
+    take_one(record);
     face_face_.note(record);
   });
-  for (const ContactRecord& record : find_node_places(scene)) take(record);
+  for (const ContactRecord& record : find_node_places(scene)) take_one(record);
   visit_places(edges_, scene, [&](const ContactRecord& record) {
-    take(record);
+    take_one(record);
     edges_.note(record);
   });
-  visit_places(planes_, scene, take);
+  visit_places(planes_, scene, take_one);
+  return to_glue;
+}
+
+void ContactForce::add_places(const ContactScene& scene) {
+  const auto to_glue = visit_points(scene, [&](const ContactRecord& record) { keep(record); });
   held_.step(scene, glued_, sums_);
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
 }
@@ -310,24 +318,6 @@ double ContactForce::thinner_side(const ContactRecord& record) const {
   return std::min(first, faces_.faces[record.second_place].backing.thickness);
 }
 
-void ContactForce::add_balanced(const ContactScene& scene, std::vector<ContactRecord>& to_glue) {
-  const auto take = [&](const ContactRecord& record) {
-    balance_.add(record, rules_[record.pair], thinner_side(record));
-    if (record.is_met() && glues(record)) to_glue.push_back(record);
-  };
-  visit_places(face_face_, scene, [&](const ContactRecord& record) {
-    take(record);
-    face_face_.note(record);
-  });
-  for (const ContactRecord& record : find_node_places(scene)) take(record);
-  visit_places(edges_, scene, [&](const ContactRecord& record) {
-    take(record);
-    edges_.note(record);
-  });
-  visit_places(planes_, scene, take);
-  held_.add_balanced(scene, balance_);
-}
-
 std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {
   if (!balances_) return std::nullopt;
   foresee(state);
@@ -336,8 +326,10 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   scene.balances = true;
   scene.coming_dt = state.next_dt;
   balance_.begin(setup_.model, surface_, state);
-  std::vector<ContactRecord> to_glue;
-  add_balanced(scene, to_glue);
+  const auto to_glue = visit_points(scene, [&](const ContactRecord& record) {
+    balance_.add(record, rules_[record.pair], thinner_side(record));
+  });
+  held_.add_balanced(scene, balance_);
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
   for (const ContactRecord& point : balance_.points()) keep(point);
   held_.take_balanced(scene, balance_, glued_, sums_);

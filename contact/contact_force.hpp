@@ -102,6 +102,8 @@ class ContactForce final : public ForceTerm {
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
   void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
+  template <class Take>
+  std::vector<ContactRecord> visit_points(const ContactScene& scene, const Take& take);
   bool glues(const ContactRecord& record) const;
   NearCandidates near_candidates() const;
   /// The contact points of nodes with faces.
@@ -112,7 +114,6 @@ class ContactForce final : public ForceTerm {
   void end_step(double time, double dt);
   void note_histories(double dt);
   void foresee(const State& state);
-  void add_balanced(const ContactScene& scene, std::vector<ContactRecord>& to_glue);
   double thinner_side(const ContactRecord& record) const;
   void note_lost(double time);
 
