@@ -337,7 +337,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   write_forces(forces);
   end_step(state.time, state.dt);
   ForceReport report;
-  const MomentumBalance::Loss& loss = balance_.loss();
+  const ContactLoss& loss = balance_.loss();
   report.friction_work = last_loss_.friction_after + loss.friction_before;
   report.impact_work = last_loss_.impact_after + loss.impact_before;
   last_loss_ = loss;

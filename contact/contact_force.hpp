@@ -135,7 +135,7 @@ class ContactForce final : public ForceTerm {
   bool balances_ = false;  // some pair is enforced so
   Eigen::Matrix3Xd free_velocity_,
       free_turning_;  // of contact nodes in the coming step, without these forces
-  MomentumBalance::Loss last_loss_;
+  ContactLoss last_loss_;
   BalanceReport balance_report_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<ContactRecord> points_;               // of the step

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "core/least_mass.hpp"
 
@@ -32,21 +33,22 @@ void NodeMobility::begin(const Model& model, const MovingSurface& surface, const
   rigid_ = &model.rigid.nodes;
   state_ = &state;
   half_steps_ = 0.5 * (state.dt + state.next_dt);
+  for (const Carrier& carrier : carriers_) carrier_[carrier.body] = none;
+  carriers_.clear();
+  for (Changes* changes : {&now_, &next_}) {
+    changes->changes.clear();
+    changes->turnings.clear();
+  }
   if (find_free_directions(model, state) || inverse_mass_.empty()) {
-    const std::size_t n_carriers = surface.faces().n_nodes() + model.rigid.bodies.size();
-    general_.assign(n_carriers, none);
-    inverse_mass_.assign(n_carriers, 0.0);
+    const std::size_t n_bodies = surface.faces().n_nodes() + model.rigid.bodies.size();
+    general_.assign(n_bodies, none);
+    inverse_mass_.assign(n_bodies, 0.0);
+    carrier_.assign(n_bodies, none);
     generals_.clear();
     set_nodes(model);
     set_bodies(model);
   }
-  changes_.assign(inverse_mass_.size(), NodeVector::Zero());
   turn_bodies(model, state);
-  for (General& general : generals_) {
-    general.turning.setZero();
-    general.translation_bound = largest_stretch(general.translation);
-    general.rotation_bound = largest_stretch(general.rotation);
-  }
 }
 
 /// Returns whether any has changed.
@@ -67,8 +69,8 @@ bool NodeMobility::find_free_directions(const Model& model, const State& state) 
   return has_changed;
 }
 
-NodeMobility::General& NodeMobility::make_general(std::uint32_t carrier) {
-  general_[carrier] = static_cast<std::uint32_t>(generals_.size());
+NodeMobility::General& NodeMobility::make_general(std::uint32_t body) {
+  general_[body] = static_cast<std::uint32_t>(generals_.size());
   return generals_.emplace_back();
 }
 
@@ -119,19 +121,34 @@ void NodeMobility::turn_bodies(const Model& model, const State& state) {
   }
 }
 
+std::uint32_t NodeMobility::use(std::uint32_t body) {
+  std::uint32_t& carrier = carrier_[body];
+  if (carrier != none) return carrier;
+  carrier = static_cast<std::uint32_t>(carriers_.size());
+  Carrier& made = carriers_.emplace_back(body, general_[body], half_steps_ * inverse_mass_[body]);
+  if (made.general != none) {
+    const General& general = generals_[made.general];
+    made.mobility = half_steps_ * largest_stretch(general.translation);
+    made.turn_bound = std::sqrt(half_steps_ * largest_stretch(general.rotation));
+  }
+  next_.changes.push_back(NodeVector::Zero());
+  next_.turnings.push_back(NodeVector::Zero());
+  return carrier;
+}
+
 void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
-                             std::vector<CarrierTerm>& terms) const {
+                             std::vector<CarrierTerm>& terms) {
   const ContactFaces& faces = surface_->faces();
   const NodeIndex mesh_node{faces.mesh_nodes[node]};
   if (rigid_->is_free(mesh_node)) {
     Eigen::Vector3d arm = beside;
     const std::size_t n_mesh_points = faces.n_mesh_points();
     if (node >= n_mesh_points) arm += surface_->arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
-    terms.push_back({faces.first_alike[node], weight, arm});
+    terms.push_back({use(faces.first_alike[node]), weight, arm});
     return;
   }
   const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);
-  const auto carrier = static_cast<std::uint32_t>(faces.n_nodes()) + body;
+  const std::uint32_t carrier = use(static_cast<std::uint32_t>(faces.n_nodes()) + body);
   const Eigen::Vector3d arm = surface_->x(node) + beside - state_->rigid[body].position;
   const auto same = std::ranges::find_if(
       terms, [&](const CarrierTerm& term) { return term.carrier == carrier && term.weight * weight > 0.0; });
@@ -144,38 +161,31 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
   same->weight = sum;
 }
 
-double NodeMobility::translation_bound(std::uint32_t carrier) const {
-  if (is_plain(carrier)) return plain_mobility(carrier);
-  return half_steps_ * generals_[general_[carrier]].translation_bound;
-}
-
 double NodeMobility::turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const {
   if (is_plain(carrier)) return 0.0;
-  return std::sqrt(std::max(0.0, half_steps_ * turn.dot(generals_[general_[carrier]].rotation * turn)));
-}
-
-double NodeMobility::turn_bound(std::uint32_t carrier) const {
-  return is_plain(carrier) ? 0.0 : std::sqrt(half_steps_ * generals_[general_[carrier]].rotation_bound);
+  const Eigen::Matrix3d& rotation = generals_[carriers_[carrier].general].rotation;
+  return std::sqrt(std::max(0.0, half_steps_ * turn.dot(rotation * turn)));
 }
 
 void NodeMobility::begin_passes() {
-  first_changes_ = changes_;
-  for (General& general : generals_) general.first_turning = general.turning;
+  first_ = next_;
+  now_ = next_;
 }
 
-void NodeMobility::begin_pass() {
-  changes_ = first_changes_;
-  for (General& general : generals_) general.turning = general.first_turning;
+void NodeMobility::end_pass() {
+  std::swap(now_, next_);
+  next_ = first_;
 }
 
 void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
-  if (is_plain(carrier)) {
-    changes_[carrier].head<3>() += plain_mobility(carrier) * force;
+  const Carrier& pushed = carriers_[carrier];
+  if (pushed.general == none) {
+    next_.changes[carrier].head<3>() += pushed.mobility * force;
     return;
   }
-  General& general = generals_[general_[carrier]];
-  changes_[carrier].head<3>() += general.translation * (half_steps_ * force);
-  general.turning += general.rotation * (half_steps_ * moment);
+  const General& general = generals_[pushed.general];
+  next_.changes[carrier].head<3>() += general.translation * (half_steps_ * force);
+  next_.turnings[carrier].head<3>() += general.rotation * (half_steps_ * moment);
 }
 
 }  // namespace contactsim

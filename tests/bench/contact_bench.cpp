@@ -80,12 +80,14 @@ ContactSurface surface_of(const std::string& name, std::uint32_t first, std::uin
 }
 
 /// Contact of two surfaces with everything automatic.
-ContactModel make_pair(ContactSurface first, ContactSurface second, ConstraintFormulation formulation) {
+ContactModel make_pair(ContactSurface first, ContactSurface second, ConstraintFormulation formulation,
+                       Enforcement enforcement) {
   ContactModel contact;
   contact.surfaces.surfaces = {std::move(first), std::move(second)};
   SurfacePair pair;
   pair.second = 1;
   pair.formulation = formulation;
+  pair.enforcement = enforcement;
   contact.pairs.push_back(pair);
   return contact;
 }
@@ -104,17 +106,19 @@ Model make_model(const Mesh& mesh) {
 /// Time that a pressure wave takes along an edge of length 1.
 double stable_step() { return 1.0 / std::sqrt((160e9 + 4.0 / 3.0 * 80e9) / 7800.0); }
 
-/// Arguments: faces a sphere, threads, whether the spheres touch.
-template <ConstraintFormulation formulation>
+/// Arguments: faces a sphere, threads, whether the spheres touch. The motion is prescribed; what forces would
+/// change of it is thrown away.
+template <ConstraintFormulation formulation, Enforcement enforcement>
 void contact_of_spheres(benchmark::State& bench) {
   omp_set_num_threads(static_cast<int>(bench.range(1)));
   const auto n = static_cast<std::uint32_t>(std::lround(std::sqrt(bench.range(0) / 6.0)));
   const std::uint32_t n_faces = 6 * n * n;
   const Mesh mesh = make_sphere_layers(n, bench.range(2) != 0 ? -0.03 : 0.1);
-  const ContactModel contact =
-      make_pair(surface_of("inner", 0, n_faces, 6), surface_of("outer", n_faces, n_faces, 5), formulation);
+  const ContactModel contact = make_pair(surface_of("inner", 0, n_faces, 6),
+                                         surface_of("outer", n_faces, n_faces, 5), formulation, enforcement);
   const Model model = make_model(mesh);
-  Eigen::Matrix3Xd x = mesh.coordinates(), v = Eigen::Matrix3Xd::Zero(3, x.cols()), forces = v;
+  State state = make_state(mesh.coordinates(), model.blocks, 0.0);
+  Eigen::Matrix3Xd &x = state.coordinates, &v = state.velocity, forces = v;
   const double dt = stable_step(), radius = n * std::sqrt(6.0 / (4.0 * EIGEN_PI));
   const Eigen::Vector3d axis = Eigen::Vector3d(1.0, 2.0, 3.0).normalized();
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(slide_per_step / radius, axis).toRotationMatrix();
@@ -122,17 +126,23 @@ void contact_of_spheres(benchmark::State& bench) {
   const ContactDefinition definition;
   const double before = memory_in_use();
   ContactForce force({definition, contact, model, {}});
-  double time = 0.0, wall = 0.0, cpu = 0.0;
-  force.set_forces({time, 0.0, x, v, dt}, forces);
+  double wall = 0.0, cpu = 0.0;
+  state.next_dt = dt;
+  const auto step = [&] {
+    force.set_forces({state.time, state.dt, x, v, dt}, forces);
+    force.balance(state, forces);
+  };
+  step();
+  state.dt = dt;
   for (auto _ : bench) {
     bench.PauseTiming();
     const Eigen::Matrix3Xd moved = turn * x.rightCols(n_outer);
     v.rightCols(n_outer) = (moved - x.rightCols(n_outer)) / dt;
     x.rightCols(n_outer) = moved;
-    time += dt;
+    state.time += dt;
     bench.ResumeTiming();
     const Clock begin;
-    force.set_forces({time, dt, x, v, dt}, forces);
+    step();
     const Clock end;
     wall += end.wall - begin.wall;
     cpu += end.cpu - begin.cpu;
@@ -156,12 +166,15 @@ void with(benchmark::internal::Benchmark* bench) {
 }
 
 constexpr auto face_face = ConstraintFormulation::face_face, node_face = ConstraintFormulation::node_face;
-BENCHMARK_TEMPLATE(contact_of_spheres, node_face)->Apply(with<10000, 200>);
-BENCHMARK_TEMPLATE(contact_of_spheres, face_face)->Apply(with<10000, 200>);
-BENCHMARK_TEMPLATE(contact_of_spheres, node_face)->Apply(with<100000, 80>);
-BENCHMARK_TEMPLATE(contact_of_spheres, face_face)->Apply(with<100000, 80>);
-BENCHMARK_TEMPLATE(contact_of_spheres, node_face)->Apply(with<1000000, 40>);
-BENCHMARK_TEMPLATE(contact_of_spheres, face_face)->Apply(with<1000000, 40>);
+constexpr auto balance = Enforcement::momentum_balance, penalty = Enforcement::penalty;
+BENCHMARK_TEMPLATE(contact_of_spheres, node_face, balance)->Apply(with<10000, 200>);
+BENCHMARK_TEMPLATE(contact_of_spheres, face_face, balance)->Apply(with<10000, 200>);
+BENCHMARK_TEMPLATE(contact_of_spheres, node_face, penalty)->Apply(with<10000, 200>);
+BENCHMARK_TEMPLATE(contact_of_spheres, face_face, penalty)->Apply(with<10000, 200>);
+BENCHMARK_TEMPLATE(contact_of_spheres, node_face, balance)->Apply(with<100000, 80>);
+BENCHMARK_TEMPLATE(contact_of_spheres, face_face, balance)->Apply(with<100000, 80>);
+BENCHMARK_TEMPLATE(contact_of_spheres, node_face, balance)->Apply(with<1000000, 40>);
+BENCHMARK_TEMPLATE(contact_of_spheres, face_face, balance)->Apply(with<1000000, 40>);
 
 class NoLoads final : public ForceTerm {
  public:
@@ -175,6 +188,12 @@ class Timed final : public ForceTerm {
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override {
     const auto start = std::chrono::steady_clock::now();
     const ForceReport report = term_.set_forces(motion, forces);
+    seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return report;
+  }
+  std::optional<ForceReport> balance(const State& state, Eigen::Matrix3Xd& forces) override {
+    const auto start = std::chrono::steady_clock::now();
+    const auto report = term_.balance(state, forces);
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
   }
@@ -218,13 +237,13 @@ ContactSurface skin_of_cube(const std::string& name, std::uint32_t first) {
 }
 
 /// Argument: threads.
-template <ConstraintFormulation formulation>
+template <ConstraintFormulation formulation, Enforcement enforcement>
 void impact_step(benchmark::State& bench) {
   omp_set_num_threads(static_cast<int>(bench.range(0)));
   const Mesh mesh = make_two_cubes();
   const Model model = make_model(mesh);
   const ContactModel contact =
-      make_pair(skin_of_cube("low", 0), skin_of_cube("high", 64 * 64 * 64), formulation);
+      make_pair(skin_of_cube("low", 0), skin_of_cube("high", 64 * 64 * 64), formulation, enforcement);
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
   state.velocity.rightCols(state.velocity.cols() / 2).row(2).setConstant(-50.0);
   state.forces.contact = Eigen::Matrix3Xd::Zero(3, state.velocity.cols());
@@ -244,18 +263,15 @@ void impact_step(benchmark::State& bench) {
   bench.counters["touching"] = force.pair_steps()[0].area / (64.0 * 64.0);
   bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()) * mesh.n_elements());
 }
-BENCHMARK_TEMPLATE(impact_step, face_face)
-    ->Arg(1)
-    ->Arg(2)
-    ->Iterations(60)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
-BENCHMARK_TEMPLATE(impact_step, node_face)
-    ->Arg(1)
-    ->Arg(2)
-    ->Iterations(60)
-    ->Unit(benchmark::kMillisecond)
-    ->UseRealTime();
+
+void for_threads(benchmark::internal::Benchmark* bench) {
+  bench->Arg(1)->Arg(2)->Iterations(60)->Unit(benchmark::kMillisecond)->UseRealTime();
+}
+
+BENCHMARK_TEMPLATE(impact_step, face_face, balance)->Apply(for_threads);
+BENCHMARK_TEMPLATE(impact_step, node_face, balance)->Apply(for_threads);
+BENCHMARK_TEMPLATE(impact_step, face_face, penalty)->Apply(for_threads);
+BENCHMARK_TEMPLATE(impact_step, node_face, penalty)->Apply(for_threads);
 
 }  // namespace
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/contact_record.hpp"
+#include "contact/contact_scene.hpp"
+#include "contact/enforcement/constraint_pass.hpp"
+#include "contact/enforcement/contact_memory.hpp"
+#include "contact/enforcement/node_mobility.hpp"
+
+namespace contactsim {
+
+/// Lost in half of the step before and in half of the coming one, to friction and where sides met [energy].
+struct ContactLoss {
+  double friction_before = 0.0, friction_after = 0.0, impact_before = 0.0, impact_after = 0.0;
+};
+
+/// The contact points of a step as constraints: none penetrates at its end. Forces push only; friction
+/// returns to the Coulomb cone.
+class ContactConstraints {
+ public:
+  explicit ContactConstraints(NodeMobility& mobility) : mobility_(mobility) {}
+
+  /// Begins a step.
+  ///   dt_before, dt  of the step that ended, of the coming one [time]
+  void begin(const MovingSurface& surface, double dt_before, double dt);
+  /// Adds a contact point, or a law's force that acts besides.
+  ///   rule       of its pair, which must outlive the step
+  ///   thickness  of the thinner side [length]
+  void add(const ContactRecord& record, const PairRule& rule, double thickness);
+
+  /// Adds the areas of the points to those of their carriers.
+  void add_areas(LeaningAreas& areas) const;
+  /// Softness of each point, by all areas. Points between sides that are held or driven, where nothing can be
+  /// done, are no constraints any more.
+  void set_softness(const LeaningAreas& areas);
+  /// The next pass looks at the forces of the last one.
+  void forget_momentum();
+  /// Pushes the carriers by the forces that the next pass looks at.
+  void push_all();
+  /// Finds the next forces, and pushes the carriers by what the pass after looks at: by the momentum beyond.
+  ConstraintPass pass(double momentum);
+  /// Gives the points their forces, slip and losses, and remembers them.
+  ContactLoss finish();
+
+  /// The points in the order of add(), with force, friction, slip and what is lost.
+  std::span<const ContactRecord> points() const { return points_; }
+  ContactMemory& memory() { return memory_; }
+
+ private:
+  struct Term {
+    std::uint32_t carrier = 0;
+    double weight = 0.0;  // signed [1]
+  };
+  /// A contact point. Fourth numbers are 0.
+  struct Row {
+    NodeVector normal = NodeVector::Zero();  // [1]
+    NodeVector force = NodeVector::Zero();   // on the first side [force]
+    NodeVector ahead = NodeVector::Zero();   // that the next pass looks at [force]
+    double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
+    double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
+    std::uint32_t point = 0;  // in points_
+    std::uint32_t first_term = 0, n_terms = 0;
+    std::uint32_t first_arm = none;  // of the terms' arms; none where all carriers are plain
+    std::uint32_t grip = none;       // of a point with friction
+  };
+  /// Friction of a contact point.
+  struct Grip {
+    const PairRule* rule = nullptr;
+    double limit_per_force = 0.0;                    // of the tangential force; < 0: the rule says [1]
+    Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
+    Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
+  };
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  std::span<const Term> terms_of(const Row& row) const {
+    return std::span(terms_).subspan(row.first_term, row.n_terms);
+  }
+  void add_terms(const ContactRecord& record, Row& row);
+  void add_friction(const ContactRecord& record, const PairRule& rule, Row& row);
+  void push_law(const ContactRecord& record, const Row& row);
+  double turn_size(const Row& row, std::size_t term) const;
+  Eigen::Vector3d change(const Row& row) const;
+  NodeVector plain_change(const Row& row) const;
+  double slip_limit(const Row& row, double normal_force) const;
+  NodeVector next_force(const Row& row) const;
+  void push(const Row& row);
+  Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
+  void finish(const Row& row, ContactLoss& loss);
+
+  NodeMobility& mobility_;
+  const MovingSurface* surface_ = nullptr;
+  double dt_ = 0.0, dt_before_ = 0.0;
+  std::vector<ContactRecord> points_;
+  std::vector<Row> rows_;
+  std::vector<Term> terms_;
+  std::vector<Eigen::Vector3d> arms_;  // of terms, from the carrier, times the weight [length]
+  std::vector<Grip> grips_;
+  std::vector<CarrierTerm> carriers_;  // scratch
+  ContactMemory memory_;
+};
+
+}  // namespace contactsim

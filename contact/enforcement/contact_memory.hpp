@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contact/contact_record.hpp"
+#include "contact/contact_renumbering.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// What momentum balance remembers of contact points from step to step.
+class ContactMemory {
+ public:
+  struct Entry {
+    double pressure = 0.0;                               ///< normal force over area
+    Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< tangential force over area
+    Eigen::Vector3d held = Eigen::Vector3d::Zero();      ///< slip that friction holds [length]
+  };
+
+  /// What is known of a contact point. A new one takes over the mean of what its first place is known by.
+  /// Quick where points are asked for in ascending order. Returns false when nothing is known.
+  bool recall(const ContactRecord& point, Entry& found);
+
+  /// Forgets all, and remembers the points that follow.
+  void begin() { entries_.clear(); }
+  void remember(const ContactRecord& point, const Entry& entry);
+  void end();
+
+  /// Goes over to other faces and nodes.
+  void renumber(const ContactRenumbering& places);
+  void archive(StateArchive& saved);
+
+ private:
+  /// Where a contact point is. Kinds: faces, a node and a face, edges, a rigid plane.
+  struct Place {
+    std::uint32_t kind = 0, first = 0, second = 0, part = 0;
+
+    using Key = std::pair<std::uint64_t, std::uint64_t>;
+    Key key() const { return {std::uint64_t{kind} << 32 | first, std::uint64_t{second} << 32 | part}; }
+  };
+  struct PlacedEntry : Place, Entry {};
+
+  static Place place_of(const ContactRecord& point);
+
+  std::vector<PlacedEntry> entries_;  // ascending by key
+  std::size_t cursor_ = 0;            // first one that is not before what was asked for last
+};
+
+}  // namespace contactsim

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/tie_constraints.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+/// Bound of how much a matrix lengthens vectors, exact for multiples of the identity.
+double bound_of(const Eigen::Matrix3d& matrix) {
+  const Eigen::Matrix3d sizes = matrix.cwiseAbs();
+  return std::max(sizes.rowwise().sum().maxCoeff(), sizes.colwise().sum().maxCoeff());
+}
+
+}  // namespace
+
+void TieConstraints::begin(const MovingSurface& surface, double dt) {
+  surface_ = &surface;
+  dt_ = dt;
+  rows_.clear();
+  terms_.clear();
+}
+
+TieConstraints::Sides TieConstraints::sides_of(const Tie& tie) const {
+  Sides sides;
+  for (std::size_t k = 0; k < 8; ++k) sides.x[k] = surface_->x(tie.nodes[k]);
+  for (int k = 0; k < 4; ++k) sides.second.col(k) = sides.x[static_cast<std::size_t>(k) + 4];
+  sides.axes = axes_of(sides.second);
+  return sides;
+}
+
+void TieConstraints::add(Tie& tie) {
+  const Sides sides = sides_of(tie);
+  for (std::uint32_t p = 0; p < tie.n_points; ++p) add_point(tie, p, sides);
+}
+
+void TieConstraints::add_first_terms(const Tie& tie, const TiePoint& point) {
+  carriers_.clear();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = point.weights_1[static_cast<Eigen::Index>(k)];
+    if (weight != 0.0) mobility_.add_terms(tie.nodes[k], weight, Eigen::Vector3d::Zero(), carriers_);
+  }
+  for (const CarrierTerm& term : carriers_)
+    terms_.push_back({term.carrier, term.weight * Eigen::Matrix3d::Identity(), term.arm});
+}
+
+void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,
+                                      const std::array<Eigen::Matrix3d, 4>& carried) {
+  carriers_.clear();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = point.weights_2[static_cast<Eigen::Index>(k)];
+    if (weight != 0.0) mobility_.add_terms(tie.nodes[k + 4], weight, Eigen::Vector3d::Zero(), carriers_);
+  }
+  if (carriers_.size() == 1) {
+    // One carrier, such as a rigid body, carries the point as it is.
+    const CarrierTerm& term = carriers_.front();
+    terms_.push_back({term.carrier, -Eigen::Matrix3d::Identity(), term.arm + offset});
+    return;
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    if (carried[k].isZero(0.0)) continue;
+    carriers_.clear();
+    mobility_.add_terms(tie.nodes[k + 4], 1.0, Eigen::Vector3d::Zero(), carriers_);
+    terms_.push_back({carriers_[0].carrier, -carried[k], carriers_[0].arm});
+  }
+}
+
+void TieConstraints::add_point(Tie& tie, std::uint32_t index, const Sides& sides) {
+  const TiePoint& point = tie.points[index];
+  const Eigen::Vector3d offset = sides.axes * point.offset;
+  const auto carried = carry_point(sides.second, point.weights_2, offset);
+  Eigen::Vector3d distance = -offset, velocity = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    distance +=
+        point.weights_1[i] * (sides.x[k] - sides.x[0]) - point.weights_2[i] * (sides.x[k + 4] - sides.x[0]);
+    velocity += point.weights_1[i] * surface_->v(tie.nodes[k]) - carried[k] * surface_->v(tie.nodes[k + 4]);
+  }
+  Row& row = rows_.emplace_back();
+  row.tie = &tie;
+  row.point = index;
+  row.first_term = static_cast<std::uint32_t>(terms_.size());
+  add_first_terms(tie, point);
+  add_second_terms(tie, point, offset, carried);
+  row.n_terms = static_cast<std::uint32_t>(terms_.size()) - row.first_term;
+  row.start = distance + dt_ * velocity;
+  row.force = taken_over * sides.axes * point.force;
+}
+
+double TieConstraints::turn_size(const Term& term) const {
+  return mobility_.turn_bound(term.carrier) * bound_of(term.weight) * term.arm.norm();
+}
+
+void TieConstraints::add_areas(LeaningAreas& areas) const {
+  for (const Row& row : rows_) {
+    const double area = area_of(row);
+    for (const Term& term : terms_of(row)) {
+      areas[term.carrier][0] += area * bound_of(term.weight);
+      areas[term.carrier][1] += area * turn_size(term);
+    }
+  }
+}
+
+void TieConstraints::set_softness(const LeaningAreas& areas) {
+  for (Row& row : rows_) {
+    double gap = 0.0;
+    for (const Term& term : terms_of(row)) {
+      gap += mobility_.translation_bound(term.carrier) * bound_of(term.weight) * areas[term.carrier][0] +
+             turn_size(term) * areas[term.carrier][1];
+    }
+    row.softness = dt_ * gap / area_of(row);
+  }
+  std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
+}
+
+void TieConstraints::forget_momentum() {
+  for (Row& row : rows_) row.ahead = row.force;
+}
+
+Eigen::Vector3d TieConstraints::change(const Row& row) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Term& term : terms_of(row)) {
+    const Eigen::Vector3d moved = mobility_.change(term.carrier).head<3>();
+    sum += term.weight * (moved + mobility_.turning(term.carrier).cross(term.arm));
+  }
+  return sum;
+}
+
+void TieConstraints::push(const Row& row) {
+  for (const Term& term : terms_of(row)) {
+    const Eigen::Vector3d own = term.weight.transpose() * row.ahead;
+    mobility_.push(term.carrier, own, term.arm.cross(own));
+  }
+}
+
+void TieConstraints::push_all() {
+  for (const Row& row : rows_) push(row);
+}
+
+ConstraintPass TieConstraints::pass(double momentum) {
+  ConstraintPass sums;
+  for (Row& row : rows_) {
+    const Eigen::Vector3d distance =
+        row.start + dt_ * change(row) + constraint_compliance * row.softness * row.ahead;
+    const Eigen::Vector3d force = row.ahead - (1.0 - constraint_compliance) / row.softness * distance;
+    const Eigen::Vector3d step = force - row.force, over = row.ahead - force;
+    sums.changed += over.norm();
+    sums.all += force.norm();
+    sums.uphill += row.softness * over.dot(step);
+    row.force = force;
+    row.ahead = force + momentum * step;
+    push(row);
+  }
+  return sums;
+}
+
+void TieConstraints::finish() {
+  for (const Row& row : rows_) {
+    const Eigen::Matrix3d axes = sides_of(*row.tie).axes;
+    row.tie->points[row.point].force = axes.transpose() * row.force;
+  }
+}
+
+TieForces TieConstraints::find_forces(const Tie& tie) const {
+  TieVectors x;
+  for (std::size_t k = 0; k < 8; ++k) x.col(static_cast<Eigen::Index>(k)) = surface_->x(tie.nodes[k]);
+  const TieVectors arms = x.colwise() - Eigen::Vector3d(x.col(0));
+  const FaceCorners second = arms.rightCols<4>();
+  const Eigen::Matrix3d axes = axes_of(second);
+  TieForces found{TieVectors::Zero(), axes.col(2)};
+  for (std::uint32_t p = 0; p < tie.n_points; ++p) {
+    const TiePoint& point = tie.points[p];
+    const Eigen::Vector3d force = axes * point.force;
+    found.forces.leftCols<4>() += force * point.weights_1.transpose();
+    const auto carried = carry_point(second, point.weights_2, axes * point.offset);
+    for (std::size_t k = 0; k < 4; ++k)
+      found.forces.col(static_cast<Eigen::Index>(k) + 4) -= carried[k].transpose() * force;
+  }
+  contactsim::balance(arms, found.forces);  // what a point is off its place makes no moment
+  return found;
+}
+
+}  // namespace contactsim
