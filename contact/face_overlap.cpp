@@ -19,18 +19,23 @@ void set_corners(const FaceCorners& face, bool is_triangle, bool is_reversed, Ov
 }
 
 /// The part of a polygon where a function, linear from corner to corner, is not negative: the polygon itself
-/// when that is all of it, else `kept`.
+/// when that is all of it, else `kept`. What is outside by a negligible share counts as inside: lines that
+/// coincide but for round-off would cross anywhere.
 ///   side_of  a corner's number
 /// Source: Sutherland and Hodgman, Commun. ACM 17 (1974) 32-42.
 template <class Side>
 const OverlapPolygon& cut(const OverlapPolygon& polygon, const Side& side_of, OverlapPolygon& kept) {
+  constexpr double negligible = 1e-9;
   double side[OverlapPolygon::max_corners + 2];
-  double least = 0.0;
+  double least = 0.0, most = 0.0;
   for (int i = 0; i < polygon.n; ++i) {
     side[i] = side_of(i);
     least = std::min(least, side[i]);
+    most = std::max(most, side[i]);
   }
-  if (least >= 0.0) return polygon;
+  const double outside = -negligible * most;
+  if (least >= outside) return polygon;
+  for (int i = 0; i < polygon.n; ++i) side[i] = side[i] < outside ? side[i] : std::max(side[i], 0.0);
   kept.n = 0;
   for (int i = 0; i < polygon.n; ++i) {
     const int next = i + 1 < polygon.n ? i + 1 : 0;

@@ -226,14 +226,15 @@ bool NodeFaceContacts::stands_over(const ContactScene& scene, std::uint32_t face
 /// A node right behind an edge or a corner stands over all its faces alike. Choosing one would push it aside,
 /// and which one it is would be chance: they share the node. Faces that lie in one plane need not. Returns
 /// how many faces, the first ones, share it.
-std::size_t NodeFaceContacts::share_edge(Hits& hits) {
-  constexpr double alike = 1e-6, one_plane = 1.0 - 1e-13;
+std::size_t NodeFaceContacts::share_edge(double thickness, Hits& hits) {
+  constexpr double alike = 1e-6, alike_over_thickness = 1e-4, one_plane = 1.0 - 1e-13;
   const FacePoint& first = hits.hits[0].point;
+  const double farthest = (1.0 + alike) * hits.hits[0].distance + alike_over_thickness * thickness;
   std::size_t n = 1;
   for (std::size_t i = 1; i < hits.n; ++i) {
     const FacePoint& point = hits.hits[i].point;
     const double cosine = first.normal.dot(point.normal);
-    const bool is_farther = hits.hits[i].distance > (1.0 + alike) * hits.hits[0].distance;
+    const bool is_farther = hits.hits[i].distance > farthest;
     if (cosine < same_wall || cosine > one_plane || is_farther) continue;
     std::swap(hits.hits[i], hits.hits[n++]);
   }
@@ -249,7 +250,7 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
     if (a_in != b_in) return a_in;
     return a.distance < b.distance;
   });
-  std::size_t n_chosen = share_edge(hits);
+  std::size_t n_chosen = share_edge(faces_.faces[hits.hits[0].face].backing.thickness, hits);
   for (std::size_t i = n_chosen, n_walls = 1; i < hits.n && n_walls < most_walls; ++i) {
     const Hit& hit = hits.hits[i];
     const auto is_other_wall = [&](const Hit& chosen) {
