@@ -22,18 +22,14 @@ bool bond_faces(const MovingFace& first, const MovingFace& second, double tolera
   return true;
 }
 
-TieForces step_bond(const Hold& hold, const TieVectors& x, bool is_frozen, Bond& bond) {
+TieForces step_bond(const Hold& hold, const TieVectors& x, Bond& bond) {
   const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
   const Eigen::Vector3d origin = x.col(0);
   const TieVectors arms = x.colwise() - origin;
   const Eigen::Vector3d between = arms.leftCols<4>() * bond.weights_1 - arms.rightCols<4>() * bond.weights_2;
   const Eigen::Vector3d moved = axes.transpose() * between - bond.rest;
-  BondHistory history = bond.history;
-  const BondAnswer found = answer(hold, {moved.z(), moved.head<2>()}, bond.size, bond.penalty, history);
-  if (!is_frozen) {
-    bond.history = history;
-    bond.has_failed = found.fails;
-  }
+  const BondAnswer found = answer(hold, {moved.z(), moved.head<2>()}, bond.size, bond.penalty, bond.history);
+  bond.has_failed = found.fails;
   const Eigen::Vector3d pull =
       axes * Eigen::Vector3d(found.tangential.x(), found.tangential.y(), found.normal);
   TieForces forces;

@@ -54,7 +54,7 @@ bool bond_faces(const MovingFace& first, const MovingFace& second, double tolera
 
 /// Forces of a bond; it takes over the history unless it is only looked at.
 ///   x  of the corners [length]
-TieForces step_bond(const Hold& hold, const TieVectors& x, bool is_frozen, Bond& bond);
+TieForces step_bond(const Hold& hold, const TieVectors& x, Bond& bond);
 
 /// The pull of a hold that has failed, as it fades: a straight line to nothing over some steps.
 struct FadingPlace : HeldPlace {

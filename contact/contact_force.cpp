@@ -53,6 +53,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       histories_(setup.contact.pairs.size()),
       stored_(setup.contact.pairs.size(), 0.0) {
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
+  has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);
 }
 
 void ContactForce::find_candidates(const Motion& motion) {
@@ -139,11 +140,10 @@ bool ContactForce::glues(const ContactRecord& record) const {
 }
 
 /// Adds a contact point whose forces are known to all sums.
-void ContactForce::keep(const ContactRecord& record) {
+void ContactForce::add_to_sums(const ContactRecord& record) {
   sums_.add(record);
   if (record.gap < 0.0) sums_.note_penetration(record, thinner_side(record));
   depths_.note(surface_, record);
-  points_.push_back(record);
 }
 
 std::span<const ContactRecord> ContactForce::find_node_places(const ContactScene& scene) {
@@ -176,7 +176,13 @@ std::vector<ContactRecord> ContactForce::visit_points(const ContactScene& scene,
 }
 
 void ContactForce::add_places(const ContactScene& scene) {
-  const auto to_glue = visit_points(scene, [&](const ContactRecord& record) { keep(record); });
+  std::vector<ContactRecord> to_glue;
+  if (has_penalty_) {
+    to_glue = visit_points(scene, [&](const ContactRecord& record) {
+      add_to_sums(record);
+      points_.push_back(record);
+    });
+  }
   held_.step(scene, glued_, sums_);
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
 }
@@ -247,7 +253,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     held_.renew({surface_, rules_, glued_, motion.dt}, near_candidates(), glued_);
   } else if (has_new_surfaces_ || search_.is_due(surface_)) {
     find_candidates(motion);
-  } else {
+  } else if (has_penalty_) {
     surface_.bound_watched();
   }
   sums_.begin_step();
@@ -256,8 +262,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   sums_.begin_work(surface_, motion.dt);
   depths_.begin_step(faces_.faces.size());
   face_face_.begin_step();
+  node_face_.begin_step();
   edges_.begin_step();
-  add_places({surface_, rules_, glued_, motion.dt, false, motion.stable_step, &depths_});
+  add_places({surface_, rules_, glued_, motion.dt, motion.stable_step, &depths_});
   write_forces(forces);
   if (is_first) {
     stored_at_start_ = stored();
@@ -331,12 +338,18 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   });
   held_.add_balanced(scene, balance_);
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
-  for (const ContactRecord& point : balance_.points()) keep(point);
+  for (const ContactRecord& point : balance_.points()) add_to_sums(point);
   held_.take_balanced(scene, balance_, glued_, sums_);
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
+  if (points_.empty()) {
+    balance_.swap_points(points_);
+  } else {
+    points_.insert(points_.end(), balance_.points().begin(), balance_.points().end());
+  }
   write_forces(forces);
   end_step(state.time, state.dt);
   ForceReport report;
+  report.balanced_nodes = balance_.mesh_nodes();
   const ContactLoss& loss = balance_.loss();
   report.friction_work = last_loss_.friction_after + loss.friction_before;
   report.impact_work = last_loss_.impact_after + loss.impact_before;

@@ -97,7 +97,7 @@ class ContactForce final : public ForceTerm {
   void archive_faces(StateArchive& saved);
   void renumber(const ContactRenumbering& places);
   void forget_stored();
-  void keep(const ContactRecord& record);
+  void add_to_sums(const ContactRecord& record);
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
@@ -132,7 +132,7 @@ class ContactForce final : public ForceTerm {
   HeldPlaces held_;
   ContactSums sums_;
   MomentumBalance balance_;
-  bool balances_ = false;  // some pair is enforced so
+  bool balances_ = false, has_penalty_ = false;  // some pair is enforced so
   Eigen::Matrix3Xd free_velocity_,
       free_turning_;  // of contact nodes in the coming step, without these forces
   ContactLoss last_loss_;

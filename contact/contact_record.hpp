@@ -26,6 +26,7 @@ struct ContactRecord {
   bool is_swapped = false;     ///< the first side is of the pair's second surface
   bool is_held_apart = false;  ///< a law acts on it whether it touches or not
   bool is_balanced = false;    ///< its force comes from the balance of momentum, not from its gap
+  bool knows_work = false;     ///< work_before and work_after are those of its whole force
   std::uint8_t part = 0;       ///< of several contact points between the same places
   RecordSide first, second;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
@@ -40,6 +41,8 @@ struct ContactRecord {
   double dissipated = 0.0;                         ///< by friction in the step [energy]
   double damped = 0.0;                             ///< by contact damping in the step [energy]
   double impact = 0.0;                             ///< where sides met without rebound, in the step [energy]
+  double work_before = 0.0;                        ///< taken from the bodies in the half step before [energy]
+  double work_after = 0.0;                         ///< the same in the half step to come [energy]
   double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
 
   bool touches() const { return force != 0.0 || is_held_apart; }

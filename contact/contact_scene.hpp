@@ -128,9 +128,8 @@ struct ContactScene {
   const MovingSurface& surface;
   const PairRules& rules;
   const GluedPlaces& glued;
-  double dt = 0.0;         ///< of the step that ended, 0 at the start [time]
-  bool is_frozen = false;  ///< nothing is remembered: the step has been taken, someone only looks
-  double first_dt = 0.0;   ///< of the step to come, at the start [time]
+  double dt = 0.0;                            ///< of the step that ended, 0 at the start [time]
+  double first_dt = 0.0;                      ///< of the step to come, at the start [time]
   const PenetrationDepths* depths = nullptr;  ///< of the last step; null: nothing is known of it
   /// Which pairs are looked at: those enforced by momentum balance, or by penalty. For the former the
   /// velocities are those that the coming step would have without contact.

@@ -188,12 +188,12 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
     if (record.touches() && rule.friction > 0.0) {
       record.elastic = held[i];
       const double stiffness = make_pair_penalty(first.backing, &second.backing, *rule.pair).stiffness;
-      add_friction(stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
+      add_friction(stiffness * record.area, rule.slip_limit(record, scene.dt), record);
       now[i] = record.elastic;
     }
     records.push_back(record);
   }
-  if (!scene.is_frozen) elastic_[candidate] = now;
+  elastic_[candidate] = now;
 }
 
 ContactRecord EdgeContacts::make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place) {

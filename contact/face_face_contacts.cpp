@@ -119,7 +119,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const PairRule& rule = candidate.rule;
   if (rule.is_balanced != scene.balances) return;
   const bool did_touch = touched_[candidate.place] != 0;
-  if (!scene.is_frozen) touched_[candidate.place] = 0;
+  touched_[candidate.place] = 0;
   const double margin = scene.balances ? closed_margin(candidate) : 0.0;
   if (!may_touch(a, b, std::max(reach, margin)) || !scene.looks_at(rule) || rule.law == ContactLaw::tied)
     return;
@@ -152,13 +152,13 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   ContactRecord& record = records.emplace_back(make_record(candidate, contact));
   record.damped = contact.damped_power * scene.dt;
   if (!record.touches()) return;
-  if (!scene.is_frozen) touched_[candidate.place] = 1;
+  touched_[candidate.place] = 1;
   if (!(rule.friction > 0.0)) return;
   record.slip = apart * scene.dt;
-  if (!did_touch && !scene.is_frozen) elastic_[candidate.place] = mean_slip(candidate);
+  if (!did_touch) elastic_[candidate.place] = mean_slip(candidate);
   record.elastic = elastic_[candidate.place];
-  add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
-  if (!scene.is_frozen) elastic_[candidate.place] = record.elastic;
+  add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), record);
+  elastic_[candidate.place] = record.elastic;
 }
 
 double FaceFaceContacts::closed_margin(const Candidate& candidate) const {
@@ -188,7 +188,7 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
     record.is_balanced = true;
     record.part = static_cast<std::uint8_t>(point.corner);
     record.closing = closing;
-    if (record.is_met() && !scene.is_frozen) touched_[candidate.place] = 1;
+    if (record.is_met()) touched_[candidate.place] = 1;
   }
 }
 
@@ -221,12 +221,11 @@ void FaceFaceContacts::pull_one(const ContactScene& scene, const Candidate& cand
     if (!scene.looks_at(rule) || !may_touch(a, b, rule.reach)) return false;
     const FacePush push{scene.surface.last_face(candidate.first), scene.surface.last_face(candidate.second),
                         make_pair_penalty(first.backing, &second.backing, *rule.pair), scene.dt};
-    return pull_faces(*rule.place, push, scene.is_frozen, record);
+    return pull_faces(*rule.place, push, record);
   };
   const bool is_held = feels();
   // A junction's spring is its own: what only touches has none.
-  if (rule.place->rate_limit && !scene.is_frozen)
-    elastic_[candidate.place] = is_held ? record.elastic : Eigen::Vector3d::Zero();
+  if (rule.place->rate_limit) elastic_[candidate.place] = is_held ? record.elastic : Eigen::Vector3d::Zero();
   if (!is_held) return;
   record.pair = candidate.pair;
   record.is_swapped = first.surface != rule.pair->first;

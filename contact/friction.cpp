@@ -33,8 +33,7 @@ FrictionStep step_friction(const Eigen::Vector3d& normal, const Eigen::Vector3d&
   return step;
 }
 
-void add_friction(double stiffness, double limit, bool is_frozen, ContactRecord& record) {
-  if (is_frozen) record.slip.setZero();
+void add_friction(double stiffness, double limit, ContactRecord& record) {
   const FrictionStep step = step_friction(record.normal, record.elastic, record.slip, stiffness, limit);
   record.tangential = step.force;
   record.elastic = step.elastic;

@@ -30,8 +30,7 @@ FrictionStep step_friction(const Eigen::Vector3d& normal, const Eigen::Vector3d&
 /// Gives a record that touches its friction: takes the slip of the step and the elastic slip from it, and
 /// sets tangential force, both slips and what is lost.
 ///   stiffness  of the tangential spring [force/length]
-///   is_frozen  the step has been taken: the slip counts no more, only the force is asked for
 ///   limit      of the tangential force, >= 0 [force]
-void add_friction(double stiffness, double limit, bool is_frozen, ContactRecord& record);
+void add_friction(double stiffness, double limit, ContactRecord& record);
 
 }  // namespace contactsim

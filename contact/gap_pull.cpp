@@ -27,10 +27,10 @@ Pull pull_at(const PlaceLaw& law, double gap, double area) {
 ///   area       at gaps below the cutoff [length^2]
 ///   velocity   of the first side along the second [length/time]
 void add_junction(const RateLimit& law, double stiffness, double area, const Eigen::Vector3d& velocity,
-                  bool is_frozen, ContactRecord& record) {
+                  ContactRecord& record) {
   const double speed = (velocity - record.normal.dot(velocity) * record.normal).norm();
   const double limit = std::max(law.scale * law.traction.evaluate(speed), 0.0) * area;
-  add_friction(stiffness, limit, is_frozen, record);
+  add_friction(stiffness, limit, record);
 }
 
 /// Sums over the points of two faces that feel a law.
@@ -72,7 +72,7 @@ FaceSums sum_points(const PlaceLaw& law, const FacePush& push, const OverlapPoin
 
 }  // namespace
 
-void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, ContactRecord& record) {
+void pull_node(const PlaceLaw& law, const NodePush& push, ContactRecord& record) {
   if (record.gap >= law.reach()) return;
   const Pull pull = pull_at(law, record.gap, push.area);
   record.is_held_apart = true;
@@ -85,11 +85,10 @@ void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, Contac
   if (law.pull) record.stiffness += law.pull->steepest() * push.area;
   if (!law.rate_limit || record.gap >= law.rate_limit->cutoff) return;
   record.slip = push.last_velocity * push.dt;
-  add_junction(*law.rate_limit, push.penalty.stiffness * push.area, push.area, push.last_velocity, is_frozen,
-               record);
+  add_junction(*law.rate_limit, push.penalty.stiffness * push.area, push.area, push.last_velocity, record);
 }
 
-bool pull_faces(const PlaceLaw& law, const FacePush& push, bool is_frozen, ContactRecord& record) {
+bool pull_faces(const PlaceLaw& law, const FacePush& push, ContactRecord& record) {
   const auto found = find_face_face_points(push.first, push.second);
   if (!found) return false;
   const FaceSums sums = sum_points(law, push, found->points);
@@ -111,7 +110,7 @@ bool pull_faces(const PlaceLaw& law, const FacePush& push, bool is_frozen, Conta
   record.slip = velocity * push.dt;
   const double spring = push.penalty.stiffness * sums.area_held;
   record.stiffness += spring;
-  add_junction(*law.rate_limit, spring, sums.area_held, velocity, is_frozen, record);
+  add_junction(*law.rate_limit, spring, sums.area_held, velocity, record);
   return true;
 }
 

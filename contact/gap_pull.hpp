@@ -12,8 +12,7 @@ namespace contactsim {
 /// Adds what a law does to a node, touching or not, to its record: pull, potential, the force along the
 /// surface and their stiffness.
 ///   record  push_node has seen it; its elastic slip is that of the last step
-///   is_frozen  the step has been taken: the slip counts no more
-void pull_node(const PlaceLaw& law, const NodePush& push, bool is_frozen, ContactRecord& record);
+void pull_node(const PlaceLaw& law, const NodePush& push, ContactRecord& record);
 
 /// Two faces before each other.
 struct FacePush {
@@ -24,6 +23,6 @@ struct FacePush {
 
 /// The same of two faces, in a record of its own beside that of the penalty. Returns whether some point feels
 /// the law; the record is filled in but for its pair and places then.
-bool pull_faces(const PlaceLaw& law, const FacePush& push, bool is_frozen, ContactRecord& record);
+bool pull_faces(const PlaceLaw& law, const FacePush& push, ContactRecord& record);
 
 }  // namespace contactsim

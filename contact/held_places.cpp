@@ -263,7 +263,7 @@ void HeldPlaces::step_bonds(const ContactScene& scene, ContactSums& sums) {
     const PairRule& rule = rule_of(scene, bond);
     if (!rule.is_active) continue;
     const TieVectors x = corners_of(scene, bond);
-    const TieForces forces = step_bond(*rule.place->hold, x, false, bond);
+    const TieForces forces = step_bond(*rule.place->hold, x, bond);
     add(bond, forces, sums);
     if (!bond.has_failed) continue;
     has_failed = true;

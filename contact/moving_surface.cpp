@@ -45,19 +45,6 @@ void MovingSurface::foresee(const Motion& motion) {
   if (faces_.loft.size() > 0) find_loft_velocities(motion);
 }
 
-Eigen::Vector3d MovingSurface::last_v(std::uint32_t node) const {
-  Eigen::Vector3d velocity = last_velocity_->col(faces_.mesh_nodes[node]);
-  const std::size_t n_mesh_points = faces_.n_mesh_points();
-  if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
-  const Eigen::Vector3d turning = last_turning_->col(faces_.mesh_nodes[node]);
-  return velocity + turning.cross(arms_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
-}
-
-Eigen::Vector3d MovingSurface::last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
-  if (last_turning_ == nullptr) return last_v(node);
-  return last_v(node) + Eigen::Vector3d(last_turning_->col(faces_.mesh_nodes[node])).cross(arm);
-}
-
 MovingFace MovingSurface::last_face(std::uint32_t index) const {
   const ContactFace& face = faces_.faces[index];
   MovingFace moving = this->face(index);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "contact/contact_faces.hpp"
@@ -51,10 +52,19 @@ class MovingSurface {
                              : loft_velocity_.data() + 3 * (node - n_mesh_points));
   }
   /// In the step before, whatever is foreseen [length/time].
-  Eigen::Vector3d last_v(std::uint32_t node) const;
+  Eigen::Vector3d last_v(std::uint32_t node) const {
+    const Eigen::Vector3d velocity = last_velocity_->col(faces_.mesh_nodes[node]);
+    const std::size_t n_mesh_points = faces_.n_mesh_points();
+    if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
+    const Eigen::Vector3d turning = last_turning_->col(faces_.mesh_nodes[node]);
+    return velocity + turning.cross(arms_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
+  }
   /// The velocity of a point that turns with a node, in the step before or as foreseen [length/time].
   ///   arm  from the node to the point [length]
-  Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const;
+  Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+    if (last_turning_ == nullptr) return last_v(node);
+    return last_v(node) + Eigen::Vector3d(last_turning_->col(faces_.mesh_nodes[node])).cross(arm);
+  }
   Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
     if (turning_ == nullptr) return v(node);
     return v(node) + Eigen::Vector3d(turning_->col(faces_.mesh_nodes[node])).cross(arm);

@@ -79,9 +79,7 @@ void NodeFaceContacts::find(const ContactScene& scene, std::size_t begin, std::s
                  [&](const Touch& touch) { return touch.is_balanced != scene.balances; });
     if (!candidates_.of(row).empty()) find_one(scene, row, work, records);
   }
-  if (scene.is_frozen) return;
   std::vector<LostContact>& lost = lost_[begin / rows_per_chunk];
-  if (!scene.balances) lost.clear();
   for (const Touch& touch : touches) {
     if (touch.is_deep != 0 && !std::ranges::binary_search(work.touches, touch.row, {}, &Touch::row))
       lost.push_back({touch.pair, faces_.surface_nodes[touch.row].node, touch.depth});
@@ -102,13 +100,12 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
     ContactRecord& record = records.back();
     if (rule.acts_apart()) {
       record.elastic = work.memory.elastic(record.normal);
-      pull_node(*rule.place, make_push(scene, row, hit, record), scene.is_frozen, record);
+      pull_node(*rule.place, make_push(scene, row, hit, record), record);
     }
     if (!record.is_met()) continue;
     if (rule.friction > 0.0 && !record.is_balanced) {
       record.elastic = work.memory.elastic(record.normal);
-      add_friction(hit.penalty.stiffness * record.area, rule.slip_limit(record, scene.dt), scene.is_frozen,
-                   record);
+      add_friction(hit.penalty.stiffness * record.area, rule.slip_limit(record, scene.dt), record);
     }
     work.touches.push_back(make_touch(row, hit, record));
   }

@@ -29,6 +29,8 @@ class NodeFaceContacts {
   /// Goes over to other faces and nodes, which stand where those of the constructor stood already.
   void renumber(const ContactRenumbering& places);
 
+  /// Begins a step: what was lost in the last one is told.
+  void begin_step();
   /// Appends the places of contact of rows [begin, end). Rows may be shared among threads; which are taken
   /// together has to be the same in every step.
   ///   begin  a multiple of rows_per_chunk

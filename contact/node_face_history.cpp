@@ -58,6 +58,10 @@ void NodeFaceContacts::renumber(const ContactRenumbering& places) {
   lost_.assign(touches_.size(), {});
 }
 
+void NodeFaceContacts::begin_step() {
+  for (std::vector<LostContact>& chunk : lost_) chunk.clear();
+}
+
 void NodeFaceContacts::find_lost(std::vector<LostContact>& lost) const {
   for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/pair_work.hpp"
 
+#include <utility>
+
 #include "core/state_archive.hpp"
 
 namespace contactsim {
@@ -20,6 +22,7 @@ void PairWork::begin_step(const MovingSurface& surface, double dt) {
   half_ = 0.5 * dt;
   for (const NodeForce& f : forces_) taken_[f.pair] -= half_ * power(surface, f.node, f.force, f.moment);
   forces_.clear();
+  for (std::size_t pair = 0; pair < taken_.size(); ++pair) taken_[pair] += std::exchange(coming_[pair], 0.0);
 }
 
 void PairWork::add(const MovingSurface& surface, const NodeForce& f) {
@@ -41,6 +44,11 @@ void PairWork::add_side(const MovingSurface& surface, std::uint32_t pair, const 
 
 void PairWork::add(const MovingSurface& surface, const ContactRecord& record) {
   if (!record.touches()) return;
+  if (record.knows_work) {
+    taken_[record.pair] += record.work_before;
+    coming_[record.pair] += record.work_after;
+    return;
+  }
   const Eigen::Vector3d force = record.force_on_first();
   add_side(surface, record.pair, record.first, force, -record.first.radius * record.normal);
   add_side(surface, record.pair, record.second, -force, record.second.radius * record.normal);
@@ -55,6 +63,7 @@ void PairWork::add(const MovingSurface& surface, const HeldPlace& place, const T
 
 void PairWork::archive(StateArchive& saved) {
   saved.fixed("contact/pairs/taken", std::span(taken_));
+  saved.fixed("contact/pairs/coming", std::span(coming_));
   saved.rows("contact/pairs/forces", forces_,
              [](NodeForce& f, RowNumbers& row) { row(f.pair, f.node, f.force, f.moment); });
 }

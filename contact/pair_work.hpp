@@ -17,7 +17,7 @@ namespace contactsim {
 /// what it gave and never held it has made.
 class PairWork {
  public:
-  explicit PairWork(std::size_t n_pairs) : taken_(n_pairs, 0.0) {}
+  explicit PairWork(std::size_t n_pairs) : taken_(n_pairs, 0.0), coming_(n_pairs, 0.0) {}
 
   /// Begins a step: the forces of the step before work along its first half.
   ///   dt  of the step [time]
@@ -43,9 +43,9 @@ class PairWork {
                 const Eigen::Vector3d& force, const Eigen::Vector3d& arm);
   void add(const MovingSurface& surface, const NodeForce& force);
 
-  std::vector<double> taken_;
-  std::vector<NodeForce> forces_;  // of the last step
-  double half_ = 0.0;              // of the step [time]
+  std::vector<double> taken_, coming_;  // until now; in the half step to come, as far as forces know it
+  std::vector<NodeForce> forces_;       // of the last step, whose work is not known before its second half
+  double half_ = 0.0;                   // of the step [time]
 };
 
 }  // namespace contactsim

@@ -64,7 +64,7 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     const double speed = velocity.dot(place.normal);
     const double margin = scene.balances ? closed_share * node.backing.thickness : 0.0;
     if (!rule.is_active || gap > std::max({rule.reach, margin, -scene.ahead() * speed})) {
-      if (!scene.is_frozen) place.elastic.setZero();
+      place.elastic.setZero();
       continue;
     }
     const PairPenalty penalty = make_pair_penalty(node.backing, nullptr, *rule.pair);
@@ -90,13 +90,13 @@ void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size
     push_node(push, record);
     if (rule.acts_apart()) {
       record.elastic = place.elastic;
-      pull_node(*rule.place, push, scene.is_frozen, record);
-      if (!scene.is_frozen) place.elastic = record.elastic;
+      pull_node(*rule.place, push, record);
+      place.elastic = record.elastic;
     }
     if (!record.touches() || rule.friction == 0.0 || record.is_balanced) continue;
     record.elastic = place.elastic;
-    add_friction(penalty.stiffness * area, rule.slip_limit(record, scene.dt), scene.is_frozen, record);
-    if (!scene.is_frozen) place.elastic = record.elastic;
+    add_friction(penalty.stiffness * area, rule.slip_limit(record, scene.dt), record);
+    place.elastic = record.elastic;
   }
 }
 

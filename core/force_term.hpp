@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "core/mesh/indices.hpp"
 
@@ -32,6 +34,7 @@ struct ForceReport {
   double friction_work = 0.0;                                    ///< of the step, lost to friction [energy]
   double contact_damping_work = 0.0;  ///< of the step, lost to contact damping [energy]
   double impact_work = 0.0;           ///< of the step, lost where sides met without rebound [energy]
+  std::span<const std::uint32_t> balanced_nodes = {};  ///< of the mesh, whose forces balance() has changed
 };
 
 /// Something that pushes the nodes: elements, loads, contact.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/errors.hpp"
 #include "core/node_work.hpp"
@@ -54,6 +55,16 @@ void accelerate(const Eigen::Matrix3Xd& masses, const NodalForces& forces, Eigen
 #pragma omp parallel for simd schedule(static) num_threads(threads_for(acceleration.size() / 3))
   for (std::int64_t i = 0; i < n; ++i)
     a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
+}
+
+/// The same of some nodes.
+void accelerate(std::span<const std::uint32_t> nodes, const Eigen::Matrix3Xd& masses,
+                const NodalForces& forces, Eigen::Matrix3Xd& acceleration) {
+  for (const std::uint32_t node : nodes) {
+    acceleration.col(node) =
+        (forces.internal.col(node) + forces.external.col(node) + forces.contact.col(node))
+            .cwiseQuotient(masses.col(node));
+  }
 }
 
 /// Brings velocities to the middle of the step and what they change to its end.
@@ -135,18 +146,24 @@ void add_work(const NodeWork& work, State& state) {
     energies.largest = std::max(energies.largest, std::abs(term));
 }
 
-/// The accelerations that the forces give, held and driven nodes and rigid bodies included.
-void find_accelerations(const Model& model, State& state) {
-  accelerate(model.mass, state.forces, state.acceleration);
+/// Holds and drives what conditions say, and rigid bodies.
+void constrain(const Model& model, State& state) {
   model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
                              state.acceleration);
   NodalRotations& rotations = state.rotations;
   if (rotations.exist()) {
-    accelerate(model.inertia, rotations.moments, rotations.acceleration);
     model.rotation_kinematics.constrain(between_turns(state, state.dt, state.next_dt),
                                         rotations.acceleration);
   }
   if (!model.rigid.empty()) drive_rigid_bodies(model, state);
+}
+
+/// The accelerations that the forces give, held and driven nodes and rigid bodies included.
+void find_accelerations(const Model& model, State& state) {
+  accelerate(model.mass, state.forces, state.acceleration);
+  NodalRotations& rotations = state.rotations;
+  if (rotations.exist()) accelerate(model.inertia, rotations.moments, rotations.acceleration);
+  constrain(model, state);
 }
 
 /// Has contact balance the momentum of what meets in the coming step.
@@ -157,8 +174,13 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
   state.energies.friction += report->friction_work;
   state.energies.contact_damping += report->contact_damping_work;
   state.energies.impact += report->impact_work;
-  if (state.rotations.exist()) terms.contact->set_moments(motion_of(state), state.rotations.moments.contact);
-  find_accelerations(model, state);
+  accelerate(report->balanced_nodes, model.mass, state.forces, state.acceleration);
+  NodalRotations& rotations = state.rotations;
+  if (rotations.exist()) {
+    terms.contact->set_moments(motion_of(state), rotations.moments.contact);
+    accelerate(report->balanced_nodes, model.inertia, rotations.moments, rotations.acceleration);
+  }
+  constrain(model, state);
 }
 
 /// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.

@@ -244,6 +244,9 @@ void ContactConstraints::finish(const Row& row, ContactLoss& loss) {
   loss.impact_before += impact_before;
   loss.impact_after += impact_after;
   point.impact = impact_before + impact_after;
+  point.knows_work = !point.touches();
+  point.work_before = impact_before;
+  point.work_after = impact_after;
   point.force += force;
   ContactMemory::Entry entry{force / point.area};
   if (row.grip != none) {
@@ -255,6 +258,8 @@ void ContactConstraints::finish(const Row& row, ContactLoss& loss) {
     loss.friction_before += friction_before;
     loss.friction_after += friction_after;
     point.dissipated = friction_before + friction_after;
+    point.work_before += friction_before;
+    point.work_after += friction_after;
     point.tangential += tangential;
     const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, force);
     if (slides) point.slip = slip;

@@ -47,6 +47,8 @@ class ContactConstraints {
 
   /// The points in the order of add(), with force, friction, slip and what is lost.
   std::span<const ContactRecord> points() const { return points_; }
+  /// Hands over the points, for others in exchange.
+  void swap_points(std::vector<ContactRecord>& points) { points_.swap(points); }
   ContactMemory& memory() { return memory_; }
 
  private:

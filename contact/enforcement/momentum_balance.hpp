@@ -54,6 +54,10 @@ class MomentumBalance {
   /// The forces of a tie on its corners.
   TieForces find_forces(const Tie& tie) const { return ties_.find_forces(tie); }
   const ContactLoss& loss() const { return loss_; }
+  /// The nodes of the mesh that the forces may act on.
+  std::span<const std::uint32_t> mesh_nodes() const { return mobility_.mesh_nodes(); }
+  /// Hands over the points, for others in exchange.
+  void swap_points(std::vector<ContactRecord>& points) { contacts_.swap_points(points); }
 
   /// Goes over to other faces and nodes.
   void renumber(const ContactRenumbering& places);

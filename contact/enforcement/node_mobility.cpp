@@ -35,6 +35,7 @@ void NodeMobility::begin(const Model& model, const MovingSurface& surface, const
   half_steps_ = 0.5 * (state.dt + state.next_dt);
   for (const Carrier& carrier : carriers_) carrier_[carrier.body] = none;
   carriers_.clear();
+  mesh_nodes_.clear();
   for (Changes* changes : {&now_, &next_}) {
     changes->changes.clear();
     changes->turnings.clear();
@@ -144,7 +145,9 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
     Eigen::Vector3d arm = beside;
     const std::size_t n_mesh_points = faces.n_mesh_points();
     if (node >= n_mesh_points) arm += surface_->arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
+    const std::size_t n_before = carriers_.size();
     terms.push_back({use(faces.first_alike[node]), weight, arm});
+    if (carriers_.size() > n_before) mesh_nodes_.push_back(mesh_node.value);
     return;
   }
   const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);

@@ -39,6 +39,8 @@ class NodeMobility {
                  std::vector<CarrierTerm>& terms);
 
   std::size_t n_carriers() const { return carriers_.size(); }
+  /// The nodes of the mesh among the carriers.
+  const std::vector<std::uint32_t>& mesh_nodes() const { return mesh_nodes_; }
   /// Whether a carrier moves like a mass that nothing holds and that does not turn.
   bool is_plain(std::uint32_t carrier) const { return carriers_[carrier].general == none; }
   /// The largest change of velocity per force [time/mass].
@@ -98,6 +100,7 @@ class NodeMobility {
   std::vector<double> inverse_mass_;    // [n_bodies] of plain ones, 0 of held ones [1/mass]
   std::vector<std::uint32_t> carrier_;  // [n_bodies] among those of the step, or none
   std::vector<General> generals_;
+  std::vector<std::uint32_t> mesh_nodes_;            // of the step
   std::vector<Carrier> carriers_;                    // of the step
   Changes first_, now_, next_;                       // before any pass, of the last one, of the one that runs
   std::array<std::vector<std::uint8_t>, 4> active_;  // conditions, as the directions below are of

@@ -83,9 +83,7 @@ struct ContactParts {
     surface.move_nodes(motion());
     surface.bound_all();
   }
-  ContactScene scene(double dt = 0.0, bool is_frozen = false) const {
-    return {surface, rules, glued, dt, is_frozen};
-  }
+  ContactScene scene(double dt = 0.0) const { return {surface, rules, glued, dt}; }
   /// The candidates of a search now.
   ///   depths  of faces and surface nodes that are in something already
   PairLists face_partners, node_faces;
