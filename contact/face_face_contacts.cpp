@@ -183,6 +183,7 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
     const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
     const double closing = -apart.dot(found.normal) * scene.coming_dt;
     if (!did_touch && contact.gap < 0.0 && !met_in_front(scene, candidate, contact, closing)) continue;
+    if (contact.gap < closing && is_at_flush_rim(scene, candidate.first, candidate.second, contact)) continue;
     ContactRecord& record = records.emplace_back(make_record(candidate, contact));
     record.stiffness = 0.0;
     record.is_balanced = true;

@@ -22,7 +22,7 @@ constexpr float least_rim = 35.0f;
 constexpr double over_depth = 4.0;
 
 /// Faces are flush though they miss each other by this share of half a side face's height.
-constexpr double just_flush = 2e-3;
+constexpr double just_flush = 1e-2;
 
 /// What lies before a side face, as seen from its rims.
 struct Ahead {

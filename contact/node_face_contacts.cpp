@@ -172,7 +172,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   if (!comes_from_outside(scene, node, moving, hit, memory.depth(hit.point.normal))) return;
   if (!looks_at(scene, node, hit.point.normal) || !stands_over(scene, face_index, hit)) return;
   const bool may_hang_over = hit.point.edge >= 0 && rule.pair->tangential_tolerance.has_value();
-  if (hit.point.gap < 0.0 && node.radius == 0.0f && !may_hang_over &&
+  if ((hit.point.gap < 0.0 || scene.balances) && node.radius == 0.0f && !may_hang_over &&
       is_at_flush_rim(scene, row, face_index, hit.point.normal))
     return;
   hits.add(hit);
