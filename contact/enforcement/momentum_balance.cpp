@@ -10,6 +10,11 @@ namespace {
 /// Forces that change by less in a pass, over their sum, are balanced.
 constexpr double balanced = 1e-4;
 
+/// What neither side can represent, such as slopes across unlike meshes, stays in the forces however many
+/// passes there are. Passes end when after the first few one leaves more than this share of the residual.
+constexpr double fruitless = 0.975;
+constexpr int n_first_passes = 3;
+
 }  // namespace
 
 void MomentumBalance::begin(const Model& model, const MovingSurface& surface, const State& state) {
@@ -50,7 +55,7 @@ BalanceReport MomentumBalance::solve(int max_iterations) {
   mobility_.begin_passes();
   set_softness();
   push_forces();
-  double theta = 1.0, momentum = 0.0;
+  double theta = 1.0, momentum = 0.0, before = 0.0;
   while (report.n_iterations < max_iterations) {
     const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta * theta));
     const bool is_last = report.n_iterations + 1 == max_iterations;
@@ -60,6 +65,8 @@ BalanceReport MomentumBalance::solve(int max_iterations) {
     ++report.n_iterations;
     report.residual = sums.all > 0.0 ? sums.changed / sums.all : 0.0;
     if (report.residual <= balanced) break;
+    if (report.n_iterations > n_first_passes && report.residual > fruitless * before) break;
+    before = report.residual;
     if (!(sums.uphill > 0.0)) continue;
     theta = 1.0;
     push_forces();

@@ -23,8 +23,9 @@ struct BalanceReport {
 /// lumped masses make cheap: A = B M^-1 B^T with one row per point. A pass gives every point the force that
 /// would close its gap if all points around had the same pressure, pushing only, with friction returned to
 /// the Coulomb cone; so a uniform pressure takes one pass, and waves of the mesh's length a few. Passes are
-/// accelerated, begin with half of the forces of the step before, and end when the forces no longer change.
-/// Each force acts on both sides of its point alike. The same bits for any number of threads.
+/// accelerated, begin with half of the forces of the step before, and end when forces no longer change, or
+/// more passes bring nothing. Each force acts on both sides of its point alike. The same bits for any number
+/// of threads.
 ///
 /// A point that is apart may close by its gap; one that penetrates comes out slowly, so that nothing is
 /// thrown out. What meets loses the energy of the motion of its carriers against each other, once; the
