@@ -21,15 +21,34 @@ constexpr float least_rim = 35.0f;
 /// part, which carries nothing, does not. A penalty or a step is as soft as three layers.
 constexpr double over_depth = 4.0;
 
-/// Faces are flush though they miss each other by this share of half a side face's height.
+/// Faces are flush though they miss each other by this share of half a side face's height, once the face
+/// beyond the rim touches.
 constexpr double just_flush = 1e-2;
+
+/// Side faces inside a joint look at each other, askew by some 50 degrees at most, as a cosine.
+constexpr float most_askew = -0.65f;
 
 /// What lies before a side face, as seen from its rims.
 struct Ahead {
   Eigen::Vector3d closing;                  ///< velocity of the side face relative to it [length/time]
   std::span<const Eigen::Vector3d> points;  ///< [length]
   double share = 1.0;                       ///< of the strip's width that they may lie behind the rim [1]
+  std::span<const std::uint32_t> corners;   ///< contact nodes of the other side's place
+  std::uint32_t surface = 0;                ///< of the other side
 };
+
+/// Whether some face at the corners of what lies ahead looks against a direction: only where the faces beyond
+/// both rims lie flat on each other does a side face rise by so little that it is none.
+bool has_opposite(const ContactScene& scene, const Ahead& ahead, const Eigen::Vector3d& out) {
+  constexpr double opposite = -0.9;
+  const ContactFaces& faces = scene.surface.faces();
+  return std::ranges::any_of(ahead.corners, [&](std::uint32_t corner) {
+    return std::ranges::any_of(faces.faces_of_node.of(corner), [&](std::uint32_t face) {
+      return faces.faces[face].surface == ahead.surface &&
+             scene.surface.bound(face).normal().cast<double>().dot(out) < opposite;
+    });
+  });
+}
 
 /// Whether all points lie in the strip of a side face below one of its rims.
 bool lie_in_strip(const ContactScene& scene, std::uint32_t face, const Ahead& ahead) {
@@ -46,9 +65,10 @@ bool lie_in_strip(const ContactScene& scene, std::uint32_t face, const Ahead& ah
       const Eigen::Vector3d out = scene.surface.area(faces.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
+      const double touched = flush_width(scene, beyond);
+      if (!(touched > 0.0) || !has_opposite(scene, ahead, out)) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * scene.dt;
-      const double width =
-          std::min(flush_width(scene, beyond) + just_flush * height + closed, height) * ahead.share;
+      const double width = std::min(touched + just_flush * height + closed, height) * ahead.share;
       if (std::ranges::all_of(ahead.points, [&](const auto& point) { return (x - point).dot(out) <= width; }))
         return true;
     }
@@ -68,11 +88,16 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t first, std::uint32
   // Only slivers: a square has twice the area of its radius squared.
   const double radius = std::min(a.radius(), b.radius());
   if (contact.area > radius * radius) return false;
+  if (a.normal().dot(b.normal()) > most_askew) return false;
   const Eigen::Vector3d centre = scene.surface.face(first).x * contact.weights_1;
   const Eigen::Vector3d closing = (a.velocity() - b.velocity()).cast<double>();
   constexpr double centre_of_strip = 0.5;
-  return lie_in_strip(scene, first, {closing, {&centre, 1}, centre_of_strip}) ||
-         lie_in_strip(scene, second, {-closing, {&centre, 1}, centre_of_strip});
+  const ContactFace &a_face = scene.surface.faces().faces[first],
+                    &b_face = scene.surface.faces().faces[second];
+  return lie_in_strip(scene, first,
+                      {closing, {&centre, 1}, centre_of_strip, b_face.corners, b_face.surface}) ||
+         lie_in_strip(scene, second,
+                      {-closing, {&centre, 1}, centre_of_strip, a_face.corners, a_face.surface});
 }
 
 bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
@@ -87,11 +112,12 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t
   for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
     if (faces.faces[own].surface != node.surface) continue;
     if (!(scene.surface.bound(own).normal().cast<double>().dot(normal) < most_aside)) continue;
-    if (lie_in_strip(scene, own, {closing, corners})) return true;
+    const ContactFace& opposed = faces.faces[face];
+    if (lie_in_strip(scene, own, {closing, corners, 1.0, opposed.corners, opposed.surface})) return true;
     for (const std::uint32_t corner : faces.faces[own].corners) own_points.push_back(scene.surface.x(corner));
   }
   if (own_points.empty()) own_points.push_back(scene.surface.x(node.node));
-  return lie_in_strip(scene, face, {-closing, own_points});
+  return lie_in_strip(scene, face, {-closing, own_points, 1.0, {&node.node, 1}, node.surface});
 }
 
 }  // namespace contactsim

@@ -2,6 +2,7 @@
 #include "contact/penetration_depths.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "contact/common_plane.hpp"
@@ -16,9 +17,11 @@ void PenetrationDepths::begin_step(std::size_t n_faces) {
 }
 
 void PenetrationDepths::note(const MovingSurface& surface, const ContactRecord& record) {
-  if (!(record.gap < 0.0) || record.is_of_edges) return;
+  const bool touches = record.gap < 0.0 || record.force > 0.0 || record.is_balanced;
+  if (!touches || record.is_of_edges) return;
   const ContactFaces& faces = surface.faces();
-  const auto deepen = [&](std::uint32_t face) { next_[face] = std::max(next_[face], -record.gap); };
+  const double depth = std::max(-record.gap, std::numeric_limits<double>::min());
+  const auto deepen = [&](std::uint32_t face) { next_[face] = std::max(next_[face], depth); };
   const bool has_second_face = !record.second.weights.isZero(0.0);
   if (has_second_face) deepen(record.second_place);
   if (!record.first.is_node()) return deepen(record.first_place);

@@ -12,7 +12,7 @@ namespace contactsim {
 /// How deep every face penetrated another side in the last step, or another side's nodes it.
 class PenetrationDepths {
  public:
-  /// The depth of a face in the last step; 0 of one that did not touch [length].
+  /// The depth of a face in the last step; > 0 of all that touched, 0 of one that did not [length].
   double of(std::uint32_t face) const { return face < last_.size() ? last_[face] : 0.0; }
 
   /// Begins a step: what was noted becomes what is known.
