@@ -104,6 +104,8 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t
                      const Eigen::Vector3d& normal) {
   const ContactFaces& faces = scene.surface.faces();
   const SurfaceNode& node = faces.surface_nodes[row];
+  const auto has_rim = [&](std::uint32_t index) { return faces.faces[index].sharpness >= least_rim; };
+  if (!has_rim(face) && std::ranges::none_of(faces.faces_of_node.of(node.node), has_rim)) return false;
   const Eigen::Vector3d closing =
       scene.surface.v(node.node) - scene.surface.bound(face).velocity().cast<double>();
   const FaceCorners other = scene.surface.face(face).x;

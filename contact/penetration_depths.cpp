@@ -28,8 +28,7 @@ void PenetrationDepths::note(const MovingSurface& surface, const ContactRecord& 
   const SurfaceNode& node = faces.surface_nodes[record.first_place];
   for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
     if (faces.faces[own].surface != node.surface) continue;
-    const Eigen::Vector3d area = surface.area(faces.faces[own]);
-    if (area.dot(record.normal) < most_aside * area.norm()) deepen(own);
+    if (surface.bound(own).normal().cast<double>().dot(record.normal) < most_aside) deepen(own);
   }
 }
 
