@@ -104,6 +104,20 @@ TEST_CASE("the log tells of deaths as much as LOGFILE OUTPUT says", "[app][trans
   CHECK(some.size() > minimal.size());
 }
 
+TEST_CASE("a body flies through what has died; NODAL EROSION = OFF leaves free nodes in its way",
+          "[app][transient][death]") {
+  const std::string lines = "block = bar\ncriterion is always true\n";
+  const HitBar eroding(lines), staying(lines + "nodal erosion = off\n");
+  CHECK(eroding.run({"a.i"}).exit_code == 0);
+  CHECK(staying.run({"a.i"}).exit_code == 0);
+  const double cube = 0.5;  // 1/2 m v^2 with mass and speed 1
+  CHECK(eroding.column(2).back() == Approx(cube).epsilon(1e-12));
+  CHECK(eroding.column(5).back() == Approx(-1.0).epsilon(1e-12));
+  // The node (4, 1, 2) of mass 0.5 is hit.
+  CHECK(staying.column(2).back() < 0.9 * cube);
+  CHECK(staying.column(5).back() == Approx(-1.0).epsilon(1e-12));
+}
+
 TEST_CASE("a run goes on when all its elements are dead", "[app][transient][death]") {
   const HitBar bar("include all blocks\ncriterion is always true\ndeath start time = 0.5\n");
   const auto [code, out, err] = bar.run({"a.i"});
