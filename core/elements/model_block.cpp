@@ -127,7 +127,7 @@ ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const Ele
   double second = 0.0;  // about the nodes
   for (const BeamFibre& fibre : beam.fibres) second += fibre.area * (fibre.t * fibre.t + fibre.s * fibre.s);
   const double offset = second - beam.second_t - beam.second_s;
-  const double radius_squared = (4.0 * std::max(beam.second_t, beam.second_s) + offset) / beam.area;
+  const double radius_squared = (2.0 * std::max(beam.second_t, beam.second_s) + offset) / beam.area;
   for (const Lanes& mass : block.mass) block.inertia.push_back(mass * radius_squared);
   return block;
 }
