@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Friction models between edges: they push with friction, by the half of a HYBRID pair that they are of, and
 // leave to ties what these hold.
-#include <Eigen/Geometry>
-
+#include "contact/contact_search.hpp"
+#include "contact/edge_contacts.hpp"
+#include "contact/sharp_edges.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 #include "support/lofted_meshes.hpp"
@@ -44,21 +45,6 @@ MeshBuilder crossed_bars(double gap) {
   return b;
 }
 
-/// A unit cube on another one, turned by 45 degrees about the vertical, so far apart: their rims cross.
-MeshBuilder turned_cubes(double gap) {
-  MeshBuilder b;
-  b.add_hexes({.id = 1});
-  const Eigen::Vector3d middle(0.5, 0.5, 0.0);
-  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.25 * M_PI, Eigen::Vector3d::UnitZ()).matrix();
-  std::vector<std::uint32_t> nodes;
-  for (const double z : {1.0 + gap, 2.0 + gap}) {
-    for (const auto& [x, y] : {std::pair(-0.5, -0.5), {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-      nodes.push_back(
-          b.add_node(middle + turn * Eigen::Vector3d(x, y, 0) + z * Eigen::Vector3d::UnitZ()).value);
-  }
-  return b.add_block(2, "", Shape::hex8, nodes);
-}
-
 std::size_t n_touching_edges(const ContactBodies& bodies) {
   return static_cast<std::size_t>(
       std::ranges::count_if(bodies.contact.points(),
@@ -93,18 +79,32 @@ TEST_CASE("sharp edges push under a GLUED model as long as nothing is glued", "[
   CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
 }
 
-TEST_CASE("sharp edges of faces that ties hold do not push, the others do", "[contact][edges]") {
-  // No node stands over a face of the other cube: nodes on faces glue nothing, and the rims hold the cubes
-  // apart.
-  const std::string formulation = GENERATE("face_face", "node_face");
-  ContactBodies bodies(turned_cubes(0.001),
-                       general_contact("constraint formulation = " + formulation + "\n" + glued));
-  bodies.ask();
-  bodies.set_velocity(1, {0, 0, -0.002});
-  bodies.step(1.0);
-  bodies.step(0.1);
-  const bool is_glued = formulation == "face_face";
-  CHECK(bodies.contact.ties().empty() != is_glued);
-  CHECK(n_touching_edges(bodies) == (is_glued ? 0 : 8));
-  CHECK(bodies.force_on(1).z() > 0.0);
+TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact][edges]") {
+  ContactParts parts(crossed_bars(-0.01), general_contact("penalty stiffness = 1000\n" + glued));
+  choose_edges(parts.definition.surface_options, parts.model.surfaces.surfaces, parts.surface, parts.faces);
+  for (ContactEdge& edge : parts.faces.edges) {
+    edge.backing = parts.faces.faces[edge.faces[0]].backing;
+    edge.width = 1.0;
+  }
+  EdgeContacts edges(parts.faces);
+  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, parts.definition.dash);
+  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+  search.find_edges(parts.surface, parts.motion(), edges.next_candidates(), {});
+  edges.take_candidates();
+  const auto find = [&] {
+    std::vector<ContactRecord> records;
+    edges.find(parts.scene(), 0, edges.n_rows(), records);
+    std::erase_if(records, [](const ContactRecord& record) { return !record.touches(); });
+    return records;
+  };
+  const std::vector<ContactRecord> free = find();
+  REQUIRE(free.size() == 1);
+  const ContactEdge &first = parts.faces.edges[free[0].first_place],
+                    &second = parts.faces.edges[free[0].second_place];
+  parts.glued.add_faces(second.faces[1], first.faces[0]);
+  CHECK(find().empty());
+  parts.glued.remove(false, second.faces[1], first.faces[0]);
+  CHECK(find().size() == 1);
+  parts.glued.add_node(parts.faces.find_row(first.nodes[1], first.surface).value(), free[0].pair);
+  CHECK(find().empty());
 }
