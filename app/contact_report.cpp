@@ -170,19 +170,22 @@ void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagn
   for (const ContactEdge& edge : force.faces().edges) {
     if (!edge.is_particle() && !edge.is_sharp()) has_edges[edge.surface] = 1;
   }
-  for (const SurfacePair& pair : contact.pairs) {
-    const bool only_pushes = std::holds_alternative<Frictionless>(pair.law) ||
-                             std::holds_alternative<ConstantFriction>(pair.law) ||
-                             std::holds_alternative<PressureVelocityFriction>(pair.law);
-    if (only_pushes || has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
-    warnings.add_warning("edges-without-law", pair.location,
-                         fmt::format("{}: where beams or trusses meet each other the law '{}' does not "
-                                     "act: {}",
-                                     names_of(pair, contact), describe_law(pair.law),
-                                     std::holds_alternative<Tied>(pair.law)
-                                         ? "they are not tied"
-                                         : "they only push each other apart, with its friction"),
-                         "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");
+  for (std::uint32_t i = 0; i < contact.pairs.size(); ++i) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
+    bool only_pushes = true, ties = false;
+    force.rules()[i].model.visit_models([&](const PlaceLaw& law) {
+      only_pushes = only_pushes && law.only_pushes();
+      ties = ties || law.law == ContactLaw::tied;
+    });
+    if (only_pushes) continue;
+    warnings.add_warning(
+        "edges-without-law", pair.location,
+        fmt::format("{}: where beams or trusses meet each other the law '{}' does not act: {}",
+                    names_of(pair, contact), describe_law(pair.law),
+                    ties ? "they are neither tied nor kept apart where it ties"
+                         : "they only push each other apart, with its friction"),
+        "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");
   }
 }
 

@@ -130,6 +130,14 @@ std::uint32_t ContactFaces::find_node(NodeIndex node) const {
   return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
 }
 
+std::optional<std::uint32_t> ContactFaces::find_row(std::uint32_t node, std::uint32_t surface) const {
+  const auto begin = surface_nodes.begin() + first_node[surface];
+  const auto end = surface_nodes.begin() + first_node[surface + 1];
+  const auto found = std::ranges::lower_bound(begin, end, node, {}, &SurfaceNode::node);
+  if (found == end || found->node != node) return std::nullopt;
+  return static_cast<std::uint32_t>(found - surface_nodes.begin());
+}
+
 bool ContactFaces::share_node(const ContactFace& a, const ContactFace& b) const {
   return std::ranges::any_of(a.corners, [&](std::uint32_t own) {
     return std::ranges::any_of(b.corners,

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -91,6 +92,8 @@ struct ContactFaces {
   std::size_t n_nodes() const { return mesh_nodes.size(); }
   /// Position of a node of the mesh that is in contact.
   std::uint32_t find_node(NodeIndex node) const;
+  /// Position of a contact node in surface_nodes as a node of a surface.
+  std::optional<std::uint32_t> find_row(std::uint32_t node, std::uint32_t surface) const;
   /// Contact nodes that are nodes of the mesh; those of lofts follow.
   std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
   bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }

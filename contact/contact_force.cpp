@@ -105,6 +105,7 @@ void ContactForce::begin(const Motion& motion) {
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
   mark_close_places(scene, near_candidates(), rules_);
+  edges_.mark_close(scene, setup_.definition.dash.search_length_scaling, rules_);
   held_.begin(scene, near_candidates(), glued_);
 }
 

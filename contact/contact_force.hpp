@@ -62,6 +62,7 @@ class ContactForce final : public ForceTerm {
   void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes, bool makes_new_edges = true);
 
   const ContactFaces& faces() const { return faces_; }
+  const PairRules& rules() const { return rules_; }
   const ContactSearch& search() const { return search_; }
   std::span<const PairHistory> histories() const { return histories_; }
   std::span<const PairStep> pair_steps() const { return sums_.pairs(); }

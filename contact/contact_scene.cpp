@@ -80,37 +80,26 @@ bool PairRules::have_changed() const {
   return std::ranges::any_of(rules_, [](const PairRule& rule) { return rule.has_changed; });
 }
 
-namespace {
-
-/// Calls a function with every model that a pair may have.
-template <class Visit>
-void visit_models(const PairLaw& model, const Visit& visit) {
-  if (model.law) visit(*model.law);
-  if (model.far) visit(*model.far);
-  for (const PairLaw::Period& period : model.periods) visit(*period.law);
-}
-
-}  // namespace
-
 bool PairRules::has_friction() const {
   bool has = false;
   for (const PairRule& rule : rules_) {
     has = has || rule.friction > 0.0;
-    visit_models(rule.model,
-                 [&](const PlaceLaw& law) { has = has || law.friction > 0.0 || law.rate_limit.has_value(); });
+    rule.model.visit_models(
+        [&](const PlaceLaw& law) { has = has || law.friction > 0.0 || law.rate_limit.has_value(); });
   }
   return has;
 }
 
 double PairRules::largest_reach(std::uint32_t pair) const {
   double reach = 0.0;
-  visit_models(rules_[pair].model, [&](const PlaceLaw& law) { reach = std::max(reach, law.reach()); });
+  rules_[pair].model.visit_models([&](const PlaceLaw& law) { reach = std::max(reach, law.reach()); });
   return reach;
 }
 
 void PairRules::archive(StateArchive& saved) {
   close_faces_.archive("contact/close_faces", saved);
   close_nodes_.archive("contact/close_nodes", saved);
+  close_edges_.archive("contact/close_edges", saved);
 }
 
 void GluedPlaces::archive(StateArchive& saved) {
@@ -121,6 +110,7 @@ void GluedPlaces::archive(StateArchive& saved) {
 void PairRules::renumber(const ContactRenumbering& places) {
   close_faces_.renumber({}, places.faces);
   close_nodes_.renumber({}, places.rows);
+  close_edges_.renumber({}, places.edges);
 }
 
 void GluedPlaces::renumber(const ContactRenumbering& places) {
@@ -130,6 +120,10 @@ void GluedPlaces::renumber(const ContactRenumbering& places) {
 
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
   return close_faces_.has(pair, first) && close_faces_.has(pair, second);
+}
+
+bool PairRules::are_close_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  return close_edges_.has(pair, first) && close_edges_.has(pair, second);
 }
 
 bool PairRules::is_close(std::uint32_t pair, std::uint32_t row) const { return close_nodes_.has(pair, row); }

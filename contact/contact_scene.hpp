@@ -69,10 +69,13 @@ class PairRules {
   bool have_changed() const;
   /// Goes over to other faces and nodes.
   void renumber(const ContactRenumbering& places);
-  /// Remembers that a face, or a surface node, of a HYBRID pair was close to the other side at the start.
+  /// Remembers that a face, a surface node or an edge of a HYBRID pair was close to the other side at the
+  /// start.
   void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.add(pair, face); }
   void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.add(pair, row); }
-  /// The rule of two faces of a pair, or of a surface node: for HYBRID that of both close, or not.
+  void mark_close_edge(std::uint32_t pair, std::uint32_t edge) { close_edges_.add(pair, edge); }
+  /// The rule of two faces of a pair, of a surface node, or of two edges: for HYBRID that of both close, or
+  /// not.
   const PairRule& of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
     const PairRule& rule = rules_[pair];
     return rule.far == PairRule::not_hybrid || are_close(pair, first, second) ? rule : far_rules_[rule.far];
@@ -80,6 +83,11 @@ class PairRules {
   const PairRule& of_node(std::uint32_t pair, std::uint32_t row) const {
     const PairRule& rule = rules_[pair];
     return rule.far == PairRule::not_hybrid || is_close(pair, row) ? rule : far_rules_[rule.far];
+  }
+  const PairRule& of_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+    const PairRule& rule = rules_[pair];
+    return rule.far == PairRule::not_hybrid || are_close_edges(pair, first, second) ? rule
+                                                                                    : far_rules_[rule.far];
   }
   /// The largest reach that a pair's models may ever have [length].
   double largest_reach(std::uint32_t pair) const;
@@ -95,10 +103,11 @@ class PairRules {
 
  private:
   bool are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
+  bool are_close_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
   bool is_close(std::uint32_t pair, std::uint32_t row) const;
 
   std::vector<PairRule> rules_, far_rules_;
-  PlaceKeys close_faces_, close_nodes_;
+  PlaceKeys close_faces_, close_nodes_, close_edges_;
   std::vector<std::uint32_t> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };

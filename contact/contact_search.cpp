@@ -213,6 +213,7 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   if (a.side.element() == b.side.element() || faces_.share_node(a, b)) return false;
+  if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
   if (are_of_one_rigid_body(a.corners, b.corners)) return false;
   return !joined_.are_joined(first, second);
 }
@@ -239,6 +240,7 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
+  if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
   if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
   const auto is_of_b = [&](std::uint32_t node) {
     const std::uint32_t alike = faces_.first_alike[node];
@@ -252,6 +254,15 @@ std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) 
   const auto body = [&](std::uint32_t node) { return body_of_[faces_.mesh_nodes[node]]; };
   const std::int32_t first = body(nodes[0]);
   return std::ranges::all_of(nodes, [&](std::uint32_t node) { return body(node) == first; }) ? first : -1;
+}
+
+bool ContactSearch::are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
+                                     std::uint32_t second_node) const {
+  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  if (first_node >= n_mesh_points || second_node >= n_mesh_points) return false;
+  const auto nodes = mesh_.element_nodes(first.element());
+  return std::ranges::any_of(mesh_.element_nodes(second.element()),
+                             [&](NodeIndex node) { return std::ranges::find(nodes, node) != nodes.end(); });
 }
 
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {

@@ -79,6 +79,12 @@ class ContactSearch {
     const std::int32_t body = rigid_body_of(a);
     return body >= 0 && body == rigid_body_of(b);
   }
+  /// Whether faces, or edges, without a common node are of elements that have one: they look away from each
+  /// other, as the opposite skins of a plate one element thick, and would meet through their own material.
+  /// Lofts are looked at by what the mesh joins.
+  ///   first_node, second_node  any contact node of each
+  bool are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
+                        std::uint32_t second_node) const;
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
   /// Of what slides infinitesimally; what deaths have exposed slides as it will.
   void keep_first_partners(ContactCandidates candidates);

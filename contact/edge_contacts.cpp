@@ -124,6 +124,48 @@ void EdgeContacts::archive(StateArchive& saved) {
   saved.list("contact/edges/depth", depth_now_);
 }
 
+void EdgeContacts::mark_close(const ContactScene& scene, double size_share, PairRules& rules) const {
+  const auto size_of = [&](const ContactEdge& edge) {
+    return edge.is_particle() ? 2.0 * edge.radius
+                              : (scene.surface.x(edge.nodes[1]) - scene.surface.x(edge.nodes[0])).norm();
+  };
+  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+    const ContactEdge& first = faces_.edges[row];
+    for (const std::uint32_t partner : candidates_.of(row)) {
+      const ContactEdge& second = faces_.edges[partner];
+      const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
+      if (scene.rules[pair].far == PairRule::not_hybrid) continue;
+      const SurfacePair& of = *scene.rules[pair].pair;
+      const double automatic = size_share * std::min(size_of(first), size_of(second));
+      const double tolerance = of.capture_tolerance.value_or(of.normal_tolerance.value_or(automatic));
+      const EdgePlace nearest =
+          nearest_points(segment_of(scene.surface, first), segment_of(scene.surface, second));
+      const double distance =
+          (point_at(scene.surface, first, nearest.s) - point_at(scene.surface, second, nearest.t)).norm();
+      if (distance - first.radius - second.radius > tolerance) continue;
+      rules.mark_close_edge(pair, row);
+      rules.mark_close_edge(pair, partner);
+    }
+  }
+}
+
+bool EdgeContacts::are_held(const ContactScene& scene, std::uint32_t pair, std::uint32_t first,
+                            std::uint32_t second) const {
+  const ContactEdge &a = faces_.edges[first], &b = faces_.edges[second];
+  for (const std::uint32_t of_a : a.faces) {
+    for (const std::uint32_t of_b : b.faces) {
+      if (scene.glued.holds_faces(of_a, of_b) || scene.glued.holds_faces(of_b, of_a)) return true;
+    }
+  }
+  const auto is_held = [&](const ContactEdge& edge) {
+    return std::ranges::any_of(edge.nodes, [&](std::uint32_t node) {
+      const auto row = faces_.find_row(node, edge.surface);
+      return row && scene.glued.holds_node(*row, pair);
+    });
+  };
+  return is_held(a) || is_held(b);
+}
+
 void EdgeContacts::renumber(const ContactRenumbering& places) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Elastic> kept;
   for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
@@ -165,14 +207,14 @@ void EdgeContacts::find_one(const ContactScene& scene, std::uint32_t first_edge,
   // What touched nothing holds no slip.
   if (are_sharp && before == 0.0 && !may_cross(scene.surface, first, second, scene.ahead())) return;
   const std::uint32_t pair = scene.rules.find(first.surface, second.surface);
-  const PairRule& rule = scene.rules[pair];
+  const PairRule& rule = scene.rules.of_edges(pair, first_edge, second_edge);
   if (rule.is_balanced != scene.balances) return;
   const Elastic held = elastic_[candidate];
   Elastic now = no_slip;
   const EdgePlaces places(segment_of(scene.surface, first), segment_of(scene.surface, second));
-  // Sharp edges know no ties, glue or halves of a HYBRID pair: their faces meet all the same.
-  const bool is_simple = rule.law == ContactLaw::sliding && rule.far == PairRule::not_hybrid;
-  const bool is_on = rule.is_active && (are_sharp ? is_simple : rule.law != ContactLaw::tied);
+  const bool may_be_held = are_sharp && (rule.law == ContactLaw::glued || rule.law == ContactLaw::welded);
+  const bool is_on = rule.is_active && rule.law != ContactLaw::tied &&
+                     !(may_be_held && are_held(scene, pair, first_edge, second_edge));
   for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
     const EdgePlace& place = places.get()[i];
     const Eigen::Vector3d way =

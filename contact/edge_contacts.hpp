@@ -12,7 +12,8 @@
 namespace contactsim {
 
 /// The pairs of edges that may touch, and the slip that friction holds at each. Both edges have equal weight.
-/// Ties and laws that pull do not act between edges.
+/// Edges push each other apart, with friction. What ties or pulls acts on faces and their nodes: between
+/// edges only where these are of faces.
 class EdgeContacts {
  public:
   /// The faces must outlive this.
@@ -25,6 +26,10 @@ class EdgeContacts {
 
   /// Goes over to other edges, which stand where those of the constructor stood already.
   void renumber(const ContactRenumbering& places);
+
+  /// Marks the edges of HYBRID pairs that are close to each other.
+  ///   size_share  the automatic CAPTURE TOLERANCE over the shorter edge [1]
+  void mark_close(const ContactScene& scene, double size_share, PairRules& rules) const;
 
   const PairLists& candidates() const { return candidates_; }
   std::size_t n_rows() const { return candidates_.n_rows(); }
@@ -55,6 +60,9 @@ class EdgeContacts {
 
   void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
                 std::vector<ContactRecord>& records);
+  /// Whether ties hold faces or nodes of two sharp edges together.
+  bool are_held(const ContactScene& scene, std::uint32_t pair, std::uint32_t first,
+                std::uint32_t second) const;
   /// Whether a place of an edge is its own: at a node that several have, only the edge that is nearest there
   /// has it, the first of them if they are alike.
   ///   way  to the other edge [length]

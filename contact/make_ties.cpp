@@ -32,16 +32,6 @@ bool stands_over(const ContactScene& scene, const PairLists& node_faces, std::ui
   });
 }
 
-/// The row of a contact node among the nodes of a surface.
-std::optional<std::uint32_t> find_row(const ContactFaces& faces, std::uint32_t node, std::uint32_t surface) {
-  const auto own =
-      std::span(faces.surface_nodes)
-          .subspan(faces.first_node[surface], faces.first_node[surface + 1] - faces.first_node[surface]);
-  const auto found = std::ranges::lower_bound(own, node, {}, &SurfaceNode::node);
-  if (found == own.end() || found->node != node) return std::nullopt;
-  return faces.first_node[surface] + static_cast<std::uint32_t>(found - own.begin());
-}
-
 }  // namespace
 
 double share_of_node(const ContactScene& scene, const PairLists& node_faces, const NearPlace& place,
@@ -52,7 +42,7 @@ double share_of_node(const ContactScene& scene, const PairLists& node_faces, con
   const std::uint32_t own = faces.surface_nodes[place.first].surface;
   double covered = 0.0;
   for (std::size_t k = 0; k < (face.is_triangle() ? 3u : 4u); ++k) {
-    const auto row = find_row(faces, face.corners[k], face.surface);
+    const auto row = faces.find_row(face.corners[k], face.surface);
     if (row && stands_over(scene, node_faces, *row, own, place.tolerance))
       covered += weights[static_cast<Eigen::Index>(k)];
   }

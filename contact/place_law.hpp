@@ -71,6 +71,8 @@ struct PlaceLaw {
 
   /// Gaps up to this one feel the law [length].
   double reach() const;
+  /// Whether it pushes, with friction, and nothing else.
+  bool only_pushes() const { return law == ContactLaw::sliding && !pull && !rate_limit && !hold; }
   bool is_weld() const { return hold && std::holds_alternative<WeldHold>(*hold); }
   /// The largest tangential force of a place that touches [force].
   ///   force  normal, >= 0
@@ -90,6 +92,13 @@ struct PairLaw {
   std::vector<Period> periods;          ///< TIME VARIANT; frictionless in none of them
 
   bool is_variant() const { return !periods.empty(); }
+  /// Calls a function with every model that the pair may have.
+  template <class Visit>
+  void visit_models(const Visit& visit) const {
+    if (law) visit(*law);
+    if (far) visit(*far);
+    for (const Period& period : periods) visit(*period.law);
+  }
 };
 
 }  // namespace contactsim

@@ -69,7 +69,9 @@ struct ElementDeath {
   bool on_ill_defined_contact = false;        ///< an element dies whose contact faces have lost their shape
   std::int64_t death_steps = 1;               ///< steps over which the stress of a dying element fades, >= 1
   bool cleans_contact_aggressively = false;   ///< a solid that has lost its last face neighbour dies
-  bool erodes_nodes = false;                  ///< NODAL EROSION: nodes of dead elements only leave contact
+  /// NODAL EROSION: nodes of dead elements only leave contact, as if these had never been there. Source:
+  /// Sierra/SM 5.20, section 8.4.8.4.
+  bool erodes_nodes = true;
   bool makes_new_edges = true;  ///< NEW EDGES ON DEATH: edges of exposed faces are feature edges as others
   DeathLog log = DeathLog::some;
   std::optional<std::int64_t> summary_step_interval;  ///< steps between two lines of the log, >= 1

@@ -140,8 +140,9 @@ SectionForces Beam::update_fibres(const Law& law, const ModelBlock& block, const
   return sums;
 }
 
-/// 2 / omega with a bound for the squared frequencies of stretching, of bending in either plane with its
-/// shear, and of torsion; when the centre lies beside the nodes these mix, and their sum bounds them.
+/// 2 / omega with a bound for the squared frequencies of stretching, of bending (nodes that turn against each
+/// other) and shear (nodes that turn alike, and move across) in either plane, and of torsion; when the centre
+/// lies beside the nodes these mix, and their sum bounds them.
 Lanes Beam::stable_step(const ModelBlock& block, const LineMotion& motion, const AngleFactors& factors,
                         const Lanes& length) {
   const ElasticModuli moduli = moduli_of(block.properties.law);
@@ -155,11 +156,13 @@ Lanes Beam::stable_step(const ModelBlock& block, const LineMotion& motion, const
   const Lanes moving = 2.0 / motion.mass * 2.0 / length, turning = 2.0 / motion.inertia * 2.0 / length;
   const Lanes shear = moduli.shear * area * (moving + 0.25 * length * length * turning);
   const Lanes stretch = youngs * area * moving;
-  const Lanes plane_t = youngs * second_t * turning + factors.along_t * factors.along_t * shear;
-  const Lanes plane_s = youngs * second_s * turning + factors.along_s * factors.along_s * shear;
+  const Lanes bend_t = youngs * second_t * turning, bend_s = youngs * second_s * turning;
+  const Lanes shear_t = factors.along_t * factors.along_t * shear;
+  const Lanes shear_s = factors.along_s * factors.along_s * shear;
   const Lanes torsion = moduli.shear * factors.torsion * factors.torsion * (second_t + second_s) * turning;
-  const Lanes squared = block.beam.is_offset ? Lanes(stretch + plane_t + plane_s + torsion)
-                                             : stretch.max(plane_t).max(plane_s).max(torsion);
+  const Lanes squared = block.beam.is_offset
+                            ? Lanes(stretch + bend_t + bend_s + shear_t + shear_s + torsion)
+                            : stretch.max(bend_t).max(bend_s).max(shear_t).max(shear_s).max(torsion);
   return 2.0 / squared.sqrt();
 }
 

@@ -124,10 +124,10 @@ ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const Ele
   block.section = in_lanes(sizes, block.n_batches());
   set_masses(mesh, block);
   if (!element.has_rotations) return block;
-  double second = 0.0;  // about the nodes
-  for (const BeamFibre& fibre : beam.fibres) second += fibre.area * (fibre.t * fibre.t + fibre.s * fibre.s);
-  const double offset = second - beam.second_t - beam.second_s;
-  const double radius_squared = (4.0 * std::max(beam.second_t, beam.second_s) + offset) / beam.area;
+  Eigen::Vector2d first = Eigen::Vector2d::Zero();  // moment of area about the nodes
+  for (const BeamFibre& fibre : beam.fibres) first += fibre.area * Eigen::Vector2d(fibre.t, fibre.s);
+  const double radius_squared = 2.0 * std::max(beam.second_t, beam.second_s) / beam.area +
+                                first.squaredNorm() / (beam.area * beam.area);
   for (const Lanes& mass : block.mass) block.inertia.push_back(mass * radius_squared);
   return block;
 }

@@ -111,8 +111,9 @@ ModelBlock make_shell_block(const Mesh& mesh, std::uint32_t mesh_block, const El
                             const ElementProperties& properties, const ShellSettings& settings,
                             std::span<const double> thickness);
 
-/// The same of lines and particles. The nodes of beams have inertias of 4 times the larger second moment over
-/// area, which is what keeps bending out of the stable step of slender beams.
+/// The same of lines and particles. The nodes of beams have the mass times 2 I / A about any axis, I the
+/// larger second moment: of a round rod that is its polar inertia m r^2 / 2, so that it rolls as it should;
+/// about the axes across, twice that of a slice, which bounds what bending takes from the stable step.
 ///   sizes  [n_elements] cross-section of lines [length^2], radius of particles [length]
 ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
                            const ElementProperties& properties, const BeamShapeSettings& beam,

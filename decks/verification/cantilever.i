@@ -4,10 +4,14 @@
 # Shows bending with one element formulation and hourglass resistance: frequency 1.875104^2 / (2 pi) sqrt(E I / (rho A L^4))
 # = 40.9 Hz by Euler and Bernoulli. Expected within 3 % with four elements over the thickness; shear and rotary inertia
 # explain 0.1 % of it.
-# With -D formulation=selective_deviatoric there is no hourglass resistance in it.
+# With -D formulation=selective_deviatoric there is no hourglass resistance in it. -D form=face_face or node_face ties two halves
+# of the beam to each other; expected within 1 % of the frequency of one mesh.
 #
 # {ifndef(formulation)}
 # {formulation = "mean_quadrature"}
+# {endif}
+# {ifndef(form)}
+# {form = "one"}
 # {endif}
 begin sierra cantilever
   begin material steel
@@ -30,7 +34,8 @@ begin sierra cantilever
 
   begin finite element model beam
     database name = cantilever.g
-    begin parameters for block beam
+    begin parameters for block
+      include all blocks
       material = steel
       model = elastic
       section = beam
@@ -57,10 +62,21 @@ begin sierra cantilever
       end
 
       begin initial velocity
-        block = beam
+        include all blocks
         component = z
         function = kick
       end
+
+{if(form != "one")}
+      begin contact definition
+        skin all blocks = on
+        begin interaction defaults
+          general contact = on
+          friction model = tied
+          constraint formulation = {form}
+        end
+      end
+{endif}
 
       begin heartbeat output
         stream name = %B.csv

@@ -55,3 +55,24 @@ def tops(bench):
         checks += [Check(f"{name}: rate of precession [1/s]", rates[name], np.polyfit(run["Time"], azimuth, 1)[0], 0.001),
                    at_most(f"{name}: nutation over the lean", np.ptp(lean) / (math.pi / 6), 1e-3)]
     return checks + [energy_check(run, ["kinetic_energy"])]
+
+
+def stacked_bricks(n=10):
+    mesh = MeshMaker()
+    for i in range(n):
+        size = (0.2, 0.1, 0.1) if i % 2 == 0 else (0.1, 0.2, 0.1)
+        mesh.new_body()
+        mesh.hexes(f"brick_{i + 1}", (-0.5 * size[0], -0.5 * size[1], 0.1 * i), size, (1, 1, 1))
+    return mesh
+
+
+@case()
+def rigid_stack(bench):
+    run = bench.run("rigid_stack", stacked_bricks())
+    weight, late = 10 * 2000 * 0.002 * 9.81, run["Time"] > 0.1
+    # The lowest brick bears what the plane does less the nine above: its own weight.
+    return [Check("force of the plane and of the second brick on the lowest [N]", 0.1 * weight, np.mean(run["force"][late]), 1e-3),
+            at_most("largest way [m]", np.max(np.abs(run.nodal("displacement"))), 1e-4),
+            at_most("largest speed [m/s]", np.max(np.abs(run.nodal("velocity"))), 1e-2),
+            at_most("energy that appears over the fall of a brick's height",
+                    np.max(np.abs(run["energy_error"])) / (0.1 * weight), 1e-3)]

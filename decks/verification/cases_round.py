@@ -62,6 +62,28 @@ def rods_at_nodes(bench):
     return checks
 
 
+def rod_on_ground():
+    mesh = MeshMaker()
+    mesh.lines("rod", (0, -0.5, 0.05), (0, 0.5, 0.05), 8)
+    mesh.new_body()
+    mesh.hexes("base", (-0.2, -0.6, -0.2), (1.0, 1.2, 0.2), (5, 4, 1))
+    return mesh
+
+
+@case()
+def rolling_rod(bench):
+    checks, runs = [], []
+    for enforcement in ("momentum_balance", "penalty"):
+        for ground in ("plane", "plate"):
+            run = bench.run("rolling_rod", rod_on_ground(), enforcement=enforcement, ground=ground)
+            runs.append(run)
+            late = run["Time"] > 0.2
+            label = f"{enforcement} on the {ground}"
+            checks += [Check(f"{label}: speed [m/s]", 4 / 3, np.mean(run["speed"][late]), 2e-3),
+                       Check(f"{label}: circumferential speed [m/s]", 4 / 3, 0.05 * np.mean(run["turning"][late]), 2e-3)]
+    return (checks + balances(runs[::2], has_plane=True, has_friction=True) + balances(runs[1::2], has_friction=True))
+
+
 def two_balls(radius):
     mesh = MeshMaker()
     mesh.particles("flier", [(0, 0, 0)])

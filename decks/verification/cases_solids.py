@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 import make_meshes
-from cases import case
+from cases import FORMULATIONS, case
 from mesh_maker import MeshMaker
 from runs import Check, at_most
 
@@ -86,15 +86,40 @@ def cantilever_mesh(n):
     return brick("beam", (1, 0.05, 0.1 / 2), (10 * n, 1, n), {"clamped": lambda x, y, z: x == 0})
 
 
-@case(refined=[2, 4, 8])
-def cantilever(bench, n=4):
-    run = bench.run("cantilever", cantilever_mesh(n))
+def frequency(run):
     tip, times = run["tip"], run["Time"]
     rising = [i for i in range(1, len(tip)) if tip[i - 1] < 0 <= tip[i]]
     zeros = [0.0] + [times[i - 1] - tip[i - 1] / (tip[i] - tip[i - 1]) * (times[i] - times[i - 1]) for i in rising]
-    period = (zeros[-1] - zeros[0]) / (len(zeros) - 1)
+    return (len(zeros) - 1) / (zeros[-1] - zeros[0])
+
+
+@case(refined=[2, 4, 8])
+def cantilever(bench, n=4):
+    run = bench.run("cantilever", cantilever_mesh(n))
     exact = 1.875104 ** 2 / (2 * math.pi) * math.sqrt(200e9 / 7800 * 0.05 ** 2 / 12)
-    return [Check("frequency [Hz]", exact, 1 / period, 0.03), energy_check(run, ["kinetic_energy"])]
+    return [Check("frequency [Hz]", exact, frequency(run), 0.03), energy_check(run, ["kinetic_energy"])]
+
+
+def tied_cantilever_mesh(n, over):
+    """Halves of n and `over` elements over the thickness."""
+    mesh = MeshMaker()
+    for name, x, layers in (("near", 0, n), ("far", 0.5, over)):
+        mesh.new_body()
+        mesh.hexes(name, (x, 0, 0), (0.5, 0.05, 0.05), (5 * n, 1, layers))
+    mesh.node_set("clamped", lambda x, y, z: x == 0)
+    return mesh
+
+
+@case()
+def tied_cantilever(bench, n=4):
+    one = frequency(bench.run("cantilever", cantilever_mesh(n)))
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        for over in (n, n + 1):
+            runs.append(bench.run("cantilever", tied_cantilever_mesh(n, over), form=form))
+            checks.append(Check(f"{form}, {n} and {over} layers: frequency over that of one mesh", 1.0,
+                                frequency(runs[-1]) / one, 0.01))
+    return checks + [energy_check(run, ["kinetic_energy"]) for run in runs]
 
 
 def spinning_body_mesh(n):

@@ -89,8 +89,8 @@ std::vector<Row<ElementDeath>> timing_rows() {
       row("aggressive contact cleanup", read::on_off, &D::cleans_contact_aggressively,
           "Kills solids too that have lost their last face neighbour by a death"),
       row("nodal erosion", read::on_off, &D::erodes_nodes,
-          "Nodes whose elements are all dead leave contact; else they stay, as free masses that meet faces; "
-          "contactsim's own line"),
+          "Nodes whose elements are all dead leave contact, as if these had never been there; OFF keeps them "
+          "as free masses that meet faces; contactsim's own line"),
       row("new edges on death", read::on_off, &D::makes_new_edges,
           "Edges that deaths expose become edges of contact as others; contactsim's own line"),
       row<D>("death method", "= {DEACTIVATE ELEMENT|DEACTIVATE NODAL MPCS|DISCONNECT ELEMENT}", read_method,

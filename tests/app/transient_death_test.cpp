@@ -16,13 +16,14 @@ namespace {
 
 /// A cube that flies into a bar of 8 x 2 x 2 cells, whose elements may die.
 struct HitBar : ProgramDirectory {
-  /// lines  of the ELEMENT DEATH block
-  explicit HitBar(const std::string& lines) {
-    contactsim::test::write_exodus(path("a.g"),
-                                   MeshBuilder()
-                                       .add_hexes({1, "bar", {8, 2, 2}, {0, 0, 0}, {8, 2, 2}})
-                                       .add_hexes({2, "cube", {1, 1, 1}, {3.5, 0.5, 2.01}, {1, 1, 1}, false})
-                                       .build());
+  ///   lines  of the ELEMENT DEATH block
+  ///   gap    between cube and bar
+  explicit HitBar(const std::string& lines, double gap = 0.01) {
+    contactsim::test::write_exodus(
+        path("a.g"), MeshBuilder()
+                         .add_hexes({1, "bar", {8, 2, 2}, {0, 0, 0}, {8, 2, 2}})
+                         .add_hexes({2, "cube", {1, 1, 1}, {3.5, 0.5, 2 + gap}, {1, 1, 1}, false})
+                         .build());
     write("a.i",
           "begin sierra\nbegin material m\ndensity = 1\nbegin parameters for model elastic\n"
           "youngs modulus = 100\npoissons ratio = 0.3\nend\nend\n"
@@ -102,6 +103,20 @@ TEST_CASE("the log tells of deaths as much as LOGFILE OUTPUT says", "[app][trans
   CHECK_THAT(some, Contains("bar                                  6         4"));
   CHECK(full.size() > some.size());
   CHECK(some.size() > minimal.size());
+}
+
+TEST_CASE("a body flies through what has died; NODAL EROSION = OFF leaves free nodes in its way",
+          "[app][transient][death]") {
+  const std::string lines = "block = bar\ncriterion is always true\n";
+  const HitBar eroding(lines, 0.3), staying(lines + "nodal erosion = off\n", 0.3);
+  CHECK(eroding.run({"a.i"}).exit_code == 0);
+  CHECK(staying.run({"a.i"}).exit_code == 0);
+  const double cube = 0.5;  // 1/2 m v^2 with mass and speed 1
+  CHECK(eroding.column(2).back() == Approx(cube).epsilon(1e-12));
+  CHECK(eroding.column(5).back() == Approx(-1.0).epsilon(1e-12));
+  // The node (4, 1, 2) of mass 0.5 is hit.
+  CHECK(staying.column(2).back() < 0.9 * cube);
+  CHECK(staying.column(5).back() == Approx(-1.0).epsilon(1e-12));
 }
 
 TEST_CASE("a run goes on when all its elements are dead", "[app][transient][death]") {

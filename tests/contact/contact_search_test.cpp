@@ -87,11 +87,10 @@ Span span_of_face(const ContactParts& parts, std::uint32_t index, double dt) {
   return span;
 }
 
-bool shares_corner(const ContactFace& a, const ContactFace& b) {
-  for (const std::uint32_t node : a.corners) {
-    if (std::count(b.corners.begin(), b.corners.end(), node) > 0) return true;
-  }
-  return false;
+bool have_common_node(const Mesh& mesh, ElementIndex first, ElementIndex second) {
+  const auto nodes = mesh.element_nodes(first);
+  return std::ranges::any_of(mesh.element_nodes(second),
+                             [&](NodeIndex node) { return std::ranges::find(nodes, node) != nodes.end(); });
 }
 
 /// All pairs of faces of bodies whose widened boxes meet.
@@ -103,7 +102,7 @@ Pairs sweep_faces(const ContactParts& parts, double dt) {
   for (std::uint32_t a = 0; a < n; ++a) {
     for (std::uint32_t b = a + 1; b < n; ++b) {
       const ContactFace &first = parts.faces.faces[a], &second = parts.faces.faces[b];
-      if (first.side.element() == second.side.element() || shares_corner(first, second)) continue;
+      if (have_common_node(parts.mesh, first.side.element(), second.side.element())) continue;
       if (parts.rules.find(first.surface, second.surface) == PairRules::none) continue;
       if (spans[a].meets(spans[b])) pairs.insert({a, b});
     }
@@ -131,6 +130,43 @@ TEST_CASE("the candidates of flying bricks equal a sweep of all pairs of faces",
   }
   CHECK(n_found > 1000);
   CHECK(search.n_searches() == 20);
+}
+
+TEST_CASE("the opposite skins of a plate do not meet, however thin it is; those of two plates do",
+          "[contact][contact_search]") {
+  const std::string formulation = GENERATE("", "constraint formulation = node_face\n");
+  const int n_layers = GENERATE(1, 2);
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {6, 6, n_layers}, .size = {6, 6, 0.05}});
+  b.add_hexes(
+      {.id = 2, .cells = {1, 1, 1}, .origin = {2.2, 2.2, 0.06}, .size = {1, 1, 1}, .share_nodes = false});
+  ContactParts parts(b, general_contact("self contact = on\n" + formulation));
+  parts.search();
+  const Pairs faces = in_set(parts.face_partners);
+  std::size_t n_nodes = 0;
+  for (const auto& [row, face] : in_set(parts.node_faces))
+    n_nodes += parts.faces.surface_nodes[row].surface != parts.faces.faces[face].surface ? 1 : 0;
+  CHECK((formulation.empty() ? faces.size() : n_nodes) > 0);
+  for (const auto& [first, second] : faces)
+    CHECK(parts.faces.faces[first].surface != parts.faces.faces[second].surface);
+}
+
+TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][contact_search]") {
+  const std::string formulation = GENERATE("", "constraint formulation = node_face\n");
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 1}});
+  b.add_hexes({.id = 2, .origin = {0.3, 0.4, 0.98}, .share_nodes = false});
+  ContactParts parts(b, general_contact(formulation));
+  const auto n_nodes = static_cast<std::size_t>(parts.mesh.coordinates().cols());
+  constexpr std::size_t n_of_first = 3 * 3 * 2;
+  for (const int second : {0, 1, -1}) {  // the first body's number is 0, no body's -1
+    std::vector<std::int32_t> body_of(n_nodes, second);
+    std::fill_n(body_of.begin(), n_of_first, 0);
+    ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {}, body_of);
+    search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+    const std::size_t n_found = parts.face_partners.partners.size() + parts.node_faces.partners.size();
+    CHECK((n_found == 0) == (second == 0));
+  }
 }
 
 TEST_CASE("the candidates of nodes equal a sweep of all nodes and faces", "[contact][contact_search]") {

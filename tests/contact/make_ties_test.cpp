@@ -3,6 +3,7 @@
 
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/lofted_meshes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -64,6 +65,37 @@ TEST_CASE("ties reach as far as the capture tolerance, else the normal tolerance
   CHECK(TiedBodies(0.1, "normal tolerance = 0.11\n").ties.size() == 4);
   CHECK(TiedBodies(0.1, "normal tolerance = 0.11\ncapture tolerance = 0.09\n").ties.empty());
   CHECK(TiedBodies(0.1, "normal tolerance = 0.09\ncapture tolerance = 0.11\n").ties.size() == 4);
+}
+
+TEST_CASE("a capture tolerance far beyond the search's margins ties all the same", "[contact][make_ties]") {
+  const double gap = 2.5;  // margins are a share of faces of edge 1 and 1.5
+  const std::string by_nodes = "constraint formulation = node_face\n";
+  CHECK(TiedBodies(gap, "capture tolerance = 2.51\n").ties.size() == 4);
+  CHECK(TiedBodies(gap, "capture tolerance = 2.49\n").ties.empty());
+  CHECK(TiedBodies(gap, "capture tolerance = 2.51\n" + by_nodes).ties.size() == 5);
+  CHECK(TiedBodies(gap, "capture tolerance = 2.49\n" + by_nodes).ties.empty());
+}
+
+TEST_CASE("nodes of a node set and particles are tied to the face that they touch", "[contact][make_ties]") {
+  const bool is_particle = GENERATE(true, false);
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 1}});
+  const double radius = is_particle ? 0.1 : 0.0;
+  add_balls(b, 2, {{0.5, 0.25, 1.0 + radius}, {1.5, 1.5, 2.0}}, 0.1);
+  b.add_node_set(7, "", [](const Eigen::Vector3d& x) {
+    return x.z() > 1.0 + 1e-9 || (x - Eigen::Vector3d(0.5, 0.25, 1)).norm() < 1e-9;
+  });
+  const std::string other = is_particle ? "contact surface other contains block_2\n"
+                                        : "contact node set other contains nodelist_7\n";
+  ContactParts parts(b, "contact surface floor contains block_1\n" + other +
+                            "begin interaction\nside a = floor\nside b = other\nfriction model = tied\n"
+                            "constraint formulation = node_face\nend\n");
+  parts.search();
+  const auto ties = make_ties(parts.scene(), parts.face_partners, parts.node_faces, 0.15);
+  REQUIRE(ties.size() == 1);
+  CHECK(ties[0].is_node);
+  CHECK(parts.x.col(parts.faces.mesh_nodes[ties[0].nodes[0]]).y() == 0.25);
+  CHECK(ties[0].share == 1.0);
 }
 
 TEST_CASE("each node that stands over a face is tied once, to the nearest", "[contact][make_ties]") {

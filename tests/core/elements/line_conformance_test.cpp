@@ -159,6 +159,24 @@ TEST_CASE("one beam bends, twists and stretches as the theory of beams says", "[
   }
 }
 
+TEST_CASE("nodes of a round beam share its polar inertia, and what its offset adds", "[core][beams]") {
+  const auto inertia_over_mass = [](const BeamShapeSettings& shape) {
+    const double area = shape.area;
+    const Mesh mesh = one_element_mesh(Shape::beam2, line());
+    const ModelBlock block = make_line_block(mesh, 0, beam2_beam, undamped(elastic), shape, {&area, 1});
+    return block.inertia[0](0) / block.mass[0](0);
+  };
+  BeamSection section;
+  section.shape = BeamShape::rod;
+  section.width = section.height = 0.1;
+  section.t_axis = Vector3d::UnitZ();
+  std::string problem;
+  const double round = 0.5 * 0.05 * 0.05;  // r^2 / 2
+  CHECK(inertia_over_mass(*make_beam_shape(section, problem)) == Approx(round));
+  section.axis_offset = {0.03, -0.04};
+  CHECK(inertia_over_mass(*make_beam_shape(section, problem)) == Approx(round + 0.05 * 0.05));
+}
+
 TEST_CASE("the stable step of a line is below that of its highest frequency", "[core][beams]") {
   for (const BeamShapeSettings& shape : all_shapes()) {
     for (const double length : {0.1, 0.8, 5.0}) {

@@ -89,16 +89,16 @@ TEST_CASE("other ways to die are refused", "[parser][death]") {
 TEST_CASE("element death takes lines on reports, nodes and edges", "[parser][death]") {
   const ElementDeath plain = death_of("block = b\n");
   CHECK(plain.log == DeathLog::some);
-  CHECK_FALSE(plain.erodes_nodes);
+  CHECK(plain.erodes_nodes);
   CHECK(plain.makes_new_edges);
   CHECK_FALSE(plain.summary_step_interval);
   const ElementDeath death = death_of(
       "summary output step interval = 5\nsummary output time interval = 0.5\nlogfile output = full\n"
-      "nodal erosion = on\nnew edges on death = off\n");
+      "nodal erosion = off\nnew edges on death = off\n");
   CHECK(death.summary_step_interval == 5);
   CHECK(death.summary_time_interval == 0.5);
   CHECK(death.log == DeathLog::full);
-  CHECK(death.erodes_nodes);
+  CHECK_FALSE(death.erodes_nodes);
   CHECK_FALSE(death.makes_new_edges);
 }
 

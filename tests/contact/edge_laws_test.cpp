@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Friction models between edges: they push with friction, by the half of a HYBRID pair that they are of, and
+// leave to ties what these hold.
+#include "contact/contact_search.hpp"
+#include "contact/edge_contacts.hpp"
+#include "contact/sharp_edges.hpp"
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+#include "support/lofted_meshes.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+const std::string hybrid =
+    "friction model = h\ncapture tolerance = 0.01\nend\n"
+    "begin constant friction model rough\nfriction coefficient = 0.5\nend\n"
+    "begin hybrid model h\ninitially close = rough\n";
+const std::string glued = "friction model = sticky\nend\nbegin glued model sticky\n";
+
+/// Two rods of radius 0.1 that cross, their surfaces so far apart.
+MeshBuilder crossed_rods(double gap) {
+  MeshBuilder b;
+  add_rod(b, {.id = 1, .cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}});
+  add_rod(b, {.id = 2, .cells = 3, .from = {0.1, -1, 0.2 + gap}, .to = {0.1, 1, 0.2 + gap}});
+  return b;
+}
+
+/// Two bars of square section whose upper and lower edges cross, so far apart.
+MeshBuilder crossed_bars(double gap) {
+  MeshBuilder b;
+  const auto add_bar = [&](std::int64_t id, const Eigen::Vector3d& way, double up, double z) {
+    const Eigen::Vector3d aside = Eigen::Vector3d::UnitZ().cross(way);
+    std::vector<std::uint32_t> nodes;
+    for (const double end : {-1.0, 1.0}) {
+      for (const auto& [a, h] : {std::pair(0.0, -1.0), {0.5, -0.5}, {0.0, 0.0}, {-0.5, -0.5}})
+        nodes.push_back(b.add_node(end * way + a * aside + Eigen::Vector3d(0, 0, z + up * h)).value);
+    }
+    if (up < 0.0) std::rotate(nodes.begin(), nodes.begin() + 4, nodes.end());
+    b.add_block(id, "", Shape::hex8, nodes);
+  };
+  add_bar(1, Eigen::Vector3d::UnitX(), 1.0, 0.0);
+  add_bar(2, Eigen::Vector3d(0.1, 1, 0).normalized(), -1.0, gap);
+  return b;
+}
+
+std::size_t n_touching_edges(const ContactBodies& bodies) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(bodies.contact.points(),
+                            [](const ContactRecord& point) { return point.is_of_edges && point.touches(); }));
+}
+
+}  // namespace
+
+TEST_CASE("rods of a HYBRID pair have the friction of the half that they are of", "[contact][edges]") {
+  const bool is_close = GENERATE(true, false);
+  const double gap = is_close ? 0.005 : 0.05;
+  ContactBodies bodies(crossed_rods(gap), general_contact(hybrid));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -1});
+  bodies.step(gap + 0.005);
+  bodies.set_velocity(1, {0.3, 0.2, 0});
+  for (int i = 0; i < 20; ++i) bodies.step(1e-3);
+  const Eigen::Vector3d force = bodies.force_on(1);
+  REQUIRE(force.z() > 0.0);
+  CHECK(force.head<2>().norm() == Approx(is_close ? 0.5 * force.z() : 0.0).epsilon(0.02).margin(1e-12));
+}
+
+TEST_CASE("sharp edges push under a GLUED model as long as nothing is glued", "[contact][edges]") {
+  ContactBodies bodies(crossed_bars(0.01), general_contact(glued));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -1});
+  bodies.step(0.0099);
+  CHECK(bodies.force_size() == 0.0);
+  bodies.step(0.0002);
+  CHECK(n_touching_edges(bodies) == 1);
+  CHECK(bodies.force_on(1).z() > 0.0);
+  CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
+}
+
+TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact][edges]") {
+  ContactParts parts(crossed_bars(-0.01), general_contact("penalty stiffness = 1000\n" + glued));
+  choose_edges(parts.definition.surface_options, parts.model.surfaces.surfaces, parts.surface, parts.faces);
+  for (ContactEdge& edge : parts.faces.edges) {
+    edge.backing = parts.faces.faces[edge.faces[0]].backing;
+    edge.width = 1.0;
+  }
+  EdgeContacts edges(parts.faces);
+  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, parts.definition.dash);
+  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+  search.find_edges(parts.surface, parts.motion(), edges.next_candidates(), {});
+  edges.take_candidates();
+  const auto find = [&] {
+    std::vector<ContactRecord> records;
+    edges.find(parts.scene(), 0, edges.n_rows(), records);
+    std::erase_if(records, [](const ContactRecord& record) { return !record.touches(); });
+    return records;
+  };
+  const std::vector<ContactRecord> free = find();
+  REQUIRE(free.size() == 1);
+  const ContactEdge &first = parts.faces.edges[free[0].first_place],
+                    &second = parts.faces.edges[free[0].second_place];
+  parts.glued.add_faces(second.faces[1], first.faces[0]);
+  CHECK(find().empty());
+  parts.glued.remove(false, second.faces[1], first.faces[0]);
+  CHECK(find().size() == 1);
+  parts.glued.add_node(parts.faces.find_row(first.nodes[1], first.surface).value(), free[0].pair);
+  CHECK(find().empty());
+}
