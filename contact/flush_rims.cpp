@@ -24,11 +24,17 @@ constexpr double over_depth = 4.0;
 /// Faces are flush though they miss each other by this share of half a side face's height.
 constexpr double just_flush = 2e-3;
 
+/// Side faces in a joint push along each other's normals. Where the push leans towards the face beyond the
+/// rim by this cosine, an edge is being hit.
+constexpr double most_lean = 0.25;
+
 /// What lies before a side face, as seen from its rims.
 struct Ahead {
   Eigen::Vector3d closing;                  ///< velocity of the side face relative to it [length/time]
   std::span<const Eigen::Vector3d> points;  ///< [length]
   double share = 1.0;                       ///< of the strip's width that they may lie behind the rim [1]
+  /// Unit, by which the side face would be pushed back; zero: not looked at [1].
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();
 };
 
 /// Whether all points lie in the strip of a side face below one of its rims.
@@ -46,6 +52,7 @@ bool lie_in_strip(const ContactScene& scene, std::uint32_t face, const Ahead& ah
       const Eigen::Vector3d out = scene.surface.area(faces.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
+      if (-ahead.push.dot(out) > most_lean) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * scene.dt;
       const double width =
           std::min(flush_width(scene, beyond) + just_flush * height + closed, height) * ahead.share;
@@ -71,8 +78,8 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t first, std::uint32
   const Eigen::Vector3d centre = scene.surface.face(first).x * contact.weights_1;
   const Eigen::Vector3d closing = (a.velocity() - b.velocity()).cast<double>();
   constexpr double centre_of_strip = 0.5;
-  return lie_in_strip(scene, first, {closing, {&centre, 1}, centre_of_strip}) ||
-         lie_in_strip(scene, second, {-closing, {&centre, 1}, centre_of_strip});
+  return lie_in_strip(scene, first, {closing, {&centre, 1}, centre_of_strip, contact.normal}) ||
+         lie_in_strip(scene, second, {-closing, {&centre, 1}, centre_of_strip, -contact.normal});
 }
 
 bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
