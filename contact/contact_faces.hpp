@@ -19,6 +19,7 @@ struct Backing {
   double thickness = 0.0;      ///< of the element: its volume over the face's area [length]
   double stiffness = 0.0;      ///< of the penalty, per area: see contact/penalty.hpp [force/length^3]
   double mass_per_area = 0.0;  ///< that moves with the face [mass/length^2]
+  bool is_rigid = false;       ///< rigid, held or driven: it gives way by no spring of its own
 };
 
 /// How much stiffer than the element behind it a penalty is. Nodes of elements that set the step cannot bear

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "contact/make_place_laws.hpp"
 #include "contact/penalty.hpp"
+#include "contact/returned_energy.hpp"
 #include "contact/sharp_edges.hpp"
 #include "core/errors.hpp"
 #include "core/least_mass.hpp"
@@ -42,6 +44,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       times_(make_active_times(setup.definition.periods, setup.blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
+      mobility_(setup.model),
       search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash,
               setup.model.rigid.nodes.body_of),
       face_face_(faces_, rules_.has_friction()),
@@ -51,6 +54,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
             std::ranges::any_of(faces_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
       histories_(setup.contact.pairs.size()),
+      least_energy_(setup.contact.pairs.size(), 0.0),
       stored_(setup.contact.pairs.size(), 0.0) {
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
   has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);
@@ -101,7 +105,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
   start_step_ = motion.stable_step;
-  limit_stiffness(surface_, motion.stable_step, faces_);
+  limit_stiffness(surface_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
   mark_close_places(scene, near_candidates(), rules_);
@@ -176,13 +180,29 @@ std::vector<ContactRecord> ContactForce::visit_points(const ContactScene& scene,
   return to_glue;
 }
 
+/// What each pair had at the start and has taken, without what it has lost. Laws that pull, ties and what
+/// fades keep books of their own.
+std::span<const double> ContactForce::available_energy() {
+  available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < available_.size(); ++i) {
+    const PairRule& rule = rules_.rules()[i];
+    const bool is_simple = rule.law == ContactLaw::sliding && rule.place == nullptr &&
+                           rule.far == PairRule::not_hybrid && !rule.model.is_variant();
+    if (!is_simple || rule.is_balanced) continue;
+    const double lost = histories_[i].work - stored_[i];
+    available_[i] = histories_[i].stored_at_start + sums_.taken()[i] - lost;
+    least_energy_[i] = std::min(least_energy_[i], available_[i]);
+  }
+  return available_;
+}
+
 void ContactForce::add_places(const ContactScene& scene) {
   std::vector<ContactRecord> to_glue;
   if (has_penalty_) {
-    to_glue = visit_points(scene, [&](const ContactRecord& record) {
-      add_to_sums(record);
-      points_.push_back(record);
-    });
+    to_glue = visit_points(scene, [&](const ContactRecord& record) { points_.push_back(record); });
+    if (scene.dt > 0.0)
+      limit_returned_energy(surface_, sums_.work(), available_energy(), least_energy_, points_);
+    for (const ContactRecord& point : points_) add_to_sums(point);
   }
   held_.step(scene, glued_, sums_);
   for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
@@ -192,17 +212,19 @@ void ContactForce::add_places(const ContactScene& scene) {
 /// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
 /// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
 /// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
-/// Points of lofts that hang on one node add up there.
+/// Points of lofts that hang on one node add up there, as do the nodes of a rigid body.
 double ContactForce::largest_eigenvalue() {
-  const auto nodes = sums_.nodes();
-  node_rates_.assign(nodes.size(), 0.0);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    node_rates_[faces_.first_alike[i]] += nodes[i][3] / faces_.mass[i];
+  slips_.assign(rules_.rules().size(), 0);
+  for (std::size_t i = 0; i < slips_.size(); ++i) {
+    const PairRule& rule = rules_.rules()[i];
+    slips_[i] = rule.friction > 0.0 || rule.place != nullptr || rule.far != PairRule::not_hybrid ? 1 : 0;
+  }
+  const auto node_rates = mobility_.find_rates(surface_, points_, held_.forces(), slips_);
   std::vector<double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
   for (const SurfaceNode& node : faces_.surface_nodes) {
     double& rate = of_surface[node.surface];
-    rate = std::max(rate, node_rates_[faces_.first_alike[node.node]]);
+    rate = std::max(rate, node_rates[node.node]);
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
@@ -246,7 +268,9 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   if (is_first) forces.setZero();  // later on only contact nodes ever have another value
   for (const std::uint32_t node : std::exchange(left_, {})) forces.col(node).setZero();
   surface_.step(motion);
+  const bool have_conditions_changed = mobility_.update(motion.time);
   rules_.activate(motion.time, times_.is_active(motion.time));
+  if (have_conditions_changed && !is_first) limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh));
   if (is_first) {
     begin(motion);
   } else if (rules_.have_changed()) {

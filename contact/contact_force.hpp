@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/contact_mobility.hpp"
 #include "contact/contact_model.hpp"
 #include "contact/contact_search.hpp"
 #include "contact/contact_sums.hpp"
@@ -99,6 +100,7 @@ class ContactForce final : public ForceTerm {
   void renumber(const ContactRenumbering& places);
   void forget_stored();
   void add_to_sums(const ContactRecord& record);
+  std::span<const double> available_energy();
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
@@ -112,6 +114,7 @@ class ContactForce final : public ForceTerm {
   void add_places(const ContactScene& scene);
   void write_forces(Eigen::Matrix3Xd& forces) const;
   double largest_eigenvalue();
+  void limit_stiffness(const MovingSurface& start);
   void end_step(double time, double dt);
   void note_histories(double dt);
   void foresee(const State& state);
@@ -124,6 +127,9 @@ class ContactForce final : public ForceTerm {
   PairRules rules_;
   GluedPlaces glued_;
   MovingSurface surface_;
+  ContactMobility mobility_;
+  std::vector<double> element_stiffness_;  // of faces, surface nodes, edges before any limit [force/length^3]
+  std::vector<std::uint8_t> slips_;        // [n_pairs] has springs along the surface
   PenetrationDepths depths_;
   ContactSearch search_;
   FaceFaceContacts face_face_;
@@ -143,9 +149,10 @@ class ContactForce final : public ForceTerm {
   NodeAreas node_areas_;
   std::vector<ContactRecord> node_places_;  // scratch
   std::vector<PairHistory> histories_;
+  std::vector<double> available_;      // scratch, [n_pairs] [energy]
+  std::vector<double> least_energy_;   // [n_pairs] that each had so far, <= 0 [energy]
   std::vector<double> stored_;         // [n_pairs] of the last step [energy]
   std::vector<double> surface_rates_;  // scratch, [n_surfaces]
-  std::vector<double> node_rates_;     // scratch, [n_contact_nodes]
   ContactStep step_share_;
   double stored_at_start_ = 0.0;
   bool has_begun_ = false;

@@ -16,7 +16,7 @@ void ContactForce::archive_faces(StateArchive& saved) {
   for (const ContactEdge& edge : faces_.edges) digest.add_values(std::span<const std::uint32_t>(edge.nodes));
   saved.expect("contact/surfaces", digest.value(), "contact surfaces");
   saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
-  const auto visit = [](auto& item, RowNumbers& row) { row(item.backing.stiffness); };
+  const auto visit = [](auto& item, RowNumbers& row) { row(item.backing.stiffness, item.backing.is_rigid); };
   saved.fixed_rows("contact/faces/stiffness", faces_.faces, visit);
   saved.fixed_rows("contact/nodes/stiffness", faces_.surface_nodes, visit);
   saved.fixed_rows("contact/edges/stiffness", faces_.edges, visit);
@@ -42,11 +42,13 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
         history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start);
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
+  saved.fixed("contact/pairs/least_energy", std::span(least_energy_));
   saved.numbers("contact/step_share", step_share_.share);
   saved.numbers("contact/stored_at_start", stored_at_start_);
   saved.numbers("contact/start_step", start_step_);
   if (!saved.restores()) return;
   has_begun_ = true;
+  mobility_.update(motion.time);
   rules_.activate(motion.time, times_.is_active(motion.time));
   surface_.move_nodes(motion);
   surface_.bound_all();

@@ -56,6 +56,23 @@ ContactFaces ContactForce::make_faces(std::span<const FreeNode> free_nodes) cons
   return faces;
 }
 
+/// The stiffness behind faces and nodes as elements have it, limited by what masses and conditions allow now.
+///   start  the faces at the start
+void ContactForce::limit_stiffness(const MovingSurface& start) {
+  std::size_t n = 0;
+  const bool is_new = element_stiffness_.empty();
+  const auto begin_anew = [&](auto& items) {
+    for (auto& item : items) {
+      if (is_new) element_stiffness_.push_back(item.backing.stiffness);
+      item.backing.stiffness = element_stiffness_[n++];
+    }
+  };
+  begin_anew(faces_.faces);
+  begin_anew(faces_.surface_nodes);
+  begin_anew(faces_.edges);
+  contactsim::limit_stiffness(start, mobility_, start_step_, faces_);
+}
+
 void ContactForce::renumber(const ContactRenumbering& places) {
   rules_.renumber(places);
   glued_.renumber(places);
@@ -74,8 +91,9 @@ void ContactForce::renumber(const ContactRenumbering& places) {
 void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes,
                                  bool makes_new_edges) {
   const ContactFaces before = std::exchange(faces_, make_faces(free_nodes));
+  element_stiffness_.clear();
   if (!makes_new_edges) take_off_new_edges(before, faces_);
-  limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh), start_step_, faces_);
+  limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh));
   const ContactRenumbering places = contactsim::renumber(before, faces_);
   std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
                               std::span(faces_.mesh_nodes).first(faces_.n_mesh_points()),

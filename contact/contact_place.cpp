@@ -18,11 +18,14 @@ void push_node(const NodePush& push, ContactRecord& record) {
     record.closing = -push.velocity.dot(record.normal) * push.coming_dt;
     return;
   }
-  record.stiffness = damped_stiffness(push.penalty.stiffness * push.area, push.damping_fraction);
+  const PairPenalty& penalty = push.penalty;
+  const double speed = push.velocity.dot(record.normal), stiffness = penalty.stiffness * push.area;
+  const double depth_ahead = -record.gap - std::min(0.0, speed) * push.dt;
+  record.stiffness = damped_stiffness(stiffness * penalty.law.slope(depth_ahead), push.damping_fraction);
   if (record.gap >= 0.0) return;
-  const double speed = push.velocity.dot(record.normal);
-  const double spring = -push.penalty.stiffness * push.area * record.gap;
-  const double damper = std::max(-push.penalty.damping * push.area * speed, -spring);
+  const double spring = stiffness * penalty.law.spring_depth(-record.gap);
+  const double damper = std::max(-penalty.damping * push.area * speed, -spring);
+  record.beyond_spring = stiffness * penalty.law.potential(-record.gap) + 0.5 * spring * record.gap;
   record.area = push.area;
   record.force = spring + damper;
   record.damped = -damper * speed * push.dt;

@@ -41,7 +41,7 @@ inline constexpr double shallow_depth = 0.02;
 /// on something else stays in contact through round-off, and a stack falls as one.
 inline constexpr double closed_share = 1e-3;
 
-/// Contact that momentum balance has found once is not let go for its depth [length].
+/// Contact that was found once is not let go for its depth [length].
 inline constexpr double any_depth = 1e100;
 
 /// max(x, 0) without a branch: whether things come closer or part is chance.

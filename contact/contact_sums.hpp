@@ -72,6 +72,7 @@ class ContactSums {
   std::span<const NodeFriction> friction() const { return friction_; }
   /// [n_pairs] the work that forces have taken from the bodies since the start [energy]
   std::span<const double> taken() const { return work_.taken(); }
+  const PairWork& work() const { return work_; }
   double dissipated() const { return dissipated_; }
   double damped() const { return damped_; }
 

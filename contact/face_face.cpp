@@ -59,6 +59,7 @@ class PressureSums {
   void add(FaceFaceContact& contact) {
     contact.gap = std::numeric_limits<double>::infinity();
     for (const OverlapBatch& batch : points_.batches()) add(batch, contact);
+    contact.stiffness = penalty_.stiffness * penalty_.law.slope(penalty_.closing - contact.gap);
     const double n = forces_1_[0];
     if (n > 0.0) {
       contact.force = n;
@@ -83,7 +84,10 @@ class PressureSums {
     contact.gap = std::min(contact.gap, (batch.weight > 0.0).select(batch.gap, contact.gap).minCoeff());
     if (!touches_) return;
     const Lanes depth = (-batch.gap).max(0.0);
-    Lanes force = penalty_.stiffness * batch.weight * depth;
+    const Lanes spring_depth = penalty_.law.spring_depth(depth),
+                stiffness = penalty_.stiffness * batch.weight;
+    Lanes force = stiffness * spring_depth;
+    contact.beyond_spring += (stiffness * (penalty_.law.potential(depth) - 0.5 * spring_depth * depth)).sum();
     if (penalty_.damping > 0.0) force += add_damping(batch, force, contact);
     contact.area += batch.weight.sum();
     work_ += (force * depth).sum();
@@ -181,10 +185,10 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   Overlap overlap;
   find_overlap(*pair, reach, penalty.depth, overlap);
   if (!(overlap.points.area > 0.0)) return contact;
-  contact.stiffness = penalty.stiffness * overlap.near_area;
   PressureSums sums(overlap, penalty);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
+  contact.stiffness *= overlap.near_area;
   contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
   if (!contact.overlaps) return contact;
   contact.normal = pair->plane.normal;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "contact/common_plane.hpp"
+#include "contact/depth_law.hpp"
 #include "contact/face_overlap.hpp"
 
 namespace contactsim {
@@ -15,6 +16,8 @@ struct PairPenalty {
   double stiffness = 0.0;  ///< per area [force/length^3]
   double damping = 0.0;    ///< per area, of closing speed [force time/length^3]
   double depth = 0.0;      ///< what lies deeper is no contact but another wall [length]
+  DepthLaw law;            ///< how pressure grows with depth
+  double closing = 0.0;    ///< by which the gap may shrink in the coming step, for the stable step [length]
 };
 
 /// A face as it moves.
@@ -36,16 +39,19 @@ struct FaceFaceContact {
   double area = 0.0;      ///< that touches [length^2]
   double gap =
       0.0;  ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
-  double stiffness = 0.0;     ///< of the penalty over what is nearer than the reach [force/length]
-  double damped_power = 0.0;  ///< energy that damping takes per time [energy/time]
+  double stiffness = 0.0;  ///< of the penalty over what is nearer than the reach, at the end of the step to
+                           ///< come [force/length]
+  double beyond_spring = 0.0;  ///< stored besides what springs of that force and depth would [energy]
+  double damped_power = 0.0;   ///< energy that damping takes per time [energy/time]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
   /// Shares of the corners in the force, sum 1; in the overlap's area when there is no force [1].
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
 };
 
-/// Integrates the pressure stiffness * penetration over the part of the overlap of two faces that lies behind
-/// the other face, by the area of the face that leans more. Both faces get the same forces at the same points
-/// seen along the normal, so that neither net force nor moment appears, for faces of any shape.
+/// Integrates the pressure stiffness * f(penetration) of the depth law over the part of the overlap of two
+/// faces that lies behind the other face, by the area of the face that leans more. Both faces get the same
+/// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
+/// of any shape.
 ///   reach  gaps up to it count as near [length]
 /// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput.
 /// Methods Appl. Mech. Eng. 193 (2004) 601-629, over the clipped polygon, which is clipped where the gap

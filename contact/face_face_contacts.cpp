@@ -139,6 +139,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
     return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth},
                             did_touch, records);
   }
+  penalty.closing = closed;
   const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
   if (!contact.overlaps) return;
   const Eigen::Vector3d apart =
@@ -147,7 +148,8 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
       !met_in_front(scene, candidate, contact, -apart.dot(contact.normal) * scene.dt))
     return;
 
-  if (contact.force > 0.0 && is_at_flush_rim(scene, candidate.first, candidate.second, contact)) return;
+  if (contact.force > 0.0 && !did_touch && is_at_flush_rim(scene, candidate.first, candidate.second, contact))
+    return;
 
   ContactRecord& record = records.emplace_back(make_record(candidate, contact));
   record.damped = contact.damped_power * scene.dt;
@@ -207,6 +209,7 @@ ContactRecord FaceFaceContacts::make_record(const Candidate& candidate,
   record.force = contact.force;
   record.area = contact.area;
   record.gap = contact.gap;
+  record.beyond_spring = contact.beyond_spring;
   record.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
   return record;
 }

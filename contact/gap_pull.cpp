@@ -76,7 +76,7 @@ void pull_node(const PlaceLaw& law, const NodePush& push, ContactRecord& record)
   if (record.gap >= law.reach()) return;
   const Pull pull = pull_at(law, record.gap, push.area);
   record.is_held_apart = true;
-  record.beyond_spring = pull.potential;
+  record.beyond_spring += pull.potential;
   if (record.gap >= 0.0) {
     record.area = push.area;
     record.force = -pull.force;

@@ -146,8 +146,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   const double reach =
       std::max({rule.reach, margin, scene.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
   hit.near = std::max(near, margin);
-  const double of_known =
-      scene.balances && !memory.touches.empty() ? any_depth : depth_of_known(0.0, memory.depth(), closed);
+  const double of_known = memory.touches.empty() ? 0.0 : any_depth;
   const double deepest =
       std::max({rule.pair->normal_tolerance.value_or(face.backing.thickness), 1.5 * closed, of_known});
   const double beyond = allowed_beyond(*rule.pair, bound);
@@ -165,9 +164,7 @@ void NodeFaceContacts::look_at(const ContactScene& scene, std::uint32_t row, std
   hit.distance = std::abs(point->gap + node.radius) + point->beyond;
   hit.penalty = make_pair_penalty(node.backing, &face.backing, *rule.pair);
   const bool is_known = memory.knows(hit.point.normal);
-  hit.penalty.depth = is_known ? depth_of_known(hit.penalty.depth, memory.depth(hit.point.normal), closed)
-                               : std::max(hit.penalty.depth, 1.5 * closed);
-  if (is_known && scene.balances) hit.penalty.depth = any_depth;
+  hit.penalty.depth = is_known ? any_depth : std::max(hit.penalty.depth, 1.5 * closed);
   if (hit.point.gap > reach || -hit.point.gap > hit.penalty.depth) return;
   if (!comes_from_outside(scene, node, moving, hit, memory.depth(hit.point.normal))) return;
   if (!looks_at(scene, node, hit.point.normal) || !stands_over(scene, face_index, hit)) return;

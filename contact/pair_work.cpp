@@ -16,6 +16,28 @@ double power(const MovingSurface& surface, std::uint32_t node, const Eigen::Vect
   return moment.isZero(0.0) ? of_force : of_force + moment.dot(surface.last_turning(node));
 }
 
+/// Calls visit(node, force, moment) for each node of one side of a contact point.
+template <class Visit>
+void visit_side(const RecordSide& side, const Eigen::Vector3d& force, const Eigen::Vector3d& arm,
+                const Visit& visit) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    if (weight == 0.0) continue;
+    const Eigen::Vector3d own = weight * force;
+    const Eigen::Vector3d moment =
+        side.radius == 0.0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(arm.cross(own));
+    visit(side.nodes[k], own, moment);
+  }
+}
+
+template <class Visit>
+void visit_forces(const ContactRecord& record, const Visit& visit) {
+  if (!record.touches()) return;
+  const Eigen::Vector3d force = record.force_on_first();
+  visit_side(record.first, force, -record.first.radius * record.normal, visit);
+  visit_side(record.second, -force, record.second.radius * record.normal, visit);
+}
+
 }  // namespace
 
 void PairWork::begin_step(const MovingSurface& surface, double dt) {
@@ -30,28 +52,23 @@ void PairWork::add(const MovingSurface& surface, const NodeForce& f) {
   forces_.push_back(f);
 }
 
-void PairWork::add_side(const MovingSurface& surface, std::uint32_t pair, const RecordSide& side,
-                        const Eigen::Vector3d& force, const Eigen::Vector3d& arm) {
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double weight = side.weights[static_cast<Eigen::Index>(k)];
-    if (weight == 0.0) continue;
-    const Eigen::Vector3d own = weight * force;
-    const Eigen::Vector3d moment =
-        side.radius == 0.0 ? Eigen::Vector3d::Zero() : Eigen::Vector3d(arm.cross(own));
-    add(surface, {pair, side.nodes[k], own, moment});
-  }
-}
-
 void PairWork::add(const MovingSurface& surface, const ContactRecord& record) {
-  if (!record.touches()) return;
   if (record.knows_work) {
     taken_[record.pair] += record.work_before;
     coming_[record.pair] += record.work_after;
     return;
   }
-  const Eigen::Vector3d force = record.force_on_first();
-  add_side(surface, record.pair, record.first, force, -record.first.radius * record.normal);
-  add_side(surface, record.pair, record.second, -force, record.second.radius * record.normal);
+  visit_forces(record, [&](std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+    add(surface, {record.pair, node, force, moment});
+  });
+}
+
+double PairWork::work_behind(const MovingSurface& surface, const ContactRecord& record) const {
+  double sum = 0.0;
+  visit_forces(record, [&](std::uint32_t node, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+    sum -= half_ * power(surface, node, force, moment);
+  });
+  return sum;
 }
 
 void PairWork::add(const MovingSurface& surface, const HeldPlace& place, const TieForces& forces) {

@@ -25,6 +25,8 @@ class PairWork {
   /// Takes a force of the step over.
   void add(const MovingSurface& surface, const ContactRecord& record);
   void add(const MovingSurface& surface, const HeldPlace& place, const TieForces& forces);
+  /// What add() would count for a contact point: the work along the half step behind its time [energy].
+  double work_behind(const MovingSurface& surface, const ContactRecord& record) const;
   /// The contact nodes have other numbers from now on: forces of the step before are over.
   void forget_forces() { forces_.clear(); }
 
@@ -39,8 +41,6 @@ class PairWork {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [force length]
   };
-  void add_side(const MovingSurface& surface, std::uint32_t pair, const RecordSide& side,
-                const Eigen::Vector3d& force, const Eigen::Vector3d& arm);
   void add(const MovingSurface& surface, const NodeForce& force);
 
   std::vector<double> taken_, coming_;  // until now; in the half step to come, as far as forces know it

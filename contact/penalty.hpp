@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_faces.hpp"
+#include "contact/contact_mobility.hpp"
 #include "contact/face_face.hpp"
 #include "contact/moving_surface.hpp"
 #include "contact/surface_pairs.hpp"
@@ -12,20 +13,26 @@ namespace contactsim {
 /// stiffness: the stable step shrinks by a tenth at most.
 inline constexpr double penalty_share = 0.25;
 
-/// Lowers the stiffness behind faces and nodes where nodes are too light for it: a node of mass m and contact
-/// area A, as seen along the face's normal, gets no more than 4 share m / (A dt^2) per area, twice what it
-/// may have against a wall as soft as itself. The sides of a block do not lower the limit of its top, which
-/// would be softer at its edges then and fail the patch test.
-///   surface  the faces at the start
+/// Says what is rigid, held or driven, and lowers the stiffness behind faces and nodes where nodes are too
+/// light for it: a node of mass m and contact area A, as seen along the face's normal, gets no more than
+/// 4 share m / (A dt^2) per area, twice what it may have against a wall as soft as itself. The sides of a
+/// block do not lower the limit of its top, which would be softer at its edges then and fail the patch test.
+/// Nodes that are held along the normal have no limit.
+///   surface      the faces at the start
+///   mobility     of the conditions that act now
 ///   stable_step  that the elements allow at the start, dt [time]
+///   faces        with the stiffness of their elements
 /// Source: bound on the frequency of a mass between springs; Belytschko and Neal, Int. J. Numer. Meth. Eng.
 /// 31 (1991) 547-572, choose the penalty by masses and step likewise.
-void limit_stiffness(const MovingSurface& surface, double stable_step, ContactFaces& faces);
+void limit_stiffness(const MovingSurface& surface, const ContactMobility& mobility, double stable_step,
+                     ContactFaces& faces);
 
 /// Stiffness and damping of two sides that meet: the springs of both sides in series, K/t of each the bulk
-/// modulus over the thickness of its element, times the pair's scale; or the pair's own stiffness. Damping is
-/// the pair's fraction of the critical one of the masses on both sides. Half the thinner element is deep
-/// enough to be another wall, if the pair does not say how deep contact reaches.
+/// modulus over the thickness of its element, times the pair's scale; or the pair's own stiffness. A rigid,
+/// held or driven side has no spring and an infinite mass where the other gives way; two such sides have
+/// those of their elements. Damping is the pair's fraction of the critical one of the masses on both sides.
+/// Half the thinner element is deep enough to be another wall, if the pair does not say how deep contact
+/// reaches. The stiffness that the pair does not give itself grows with the depth: see PairPenalty.
 ///   second  absent: rigid
 /// Source: element penalty of LS-DYNA and Tribol, 1/(t1/K1 + t2/K2); Hallquist et al. (1985).
 PairPenalty make_pair_penalty(const Backing& first, const Backing* second, const SurfacePair& pair);

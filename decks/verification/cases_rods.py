@@ -51,6 +51,29 @@ def rods(bench):
 
 
 @case()
+def rods_long_after(bench):
+    """Rods of 0.1 m and 0.2 m fly on for 30 times the contact: no energy but what contact tells comes or goes."""
+    checks, runs = [], []
+    for enforcement in ("momentum_balance", "penalty"):
+        for length in (0.1, 0.2):
+            run = bench.run("two_rods", two_rods(50, 50, length=length), enforcement=enforcement,
+                            end_time=1.2e-3 * length / 0.1)
+            label, flight = f"{enforcement}, {length} m", run["kinetic_energy"][0]
+            total = run["kinetic_energy"] + run["internal_energy"] + run["contact_energy"]
+            after = np.abs(run["force_x"]) == 0
+            after[:int(np.argmax(~after)) + 2] = False
+            checks += [at_most(f"{label}: change of energy over that of the flight",
+                               np.max(np.abs(total[after] - total[0])) / flight, 0.005),
+                       at_most(f"{label}: energy given out by contact over the same",
+                               max(0.0, -np.min(run["contact_energy"])) / flight, 0.001)]
+            if enforcement == "penalty":
+                checks.append(at_most(f"{label}: energy that contact keeps over the same",
+                                      np.abs(run["contact_energy"][-1]) / flight, 0.005))
+            runs.append(run)
+    return checks + balances(runs, is_free=True, tolerance=0.005)
+
+
+@case()
 def rods_unmatched(bench):
     runs = [bench.run("two_rods", two_rods(50, 77, 2, 3), form=form) for form in ("face_face", "node_face")]
     frame = int(np.argmin(np.abs(runs[0].times - 20e-6)))

@@ -2,10 +2,14 @@
 #
 # Shows that an interface is no spring: the columns carry what one piece would, as coarse as they may be, under contact and
 # ties, and stay apart however far they are pressed. Without Poisson's ratio the force at the driven end is E A times the
-# strain. -D rigid=1 makes the upper column a rigid block whose modulus must not matter.
+# strain. -D rigid=1 makes the upper column a rigid block whose modulus and density must not matter.
 # Expected: force within 2 % of E A strain for 1 to 8 elements each, within 1 % when tied; penetration below 2 % of an element
-# at 30 % of strain; contact work of the slow ones below 1e-4 of the strain energy.
+# at 30 % of strain; contact work of the slow ones below 1e-4 of the strain energy. ENFORCEMENT = PENALTY presses on a spring
+# that is in no way a rigid block's; it gets stiffer with depth, and the columns stay apart.
 #
+# {ifndef(enforcement)}
+# {enforcement = "momentum_balance"}
+# {endif}
 # {ifndef(form)}
 # {form = "face_face"}
 # {endif}
@@ -21,6 +25,9 @@
 # {ifndef(stiffer)}
 # {stiffer = 1}
 # {endif}
+# {ifndef(heavier)}
+# {heavier = 1}
+# {endif}
 # {frame = 0.05}
 begin sierra columns
   begin function slowly
@@ -35,7 +42,7 @@ begin sierra columns
     end
   end
   begin material tool
-    density = 1000
+    density = {1000 * heavier}
     begin parameters for model elastic
       youngs modulus = {1e7 * stiffer}
       poissons ratio = 0
@@ -82,6 +89,16 @@ begin sierra columns
         node set = bottom
         components = z
       end
+{if(rigid)}
+      begin fixed displacement
+        block = above
+        components = x y
+      end
+      begin fixed rotation
+        block = above
+        components = x y z
+      end
+{endif}
       begin prescribed displacement
         {rigid ? "block = above" : "node set = top"}
         component = z
@@ -91,6 +108,7 @@ begin sierra columns
 
       begin contact definition
         skin all blocks = on
+        enforcement = {enforcement}
         begin constant friction model rub
           friction coefficient = 0.3
         end

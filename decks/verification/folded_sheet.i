@@ -3,6 +3,9 @@
 # Shows that contact neither lets a body through a thin sheet or the outside of a sharp fold, whatever it is in a step, nor makes
 # energy. Expected: the cube turns round, no faster than it came, and contact gives out no energy.
 #
+# {ifndef(enforcement)}
+# {enforcement = "momentum_balance"}
+# {endif}
 # {ifndef(form)}
 # {form = "face_face"}
 # {endif}
@@ -70,6 +73,7 @@ begin sierra folded sheet
 
       begin contact definition
         skin all blocks = on
+        enforcement = {enforcement}
         begin interaction defaults
           general contact = on
           constraint formulation = {form}
@@ -79,6 +83,7 @@ begin sierra folded sheet
       begin heartbeat output
         stream name = %B.csv
         {include("energies.inc")}
+        global contact_penetration_max as penetration
       end
       {include("results.inc")}
     end

@@ -8,6 +8,9 @@
 # Bulk viscosity is off: it would keep 0.7 % of the momentum in the striking rod.
 # Expected: duration within 5 %, mean force within 1 %, impulse within 0.5 %, 99.5 % of the velocity (0.1 m rods).
 #
+# {ifndef(enforcement)}
+# {enforcement = "momentum_balance"}
+# {endif}
 # {ifndef(form)}
 # {form = "face_face"}
 # {endif}
@@ -99,6 +102,7 @@ begin sierra two rods
 
       begin contact definition
         skin all blocks = on
+        enforcement = {enforcement}
         begin interaction defaults
           general contact = on
           constraint formulation = {form}

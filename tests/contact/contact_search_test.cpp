@@ -242,7 +242,7 @@ TEST_CASE("between two searches nothing can come to touch that is no candidate",
     for (const auto& pair : sweep_faces(parts, 0.0)) {
       // Of faces that touch: sweep_faces also has those within the margins.
       const MovingFace a = parts.surface.face(pair.first), c = parts.surface.face(pair.second);
-      if (!(find_face_face_contact(a, c, {1.0, 0.0, 0.5}, 0.0).force > 0.0)) continue;
+      if (!(find_face_face_contact(a, c, {1.0, 0.0, 0.5, {}}, 0.0).force > 0.0)) continue;
       ++n_touching;
       if (candidates.count(pair) == 0) FAIL("faces touch that are no candidates");
     }

@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double far = 1.0;
-const PairPenalty stiff{1000.0, 0.0, far};
+const PairPenalty stiff{1000.0, 0.0, far, {}};
 
 /// A unit square under one of the same size that is shifted along x and lowered by a depth.
 FaceFaceContact press(double depth, double shift, const PairPenalty& penalty = stiff, double reach = 0.0) {
@@ -165,7 +165,7 @@ TEST_CASE("faces of any shape get no net force and no net moment", "[contact][fa
   for (int i = 0; i < 100; ++i) {
     const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
                      b = random_face(random, i % 3 == 0, false, -0.05);
-    const PairPenalty penalty{1000.0, i % 5 == 0 ? 30.0 : 0.0, far};
+    const PairPenalty penalty{1000.0, i % 5 == 0 ? 30.0 : 0.0, far, {}};
     const FaceFaceContact contact = find_face_face_contact(a, b, penalty, 0.0);
     if (!(contact.force > 0.0)) continue;
     ++n_touching;
@@ -181,7 +181,7 @@ TEST_CASE("forces do not depend on sides, frame or first corners", "[contact][fa
   for (int i = 0; i < 40; ++i) {
     const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
                      b = random_face(random, i % 3 == 0, false, -0.03);
-    const PairPenalty penalty{1000.0, 20.0, far};
+    const PairPenalty penalty{1000.0, 20.0, far, {}};
     const FaceFaceContact contact = find_face_face_contact(a, b, penalty, 0.1),
                           swapped = find_face_face_contact(b, a, penalty, 0.1);
     REQUIRE(swapped.overlaps == contact.overlaps);
@@ -233,7 +233,7 @@ TEST_CASE("faces apart do not push; within the reach they count as near", "[cont
 }
 
 TEST_CASE("faces deeper in each other than the depth do not touch", "[contact][face_face]") {
-  const PairPenalty shallow{1000.0, 0.0, 0.1};
+  const PairPenalty shallow{1000.0, 0.0, 0.1, {}};
   CHECK(press(0.099, 0.0, shallow).force == Approx(99.0));
   CHECK(press(0.101, 0.0, shallow).force == 0.0);
   CHECK(!press(0.101, 0.0, shallow).overlaps);
@@ -241,7 +241,7 @@ TEST_CASE("faces deeper in each other than the depth do not touch", "[contact][f
 
 TEST_CASE("damping pushes when faces close and never pulls", "[contact][face_face]") {
   const MovingFace lower = make_square(0.0, 0.0, true);
-  const PairPenalty damped{1000.0, 2.0, far};
+  const PairPenalty damped{1000.0, 2.0, far, {}};
   const auto at_speed = [&](double speed) {
     MovingFace upper = make_square(0.0, -0.01, false);
     upper.v.row(2).setConstant(speed);

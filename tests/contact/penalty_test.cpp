@@ -26,6 +26,28 @@ TEST_CASE("the springs of two sides stand in series", "[contact][penalty]") {
   CHECK(make_pair_penalty(first, &second, pair).stiffness == Approx(5e12).epsilon(1e-12));
 }
 
+TEST_CASE("a rigid side has no spring and no mass of its own, two of them have those of their elements",
+          "[contact][penalty]") {
+  SurfacePair pair;
+  pair.damping_fraction = 0.1;
+  const double modulus = GENERATE(1e-4, 1.0, 1e4);
+  const Backing rigid{0.2, 100.0 * modulus, 3.0 * modulus, true};
+  const double damping = 0.2 * std::sqrt(300.0 * 6.0);
+  CHECK(make_pair_penalty(rigid, &hard, pair).stiffness == 300.0);
+  CHECK(make_pair_penalty(hard, &rigid, pair).stiffness == 300.0);
+  CHECK(make_pair_penalty(rigid, &hard, pair).damping == Approx(damping));
+  CHECK(make_pair_penalty(rigid, &rigid, pair).stiffness == Approx(50.0 * modulus));
+}
+
+TEST_CASE("the penalty gets stiffer with depth, one of the pair's own does not", "[contact][penalty]") {
+  SurfacePair pair;
+  const PairPenalty penalty = make_pair_penalty(soft, &hard, pair);
+  CHECK(penalty.law.slope(0.004) == 1.0);
+  CHECK(penalty.law.slope(0.05) > 50.0);
+  pair.penalty_stiffness = 1e6;
+  CHECK(make_pair_penalty(soft, &hard, pair).law.slope(0.05) == 1.0);
+}
+
 TEST_CASE("a pair scales the stiffness or has its own", "[contact][penalty]") {
   SurfacePair pair;
   pair.penalty_scale = 0.5;
@@ -65,7 +87,9 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
   for (ContactFace& face : parts.faces.faces) face.backing.stiffness = 1e9;
   for (SurfaceNode& node : parts.faces.surface_nodes) node.backing.stiffness = 1e9;
   parts.faces.faces[0].backing.stiffness = 1e-3;
-  limit_stiffness(parts.surface, 0.1, parts.faces);
+  Model model;
+  model.mesh = &parts.mesh;
+  limit_stiffness(parts.surface, ContactMobility(model), 0.1, parts.faces);
   CHECK(parts.faces.faces[0].backing.stiffness == 1e-3);
   for (std::uint32_t f = 1; f < parts.faces.faces.size(); ++f) {
     const bool is_side = std::abs(parts.surface.bound(f).normal().cast<double>()[2]) < 0.5;
@@ -76,5 +100,34 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
     const Eigen::Vector3d x = parts.x.col(parts.faces.mesh_nodes[node.node]);
     const bool is_inner = x[0] == 1.0 && x[1] == 1.0;
     CHECK(node.backing.stiffness == Approx(4.0 * penalty_share * (is_inner ? 1.5 : 0.5) * 100.0));
+  }
+}
+
+TEST_CASE("faces that are held along their normal, or rigid, have no limit and are rigid",
+          "[contact][penalty]") {
+  test::MeshBuilder b;
+  b.add_hexes({.id = 1});
+  test::ContactParts parts(b, test::general_contact());
+  parts.faces.mass.assign(8, 1e-3);
+  for (ContactFace& face : parts.faces.faces) face.backing.stiffness = 1e9;
+  Model model;
+  model.mesh = &parts.mesh;
+  model.mass = Eigen::Matrix3Xd::Constant(3, 8, 1e-3);
+  DrivenNodes held;
+  held.direction = Components{{false, false, true}};
+  for (std::uint32_t node = 0; node < 8; ++node) held.nodes.push_back({node});
+  const bool is_rigid = GENERATE(false, true);
+  if (is_rigid) {
+    model.rigid.nodes.body_of.assign(8, 0);
+  } else {
+    model.kinematics = Kinematics(parts.mesh, {held});
+  }
+  ContactMobility mobility(model);
+  mobility.update(0.0);
+  limit_stiffness(parts.surface, mobility, 0.1, parts.faces);
+  for (std::uint32_t f = 0; f < parts.faces.faces.size(); ++f) {
+    const bool is_side = std::abs(parts.surface.bound(f).normal().cast<double>()[2]) < 0.5;
+    CHECK(parts.faces.faces[f].backing.is_rigid == (is_rigid || !is_side));
+    if (!is_rigid && !is_side) CHECK(parts.faces.faces[f].backing.stiffness == 1e9);
   }
 }

@@ -3,6 +3,7 @@
 
 #include <omp.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/elements/element_table.hpp"
@@ -42,6 +43,17 @@ class Push final : public ForceTerm {
 
  private:
   Eigen::Vector3d force_;
+};
+
+/// A stable step that is smaller for a moment.
+class Hit final : public ForceTerm {
+ public:
+  ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override {
+    forces.setZero();
+    ForceReport report;
+    report.stable_step = motion.time > 20.0 && motion.time < 22.0 ? 0.5 : 1.0;
+    return report;
+  }
 };
 
 TimeStepControl fixed_step(double dt) {
@@ -110,6 +122,26 @@ TEST_CASE("a spring that shortens the steps when it is stretched does not grow b
   const Energies& e = cube.state.energies;
   CHECK(e.kinetic + e.internal == Approx(8.0).epsilon(0.01));  // each new least step leaves a trace
   CHECK(e.internal >= 0.0);
+}
+
+TEST_CASE("the stable step falls at once and comes back by half a percent per step", "[core][integrator]") {
+  Cube cube;
+  Hit hit;
+  Push nothing(Eigen::Vector3d::Zero());
+  TimePeriod period{"all", 0.0, {}};
+  period.parameters.time_step_scale_factor = 1.0;
+  const TimeStepControl control({period}, 1e9);
+  start(cube.model, {hit, nothing}, control, cube.state);
+  double last = cube.state.next_dt, least = last;
+  for (int step = 0; step < 600; ++step) {
+    advance(cube.model, {hit, nothing}, control, cube.state);
+    CHECK(cube.state.next_dt <= 1.00501 * last);
+    last = cube.state.next_dt;
+    least = std::min(least, last);
+    if (step == 100) CHECK(last == 0.5);  // held through vibrations first
+  }
+  CHECK(least == 0.5);
+  CHECK(last == 1.0);
 }
 
 TEST_CASE("a free fall follows its parabola, and gravity's work becomes kinetic energy",

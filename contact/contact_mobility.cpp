@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/contact_mobility.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <utility>
+
+#include "core/least_mass.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The free directions of a node; null when no condition acts on it.
+const Eigen::Matrix3d* find_projection(std::span<const FreeDirections> held, NodeIndex node) {
+  const auto found = std::ranges::lower_bound(held, node, {}, &FreeDirections::node);
+  return found != held.end() && found->node == node ? &found->projection : nullptr;
+}
+
+/// The share of a direction that is free; without one, 1 unless nothing is.
+double free_share(const Eigen::Matrix3d* projection, const Eigen::Vector3d* direction) {
+  if (projection == nullptr) return 1.0;
+  if (direction == nullptr) return projection->isZero(0.0) ? 0.0 : 1.0;
+  return direction->dot(*projection * *direction);
+}
+
+}  // namespace
+
+ContactMobility::ContactMobility(const Model& model) : model_(model) {
+  for (const RigidBody& body : model.rigid.bodies)
+    turn_mobilities_.push_back(body.flexible.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+}
+
+bool ContactMobility::renew(const Kinematics& kinematics, double time, Free& free) {
+  std::vector<std::uint8_t> now = kinematics.find_active(time);
+  if (now == free.active) return false;
+  free.active = std::move(now);
+  free.held = kinematics.find_free_directions(time);
+  return true;
+}
+
+bool ContactMobility::update(double time) {
+  bool has_changed = renew(model_.kinematics, time, nodes_);
+  has_changed = renew(model_.rotation_kinematics, time, turns_) || has_changed;
+  has_changed = renew(model_.rigid.kinematics, time, bodies_) || has_changed;
+  return renew(model_.rigid.rotation_kinematics, time, body_turns_) || has_changed;
+}
+
+Eigen::Vector3d ContactMobility::arm(const MovingSurface& surface, std::uint32_t node) const {
+  const std::size_t n_mesh_points = surface.faces().n_mesh_points();
+  if (node < n_mesh_points) return Eigen::Vector3d::Zero();
+  return surface.arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
+}
+
+/// n P n / m + |a x n|^2 / I for an arm a to the node of the mesh, at most 1 / m + |a|^2 / I.
+double ContactMobility::mobility(const MovingSurface& surface, std::uint32_t node,
+                                 const Eigen::Vector3d* normal) const {
+  if (is_of_body(surface.faces(), node)) return body_mobility(surface, node, normal);
+  const NodeIndex mesh_node{surface.faces().mesh_nodes[node]};
+  const double share = free_share(find_projection(nodes_.held, mesh_node), normal);
+  const double mobility = share / model_.mass(0, mesh_node.value);
+  const Eigen::Vector3d beside = arm(surface, node);
+  const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
+  if (beside.isZero(0.0) || !(inertia > least_mass)) return mobility;
+  if (free_share(find_projection(turns_.held, mesh_node), nullptr) == 0.0) return mobility;
+  const double lever = normal != nullptr ? beside.cross(*normal).squaredNorm() : beside.squaredNorm();
+  return mobility + lever / inertia;
+}
+
+/// n P n / M + |r|^2 / I of the least moment of inertia I. Lengths from the centre are those at rest.
+double ContactMobility::body_mobility(const MovingSurface& surface, std::uint32_t node,
+                                      const Eigen::Vector3d* normal) const {
+  const std::uint32_t mesh_node = surface.faces().mesh_nodes[node];
+  const auto index = static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]);
+  const RigidBody& body = model_.rigid.bodies[index];
+  const double mobility = free_share(find_projection(bodies_.held, {index}), normal) / body.mass;
+  if (free_share(find_projection(body_turns_.held, {index}), nullptr) == 0.0) return mobility;
+  const double reach =
+      (model_.mesh->coordinates().col(mesh_node) - body.centre).norm() + arm(surface, node).norm();
+  return mobility + reach * reach * turn_mobilities_[index];
+}
+
+bool ContactMobility::is_held(const MovingSurface& surface, std::uint32_t node,
+                              const Eigen::Vector3d* normal) const {
+  constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
+  if (is_of_body(surface.faces(), node)) return false;
+  if (find_projection(nodes_.held, {surface.faces().mesh_nodes[node]}) == nullptr) return false;
+  const double mass = model_.mass(0, surface.faces().mesh_nodes[node]);
+  return mobility(surface, node, normal) * mass < next_to_nothing;
+}
+
+std::size_t ContactMobility::carrier(const ContactFaces& faces, std::uint32_t node) const {
+  if (!is_of_body(faces, node)) return faces.first_alike[node];
+  return faces.n_nodes() + static_cast<std::size_t>(model_.rigid.nodes.body_of[faces.mesh_nodes[node]]);
+}
+
+std::span<const double> ContactMobility::find_rates(const MovingSurface& surface,
+                                                    std::span<const ContactRecord> points,
+                                                    std::span<const HeldForces> held,
+                                                    std::span<const std::uint8_t> slips) {
+  const ContactFaces& faces = surface.faces();
+  carrier_rates_.assign(faces.n_nodes() + model_.rigid.bodies.size(), 0.0);
+  const auto add = [&](std::uint32_t node, double stiffness, const Eigen::Vector3d* normal) {
+    if (stiffness > 0.0) carrier_rates_[carrier(faces, node)] += stiffness * mobility(surface, node, normal);
+  };
+  for (const ContactRecord& point : points) {
+    if (!(point.stiffness > 0.0)) continue;
+    const Eigen::Vector3d* normal = slips[point.pair] != 0 ? nullptr : &point.normal;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      add(point.first.nodes[k], point.first.weights[i] * point.stiffness, normal);
+      add(point.second.nodes[k], point.second.weights[i] * point.stiffness, normal);
+    }
+  }
+  for (const HeldForces& one : held) {
+    for (std::size_t k = 0; k < 8; ++k)
+      add(one.place.nodes[k], one.place.springs[static_cast<Eigen::Index>(k)], nullptr);
+  }
+  rates_.resize(faces.n_nodes());
+  for (std::uint32_t node = 0; node < faces.n_nodes(); ++node)
+    rates_[node] = carrier_rates_[carrier(faces, node)];
+  return rates_;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/contact_record.hpp"
+#include "contact/held_places.hpp"
+#include "contact/moving_surface.hpp"
+#include "core/model.hpp"
+
+namespace contactsim {
+
+/// How much contact nodes give way to springs: change of velocity per impulse [1/mass], by lumped mass and
+/// rotary inertia, along the directions that conditions leave free. A node that is held or driven does not
+/// give way; a node of a rigid body gives way by the body's mass and moments of inertia. Bounds the
+/// frequencies of the elastic penalty.
+class ContactMobility {
+ public:
+  /// All that the model refers to must outlive this.
+  explicit ContactMobility(const Model& model);
+
+  /// Takes over the conditions that act in the step that begins now. Returns whether nodes or bodies have
+  /// become held or free since the last call.
+  bool update(double time);
+
+  /// Whether a contact node moves with a rigid body.
+  bool is_of_body(const ContactFaces& faces, std::uint32_t node) const {
+    return !model_.rigid.nodes.is_free({faces.mesh_nodes[node]});
+  }
+  /// How much a contact node gives way along a unit normal to a force along it, or along any direction where
+  /// there is no normal. Of a rigid body a bound.
+  double mobility(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
+  /// Whether conditions keep a contact node from moving along a normal, or at all where there is none.
+  bool is_held(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
+
+  /// For each contact node the sum of stiffness times mobility over all springs of its carrier, a node of the
+  /// mesh or a rigid body: a bound of the square of its frequency when the other side is held
+  /// [n_contact_nodes] [1/time^2].
+  ///   slips  [n_pairs] whether points of a pair have springs along the surface, too
+  std::span<const double> find_rates(const MovingSurface& surface, std::span<const ContactRecord> points,
+                                     std::span<const HeldForces> held, std::span<const std::uint8_t> slips);
+
+ private:
+  struct Free {
+    std::vector<std::uint8_t> active;
+    std::vector<FreeDirections> held;
+  };
+
+  static bool renew(const Kinematics& kinematics, double time, Free& free);
+  double body_mobility(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
+  Eigen::Vector3d arm(const MovingSurface& surface, std::uint32_t node) const;
+  std::size_t carrier(const ContactFaces& faces, std::uint32_t node) const;
+
+  const Model& model_;
+  Free nodes_, turns_, bodies_, body_turns_;
+  std::vector<double> turn_mobilities_;        // [n_bodies] the largest [1/(mass length^2)]
+  std::vector<double> carrier_rates_, rates_;  // scratch
+};
+
+}  // namespace contactsim
