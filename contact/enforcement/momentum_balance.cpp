@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/momentum_balance.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "core/state_archive.hpp"
 
 namespace contactsim {
 
@@ -11,9 +14,9 @@ namespace {
 constexpr double balanced = 1e-4;
 
 /// What neither side can represent, such as slopes across unlike meshes, stays in the forces however many
-/// passes there are. Passes end when after the first few one leaves more than this share of the residual.
+/// passes there are. A pass that leaves more than this share of the residual is one too many.
 constexpr double fruitless = 0.975;
-constexpr int n_first_passes = 3;
+constexpr std::int64_t least_passes = 4;
 
 }  // namespace
 
@@ -50,32 +53,47 @@ ConstraintPass MomentumBalance::pass(double momentum) {
   return sums;
 }
 
+/// As many in the next step, one more or one fewer: where passes leave a share of a mode in one step and none
+/// of it in the next, the mode grows, however much each pass takes.
+///   share  of the residual that the last pass left [1]
+void MomentumBalance::choose_passes(std::int64_t n_passes, double share) {
+  n_passes_ = std::max(least_passes, share > fruitless ? n_passes - 1 : n_passes + 1);
+}
+
 BalanceReport MomentumBalance::solve(int max_iterations) {
   BalanceReport report;
+  const std::int64_t n_passes =
+      ties_.empty() ? std::min<std::int64_t>(n_passes_, max_iterations) : max_iterations;
   mobility_.begin_passes();
   set_softness();
   push_forces();
-  double theta = 1.0, momentum = 0.0, before = 0.0;
-  while (report.n_iterations < max_iterations) {
+  double theta = 1.0, momentum = 0.0, before = 1.0, share = 1.0;
+  while (report.n_iterations < n_passes) {
     const double next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * theta * theta));
-    const bool is_last = report.n_iterations + 1 == max_iterations;
+    const bool is_last = report.n_iterations + 1 == n_passes;
     momentum = is_last ? 0.0 : (theta - 1.0) / next;
     const ConstraintPass sums = pass(momentum);
     theta = next;
     ++report.n_iterations;
     report.residual = sums.all > 0.0 ? sums.changed / sums.all : 0.0;
     if (report.residual <= balanced) break;
-    if (report.n_iterations > n_first_passes && report.residual > fruitless * before) break;
+    share = report.residual / before;
     before = report.residual;
-    if (!(sums.uphill > 0.0)) continue;
+    if (!(sums.uphill > 0.0) || is_last) continue;
     theta = 1.0;
     push_forces();
     momentum = 0.0;
   }
   if (momentum > 0.0) push_forces();
+  if (report.residual > balanced) choose_passes(n_passes, share);
   loss_ = contacts_.finish();
   ties_.finish();
   return report;
+}
+
+void MomentumBalance::archive(StateArchive& saved) {
+  saved.fixed("contact/passes", std::span(&n_passes_, 1));
+  contacts_.memory().archive(saved);
 }
 
 void MomentumBalance::renumber(const ContactRenumbering& places) {

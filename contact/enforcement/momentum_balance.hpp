@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -62,18 +63,20 @@ class MomentumBalance {
 
   /// Goes over to other faces and nodes.
   void renumber(const ContactRenumbering& places);
-  void archive(StateArchive& saved) { contacts_.memory().archive(saved); }
+  void archive(StateArchive& saved);
 
  private:
   void set_softness();
   ConstraintPass pass(double momentum);
   void push_forces();
+  void choose_passes(std::int64_t n_passes, double share);
 
   NodeMobility mobility_;
   TieConstraints ties_{mobility_};
   ContactConstraints contacts_{mobility_};
   LeaningAreas areas_;  // scratch
   ContactLoss loss_;
+  std::int64_t n_passes_ = 1000;  // of the next step at most
 };
 
 }  // namespace contactsim

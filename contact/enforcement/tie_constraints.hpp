@@ -21,6 +21,7 @@ class TieConstraints {
   void begin(const MovingSurface& surface, double dt);
   /// Adds the points of a tie, which must outlive the step; find_forces() answers for it afterwards.
   void add(Tie& tie);
+  bool empty() const { return rows_.empty(); }
 
   // As of ContactConstraints.
   void add_areas(LeaningAreas& areas) const;

