@@ -13,20 +13,17 @@ namespace {
 /// force: what springs gain without work they mostly lose again without any.
 constexpr double reserve = 0.3;
 
-/// In the last step of a contact its force may be so many times that of the springs.
-constexpr double largest_last_force = 1.2;
-
 /// What the points of a pair hold, lose in the step, and take in its half behind them [energy].
 struct PairEnergy {
   double stored = 0.0, lost = 0.0, taken = 0.0;
   bool ends = true;  ///< all points will have parted after the coming step
 
   /// The factor of the forces. A step ends a contact somewhere between the depth that it has and touch, which
-  /// makes or destroys energy by chance: the last force gives back what is left, in this half step and the
-  /// next one.
+  /// makes or destroys energy by chance: the last force gives back no more than what is left, in this half
+  /// step and the next one.
   double factor(double energy, double least) const {
     if (std::isnan(energy)) return 1.0;
-    if (ends && taken < 0.0) return std::clamp(energy / (-2.0 * taken), 0.0, largest_last_force);
+    if (ends && taken < 0.0) return std::clamp(energy / (-2.0 * taken), 0.0, 1.0);
     const double needed = reserve * (stored + lost - taken);
     const double available = energy - least;
     if (!(needed > available)) return 1.0;
@@ -77,7 +74,6 @@ void limit_returned_energy(const MovingSurface& surface, const PairWork& work, s
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double factor = pairs[points[i].pair].factor(energy[points[i].pair], least[points[i].pair]);
-    if (factor > 1.0) scale(factor, points[i]);
     if (factor < 1.0) scale(std::max(factor, share_of_step(points[i], taken[i])), points[i]);
   }
 }

@@ -9,9 +9,14 @@ namespace contactsim {
 
 namespace {
 
-/// The most of a penetration that comes out in a step, over the thickness, and the share of a slip held by
-/// friction.
-constexpr double fastest_recovery = 2e-4, recovery = 0.1;
+/// The share of a penetration that comes out in a step, the most over the thickness, and the share of a slip
+/// held by friction. All of a penetration at once would throw bodies out: it is the error of some step.
+constexpr double gap_recovery = 0.2, fastest_recovery = 2e-4, slip_recovery = 0.1;
+
+/// How far a point may penetrate at the end of a step [length].
+double left_penetration(double gap, double thickness) {
+  return std::max({0.0, -(1.0 - gap_recovery) * gap, -gap - fastest_recovery * thickness});
+}
 
 Eigen::Vector3d in_plane(const Eigen::Vector3d& vector, const Eigen::Vector3d& normal) {
   return vector - normal.dot(vector) * normal;
@@ -87,7 +92,7 @@ void ContactConstraints::add(const ContactRecord& record, const PairRule& rule, 
   if (record.touches()) push_law(record, row);
   if (!is_constraint) return;
   row.normal = node_vector(record.normal);
-  row.start = record.gap - record.closing + std::max(0.0, -record.gap - fastest_recovery * thickness);
+  row.start = record.gap - record.closing + left_penetration(record.gap, thickness);
   if (rule.friction > 0.0) add_friction(record, rule, row);
   ContactMemory::Entry known;
   if (memory_.recall(record, known)) {
@@ -187,7 +192,7 @@ NodeVector ContactConstraints::next_force(const Row& row) const {
   if (row.grip == none) return force * row.normal;
   const Grip& grip = grips_[row.grip];
   const Eigen::Vector3d normal = row.normal.head<3>();
-  const Eigen::Vector3d slip = recovery * grip.held + grip.slip + in_plane(changed.head<3>(), normal);
+  const Eigen::Vector3d slip = slip_recovery * grip.held + grip.slip + in_plane(changed.head<3>(), normal);
   Eigen::Vector3d tangential = in_plane(row.ahead.head<3>(), normal) - rate * slip;
   const double limit = slip_limit(row, force), size = tangential.norm();
   if (size > limit) tangential *= limit / size;

@@ -38,9 +38,9 @@ def speed_of_slider(run):
     return run.momentum(3)[:, 0] / run.mass(3)
 
 
-def speed_check(label, run, tolerance=1e-3, **known):
+def speed_check(label, run, tolerance=1e-3):
     speed = speed_of_slider(run)
-    return Check(f"{label}: speed", 5.0, speed[np.argmax(np.abs(speed - 5.0))], tolerance, **known)
+    return Check(f"{label}: speed", 5.0, speed[np.argmax(np.abs(speed - 5.0))], tolerance)
 
 
 @case()

@@ -62,6 +62,7 @@ begin sierra rings
       begin heartbeat output
         stream name = %B.csv
         {include("energies.inc")}
+        global contact_penetration_max as penetration
       end
       {include("results.inc")}
     end

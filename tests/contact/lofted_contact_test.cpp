@@ -145,7 +145,7 @@ TEST_CASE("crossed beams touch when their axes are as far apart as both radii", 
   bodies.set_velocity(1, {0.3, 0.2, -1});
   for (int i = 0; i < 10; ++i) bodies.step(1e-3);
   bodies.set_velocity(1, {0.3, 0.2, 0});
-  for (int i = 0; i < 10; ++i) bodies.step(1e-3);
+  for (int i = 0; i < 20; ++i) bodies.step(1e-3);
   CHECK(bodies.force_on(1).z() > 0.0);
   CHECK(bodies.force_on(1).head<2>().norm() == Approx(0.5 * bodies.force_on(1).z()).epsilon(0.02));
   CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
