@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/errors.hpp"
@@ -185,13 +186,19 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
 
 /// The stable step that the run may use: the least of late, from which it comes back by half a percent per
 /// step. Central differences keep an energy that depends on the step: one that jumped up after each hit would
-/// change it at once.
+/// change it at once. While the step comes back, `before` is what it has come to, and nothing is counted.
 double held_stable_step(double stable, RecentLeast& least) {
   constexpr double recovery = 1.005;
-  const double last = std::min(least.now, least.before);
-  const double held = least.with(stable);
-  if (held <= recovery * last) return held;
-  least.before = recovery * last;  // holds it in the next step as well
+  constexpr std::int64_t comes_back = -1;
+  if (least.count == comes_back) {
+    const double next = recovery * least.before;
+    if (stable > next) return least.before = next;
+    least = {};
+    return least.with(stable);
+  }
+  const double last = std::min(least.now, least.before), held = least.with(stable);
+  if (!(held > recovery * last)) return held;
+  least = {std::numeric_limits<double>::infinity(), recovery * last, comes_back};
   return least.before;
 }
 
