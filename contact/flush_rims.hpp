@@ -7,8 +7,10 @@ namespace contactsim {
 
 /// Where bodies lie flush beside each other, a body that slides over them penetrates them a little, and the
 /// strip of its side faces below their surface meets the side faces inside the joint. Those contact points
-/// are false: the faces on the other side of the rim carry the body. A strip counts as flush when it is not
-/// wider than some times what the face beyond the rim penetrated something by in the last step.
+/// are false: the faces on the other side of the rim carry the body. A strip counts as flush when the face
+/// beyond the rim touches, faces of the other side look against that one, and the strip is not wider than a
+/// hundredth of half the side face and some times what the face beyond penetrated something by in the last
+/// step.
 
 /// Whether the overlap of two faces lies in a flush strip of either.
 ///   contact  overlaps
