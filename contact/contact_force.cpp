@@ -214,6 +214,7 @@ void ContactForce::add_places(const ContactScene& scene) {
 /// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
 /// Points of lofts that hang on one node add up there, as do the nodes of a rigid body.
 double ContactForce::largest_eigenvalue() {
+  if (points_.empty() && held_.forces().empty()) return 0.0;
   slips_.assign(rules_.rules().size(), 0);
   for (std::size_t i = 0; i < slips_.size(); ++i) {
     const PairRule& rule = rules_.rules()[i];

@@ -2,20 +2,11 @@
 #include "contact/contact_mobility.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <utility>
-
 #include "core/least_mass.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// The free directions of a node; null when no condition acts on it.
-const Eigen::Matrix3d* find_projection(std::span<const FreeDirections> held, NodeIndex node) {
-  const auto found = std::ranges::lower_bound(held, node, {}, &FreeDirections::node);
-  return found != held.end() && found->node == node ? &found->projection : nullptr;
-}
 
 /// The share of a direction that is free; without one, 1 unless nothing is.
 double free_share(const Eigen::Matrix3d* projection, const Eigen::Vector3d* direction) {
@@ -31,21 +22,6 @@ ContactMobility::ContactMobility(const Model& model) : model_(model) {
     turn_mobilities_.push_back(body.flexible.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
 }
 
-bool ContactMobility::renew(const Kinematics& kinematics, double time, Free& free) {
-  std::vector<std::uint8_t> now = kinematics.find_active(time);
-  if (now == free.active) return false;
-  free.active = std::move(now);
-  free.held = kinematics.find_free_directions(time);
-  return true;
-}
-
-bool ContactMobility::update(double time) {
-  bool has_changed = renew(model_.kinematics, time, nodes_);
-  has_changed = renew(model_.rotation_kinematics, time, turns_) || has_changed;
-  has_changed = renew(model_.rigid.kinematics, time, bodies_) || has_changed;
-  return renew(model_.rigid.rotation_kinematics, time, body_turns_) || has_changed;
-}
-
 Eigen::Vector3d ContactMobility::arm(const MovingSurface& surface, std::uint32_t node) const {
   const std::size_t n_mesh_points = surface.faces().n_mesh_points();
   if (node < n_mesh_points) return Eigen::Vector3d::Zero();
@@ -57,12 +33,12 @@ double ContactMobility::mobility(const MovingSurface& surface, std::uint32_t nod
                                  const Eigen::Vector3d* normal) const {
   if (is_of_body(surface.faces(), node)) return body_mobility(surface, node, normal);
   const NodeIndex mesh_node{surface.faces().mesh_nodes[node]};
-  const double share = free_share(find_projection(nodes_.held, mesh_node), normal);
+  const double share = free_share(free_.of_node(mesh_node.value), normal);
   const double mobility = share / model_.mass(0, mesh_node.value);
   const Eigen::Vector3d beside = arm(surface, node);
   const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
   if (beside.isZero(0.0) || !(inertia > least_mass)) return mobility;
-  if (free_share(find_projection(turns_.held, mesh_node), nullptr) == 0.0) return mobility;
+  if (free_share(free_.of_turns(mesh_node.value), nullptr) == 0.0) return mobility;
   const double lever = normal != nullptr ? beside.cross(*normal).squaredNorm() : beside.squaredNorm();
   return mobility + lever / inertia;
 }
@@ -73,8 +49,8 @@ double ContactMobility::body_mobility(const MovingSurface& surface, std::uint32_
   const std::uint32_t mesh_node = surface.faces().mesh_nodes[node];
   const auto index = static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]);
   const RigidBody& body = model_.rigid.bodies[index];
-  const double mobility = free_share(find_projection(bodies_.held, {index}), normal) / body.mass;
-  if (free_share(find_projection(body_turns_.held, {index}), nullptr) == 0.0) return mobility;
+  const double mobility = free_share(free_.of_body(index), normal) / body.mass;
+  if (free_share(free_.of_body_turns(index), nullptr) == 0.0) return mobility;
   const double reach =
       (model_.mesh->coordinates().col(mesh_node) - body.centre).norm() + arm(surface, node).norm();
   return mobility + reach * reach * turn_mobilities_[index];
@@ -84,7 +60,7 @@ bool ContactMobility::is_held(const MovingSurface& surface, std::uint32_t node,
                               const Eigen::Vector3d* normal) const {
   constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
   if (is_of_body(surface.faces(), node)) return false;
-  if (find_projection(nodes_.held, {surface.faces().mesh_nodes[node]}) == nullptr) return false;
+  if (free_.of_node(surface.faces().mesh_nodes[node]) == nullptr) return false;
   const double mass = model_.mass(0, surface.faces().mesh_nodes[node]);
   return mobility(surface, node, normal) * mass < next_to_nothing;
 }

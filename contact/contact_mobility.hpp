@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_record.hpp"
+#include "contact/free_directions.hpp"
 #include "contact/held_places.hpp"
 #include "contact/moving_surface.hpp"
 #include "core/model.hpp"
@@ -24,7 +25,7 @@ class ContactMobility {
 
   /// Takes over the conditions that act in the step that begins now. Returns whether nodes or bodies have
   /// become held or free since the last call.
-  bool update(double time);
+  bool update(double time) { return free_.update(model_, time); }
 
   /// Whether a contact node moves with a rigid body.
   bool is_of_body(const ContactFaces& faces, std::uint32_t node) const {
@@ -44,18 +45,12 @@ class ContactMobility {
                                      std::span<const HeldForces> held, std::span<const std::uint8_t> slips);
 
  private:
-  struct Free {
-    std::vector<std::uint8_t> active;
-    std::vector<FreeDirections> held;
-  };
-
-  static bool renew(const Kinematics& kinematics, double time, Free& free);
   double body_mobility(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
   Eigen::Vector3d arm(const MovingSurface& surface, std::uint32_t node) const;
   std::size_t carrier(const ContactFaces& faces, std::uint32_t node) const;
 
   const Model& model_;
-  Free nodes_, turns_, bodies_, body_turns_;
+  ModelFreeDirections free_;
   std::vector<double> turn_mobilities_;        // [n_bodies] the largest [1/(mass length^2)]
   std::vector<double> carrier_rates_, rates_;  // scratch
 };

@@ -184,29 +184,10 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
   constrain(model, state);
 }
 
-/// The stable step that the run may use: the least of late, from which it comes back by half a percent per
-/// step. Central differences keep an energy that depends on the step: one that jumped up after each hit would
-/// change it at once. While the step comes back, `before` is what it has come to, and nothing is counted.
-double held_stable_step(double stable, RecentLeast& least) {
-  constexpr double recovery = 1.005;
-  constexpr std::int64_t comes_back = -1;
-  if (least.count == comes_back) {
-    const double next = recovery * least.before;
-    if (stable > next) return least.before = next;
-    least = {};
-    return least.with(stable);
-  }
-  const double last = std::min(least.now, least.before), held = least.with(stable);
-  if (!(held > recovery * last)) return held;
-  least = {std::numeric_limits<double>::infinity(), recovery * last, comes_back};
-  return least.before;
-}
-
 /// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
 void complete(const Model& model, ForceTerms terms, const TimeStepControl& control, const StepReport& report,
               State& state) {
-  state.next_dt =
-      control.step_after(state.time, state.dt, held_stable_step(report.stable_step, state.stable_steps));
+  state.next_dt = control.step_after(state.time, state.dt, state.stable_step.take(report.stable_step));
   if (state.step == 0) state.first_dt = state.next_dt;
   check_step(model, state, report);
   find_accelerations(model, state);

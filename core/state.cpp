@@ -63,8 +63,8 @@ void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {
 
 void archive(State& state, StateArchive& saved) {
   saved.numbers("run/steps", state.step, state.time, state.dt, state.next_dt, state.first_dt);
-  saved.numbers("run/stable_steps", state.stable_steps.now, state.stable_steps.before,
-                state.stable_steps.count);
+  HeldStableStep& stable = state.stable_step;
+  saved.numbers("run/stable_step", stable.now, stable.before, stable.count, stable.returning);
   saved.fixed("nodes/coordinates", state.coordinates);
   saved.fixed("nodes/velocity", state.velocity);
   saved.fixed("nodes/acceleration", state.acceleration);

@@ -82,7 +82,7 @@ struct State {
   double dt = 0.0;                ///< of the step that ended here, 0 before the first [time]
   double next_dt = 0.0;           ///< of the step that begins here [time]
   double first_dt = 0.0;          ///< of the first step [time]
-  RecentLeast stable_steps;       ///< of the steps so far
+  HeldStableStep stable_step;     ///< by the steps so far
   Eigen::Matrix3Xd coordinates;   ///< [3 x n_nodes] [length]
   Eigen::Matrix3Xd velocity;      ///< [3 x n_nodes] [length/time]
   Eigen::Matrix3Xd acceleration;  ///< [3 x n_nodes] [length/time^2]

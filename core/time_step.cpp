@@ -8,6 +8,26 @@
 
 namespace contactsim {
 
+double HeldStableStep::least_with(double stable) {
+  if (count == n_steps) *this = {.before = now};
+  now = std::min(now, stable);
+  ++count;
+  return std::min(now, before);
+}
+
+double HeldStableStep::take(double stable) {
+  if (returning > 0.0) {
+    const double next = recovery * returning;
+    if (stable > next) return returning = next;
+    *this = {};
+    return least_with(stable);
+  }
+  const double last = std::min(now, before), held = least_with(stable);
+  if (!(held > recovery * last)) return held;
+  *this = {.returning = recovery * last};
+  return returning;
+}
+
 std::size_t TimeStepControl::period_at(double time) const {
   std::size_t period = 0;
   while (period + 1 < periods_.size() && periods_[period + 1].start <= time) ++period;

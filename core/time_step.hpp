@@ -27,23 +27,26 @@ struct StepTarget {
   std::int64_t n_steps = 1;  ///< over so many steps before its time the steps may be shortened, >= 1
 };
 
-/// The least stable step of late. Steps that followed the stable one through every vibration, larger as the
-/// elements grow and smaller as they shrink, would feed the vibration: central differences keep an energy
-/// that depends on the step. Held, they change for good reasons only, and what has passed is forgotten.
-/// Source: Skeel and Gear, Physica D 60 (1992) 311-313, for why.
-struct RecentLeast {
+/// The stable step that a run may use: the least of late, from which it comes back step by step. Steps that
+/// followed the stable one through every vibration, larger as the elements grow and smaller as they shrink,
+/// would feed the vibration: central differences keep an energy that depends on the step. Held, they change
+/// for good reasons only, and what has passed is forgotten; one that jumped up afterwards would change that
+/// energy at once. Source: Skeel and Gear, Physica D 60 (1992) 311-313, for why.
+struct HeldStableStep {
   static constexpr std::int64_t n_steps = 100;  ///< at least so many are remembered, at most twice as many
-  double now = std::numeric_limits<double>::infinity();     ///< of the last `count` steps [time]
-  double before = std::numeric_limits<double>::infinity();  ///< of the n_steps before those [time]
-  std::int64_t count = 0;
+  static constexpr double recovery = 1.005;     ///< by no more than this it grows from step to step [1]
+  static constexpr double forever = std::numeric_limits<double>::infinity();
 
-  /// Takes in one more; returns the least.
-  double with(double stable) {
-    if (count == n_steps) *this = {std::numeric_limits<double>::infinity(), now, 0};
-    now = std::min(now, stable);
-    ++count;
-    return std::min(now, before);
-  }
+  double now = forever;     ///< the least of the last `count` steps [time]
+  double before = forever;  ///< the least of the n_steps before those [time]
+  std::int64_t count = 0;
+  double returning = 0.0;  ///< what it has come back to so far; 0 where it is held [time]
+
+  /// Takes in the stable step of the elements and of contact; returns what the run may use.
+  double take(double stable);
+
+ private:
+  double least_with(double stable);
 };
 
 /// How long the run is and how large its steps are. Source: Sierra/SM 5.22, 3.1.

@@ -28,6 +28,25 @@ struct ConstraintPass {
   }
 };
 
+/// A pass over constraints: finds the next force of each, and pushes its carriers by what the pass after
+/// looks at, by the momentum beyond.
+///   next_force, push  of a constraint
+template <class Row, class NextForce, class Push>
+ConstraintPass pass_over(std::vector<Row>& rows, double momentum, const NextForce& next_force,
+                         const Push& push) {
+  ConstraintPass sums;
+  for (Row& row : rows) {
+    const decltype(row.force) force = next_force(row), step = force - row.force, over = row.ahead - force;
+    sums.changed += over.norm();
+    sums.all += force.norm();
+    sums.uphill += row.softness * over.dot(step);
+    row.force = force;
+    row.ahead = force + momentum * step;
+    push(row);
+  }
+  return sums;
+}
+
 /// The areas of contact points that lean on each carrier, by its translation and by its rotation
 /// [n_carriers x 2] [length^2].
 using LeaningAreas = std::vector<std::array<double, 2>>;

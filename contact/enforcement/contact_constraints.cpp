@@ -138,10 +138,6 @@ void ContactConstraints::set_softness(const LeaningAreas& areas) {
   std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
 }
 
-void ContactConstraints::forget_momentum() {
-  for (Row& row : rows_) row.ahead = row.force;
-}
-
 NodeVector ContactConstraints::plain_change(const Row& row) const {
   NodeVector sum = NodeVector::Zero();
   for (const Term& term : terms_of(row)) sum += term.weight * mobility_.change(term.carrier);
@@ -170,8 +166,11 @@ void ContactConstraints::push(const Row& row) {
   }
 }
 
-void ContactConstraints::push_all() {
-  for (const Row& row : rows_) push(row);
+void ContactConstraints::push_forces() {
+  for (Row& row : rows_) {
+    row.ahead = row.force;
+    push(row);
+  }
 }
 
 double ContactConstraints::slip_limit(const Row& row, double normal_force) const {
@@ -200,17 +199,9 @@ NodeVector ContactConstraints::next_force(const Row& row) const {
 }
 
 ConstraintPass ContactConstraints::pass(double momentum) {
-  ConstraintPass sums;
-  for (Row& row : rows_) {
-    const NodeVector force = next_force(row), step = force - row.force, over = row.ahead - force;
-    sums.changed += over.norm();
-    sums.all += force.norm();
-    sums.uphill += row.softness * over.dot(step);
-    row.force = force;
-    row.ahead = force + momentum * step;
-    push(row);
-  }
-  return sums;
+  return pass_over(
+      rows_, momentum, [this](const Row& row) { return next_force(row); },
+      [this](const Row& row) { push(row); });
 }
 
 /// The velocity of the first side against the second, in the step before or in the coming one without these

@@ -36,10 +36,8 @@ class ContactConstraints {
   /// Softness of each point, by all areas. Points between sides that are held or driven, where nothing can be
   /// done, are no constraints any more.
   void set_softness(const LeaningAreas& areas);
-  /// The next pass looks at the forces of the last one.
-  void forget_momentum();
-  /// Pushes the carriers by the forces that the next pass looks at.
-  void push_all();
+  /// Pushes the carriers by the forces of the last pass, which the next one looks at: without momentum.
+  void push_forces();
   /// Finds the next forces, and pushes the carriers by what the pass after looks at: by the momentum beyond.
   ConstraintPass pass(double momentum);
   /// Gives the points their forces, slip and losses, and remembers them.

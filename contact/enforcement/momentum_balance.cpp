@@ -39,10 +39,8 @@ void MomentumBalance::set_softness() {
 
 /// Has the carriers move by the forces, without momentum beyond them.
 void MomentumBalance::push_forces() {
-  ties_.forget_momentum();
-  contacts_.forget_momentum();
-  ties_.push_all();
-  contacts_.push_all();
+  ties_.push_forces();
+  contacts_.push_forces();
   mobility_.end_pass();
 }
 

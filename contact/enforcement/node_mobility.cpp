@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 
 #include "core/least_mass.hpp"
@@ -12,12 +11,6 @@
 namespace contactsim {
 
 namespace {
-
-/// The free directions of a node; null when no condition acts on it.
-const Eigen::Matrix3d* find_projection(std::span<const FreeDirections> held, NodeIndex node) {
-  const auto found = std::ranges::lower_bound(held, node, {}, &FreeDirections::node);
-  return found != held.end() && found->node == node ? &found->projection : nullptr;
-}
 
 /// Bound of the largest eigenvalue of a symmetric matrix without negative ones, by the smaller of two bounds.
 double largest_stretch(const Eigen::Matrix3d& symmetric) {
@@ -40,7 +33,7 @@ void NodeMobility::begin(const Model& model, const MovingSurface& surface, const
     changes->changes.clear();
     changes->turnings.clear();
   }
-  if (find_free_directions(model, state) || inverse_mass_.empty()) {
+  if (free_.update(model, state.time) || inverse_mass_.empty()) {
     const std::size_t n_bodies = surface.faces().n_nodes() + model.rigid.bodies.size();
     general_.assign(n_bodies, none);
     inverse_mass_.assign(n_bodies, 0.0);
@@ -50,24 +43,6 @@ void NodeMobility::begin(const Model& model, const MovingSurface& surface, const
     set_bodies(model);
   }
   turn_bodies(model, state);
-}
-
-/// Returns whether any has changed.
-bool NodeMobility::find_free_directions(const Model& model, const State& state) {
-  bool has_changed = false;
-  const auto renew = [&](const Kinematics& kinematics, std::vector<std::uint8_t>& active,
-                         std::vector<FreeDirections>& held) {
-    std::vector<std::uint8_t> now = kinematics.find_active(state.time);
-    if (now == active) return;
-    active = std::move(now);
-    held = kinematics.find_free_directions(state.time);
-    has_changed = true;
-  };
-  renew(model.kinematics, active_[0], held_);
-  renew(model.rotation_kinematics, active_[1], held_turns_);
-  renew(model.rigid.kinematics, active_[2], held_bodies_);
-  renew(model.rigid.rotation_kinematics, active_[3], held_body_turns_);
-  return has_changed;
 }
 
 NodeMobility::General& NodeMobility::make_general(std::uint32_t body) {
@@ -83,7 +58,7 @@ void NodeMobility::set_nodes(const Model& model) {
     const NodeIndex node{faces.mesh_nodes[i]};
     const double mass = model.mass(0, node.value);
     if (faces.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
-    const Eigen::Matrix3d* free = find_projection(held_, node);
+    const Eigen::Matrix3d* free = free_.of_node(node.value);
     const double inertia = turns ? model.inertia(0, node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
     if (!is_positive(inertia) && (free == nullptr || is_held || *free == all)) {
@@ -93,7 +68,7 @@ void NodeMobility::set_nodes(const Model& model) {
     General& general = make_general(i);
     general.translation = (free != nullptr ? *free : all) / mass;
     if (!is_positive(inertia)) continue;
-    const Eigen::Matrix3d* free_turns = find_projection(held_turns_, node);
+    const Eigen::Matrix3d* free_turns = free_.of_turns(node.value);
     general.rotation = (free_turns != nullptr ? *free_turns : all) / inertia;
   }
 }
@@ -101,7 +76,7 @@ void NodeMobility::set_nodes(const Model& model) {
 void NodeMobility::set_bodies(const Model& model) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
     General& general = make_general(static_cast<std::uint32_t>(surface_->faces().n_nodes()) + i);
-    const Eigen::Matrix3d* free = find_projection(held_bodies_, {i});
+    const Eigen::Matrix3d* free = free_.of_body(i);
     general.translation =
         (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
   }
@@ -112,7 +87,7 @@ void NodeMobility::turn_bodies(const Model& model, const State& state) {
     const RigidBody& body = model.rigid.bodies[i];
     General& general = generals_[general_[surface_->faces().n_nodes() + i]];
     const Eigen::Matrix3d axes = state.rigid[i].orientation.toRotationMatrix();
-    const Eigen::Matrix3d* free = find_projection(held_body_turns_, {i});
+    const Eigen::Matrix3d* free = free_.of_body_turns(i);
     if (free == nullptr) {
       general.rotation = axes * body.flexible * axes.transpose();
     } else {

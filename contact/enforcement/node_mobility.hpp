@@ -2,10 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "contact/free_directions.hpp"
 #include "contact/moving_surface.hpp"
 #include "core/elements/gather.hpp"
 #include "core/model.hpp"
@@ -85,7 +85,6 @@ class NodeMobility {
     std::vector<NodeVector> changes, turnings;  // [length/time] [1/time]; fourth numbers are 0
   };
 
-  bool find_free_directions(const Model& model, const State& state);
   void set_nodes(const Model& model);
   void set_bodies(const Model& model);
   void turn_bodies(const Model& model, const State& state);
@@ -100,12 +99,11 @@ class NodeMobility {
   std::vector<double> inverse_mass_;    // [n_bodies] of plain ones, 0 of held ones [1/mass]
   std::vector<std::uint32_t> carrier_;  // [n_bodies] among those of the step, or none
   std::vector<General> generals_;
-  std::vector<std::uint32_t> mesh_nodes_;            // of the step
-  std::vector<Carrier> carriers_;                    // of the step
-  Changes first_, now_, next_;                       // before any pass, of the last one, of the one that runs
-  std::array<std::vector<std::uint8_t>, 4> active_;  // conditions, as the directions below are of
-  std::vector<FreeDirections> held_, held_turns_, held_bodies_, held_body_turns_;  // ascending
-  double half_steps_ = 0.0;                                                        // a force acts for [time]
+  std::vector<std::uint32_t> mesh_nodes_;  // of the step
+  std::vector<Carrier> carriers_;          // of the step
+  Changes first_, now_, next_;             // before any pass, of the last one, of the one that runs
+  ModelFreeDirections free_;
+  double half_steps_ = 0.0;  // a force acts for [time]
 };
 
 }  // namespace contactsim

@@ -115,10 +115,6 @@ void TieConstraints::set_softness(const LeaningAreas& areas) {
   std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
 }
 
-void TieConstraints::forget_momentum() {
-  for (Row& row : rows_) row.ahead = row.force;
-}
-
 Eigen::Vector3d TieConstraints::change(const Row& row) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Term& term : terms_of(row)) {
@@ -135,25 +131,23 @@ void TieConstraints::push(const Row& row) {
   }
 }
 
-void TieConstraints::push_all() {
-  for (const Row& row : rows_) push(row);
+void TieConstraints::push_forces() {
+  for (Row& row : rows_) {
+    row.ahead = row.force;
+    push(row);
+  }
+}
+
+Eigen::Vector3d TieConstraints::next_force(const Row& row) const {
+  const Eigen::Vector3d distance =
+      row.start + dt_ * change(row) + constraint_compliance * row.softness * row.ahead;
+  return row.ahead - (1.0 - constraint_compliance) / row.softness * distance;
 }
 
 ConstraintPass TieConstraints::pass(double momentum) {
-  ConstraintPass sums;
-  for (Row& row : rows_) {
-    const Eigen::Vector3d distance =
-        row.start + dt_ * change(row) + constraint_compliance * row.softness * row.ahead;
-    const Eigen::Vector3d force = row.ahead - (1.0 - constraint_compliance) / row.softness * distance;
-    const Eigen::Vector3d step = force - row.force, over = row.ahead - force;
-    sums.changed += over.norm();
-    sums.all += force.norm();
-    sums.uphill += row.softness * over.dot(step);
-    row.force = force;
-    row.ahead = force + momentum * step;
-    push(row);
-  }
-  return sums;
+  return pass_over(
+      rows_, momentum, [this](const Row& row) { return next_force(row); },
+      [this](const Row& row) { push(row); });
 }
 
 void TieConstraints::finish() {

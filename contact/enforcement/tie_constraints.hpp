@@ -26,8 +26,7 @@ class TieConstraints {
   // As of ContactConstraints.
   void add_areas(LeaningAreas& areas) const;
   void set_softness(const LeaningAreas& areas);
-  void forget_momentum();
-  void push_all();
+  void push_forces();
   ConstraintPass pass(double momentum);
   /// Gives the points of the ties their forces.
   void finish();
@@ -68,6 +67,7 @@ class TieConstraints {
                         const std::array<Eigen::Matrix3d, 4>& carried);
   double turn_size(const Term& term) const;
   Eigen::Vector3d change(const Row& row) const;
+  Eigen::Vector3d next_force(const Row& row) const;
   void push(const Row& row);
 
   NodeMobility& mobility_;

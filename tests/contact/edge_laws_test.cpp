@@ -27,24 +27,6 @@ MeshBuilder crossed_rods(double gap) {
   return b;
 }
 
-/// Two bars of square section whose upper and lower edges cross, so far apart.
-MeshBuilder crossed_bars(double gap) {
-  MeshBuilder b;
-  const auto add_bar = [&](std::int64_t id, const Eigen::Vector3d& way, double up, double z) {
-    const Eigen::Vector3d aside = Eigen::Vector3d::UnitZ().cross(way);
-    std::vector<std::uint32_t> nodes;
-    for (const double end : {-1.0, 1.0}) {
-      for (const auto& [a, h] : {std::pair(0.0, -1.0), {0.5, -0.5}, {0.0, 0.0}, {-0.5, -0.5}})
-        nodes.push_back(b.add_node(end * way + a * aside + Eigen::Vector3d(0, 0, z + up * h)).value);
-    }
-    if (up < 0.0) std::rotate(nodes.begin(), nodes.begin() + 4, nodes.end());
-    b.add_block(id, "", Shape::hex8, nodes);
-  };
-  add_bar(1, Eigen::Vector3d::UnitX(), 1.0, 0.0);
-  add_bar(2, Eigen::Vector3d(0.1, 1, 0).normalized(), -1.0, gap);
-  return b;
-}
-
 std::size_t n_touching_edges(const ContactBodies& bodies) {
   return static_cast<std::size_t>(
       std::ranges::count_if(bodies.contact.points(),

@@ -237,34 +237,12 @@ TEST_CASE("a particle beside a face touches its edge and its corner", "[contact]
   CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
 }
 
-namespace {
-
-/// A bar along x with a sharp edge up, and one across it with a sharp edge down, so far apart.
-MeshBuilder two_roof_bars(double gap) {
-  MeshBuilder b;
-  const auto add_bar = [&](std::int64_t id, const Eigen::Vector3d& way, double up, double z) {
-    const Eigen::Vector3d aside = Eigen::Vector3d::UnitZ().cross(way);
-    std::vector<std::uint32_t> nodes;
-    for (const double end : {-1.0, 1.0}) {
-      for (const auto& [a, h] : {std::pair(0.0, -1.0), {0.5, -0.5}, {0.0, 0.0}, {-0.5, -0.5}})
-        nodes.push_back(b.add_node(end * way + a * aside + Eigen::Vector3d(0, 0, z + up * h)).value);
-    }
-    if (up < 0.0) std::rotate(nodes.begin(), nodes.begin() + 4, nodes.end());
-    b.add_block(id, "", Shape::hex8, nodes);
-  };
-  add_bar(1, Eigen::Vector3d::UnitX(), 1.0, 0.0);
-  add_bar(2, Eigen::Vector3d(0.1, 1, 0).normalized(), -1.0, gap);
-  return b;
-}
-
-}  // namespace
-
 TEST_CASE("sharp edges of solids meet unless the feature angle is larger or off", "[contact][lofted]") {
   const std::string options = GENERATE("", "begin surface options\nfeature angle = 100\nend\n",
                                        "begin surface options\nfeature angle = off\nend\n",
                                        "begin surface options\nfeature angle = 30\nend\n");
   const std::string surfaces = "skin all blocks = on\n" + options;
-  ContactBodies bodies(two_roof_bars(0.01), general_contact(formulation("node_face"), surfaces));
+  ContactBodies bodies(crossed_bars(0.01), general_contact(formulation("node_face"), surfaces));
   bodies.ask();
   bodies.set_velocity(1, {0, 0, -1});
   bodies.step(0.0099);

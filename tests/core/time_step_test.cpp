@@ -78,15 +78,28 @@ TEST_CASE("steps before a target are shortened evenly to end at its time", "[cor
 }
 
 TEST_CASE("the least stable step is held through vibrations and forgotten after", "[core][time_step]") {
-  RecentLeast recent;
+  HeldStableStep vibrating;
   for (int step = 0; step < 1000; ++step) {
-    const double least = recent.with(2.0 + std::cos(0.1 * step + 3.0));  // a period of 63 steps
-    if (step > 63) CHECK(least == Approx(1.0).margin(2e-3));
+    const double held = vibrating.take(2.0 + std::cos(0.1 * step + 3.0));  // a period of 63 steps
+    if (step > 63) CHECK(held == Approx(1.0).margin(2e-3));
   }
-  RecentLeast passed;
-  CHECK(passed.with(0.5) == 0.5);
-  for (int step = 1; step < 100; ++step) CHECK(passed.with(1.0) == 0.5);
-  for (int step = 100; step < 200; ++step) CHECK(passed.with(1.0) == 0.5);
-  CHECK(passed.with(1.0) == 1.0);
-  CHECK(passed.with(0.9) == 0.9);  // at once
+  HeldStableStep passed;
+  CHECK(passed.take(0.5) == 0.5);
+  for (int step = 1; step < 200; ++step) CHECK(passed.take(1.0) == 0.5);
+  CHECK(passed.take(0.4) == 0.4);  // at once
+}
+
+TEST_CASE("the stable step comes back by half a percent per step", "[core][time_step]") {
+  HeldStableStep step;
+  step.take(0.5);
+  for (int i = 1; i < 200; ++i) step.take(1.0);
+  double held = 0.5;
+  for (int i = 0; held < 0.99; ++i) {
+    CAPTURE(i);
+    const double next = step.take(1.0);
+    REQUIRE(next == Approx(1.005 * held));
+    held = next;
+  }
+  CHECK(step.take(1.0) == 1.0);
+  CHECK(step.take(0.9) == 0.9);
 }
