@@ -144,7 +144,10 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
     if ((point - middle).norm() - (x.colwise() - middle).colwise().norm().maxCoeff() > least) continue;
     const auto foot = project_onto_face(x, face.is_triangle(), point);
-    if (!foot || foot->gap > 0.0) continue;
+    if (!foot) continue;
+    if (std::hypot(foot->gap, foot->beyond) <= smallest_share * parts_.of_face[index].size)
+      return std::nullopt;
+    if (foot->gap > 0.0) continue;
     const double cosine = has_normal ? own.normal.dot(foot->normal) / own.normal.norm() : -1.0;
     if (cosine > same_way_cosine) continue;
     const double cost = std::hypot(foot->gap, foot->beyond) * (1.0 + 2.0 * (1.0 + cosine));

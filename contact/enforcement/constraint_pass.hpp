@@ -20,6 +20,17 @@ struct ConstraintPass {
   double all = 0.0;      ///< of forces [force]
   double uphill = 0.0;   ///< > 0: the acceleration has gone too far [force length]
 
+  /// Gives a constraint its next force, and what the pass after looks at, by the momentum beyond.
+  template <class Row, class Force>
+  void take(Row& row, const Force& force, double momentum) {
+    const Force step = force - row.force, over = row.ahead - force;
+    changed += over.norm();
+    all += force.norm();
+    uphill += row.softness * over.dot(step);
+    row.force = force;
+    row.ahead = force + momentum * step;
+  }
+
   ConstraintPass& operator+=(const ConstraintPass& other) {
     changed += other.changed;
     all += other.all;
@@ -27,25 +38,6 @@ struct ConstraintPass {
     return *this;
   }
 };
-
-/// A pass over constraints: finds the next force of each, and pushes its carriers by what the pass after
-/// looks at, by the momentum beyond.
-///   next_force, push  of a constraint
-template <class Row, class NextForce, class Push>
-ConstraintPass pass_over(std::vector<Row>& rows, double momentum, const NextForce& next_force,
-                         const Push& push) {
-  ConstraintPass sums;
-  for (Row& row : rows) {
-    const decltype(row.force) force = next_force(row), step = force - row.force, over = row.ahead - force;
-    sums.changed += over.norm();
-    sums.all += force.norm();
-    sums.uphill += row.softness * over.dot(step);
-    row.force = force;
-    row.ahead = force + momentum * step;
-    push(row);
-  }
-  return sums;
-}
 
 /// The areas of contact points that lean on each carrier, by its translation and by its rotation
 /// [n_carriers x 2] [length^2].

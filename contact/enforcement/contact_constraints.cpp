@@ -31,16 +31,47 @@ void ContactConstraints::begin(const MovingSurface& surface, double dt_before, d
   dt_before_ = dt_before;
   dt_ = dt;
   points_.clear();
+  groups_.clear();
   rows_.clear();
-  terms_.clear();
+  weights_.clear();
   arms_.clear();
   grips_.clear();
 }
 
-void ContactConstraints::add_terms(const ContactRecord& record, Row& row) {
-  row.first_term = static_cast<std::uint32_t>(terms_.size());
-  bool is_plain = true;
-  const auto first_arm = static_cast<std::uint32_t>(arms_.size());
+template <class Visit>
+void ContactConstraints::visit_rows(const Visit& visit) {
+  for (const Group& group : groups_) {
+    for (std::uint32_t i = group.first_row; i < group.first_row + group.n_rows; ++i)
+      visit(group, rows_[i], weights_[i]);
+  }
+}
+
+/// Finds a point's shares of plain carriers, beside those that its group has. Returns whether that is all.
+bool ContactConstraints::find_plain_terms(const ContactRecord& record, Group& group, Weights& weights) {
+  const auto find_side = [&](const RecordSide& side, double sign, std::uint8_t first_corner) {
+    for (std::uint8_t k = 0; k < 4; ++k) {
+      const double weight = side.weights[k];
+      if (weight == 0.0) continue;
+      const auto corner = static_cast<std::uint8_t>(first_corner + k);
+      std::size_t term = 0;
+      while (term < group.n_terms && group.corners[term] != corner) ++term;
+      if (term == group.n_terms) {
+        const std::optional<std::uint32_t> carrier = mobility_.plain_carrier(side.nodes[k]);
+        if (!carrier) return false;
+        group.corners[term] = corner;
+        group.carriers[term] = *carrier;
+        ++group.n_terms;
+      }
+      weights[term] = sign * weight;
+    }
+    return true;
+  };
+  return find_side(record.first, 1.0, 0) && find_side(record.second, -1.0, 4);
+}
+
+void ContactConstraints::find_general_terms(const ContactRecord& record, Group& group, Weights& weights) {
+  group.n_terms = 0;
+  group.first_arm = static_cast<std::uint32_t>(arms_.size());
   const auto add_side = [&](const RecordSide& side, double sign) {
     carriers_.clear();
     const Eigen::Vector3d beside = -sign * side.radius * record.normal;
@@ -49,29 +80,21 @@ void ContactConstraints::add_terms(const ContactRecord& record, Row& row) {
       if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
     }
     for (const CarrierTerm& term : carriers_) {
-      terms_.push_back({term.carrier, term.weight});
+      group.carriers[group.n_terms] = term.carrier;
+      weights[group.n_terms++] = term.weight;
       arms_.push_back(term.weight * term.arm);
-      is_plain = is_plain && mobility_.is_plain(term.carrier);
     }
   };
   add_side(record.first, 1.0);
   add_side(record.second, -1.0);
-  row.n_terms = static_cast<std::uint32_t>(terms_.size()) - row.first_term;
-  if (is_plain) {
-    arms_.resize(first_arm);
-  } else {
-    row.first_arm = first_arm;
-  }
 }
 
-/// A law that acts besides: its force is known.
-void ContactConstraints::push_law(const ContactRecord& record, const Row& row) {
-  const Eigen::Vector3d force = record.force_on_first();
-  std::uint32_t arm = row.first_arm;
-  for (const Term& term : terms_of(row)) {
-    const Eigen::Vector3d own = arm == none ? Eigen::Vector3d::Zero() : arms_[arm++];
-    mobility_.push(term.carrier, term.weight * force, own.cross(force));
-  }
+/// Whether a point is between the places of the last row, and seen along the same normal.
+bool ContactConstraints::is_of_last_group(const ContactRecord& record) const {
+  if (rows_.empty() || groups_.back().first_arm != none) return false;
+  const ContactRecord& last = points_[rows_.back().point];
+  return record.first.nodes == last.first.nodes && record.second.nodes == last.second.nodes &&
+         record.normal == last.normal;
 }
 
 void ContactConstraints::add_friction(const ContactRecord& record, const PairRule& rule, Row& row) {
@@ -82,126 +105,161 @@ void ContactConstraints::add_friction(const ContactRecord& record, const PairRul
   grip.slip = dt_ * in_plane(relative_velocity(record, false), record.normal);
 }
 
+/// Begins with a share of the forces of the step before.
+void ContactConstraints::take_over(const ContactRecord& record, Row& row) {
+  ContactMemory::Entry known;
+  if (!memory_.recall(record, known)) return;
+  const double share = taken_over * record.area;
+  Eigen::Vector3d force = share * known.pressure * record.normal;
+  if (row.grip != none) {
+    force += share * in_plane(known.traction, record.normal);
+    grips_[row.grip].held = in_plane(known.held, record.normal);
+  }
+  row.force = node_vector(force);
+}
+
 void ContactConstraints::add(const ContactRecord& record, const PairRule& rule, double thickness) {
-  Row row;
-  row.point = static_cast<std::uint32_t>(points_.size());
-  points_.push_back(record);
   const bool is_constraint = record.is_balanced && record.area > 0.0;
+  const bool is_of_last = is_constraint && is_of_last_group(record);
+  points_.push_back(record);
   if (!is_constraint && !record.touches()) return;
-  add_terms(record, row);
-  if (record.touches()) push_law(record, row);
+  Weights weights{};
+  Group alone;
+  Group* group = is_of_last ? &groups_.back() : &alone;
+  if (!find_plain_terms(record, *group, weights)) {
+    group = &alone;
+    weights = {};
+    find_general_terms(record, alone, weights);
+  }
+  if (record.touches()) push(*group, weights, node_vector(record.force_on_first()));
   if (!is_constraint) return;
-  row.normal = node_vector(record.normal);
+  Row row;
+  row.point = static_cast<std::uint32_t>(points_.size() - 1);
   row.start = record.gap - record.closing + left_penetration(record.gap, thickness);
   if (rule.friction > 0.0) add_friction(record, rule, row);
-  ContactMemory::Entry known;
-  if (memory_.recall(record, known)) {
-    const double share = taken_over * record.area;
-    row.force = share * known.pressure * row.normal;
-    if (row.grip != none) {
-      row.force += node_vector(share * in_plane(known.traction, record.normal));
-      grips_[row.grip].held = in_plane(known.held, record.normal);
-    }
+  take_over(record, row);
+  if (group == &alone) {
+    alone.normal = node_vector(record.normal);
+    alone.first_row = static_cast<std::uint32_t>(rows_.size());
+    groups_.push_back(alone);
   }
+  ++groups_.back().n_rows;
   rows_.push_back(row);
+  weights_.push_back(weights);
 }
 
 /// How far a force of 1 turns the carrier of a term with an arm, at the point and as a square root.
-double ContactConstraints::turn_size(const Row& row, std::size_t term) const {
-  const std::uint32_t carrier = terms_[row.first_term + term].carrier;
-  const Eigen::Vector3d& arm = arms_[row.first_arm + term];
+double ContactConstraints::turn_size(const Group& group, const Row& row, std::size_t term) const {
+  const std::uint32_t carrier = group.carriers[term];
+  const Eigen::Vector3d& arm = arms_[group.first_arm + term];
   if (row.grip != none) return mobility_.turn_bound(carrier) * arm.norm();
-  return mobility_.turn_root(carrier, arm.cross(Eigen::Vector3d(row.normal.head<3>())));
+  return mobility_.turn_root(carrier, arm.cross(Eigen::Vector3d(group.normal.head<3>())));
 }
 
 void ContactConstraints::add_areas(LeaningAreas& areas) const {
-  for (const Row& row : rows_) {
-    const double area = points_[row.point].area;
-    for (const Term& term : terms_of(row)) areas[term.carrier][0] += area * std::abs(term.weight);
-    if (row.first_arm == none) continue;
-    for (std::size_t i = 0; i < row.n_terms; ++i)
-      areas[terms_[row.first_term + i].carrier][1] += area * turn_size(row, i);
+  for (const Group& group : groups_) {
+    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
+      const double area = points_[rows_[row].point].area;
+      for (std::size_t i = 0; i < group.n_terms; ++i)
+        areas[group.carriers[i]][0] += area * std::abs(weights_[row][i]);
+      if (group.first_arm == none) continue;
+      for (std::size_t i = 0; i < group.n_terms; ++i)
+        areas[group.carriers[i]][1] += area * turn_size(group, rows_[row], i);
+    }
   }
+}
+
+double ContactConstraints::softness(const Group& group, const Row& row, const Weights& weights,
+                                    const LeaningAreas& areas) const {
+  double gap = 0.0;
+  for (std::size_t i = 0; i < group.n_terms; ++i) {
+    const std::uint32_t carrier = group.carriers[i];
+    gap += mobility_.translation_bound(carrier) * std::abs(weights[i]) * areas[carrier][0];
+    if (group.first_arm != none) gap += turn_size(group, row, i) * areas[carrier][1];
+  }
+  return dt_ * gap / points_[row.point].area;
 }
 
 void ContactConstraints::set_softness(const LeaningAreas& areas) {
-  for (Row& row : rows_) {
-    double gap = 0.0;
-    for (const Term& term : terms_of(row))
-      gap += mobility_.translation_bound(term.carrier) * std::abs(term.weight) * areas[term.carrier][0];
-    if (row.first_arm != none) {
-      for (std::size_t i = 0; i < row.n_terms; ++i)
-        gap += turn_size(row, i) * areas[terms_[row.first_term + i].carrier][1];
+  std::uint32_t n_kept = 0;
+  for (Group& group : groups_) {
+    const std::uint32_t first = group.first_row, end = first + group.n_rows;
+    group.first_row = n_kept;
+    for (std::uint32_t i = first; i < end; ++i) {
+      rows_[i].softness = softness(group, rows_[i], weights_[i], areas);
+      if (!(rows_[i].softness > 0.0)) continue;
+      rows_[n_kept] = rows_[i];
+      weights_[n_kept++] = weights_[i];
     }
-    row.softness = dt_ * gap / points_[row.point].area;
+    group.n_rows = n_kept - group.first_row;
   }
-  std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
-}
-
-NodeVector ContactConstraints::plain_change(const Row& row) const {
-  NodeVector sum = NodeVector::Zero();
-  for (const Term& term : terms_of(row)) sum += term.weight * mobility_.change(term.carrier);
-  return sum;
+  rows_.resize(n_kept);
+  weights_.resize(n_kept);
+  std::erase_if(groups_, [](const Group& group) { return group.n_rows == 0; });
 }
 
 /// Change of the first side's velocity against the second's by the forces of the last pass [length/time].
-Eigen::Vector3d ContactConstraints::change(const Row& row) const {
-  Eigen::Vector3d changed = plain_change(row).head<3>();
-  if (row.first_arm == none) return changed;
-  for (std::size_t i = 0; i < row.n_terms; ++i)
-    changed += mobility_.turning(terms_[row.first_term + i].carrier).cross(arms_[row.first_arm + i]);
-  return changed;
+NodeVector ContactConstraints::change(const Group& group, const Weights& weights) const {
+  NodeVector sum = NodeVector::Zero();
+  for (std::size_t i = 0; i < group.n_terms; ++i) sum += weights[i] * mobility_.change(group.carriers[i]);
+  if (group.first_arm == none) return sum;
+  for (std::size_t i = 0; i < group.n_terms; ++i)
+    sum.head<3>() += mobility_.turning(group.carriers[i]).cross(arms_[group.first_arm + i]);
+  return sum;
 }
 
-void ContactConstraints::push(const Row& row) {
-  if (row.ahead.isZero(0.0)) return;
-  if (row.first_arm == none) {
-    for (const Term& term : terms_of(row)) mobility_.push_plain(term.carrier, term.weight * row.ahead);
+void ContactConstraints::push(const Group& group, const Weights& weights, const NodeVector& force) {
+  if (force.isZero(0.0)) return;
+  if (group.first_arm == none) {
+    for (std::size_t i = 0; i < group.n_terms; ++i)
+      mobility_.push_plain(group.carriers[i], weights[i] * force);
     return;
   }
-  const Eigen::Vector3d force = row.ahead.head<3>();
-  for (std::size_t i = 0; i < row.n_terms; ++i) {
-    const Term& term = terms_[row.first_term + i];
-    mobility_.push(term.carrier, term.weight * force, arms_[row.first_arm + i].cross(force));
-  }
+  const Eigen::Vector3d whole = force.head<3>();
+  for (std::size_t i = 0; i < group.n_terms; ++i)
+    mobility_.push(group.carriers[i], weights[i] * whole, arms_[group.first_arm + i].cross(whole));
 }
 
 void ContactConstraints::push_forces() {
-  for (Row& row : rows_) {
+  visit_rows([this](const Group& group, Row& row, const Weights& weights) {
     row.ahead = row.force;
-    push(row);
-  }
+    push(group, weights, row.ahead);
+  });
 }
 
-double ContactConstraints::slip_limit(const Row& row, double normal_force) const {
+double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed, double normal_force) const {
   const Grip& grip = grips_[row.grip];
   if (grip.limit_per_force >= 0.0) return grip.limit_per_force * normal_force;
   ContactRecord record = points_[row.point];
   record.force = normal_force;
-  record.slip = grip.slip + dt_ * in_plane(change(row), record.normal);
+  record.slip = grip.slip + in_plane(changed.head<3>(), record.normal);
   return grip.rule->slip_limit(record, dt_);
 }
 
 /// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone.
-NodeVector ContactConstraints::next_force(const Row& row) const {
-  const NodeVector changed = dt_ * (row.first_arm == none ? plain_change(row) : node_vector(change(row)));
-  const double now = row.normal.dot(row.ahead), rate = (1.0 - constraint_compliance) / row.softness;
-  const double gap = row.start + row.normal.dot(changed) + constraint_compliance * row.softness * now;
+///   changed  by which the forces of the last pass change the gap and the slip [length]
+NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& row,
+                                          const NodeVector& changed) const {
+  const double now = normal.dot(row.ahead), rate = (1.0 - constraint_compliance) / row.softness;
+  const double gap = row.start + normal.dot(changed) + constraint_compliance * row.softness * now;
   const double force = std::max(0.0, now - rate * gap);
-  if (row.grip == none) return force * row.normal;
+  if (row.grip == none) return force * normal;
   const Grip& grip = grips_[row.grip];
-  const Eigen::Vector3d normal = row.normal.head<3>();
-  const Eigen::Vector3d slip = slip_recovery * grip.held + grip.slip + in_plane(changed.head<3>(), normal);
-  Eigen::Vector3d tangential = in_plane(row.ahead.head<3>(), normal) - rate * slip;
-  const double limit = slip_limit(row, force), size = tangential.norm();
+  const Eigen::Vector3d unit = normal.head<3>();
+  const Eigen::Vector3d slip = slip_recovery * grip.held + grip.slip + in_plane(changed.head<3>(), unit);
+  Eigen::Vector3d tangential = in_plane(row.ahead.head<3>(), unit) - rate * slip;
+  const double limit = slip_limit(row, changed, force), size = tangential.norm();
   if (size > limit) tangential *= limit / size;
-  return force * row.normal + node_vector(tangential);
+  return force * normal + node_vector(tangential);
 }
 
 ConstraintPass ContactConstraints::pass(double momentum) {
-  return pass_over(
-      rows_, momentum, [this](const Row& row) { return next_force(row); },
-      [this](const Row& row) { push(row); });
+  ConstraintPass sums;
+  visit_rows([&](const Group& group, Row& row, const Weights& weights) {
+    sums.take(row, next_force(group.normal, row, dt_ * change(group, weights)), momentum);
+    push(group, weights, row.ahead);
+  });
+  return sums;
 }
 
 /// The velocity of the first side against the second, in the step before or in the coming one without these
@@ -225,16 +283,17 @@ Eigen::Vector3d ContactConstraints::relative_velocity(const ContactRecord& recor
 ContactLoss ContactConstraints::finish() {
   ContactLoss loss;
   memory_.begin();
-  for (const Row& row : rows_) finish(row, loss);
+  visit_rows([&](const Group& group, const Row& row, const Weights& weights) {
+    finish(row, row.force.dot(group.normal), dt_ * change(group, weights), loss);
+  });
   memory_.end();
   return loss;
 }
 
-void ContactConstraints::finish(const Row& row, ContactLoss& loss) {
-  const double force = row.normal.dot(row.force);
+void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
   if (!(force > 0.0)) return;
   ContactRecord& point = points_[row.point];
-  const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = dt_ * change(row);
+  const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
   const double impact_before = -0.5 * force * point.normal.dot(before),
                impact_after = 0.5 * force * (point.closing - point.normal.dot(changed));
   loss.impact_before += impact_before;
@@ -257,7 +316,7 @@ void ContactConstraints::finish(const Row& row, ContactLoss& loss) {
     point.work_before += friction_before;
     point.work_after += friction_after;
     point.tangential += tangential;
-    const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, force);
+    const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, change, force);
     if (slides) point.slip = slip;
     point.elastic = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
     entry.traction = tangential / point.area;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -50,21 +52,28 @@ class ContactConstraints {
   ContactMemory& memory() { return memory_; }
 
  private:
-  struct Term {
-    std::uint32_t carrier = 0;
-    double weight = 0.0;  // signed [1]
-  };
+  static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::size_t most_terms = 8;
+
+  /// Shares of the carriers of a row's group, signed [1].
+  using Weights = std::array<double, most_terms>;
   /// A contact point. Fourth numbers are 0.
   struct Row {
-    NodeVector normal = NodeVector::Zero();  // [1]
-    NodeVector force = NodeVector::Zero();   // on the first side [force]
-    NodeVector ahead = NodeVector::Zero();   // that the next pass looks at [force]
+    NodeVector force = NodeVector::Zero();  // on the first side [force]
+    NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
-    std::uint32_t point = 0;  // in points_
-    std::uint32_t first_term = 0, n_terms = 0;
-    std::uint32_t first_arm = none;  // of the terms' arms; none where all carriers are plain
-    std::uint32_t grip = none;       // of a point with friction
+    std::uint32_t point = 0;    // in points_
+    std::uint32_t grip = none;  // of a point with friction
+  };
+  /// Contact points between the same places, which have the same carriers.
+  struct Group {
+    NodeVector normal = NodeVector::Zero();  // [1]
+    std::array<std::uint32_t, most_terms> carriers{};
+    std::uint32_t first_row = 0, n_rows = 0;
+    std::uint32_t n_terms = 0;
+    std::uint32_t first_arm = none;                  // of the carriers; none where all are plain
+    std::array<std::uint8_t, most_terms> corners{};  // of both sides, of plain carriers
   };
   /// Friction of a contact point.
   struct Grip {
@@ -73,30 +82,32 @@ class ContactConstraints {
     Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
     Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
   };
-  static constexpr std::uint32_t none = 0xffffffff;
 
-  std::span<const Term> terms_of(const Row& row) const {
-    return std::span(terms_).subspan(row.first_term, row.n_terms);
-  }
-  void add_terms(const ContactRecord& record, Row& row);
+  template <class Visit>
+  void visit_rows(const Visit& visit);
+  bool find_plain_terms(const ContactRecord& record, Group& group, Weights& weights);
+  void find_general_terms(const ContactRecord& record, Group& group, Weights& weights);
+  bool is_of_last_group(const ContactRecord& record) const;
   void add_friction(const ContactRecord& record, const PairRule& rule, Row& row);
-  void push_law(const ContactRecord& record, const Row& row);
-  double turn_size(const Row& row, std::size_t term) const;
-  Eigen::Vector3d change(const Row& row) const;
-  NodeVector plain_change(const Row& row) const;
-  double slip_limit(const Row& row, double normal_force) const;
-  NodeVector next_force(const Row& row) const;
-  void push(const Row& row);
+  void take_over(const ContactRecord& record, Row& row);
+  double turn_size(const Group& group, const Row& row, std::size_t term) const;
+  double softness(const Group& group, const Row& row, const Weights& weights,
+                  const LeaningAreas& areas) const;
+  NodeVector change(const Group& group, const Weights& weights) const;
+  void push(const Group& group, const Weights& weights, const NodeVector& force);
+  double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
+  NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
-  void finish(const Row& row, ContactLoss& loss);
+  void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
 
   NodeMobility& mobility_;
   const MovingSurface* surface_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
   std::vector<ContactRecord> points_;
+  std::vector<Group> groups_;
   std::vector<Row> rows_;
-  std::vector<Term> terms_;
-  std::vector<Eigen::Vector3d> arms_;  // of terms, from the carrier, times the weight [length]
+  std::vector<Weights> weights_;       // [n_rows]
+  std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
   std::vector<Grip> grips_;
   std::vector<CarrierTerm> carriers_;  // scratch
   ContactMemory memory_;

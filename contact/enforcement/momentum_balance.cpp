@@ -14,8 +14,9 @@ namespace {
 constexpr double balanced = 1e-4;
 
 /// What neither side can represent, such as slopes across unlike meshes, stays in the forces however many
-/// passes there are. A pass that leaves more than this share of the residual is one too many.
-constexpr double fruitless = 0.975;
+/// passes there are, and moves no node. A pass that leaves more than this share of the residual is one too
+/// many, and that is said sooner where forces are nearly balanced.
+constexpr double fruitless = 0.975, nearly_balanced = 2e-3, fruitless_then = 0.9;
 constexpr std::int64_t least_passes = 4;
 
 }  // namespace
@@ -53,9 +54,10 @@ ConstraintPass MomentumBalance::pass(double momentum) {
 
 /// As many in the next step, one more or one fewer: where passes leave a share of a mode in one step and none
 /// of it in the next, the mode grows, however much each pass takes.
-///   share  of the residual that the last pass left [1]
-void MomentumBalance::choose_passes(std::int64_t n_passes, double share) {
-  n_passes_ = std::max(least_passes, share > fruitless ? n_passes - 1 : n_passes + 1);
+///   share     of the residual that the last pass left [1]
+void MomentumBalance::choose_passes(std::int64_t n_passes, double share, double residual) {
+  const double most = residual < nearly_balanced ? fruitless_then : fruitless;
+  n_passes_ = std::max(least_passes, share > most ? n_passes - 1 : n_passes + 1);
 }
 
 BalanceReport MomentumBalance::solve(int max_iterations) {
@@ -83,7 +85,7 @@ BalanceReport MomentumBalance::solve(int max_iterations) {
     momentum = 0.0;
   }
   if (momentum > 0.0) push_forces();
-  if (report.residual > balanced) choose_passes(n_passes, share);
+  if (report.residual > balanced) choose_passes(n_passes, share, report.residual);
   loss_ = contacts_.finish();
   ties_.finish();
   return report;

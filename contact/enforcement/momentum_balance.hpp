@@ -69,7 +69,7 @@ class MomentumBalance {
   void set_softness();
   ConstraintPass pass(double momentum);
   void push_forces();
-  void choose_passes(std::int64_t n_passes, double share);
+  void choose_passes(std::int64_t n_passes, double share, double residual);
 
   NodeMobility mobility_;
   TieConstraints ties_{mobility_};

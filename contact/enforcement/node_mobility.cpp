@@ -112,6 +112,20 @@ std::uint32_t NodeMobility::use(std::uint32_t body) {
   return carrier;
 }
 
+std::uint32_t NodeMobility::use_node(std::uint32_t node) {
+  const std::size_t n_before = carriers_.size();
+  const std::uint32_t carrier = use(surface_->faces().first_alike[node]);
+  if (carriers_.size() > n_before) mesh_nodes_.push_back(surface_->faces().mesh_nodes[node]);
+  return carrier;
+}
+
+std::optional<std::uint32_t> NodeMobility::plain_carrier(std::uint32_t node) {
+  const ContactFaces& faces = surface_->faces();
+  const bool is_plain =
+      rigid_->is_free({faces.mesh_nodes[node]}) && general_[faces.first_alike[node]] == none;
+  return is_plain ? std::optional(use_node(node)) : std::nullopt;
+}
+
 void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
                              std::vector<CarrierTerm>& terms) {
   const ContactFaces& faces = surface_->faces();
@@ -120,9 +134,7 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
     Eigen::Vector3d arm = beside;
     const std::size_t n_mesh_points = faces.n_mesh_points();
     if (node >= n_mesh_points) arm += surface_->arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
-    const std::size_t n_before = carriers_.size();
-    terms.push_back({use(faces.first_alike[node]), weight, arm});
-    if (carriers_.size() > n_before) mesh_nodes_.push_back(mesh_node.value);
+    terms.push_back({use_node(node), weight, arm});
     return;
   }
   const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);

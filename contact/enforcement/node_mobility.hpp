@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "contact/free_directions.hpp"
@@ -37,6 +38,9 @@ class NodeMobility {
   ///   beside  from the contact node to the point [length]
   void add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
                  std::vector<CarrierTerm>& terms);
+
+  /// The carrier of a contact node that is a plain one, for which the node alone counts and no arm.
+  std::optional<std::uint32_t> plain_carrier(std::uint32_t node);
 
   std::size_t n_carriers() const { return carriers_.size(); }
   /// The nodes of the mesh among the carriers.
@@ -90,6 +94,7 @@ class NodeMobility {
   void turn_bodies(const Model& model, const State& state);
   General& make_general(std::uint32_t body);
   std::uint32_t use(std::uint32_t body);
+  std::uint32_t use_node(std::uint32_t node);
 
   const MovingSurface* surface_ = nullptr;
   const RigidNodes* rigid_ = nullptr;

@@ -145,9 +145,12 @@ Eigen::Vector3d TieConstraints::next_force(const Row& row) const {
 }
 
 ConstraintPass TieConstraints::pass(double momentum) {
-  return pass_over(
-      rows_, momentum, [this](const Row& row) { return next_force(row); },
-      [this](const Row& row) { push(row); });
+  ConstraintPass sums;
+  for (Row& row : rows_) {
+    sums.take(row, next_force(row), momentum);
+    push(row);
+  }
+  return sums;
 }
 
 void TieConstraints::finish() {

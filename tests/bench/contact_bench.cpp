@@ -256,10 +256,16 @@ void impact_step(benchmark::State& bench) {
   start(model, {internal, none, &timed}, control, state);
   timed.seconds = 0.0;
   const auto begin = std::chrono::steady_clock::now();
-  for (auto _ : bench) advance(model, {internal, none, &timed}, control, state);
+  double n_passes = 0.0;
+  for (auto _ : bench) {
+    advance(model, {internal, none, &timed}, control, state);
+    n_passes += force.balance_report().n_iterations;
+  }
   const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   bench.counters["contact_share_of_rest"] = timed.seconds / (all - timed.seconds);
   bench.counters["searches"] = static_cast<double>(force.search().n_searches());
+  bench.counters["passes"] = n_passes / static_cast<double>(bench.iterations());
+  bench.counters["points"] = static_cast<double>(force.points().size());
   bench.counters["touching"] = force.pair_steps()[0].area / (64.0 * 64.0);
   bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()) * mesh.n_elements());
 }

@@ -16,7 +16,7 @@ const std::string lines =
 
 /// A block of four cells a side, and a narrower one of some shape on top, lowered into it. Cells are 0.25
 /// high.
-Mesh two_blocks(double depth, int shape = 0, double width = 0.5) {
+MeshBuilder block_in_block(double depth, int shape, double width) {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {4, 4, 4}});
   const double edge = 0.5 * (1.0 - width);
@@ -29,7 +29,11 @@ Mesh two_blocks(double depth, int shape = 0, double width = 0.5) {
   if (shape == 1) b.add_tets(upper);
   if (shape == 2) b.add_wedges(upper);
   if (shape == 3) b.add_pyramids(upper);
-  return b.build();
+  return b;
+}
+
+Mesh two_blocks(double depth, int shape = 0, double width = 0.5) {
+  return block_in_block(depth, shape, width).build();
 }
 
 std::vector<StartOverlap> overlaps_of(const Mesh& mesh, const std::string& contact = lines) {
@@ -89,6 +93,16 @@ TEST_CASE("blocks that touch, stand apart or share nodes do not overlap", "[cont
   b.add_hexes({.id = 1, .cells = {2, 2, 2}});
   b.add_hexes({.id = 2, .cells = {2, 2, 2}, .origin = {0, 0, 1}});
   CHECK(overlaps_of(b.build()).empty());
+}
+
+TEST_CASE("blocks that touch do not overlap by round-off, however they are turned", "[contact][overlap]") {
+  const double angle = GENERATE(0.1, 0.7, 2.0);
+  const double width = GENERATE(0.5, 1.0);
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(angle, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  MeshParts parts = block_in_block(0.0, 0, width).parts();
+  parts.coordinates = turn * parts.coordinates;
+  CHECK(overlaps_of(Mesh(std::move(parts))).empty());
 }
 
 TEST_CASE("a block deep in a held one goes out as a whole", "[contact][overlap]") {
