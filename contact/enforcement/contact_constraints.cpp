@@ -156,8 +156,9 @@ double ContactConstraints::turn_size(const Group& group, const Row& row, std::si
   return mobility_.turn_root(carrier, arm.cross(Eigen::Vector3d(group.normal.head<3>())));
 }
 
-void ContactConstraints::add_areas(LeaningAreas& areas) const {
+void ContactConstraints::add_areas(LeaningAreas& areas, bool is_rest) const {
   for (const Group& group : groups_) {
+    if (is_rest && group.body.exists()) continue;
     for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
       const double area = points_[rows_[row].point].area;
       for (std::size_t i = 0; i < group.n_terms; ++i)
@@ -169,24 +170,39 @@ void ContactConstraints::add_areas(LeaningAreas& areas) const {
   }
 }
 
-double ContactConstraints::softness(const Group& group, const Row& row, const Weights& weights,
-                                    const LeaningAreas& areas) const {
-  double gap = 0.0;
-  for (std::size_t i = 0; i < group.n_terms; ++i) {
-    const std::uint32_t carrier = group.carriers[i];
-    gap += mobility_.translation_bound(carrier) * std::abs(weights[i]) * areas[carrier][0];
-    if (group.first_arm != none) gap += turn_size(group, row, i) * areas[carrier][1];
-  }
-  return dt_ * gap / points_[row.point].area;
+/// What a carrier adds to the softness of a point, times its area over the step.
+double ContactConstraints::share(const Group& group, std::uint32_t row, std::size_t term,
+                                 const LeaningAreas& areas) const {
+  const std::uint32_t carrier = group.carriers[term];
+  const double moves =
+      mobility_.translation_bound(carrier) * std::abs(weights_[row][term]) * areas[carrier][0];
+  if (group.first_arm == none) return moves;
+  return moves + turn_size(group, rows_[row], term) * areas[carrier][1];
 }
 
-void ContactConstraints::set_softness(const LeaningAreas& areas) {
+void ContactConstraints::choose_bodies(const LeaningAreas& areas, RigidResponses& responses) {
+  for (Group& group : groups_) {
+    if (group.first_arm == none) continue;
+    group.body = choose_body(
+        mobility_, group.n_terms, [&](std::size_t i) { return group.carriers[i]; },
+        [&](std::size_t i) { return share(group, group.first_row, i, areas); }, responses);
+  }
+}
+
+double ContactConstraints::softness(const Group& group, std::uint32_t row, const ScalingAreas& areas) const {
+  double gap = 0.0;
+  for (std::size_t i = 0; i < group.n_terms; ++i)
+    gap += share(group, row, i, i == group.body.term ? areas.rest : areas.all);
+  return dt_ * gap / points_[rows_[row].point].area;
+}
+
+void ContactConstraints::set_softness(const ScalingAreas& areas) {
   std::uint32_t n_kept = 0;
   for (Group& group : groups_) {
     const std::uint32_t first = group.first_row, end = first + group.n_rows;
+    for (std::uint32_t i = first; i < end; ++i) rows_[i].softness = softness(group, i, areas);
     group.first_row = n_kept;
     for (std::uint32_t i = first; i < end; ++i) {
-      rows_[i].softness = softness(group, rows_[i], weights_[i], areas);
       if (!(rows_[i].softness > 0.0)) continue;
       rows_[n_kept] = rows_[i];
       weights_[n_kept++] = weights_[i];
@@ -196,6 +212,45 @@ void ContactConstraints::set_softness(const LeaningAreas& areas) {
   rows_.resize(n_kept);
   weights_.resize(n_kept);
   std::erase_if(groups_, [](const Group& group) { return group.n_rows == 0; });
+  groups_of_response_.clear();
+  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
+    if (!groups_[i].body.exists()) continue;
+    const std::uint32_t response = groups_[i].body.response;
+    groups_of_response_.resize(std::max<std::size_t>(groups_of_response_.size(), response + 1));
+    groups_of_response_[response].push_back(i);
+  }
+}
+
+RigidLever ContactConstraints::lever(const Group& group) const {
+  return rigid_lever(weights_[group.first_row][group.body.term], arms_[group.first_arm + group.body.term]);
+}
+
+/// By how much a point's force falls with the velocity of the first side against the second: a force that
+/// slides or is none stays [force time/length].
+Eigen::Matrix3d ContactConstraints::rate(const Group& group, const Row& row, const NodeVector& changed,
+                                         const NodeVector& force) const {
+  const Eigen::Vector3d normal = group.normal.head<3>();
+  const double on_normal = group.normal.dot(force);
+  if (!(on_normal > 0.0)) return Eigen::Matrix3d::Zero();
+  const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
+  const bool is_held =
+      row.grip != none && !slides(row, in_plane(force.head<3>(), normal), changed, on_normal);
+  if (is_held) return rate * Eigen::Matrix3d::Identity();
+  return rate * normal * normal.transpose();
+}
+
+void ContactConstraints::answer(std::uint32_t response, RigidResponses& responses) const {
+  if (response >= groups_of_response_.size()) return;
+  RigidResponse& body = responses[response];
+  for (const std::uint32_t index : groups_of_response_[response]) {
+    const Group& group = groups_[index];
+    const Row& row = rows_[group.first_row];
+    const RigidLever lever = this->lever(group);
+    const NodeVector velocity =
+        change(group, weights_[group.first_row]) + node_vector(lever * body.velocity());
+    const NodeVector changed = dt_ * velocity, force = next_force(group.normal, row, changed);
+    body.add(lever, (force - row.ahead).head<3>(), rate(group, row, changed, force));
+  }
 }
 
 /// Change of the first side's velocity against the second's by the forces of the last pass [length/time].
@@ -236,6 +291,13 @@ double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed,
   return grip.rule->slip_limit(record, dt_);
 }
 
+/// Whether a tangential force is on the cone.
+bool ContactConstraints::slides(const Row& row, const Eigen::Vector3d& tangential, const NodeVector& changed,
+                                double normal_force) const {
+  constexpr double round_off = 1e-9;
+  return tangential.norm() >= (1.0 - round_off) * slip_limit(row, changed, normal_force);
+}
+
 /// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone.
 ///   changed  by which the forces of the last pass change the gap and the slip [length]
 NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& row,
@@ -253,10 +315,13 @@ NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& r
   return force * normal + node_vector(tangential);
 }
 
-ConstraintPass ContactConstraints::pass(double momentum) {
+ConstraintPass ContactConstraints::pass(double momentum, const RigidResponses& responses) {
   ConstraintPass sums;
   visit_rows([&](const Group& group, Row& row, const Weights& weights) {
-    sums.take(row, next_force(group.normal, row, dt_ * change(group, weights)), momentum);
+    NodeVector velocity = change(group, weights);
+    if (group.body.exists())
+      velocity += node_vector(lever(group) * responses[group.body.response].velocity());
+    sums.take(row, next_force(group.normal, row, dt_ * velocity), momentum);
     push(group, weights, row.ahead);
   });
   return sums;
@@ -316,9 +381,9 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
     point.work_before += friction_before;
     point.work_after += friction_after;
     point.tangential += tangential;
-    const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, change, force);
-    if (slides) point.slip = slip;
-    point.elastic = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
+    const bool is_sliding = slides(row, tangential, change, force);
+    if (is_sliding) point.slip = slip;
+    point.elastic = is_sliding ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
     entry.traction = tangential / point.area;
     entry.held = point.elastic;
   }

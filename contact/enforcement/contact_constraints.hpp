@@ -34,14 +34,19 @@ class ContactConstraints {
   void add(const ContactRecord& record, const PairRule& rule, double thickness);
 
   /// Adds the areas of the points to those of their carriers.
-  void add_areas(LeaningAreas& areas) const;
+  ///   is_rest  only of points whose forces are not found together with a rigid body's motion
+  void add_areas(LeaningAreas& areas, bool is_rest) const;
+  /// Chooses the points whose forces are found together with a rigid body's motion.
+  void choose_bodies(const LeaningAreas& areas, RigidResponses& responses);
   /// Softness of each point, by all areas. Points between sides that are held or driven, where nothing can be
   /// done, are no constraints any more.
-  void set_softness(const LeaningAreas& areas);
+  void set_softness(const ScalingAreas& areas);
+  /// Adds what forces answer to a body's motion.
+  void answer(std::uint32_t response, RigidResponses& responses) const;
   /// Pushes the carriers by the forces of the last pass, which the next one looks at: without momentum.
   void push_forces();
   /// Finds the next forces, and pushes the carriers by what the pass after looks at: by the momentum beyond.
-  ConstraintPass pass(double momentum);
+  ConstraintPass pass(double momentum, const RigidResponses& responses);
   /// Gives the points their forces, slip and losses, and remembers them.
   ContactLoss finish();
 
@@ -74,6 +79,7 @@ class ContactConstraints {
     std::uint32_t n_terms = 0;
     std::uint32_t first_arm = none;                  // of the carriers; none where all are plain
     std::array<std::uint8_t, most_terms> corners{};  // of both sides, of plain carriers
+    BodyTerm body;                                   // of a single point
   };
   /// Friction of a contact point.
   struct Grip {
@@ -91,11 +97,16 @@ class ContactConstraints {
   void add_friction(const ContactRecord& record, const PairRule& rule, Row& row);
   void take_over(const ContactRecord& record, Row& row);
   double turn_size(const Group& group, const Row& row, std::size_t term) const;
-  double softness(const Group& group, const Row& row, const Weights& weights,
-                  const LeaningAreas& areas) const;
+  double share(const Group& group, std::uint32_t row, std::size_t term, const LeaningAreas& areas) const;
+  double softness(const Group& group, std::uint32_t row, const ScalingAreas& areas) const;
+  RigidLever lever(const Group& group) const;
+  Eigen::Matrix3d rate(const Group& group, const Row& row, const NodeVector& changed,
+                       const NodeVector& force) const;
   NodeVector change(const Group& group, const Weights& weights) const;
   void push(const Group& group, const Weights& weights, const NodeVector& force);
   double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
+  bool slides(const Row& row, const Eigen::Vector3d& tangential, const NodeVector& changed,
+              double normal_force) const;
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
   void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
@@ -106,7 +117,8 @@ class ContactConstraints {
   std::vector<ContactRecord> points_;
   std::vector<Group> groups_;
   std::vector<Row> rows_;
-  std::vector<Weights> weights_;       // [n_rows]
+  std::vector<Weights> weights_;  // [n_rows]
+  std::vector<std::vector<std::uint32_t>> groups_of_response_;
   std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
   std::vector<Grip> grips_;
   std::vector<CarrierTerm> carriers_;  // scratch

@@ -31,11 +31,31 @@ void MomentumBalance::begin(const Model& model, const MovingSurface& surface, co
 /// By sums of rows: with the areas a > 0 of the points, |A| a <= D a bounds the eigenvalues of D^-1 A by 1
 /// (Collatz and Wielandt). Where nodes are free, D is the lumped mass per area on both sides in series.
 void MomentumBalance::set_softness() {
-  areas_.assign(mobility_.n_carriers(), {0.0, 0.0});
-  ties_.add_areas(areas_);
-  contacts_.add_areas(areas_);
+  const auto add_areas = [this](LeaningAreas& areas, bool is_rest) {
+    areas.assign(mobility_.n_carriers(), {0.0, 0.0});
+    ties_.add_areas(areas, is_rest);
+    contacts_.add_areas(areas, is_rest);
+  };
+  add_areas(areas_.all, false);
+  responses_.clear();
+  ties_.choose_bodies(areas_.all, responses_);
+  contacts_.choose_bodies(areas_.all, responses_);
+  if (!responses_.empty()) add_areas(areas_.rest, true);
   ties_.set_softness(areas_);
   contacts_.set_softness(areas_);
+}
+
+/// Finds the motions of the rigid bodies that come with the next forces.
+void MomentumBalance::respond() {
+  constexpr int most_steps = 10;
+  for (std::uint32_t i = 0; i < responses_.size(); ++i) {
+    responses_[i].begin(mobility_.rigid_mobility(responses_.carrier(i)));
+    for (int step = 0; step < most_steps; ++step) {
+      ties_.answer(i, responses_);
+      contacts_.answer(i, responses_);
+      if (responses_[i].step()) break;
+    }
+  }
 }
 
 /// Has the carriers move by the forces, without momentum beyond them.
@@ -46,8 +66,9 @@ void MomentumBalance::push_forces() {
 }
 
 ConstraintPass MomentumBalance::pass(double momentum) {
-  ConstraintPass sums = ties_.pass(momentum);
-  sums += contacts_.pass(momentum);
+  respond();
+  ConstraintPass sums = ties_.pass(momentum, responses_);
+  sums += contacts_.pass(momentum, responses_);
   mobility_.end_pass();
   return sums;
 }

@@ -67,6 +67,7 @@ class MomentumBalance {
 
  private:
   void set_softness();
+  void respond();
   ConstraintPass pass(double momentum);
   void push_forces();
   void choose_passes(std::int64_t n_passes, double share, double residual);
@@ -74,7 +75,8 @@ class MomentumBalance {
   NodeMobility mobility_;
   TieConstraints ties_{mobility_};
   ContactConstraints contacts_{mobility_};
-  LeaningAreas areas_;  // scratch
+  ScalingAreas areas_;  // scratch
+  RigidResponses responses_;
   ContactLoss loss_;
   std::int64_t n_passes_ = 1000;  // of the next step at most
 };

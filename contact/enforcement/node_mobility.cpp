@@ -152,9 +152,17 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
 }
 
 double NodeMobility::turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const {
-  if (is_plain(carrier)) return 0.0;
+  if (carriers_[carrier].general == none) return 0.0;
   const Eigen::Matrix3d& rotation = generals_[carriers_[carrier].general].rotation;
   return std::sqrt(std::max(0.0, half_steps_ * turn.dot(rotation * turn)));
+}
+
+RigidMatrix NodeMobility::rigid_mobility(std::uint32_t carrier) const {
+  const General& general = generals_[carriers_[carrier].general];
+  RigidMatrix mobility = RigidMatrix::Zero();
+  mobility.topLeftCorner<3, 3>() = half_steps_ * general.translation;
+  mobility.bottomRightCorner<3, 3>() = half_steps_ * general.rotation;
+  return mobility;
 }
 
 void NodeMobility::begin_passes() {

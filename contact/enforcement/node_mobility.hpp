@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/enforcement/rigid_response.hpp"
 #include "contact/free_directions.hpp"
 #include "contact/moving_surface.hpp"
 #include "core/elements/gather.hpp"
@@ -45,10 +46,12 @@ class NodeMobility {
   std::size_t n_carriers() const { return carriers_.size(); }
   /// The nodes of the mesh among the carriers.
   const std::vector<std::uint32_t>& mesh_nodes() const { return mesh_nodes_; }
-  /// Whether a carrier moves like a mass that nothing holds and that does not turn.
-  bool is_plain(std::uint32_t carrier) const { return carriers_[carrier].general == none; }
   /// The largest change of velocity per force [time/mass].
   double translation_bound(std::uint32_t carrier) const { return carriers_[carrier].mobility; }
+  /// Whether a carrier is a rigid body.
+  bool is_body(std::uint32_t carrier) const { return carriers_[carrier].body >= surface_->faces().n_nodes(); }
+  /// The velocity and angular velocity of a rigid body by a force and a moment over the coming step.
+  RigidMatrix rigid_mobility(std::uint32_t carrier) const;
   /// The square root of the change of angular velocity about a direction per moment, times its length.
   double turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const;
   /// The largest of those for unit length.

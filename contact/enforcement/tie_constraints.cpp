@@ -31,6 +31,18 @@ TieConstraints::Sides TieConstraints::sides_of(const Tie& tie) const {
   return sides;
 }
 
+/// Where the first side's point is, from the second side's. The second side carries it there, though it may
+/// be off its place: so the forces on both sides leave no moment.
+Eigen::Vector3d TieConstraints::offset_of(const Sides& sides, const TiePoint& point) {
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    offset +=
+        point.weights_1[i] * (sides.x[k] - sides.x[0]) - point.weights_2[i] * (sides.x[k + 4] - sides.x[0]);
+  }
+  return offset;
+}
+
 void TieConstraints::add(Tie& tie) {
   const Sides sides = sides_of(tie);
   for (std::uint32_t p = 0; p < tie.n_points; ++p) add_point(tie, p, sides);
@@ -69,13 +81,11 @@ void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, con
 
 void TieConstraints::add_point(Tie& tie, std::uint32_t index, const Sides& sides) {
   const TiePoint& point = tie.points[index];
-  const Eigen::Vector3d offset = sides.axes * point.offset;
+  const Eigen::Vector3d offset = offset_of(sides, point);
   const auto carried = carry_point(sides.second, point.weights_2, offset);
-  Eigen::Vector3d distance = -offset, velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    distance +=
-        point.weights_1[i] * (sides.x[k] - sides.x[0]) - point.weights_2[i] * (sides.x[k + 4] - sides.x[0]);
     velocity += point.weights_1[i] * surface_->v(tie.nodes[k]) - carried[k] * surface_->v(tie.nodes[k + 4]);
   }
   Row& row = rows_.emplace_back();
@@ -85,7 +95,7 @@ void TieConstraints::add_point(Tie& tie, std::uint32_t index, const Sides& sides
   add_first_terms(tie, point);
   add_second_terms(tie, point, offset, carried);
   row.n_terms = static_cast<std::uint32_t>(terms_.size()) - row.first_term;
-  row.start = distance + dt_ * velocity;
+  row.start = offset - sides.axes * point.offset + dt_ * velocity;
   row.force = taken_over * sides.axes * point.force;
 }
 
@@ -93,8 +103,9 @@ double TieConstraints::turn_size(const Term& term) const {
   return mobility_.turn_bound(term.carrier) * bound_of(term.weight) * term.arm.norm();
 }
 
-void TieConstraints::add_areas(LeaningAreas& areas) const {
+void TieConstraints::add_areas(LeaningAreas& areas, bool is_rest) const {
   for (const Row& row : rows_) {
+    if (is_rest && row.body.exists()) continue;
     const double area = area_of(row);
     for (const Term& term : terms_of(row)) {
       areas[term.carrier][0] += area * bound_of(term.weight);
@@ -103,16 +114,44 @@ void TieConstraints::add_areas(LeaningAreas& areas) const {
   }
 }
 
-void TieConstraints::set_softness(const LeaningAreas& areas) {
+double TieConstraints::share(const Term& term, const LeaningAreas& areas) const {
+  return mobility_.translation_bound(term.carrier) * bound_of(term.weight) * areas[term.carrier][0] +
+         turn_size(term) * areas[term.carrier][1];
+}
+
+void TieConstraints::choose_bodies(const LeaningAreas& areas, RigidResponses& responses) {
+  for (Row& row : rows_) {
+    const auto terms = terms_of(row);
+    row.body = choose_body(
+        mobility_, row.n_terms, [&](std::size_t i) { return terms[i].carrier; },
+        [&](std::size_t i) { return share(terms[i], areas); }, responses);
+  }
+}
+
+void TieConstraints::set_softness(const ScalingAreas& areas) {
   for (Row& row : rows_) {
     double gap = 0.0;
-    for (const Term& term : terms_of(row)) {
-      gap += mobility_.translation_bound(term.carrier) * bound_of(term.weight) * areas[term.carrier][0] +
-             turn_size(term) * areas[term.carrier][1];
-    }
+    for (std::uint32_t i = 0; i < row.n_terms; ++i)
+      gap += share(terms_[row.first_term + i], i == row.body.term ? areas.rest : areas.all);
     row.softness = dt_ * gap / area_of(row);
   }
   std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
+}
+
+RigidLever TieConstraints::lever(const Row& row) const {
+  const Term& term = terms_[row.first_term + row.body.term];
+  return term.weight * rigid_lever(1.0, term.arm);
+}
+
+void TieConstraints::answer(std::uint32_t response, RigidResponses& responses) const {
+  RigidResponse& body = responses[response];
+  for (const Row& row : rows_) {
+    if (row.body.response != response) continue;
+    const RigidLever lever = this->lever(row);
+    const Eigen::Vector3d force = next_force(row, dt_ * (change(row) + lever * body.velocity()));
+    const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
+    body.add(lever, force - row.ahead, rate * Eigen::Matrix3d::Identity());
+  }
 }
 
 Eigen::Vector3d TieConstraints::change(const Row& row) const {
@@ -138,16 +177,18 @@ void TieConstraints::push_forces() {
   }
 }
 
-Eigen::Vector3d TieConstraints::next_force(const Row& row) const {
-  const Eigen::Vector3d distance =
-      row.start + dt_ * change(row) + constraint_compliance * row.softness * row.ahead;
+///   changed  by which the forces of the last pass change the distance [length]
+Eigen::Vector3d TieConstraints::next_force(const Row& row, const Eigen::Vector3d& changed) const {
+  const Eigen::Vector3d distance = row.start + changed + constraint_compliance * row.softness * row.ahead;
   return row.ahead - (1.0 - constraint_compliance) / row.softness * distance;
 }
 
-ConstraintPass TieConstraints::pass(double momentum) {
+ConstraintPass TieConstraints::pass(double momentum, const RigidResponses& responses) {
   ConstraintPass sums;
   for (Row& row : rows_) {
-    sums.take(row, next_force(row), momentum);
+    Eigen::Vector3d velocity = change(row);
+    if (row.body.exists()) velocity += lever(row) * responses[row.body.response].velocity();
+    sums.take(row, next_force(row, dt_ * velocity), momentum);
     push(row);
   }
   return sums;
@@ -161,21 +202,16 @@ void TieConstraints::finish() {
 }
 
 TieForces TieConstraints::find_forces(const Tie& tie) const {
-  TieVectors x;
-  for (std::size_t k = 0; k < 8; ++k) x.col(static_cast<Eigen::Index>(k)) = surface_->x(tie.nodes[k]);
-  const TieVectors arms = x.colwise() - Eigen::Vector3d(x.col(0));
-  const FaceCorners second = arms.rightCols<4>();
-  const Eigen::Matrix3d axes = axes_of(second);
-  TieForces found{TieVectors::Zero(), axes.col(2)};
+  const Sides sides = sides_of(tie);
+  TieForces found{TieVectors::Zero(), sides.axes.col(2)};
   for (std::uint32_t p = 0; p < tie.n_points; ++p) {
     const TiePoint& point = tie.points[p];
-    const Eigen::Vector3d force = axes * point.force;
+    const Eigen::Vector3d force = sides.axes * point.force;
     found.forces.leftCols<4>() += force * point.weights_1.transpose();
-    const auto carried = carry_point(second, point.weights_2, axes * point.offset);
+    const auto carried = carry_point(sides.second, point.weights_2, offset_of(sides, point));
     for (std::size_t k = 0; k < 4; ++k)
       found.forces.col(static_cast<Eigen::Index>(k) + 4) -= carried[k].transpose() * force;
   }
-  contactsim::balance(arms, found.forces);  // what a point is off its place makes no moment
   return found;
 }
 

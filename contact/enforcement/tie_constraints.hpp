@@ -24,10 +24,12 @@ class TieConstraints {
   bool empty() const { return rows_.empty(); }
 
   // As of ContactConstraints.
-  void add_areas(LeaningAreas& areas) const;
-  void set_softness(const LeaningAreas& areas);
+  void add_areas(LeaningAreas& areas, bool is_rest) const;
+  void choose_bodies(const LeaningAreas& areas, RigidResponses& responses);
+  void set_softness(const ScalingAreas& areas);
+  void answer(std::uint32_t response, RigidResponses& responses) const;
   void push_forces();
-  ConstraintPass pass(double momentum);
+  ConstraintPass pass(double momentum, const RigidResponses& responses);
   /// Gives the points of the ties their forces.
   void finish();
 
@@ -47,6 +49,7 @@ class TieConstraints {
     Eigen::Vector3d start =
         Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
     double softness = 0.0;        // as of contact points [length/force]
+    BodyTerm body;
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), ahead = Eigen::Vector3d::Zero();  // [force]
   };
   /// Corners of a tie, and the axes that turn with the second side.
@@ -61,13 +64,16 @@ class TieConstraints {
   }
   double area_of(const Row& row) const { return row.tie->points[row.point].area; }
   Sides sides_of(const Tie& tie) const;
+  static Eigen::Vector3d offset_of(const Sides& sides, const TiePoint& point);
   void add_point(Tie& tie, std::uint32_t index, const Sides& sides);
   void add_first_terms(const Tie& tie, const TiePoint& point);
   void add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,
                         const std::array<Eigen::Matrix3d, 4>& carried);
   double turn_size(const Term& term) const;
   Eigen::Vector3d change(const Row& row) const;
-  Eigen::Vector3d next_force(const Row& row) const;
+  RigidLever lever(const Row& row) const;
+  double share(const Term& term, const LeaningAreas& areas) const;
+  Eigen::Vector3d next_force(const Row& row, const Eigen::Vector3d& changed) const;
   void push(const Row& row);
 
   NodeMobility& mobility_;

@@ -18,6 +18,17 @@ def two_columns(below, above, across=(2, 2)):
     return mesh
 
 
+def column_under_tool():
+    """The tool stands over on all sides."""
+    mesh = MeshMaker()
+    mesh.hexes("below", (0, 0, 0), (1, 1, 1), (2, 2, 4))
+    mesh.new_body()
+    mesh.hexes("above", (-0.2, -0.2, 1), (1.4, 1.4, 0.5), (1, 1, 1))
+    mesh.node_set("bottom", lambda x, y, z: z < 1e-9)
+    mesh.node_set("top", lambda x, y, z: z > 1.5 - 1e-9)
+    return mesh
+
+
 def block_over_plate():
     mesh = MeshMaker()
     mesh.hexes("plate", (-0.1, -0.1, -0.05), (0.3, 0.3, 0.05), (6, 6, 1))
@@ -105,7 +116,8 @@ def pressed_columns_penalty(bench):
 
 @case()
 def pressed_columns(bench):
-    """By 30 % of their length, with friction, which keeps them from buckling; and a rigid block presses one by 1 %, whatever its modulus is."""
+    """By 30 % of their length, with friction, which keeps them from buckling; and a rigid block presses or pulls one by 1 %,
+    whatever its modulus and density are, and though it may turn."""
     checks, runs = [], []
     for form in FORMULATIONS:
         deep = bench.run("columns", two_columns(4, 4, (4, 4)), form=form, law="rub", way=-0.6)
@@ -115,4 +127,11 @@ def pressed_columns(bench):
             runs.append(run)
             checks.append(Check(f"{form}, rigid, modulus x {stiffer:g}: force over E A strain", 1.0, held_force(run) / 1e5,
                                 0.02))
+        for law in ("frictionless", "rub", "tied"):
+            way = 0.01 if law == "tied" else -0.01
+            for heavier in (1e-6, 1.0, 1e4):
+                run = bench.run("columns", column_under_tool(), form=form, rigid=1, turns=1, law=law, way=way, heavier=heavier)
+                runs.append(run)
+                checks.append(Check(f"{form}, {law}, tool that may turn, density x {heavier:g}: force over E A strain", 1.0,
+                                    held_force(run) / 1e5, 0.02))
     return checks + balances(runs)

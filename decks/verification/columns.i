@@ -2,7 +2,7 @@
 #
 # Shows that an interface is no spring: the columns carry what one piece would, as coarse as they may be, under contact and
 # ties, and stay apart however far they are pressed. Without Poisson's ratio the force at the driven end is E A times the
-# strain. -D rigid=1 makes the upper column a rigid block whose modulus and density must not matter.
+# strain. -D rigid=1 makes the upper column a rigid block whose modulus and density must not matter, -D turns=1 lets it turn.
 # Expected: force within 2 % of E A strain for 1 to 8 elements each, within 1 % when tied; penetration below 2 % of an element
 # at 30 % of strain; contact work of the slow ones below 1e-4 of the strain energy. ENFORCEMENT = PENALTY presses on a spring
 # that is in no way a rigid block's; it gets stiffer with depth, and the columns stay apart.
@@ -24,6 +24,9 @@
 # {endif}
 # {ifndef(stiffer)}
 # {stiffer = 1}
+# {endif}
+# {ifndef(turns)}
+# {turns = 0}
 # {endif}
 # {ifndef(heavier)}
 # {heavier = 1}
@@ -94,10 +97,12 @@ begin sierra columns
         block = above
         components = x y
       end
+{if(turns == 0)}
       begin fixed rotation
         block = above
         components = x y z
       end
+{endif}
 {endif}
       begin prescribed displacement
         {rigid ? "block = above" : "node set = top"}
