@@ -109,8 +109,23 @@ void RunContact::add_suffix(const std::string& suffix) {
   }
 }
 
+bool RunContact::came_out_of_overlap(std::size_t pair) const {
+  return force_.rules().rules()[pair].is_balanced &&
+         std::ranges::any_of(input_.overlaps,
+                             [&](const StartOverlap& overlap) { return overlap.pair == pair; });
+}
+
+double RunContact::put_in_by_overlaps() const {
+  double sum = force_.stored_at_start();
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    if (came_out_of_overlap(i)) sum += std::max(0.0, histories[i].made());
+  }
+  return sum;
+}
+
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
-  const double made = made_by_contact(force_, energies);
+  const double made = made_by_contact(force_, energies) - (put_in_by_overlaps() - force_.stored_at_start());
   if (made <= worrying_share * energies.largest || contact_.pairs.empty()) return;
   const std::size_t culprit = find_culprit(force_.histories());
   warnings.add_warning(
@@ -168,12 +183,7 @@ void RunContact::stop_at_runaway(const State& state) {
   n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
   if (n_runaway_steps_ < longest_runaway || contact_.pairs.empty()) return;
   const std::size_t culprit = find_culprit(force_.histories());
-  // Without springs nobody knows what an overlap of the mesh has put in.
-  const bool overlapped = force_.stored_at_start() == 0.0 &&
-                          std::ranges::any_of(input_.overlaps, [&](const StartOverlap& overlap) {
-                            return overlap.pair == culprit;
-                          });
-  if (overlapped) return;
+  if (came_out_of_overlap(culprit)) return;
   throw SolveError(
       state.time, fmt::format("contact between {} runs away: it has given out {:.3g} of energy from nowhere, "
                               "and all contact {:.3g}, more than all that was put into the model, {:.3g}",

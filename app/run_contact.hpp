@@ -54,6 +54,9 @@ class RunContact {
   void warn_of_lost(Diagnostics& warnings) const;
   /// Warns of pairs that have penetrated by more than a tenth of their thickness.
   void warn_of_penetration(Diagnostics& warnings) const;
+  /// Energy that overlaps of the mesh have put in: what springs stored before the first step, and what pairs
+  /// without springs gave out to part [energy].
+  double put_in_by_overlaps() const;
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
   /// out more energy from nowhere than all that was put into the model.
   void stop_at_runaway(const State& state);
@@ -61,6 +64,8 @@ class RunContact {
   std::string report() const;
 
  private:
+  bool came_out_of_overlap(std::size_t pair) const;
+
   const RunInput& input_;
   const Model& model_;
   const Mesh& mesh_;

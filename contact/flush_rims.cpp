@@ -31,6 +31,7 @@ constexpr float most_askew = -0.65f;
 /// What lies before a side face, as seen from its rims.
 struct Ahead {
   Eigen::Vector3d closing;                  ///< velocity of the side face relative to it [length/time]
+  Eigen::Vector3d normal;                   ///< of the other side there [1]
   std::span<const Eigen::Vector3d> points;  ///< [length]
   double share = 1.0;                       ///< of the strip's width that they may lie behind the rim [1]
   std::span<const std::uint32_t> corners;   ///< contact nodes of the other side's place
@@ -65,6 +66,8 @@ bool lie_in_strip(const ContactScene& scene, std::uint32_t face, const Ahead& ah
       const Eigen::Vector3d out = scene.surface.area(faces.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
+      if (out.dot(ahead.normal) < most_askew)
+        continue;  // it is the face beyond that stands on what lies ahead
       const double touched = flush_width(scene, beyond);
       if (!(touched > 0.0) || !has_opposite(scene, ahead, out)) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * scene.dt;
@@ -95,9 +98,19 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t first, std::uint32
   const ContactFace &a_face = scene.surface.faces().faces[first],
                     &b_face = scene.surface.faces().faces[second];
   return lie_in_strip(scene, first,
-                      {closing, {&centre, 1}, centre_of_strip, b_face.corners, b_face.surface}) ||
+                      {closing,
+                       b.normal().cast<double>(),
+                       {&centre, 1},
+                       centre_of_strip,
+                       b_face.corners,
+                       b_face.surface}) ||
          lie_in_strip(scene, second,
-                      {-closing, {&centre, 1}, centre_of_strip, a_face.corners, a_face.surface});
+                      {-closing,
+                       a.normal().cast<double>(),
+                       {&centre, 1},
+                       centre_of_strip,
+                       a_face.corners,
+                       a_face.surface});
 }
 
 bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
@@ -113,13 +126,14 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t row, std::uint32_t
   std::vector<Eigen::Vector3d> own_points;
   for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
     if (faces.faces[own].surface != node.surface) continue;
-    if (!(scene.surface.bound(own).normal().cast<double>().dot(normal) < most_aside)) continue;
+    if (!(scene.surface.bound(own).normal().cast<double>().dot(normal) < most_askew)) continue;
     const ContactFace& opposed = faces.faces[face];
-    if (lie_in_strip(scene, own, {closing, corners, 1.0, opposed.corners, opposed.surface})) return true;
+    if (lie_in_strip(scene, own, {closing, normal, corners, 1.0, opposed.corners, opposed.surface}))
+      return true;
     for (const std::uint32_t corner : faces.faces[own].corners) own_points.push_back(scene.surface.x(corner));
   }
   if (own_points.empty()) own_points.push_back(scene.surface.x(node.node));
-  return lie_in_strip(scene, face, {-closing, own_points, 1.0, {&node.node, 1}, node.surface});
+  return lie_in_strip(scene, face, {-closing, -normal, own_points, 1.0, {&node.node, 1}, node.surface});
 }
 
 }  // namespace contactsim

@@ -91,7 +91,7 @@ void NodeFaceContacts::find_one(const ContactScene& scene, std::uint32_t row, Wo
                                 std::vector<ContactRecord>& records) const {
   work.hits.n = 0;
   for (const std::uint32_t face : candidates_.of(row)) look_at(scene, row, face, work.memory, work.hits);
-  if (work.hits.n > 1) choose(scene, work.memory, work.hits);
+  if (work.hits.n > 1) choose(scene, row, work.memory, work.hits);
   for (Hit& hit : work.hits) {
     const PairRule& rule = scene.rules.of_node(hit.pair, row);
     if (scene.dt == 0.0 && hit.point.gap > hit.near && !rule.acts_apart()) continue;
@@ -236,7 +236,9 @@ std::size_t NodeFaceContacts::share_edge(double thickness, Hits& hits) {
   return n;
 }
 
-void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, Hits& hits) const {
+void NodeFaceContacts::choose(const ContactScene& scene, std::uint32_t row, const Memory& memory,
+                              Hits& hits) const {
+  const bool is_ball = faces_.surface_nodes[row].radius > 0.0f;
   const auto went_in_here = [&](const Hit& hit) { return memory.knows(hit.point.normal); };
   // Faces on the side of the last step first, then the nearest, then those over which the node stands.
   std::stable_sort(hits.begin(), hits.end(), [&](const Hit& a, const Hit& b) {
@@ -250,8 +252,8 @@ void NodeFaceContacts::choose(const ContactScene& scene, const Memory& memory, H
     const auto is_other_wall = [&](const Hit& chosen) {
       const FaceBound &wall = scene.surface.bound(chosen.face), &other = scene.surface.bound(hit.face);
       const double cosine = chosen.point.normal.dot(hit.point.normal);
-      // Of a hollow: each wall stands in front of the other.
-      return cosine < same_wall && cosine > -same_wall && wall.looks_to(other.centre()) &&
+      // Of a hollow: each wall stands in front of the other. A ball fills a narrow one, too.
+      return cosine < same_wall && (is_ball || cosine > -same_wall) && wall.looks_to(other.centre()) &&
              other.looks_to(wall.centre());
     };
     if (std::all_of(hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(n_chosen), is_other_wall))

@@ -96,7 +96,7 @@ class NodeFaceContacts {
                           const Hit& hit, double depth) const;
   bool stands_over(const ContactScene& scene, std::uint32_t face, const Hit& hit) const;
   static std::size_t share_edge(double thickness, Hits& hits);
-  void choose(const ContactScene& scene, const Memory& memory, Hits& hits) const;
+  void choose(const ContactScene& scene, std::uint32_t row, const Memory& memory, Hits& hits) const;
   Touch make_touch(std::uint32_t row, const Hit& hit, const ContactRecord& record) const;
   double share_of(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;
   ContactRecord make_record(const ContactScene& scene, std::uint32_t row, const Hit& hit) const;

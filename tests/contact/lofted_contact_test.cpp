@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact of lofted shells as a run has it: what touches, and what the nodes get of it.
+#include <algorithm>
+#include <array>
+#include <numbers>
+
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 #include "support/lofted_meshes.hpp"
@@ -235,6 +239,32 @@ TEST_CASE("a particle beside a face touches its edge and its corner", "[contact]
   REQUIRE(force.norm() > 0.0);
   CHECK((force.normalized() - (from - nearest).normalized()).norm() < 1e-9);
   CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
+
+TEST_CASE("a ball in a fold, however narrow, touches both walls", "[contact][lofted]") {
+  const double angle = GENERATE(10.0, 30.0, 60.0, 100.0) * std::numbers::pi / 360.0;  // from the middle
+  constexpr double radius = 0.2, thickness = 0.02, depth = 1e-3;
+  MeshBuilder b;
+  const auto bottom = {b.add_node({0, -2, 0}).value, b.add_node({0, 2, 0}).value};
+  std::vector<std::uint32_t> quads;
+  for (const double side : {-1.0, 1.0}) {
+    const Eigen::Vector3d up(4.0 * side * std::sin(angle), 0.0, 4.0 * std::cos(angle));
+    const std::array<std::uint32_t, 4> corners{*bottom.begin(), *(bottom.begin() + 1),
+                                               b.add_node(up + Eigen::Vector3d(0, 2, 0)).value,
+                                               b.add_node(up - Eigen::Vector3d(0, 2, 0)).value};
+    quads.insert(quads.end(), corners.begin(), corners.end());
+  }
+  b.add_block(1, "", Shape::shell4, quads);
+  b.set_attributes(1, {"thickness"}, {thickness, thickness});
+  const double height = (radius + 0.5 * thickness - depth) / std::sin(angle);
+  add_balls(b, 2, {{0, 0, height}}, radius);
+  ContactBodies bodies(b, general_contact(""));
+  bodies.ask();
+  const auto points = bodies.contact.points();
+  const auto touches = [](const ContactRecord& point) { return point.touches(); };
+  CHECK(std::ranges::count_if(points, touches) == 2);
+  CHECK(std::abs(bodies.force_on(1).x()) < 1e-9 * bodies.force_size());
+  CHECK(bodies.force_on(1).z() > 0.0);
 }
 
 TEST_CASE("sharp edges of solids meet unless the feature angle is larger or off", "[contact][lofted]") {
