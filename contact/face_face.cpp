@@ -241,13 +241,16 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
   const double area_1 = std::abs(area_vector(first.x).dot(pair->plane.normal)),
                area_2 = std::abs(area_vector(second.x).dot(pair->plane.normal));
   const double smaller = std::min(area_1, area_2);
-  set_gaps(pair->map_1, pair->map_2, whole);
   std::array<OverlapPolygon, 2> scratch;
-  const OverlapPolygon* part = &part_between(-reach.depth, reach.margin, whole, scratch);
-  const double closed = part->area();
-  if (!(closed > 0.0) && reach.near > reach.margin)
-    part = &part_between(-reach.depth, reach.near, whole, scratch);
-  const double area = closed > 0.0 ? closed : part->area();
+  const OverlapPolygon* part = &whole;
+  const bool is_uncut = pair->least_gap >= -reach.depth && pair->most_gap <= reach.margin;
+  if (!is_uncut) {
+    set_gaps(pair->map_1, pair->map_2, whole);
+    part = &part_between(-reach.depth, reach.margin, whole, scratch);
+    if (!(part->area() > 0.0) && reach.near > reach.margin)
+      part = &part_between(-reach.depth, reach.near, whole, scratch);
+  }
+  const double area = part->area();
   if (!(area > negligible * smaller)) return found;
   OverlapPoints points;
   place_points(*part, pair->map_1, pair->map_2, points);

@@ -87,6 +87,9 @@ double flush_width(const ContactScene& scene, std::uint32_t face) {
 
 bool is_at_flush_rim(const ContactScene& scene, std::uint32_t first, std::uint32_t second,
                      const FaceFaceContact& contact) {
+  const ContactFace &a_face = scene.surface.faces().faces[first],
+                    &b_face = scene.surface.faces().faces[second];
+  if (a_face.sharpness < least_rim && b_face.sharpness < least_rim) return false;
   const FaceBound &a = scene.surface.bound(first), &b = scene.surface.bound(second);
   // Only slivers: a square has twice the area of its radius squared.
   const double radius = std::min(a.radius(), b.radius());
@@ -95,8 +98,6 @@ bool is_at_flush_rim(const ContactScene& scene, std::uint32_t first, std::uint32
   const Eigen::Vector3d centre = scene.surface.face(first).x * contact.weights_1;
   const Eigen::Vector3d closing = (a.velocity() - b.velocity()).cast<double>();
   constexpr double centre_of_strip = 0.5;
-  const ContactFace &a_face = scene.surface.faces().faces[first],
-                    &b_face = scene.surface.faces().faces[second];
   return lie_in_strip(scene, first,
                       {closing,
                        b.normal().cast<double>(),

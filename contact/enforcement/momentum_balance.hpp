@@ -78,7 +78,7 @@ class MomentumBalance {
   ScalingAreas areas_;  // scratch
   RigidResponses responses_;
   ContactLoss loss_;
-  std::int64_t n_passes_ = 1000;  // of the next step at most
+  std::int64_t n_passes_ = 10;  // of the next step at most
 };
 
 }  // namespace contactsim
