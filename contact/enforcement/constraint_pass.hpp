@@ -5,9 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/enforcement/node_mobility.hpp"
-#include "contact/enforcement/rigid_response.hpp"
-
 namespace contactsim {
 
 /// Constraints give way by this share of their softness, so that forces which move nothing stay bounded.
@@ -47,39 +44,11 @@ struct ConstraintPass {
 /// [n_carriers x 2] [length^2].
 using LeaningAreas = std::vector<std::array<double, 2>>;
 
-/// Areas that constraints are scaled by.
-struct ScalingAreas {
-  LeaningAreas all;
-  LeaningAreas rest;  ///< of constraints whose forces are not found together with a rigid body's motion
+/// What leans on a carrier: sums over its constraints.
+struct CarrierLoad {
+  double own = 0.0;     ///< softness by the carrier's side, times area and over the step
+  double others = 0.0;  ///< the same by the other side
+  double area = 0.0;    ///< [length^2]
 };
-
-/// A constraint whose force is found together with the motion of a rigid body on one of its sides.
-struct BodyTerm {
-  static constexpr std::uint32_t none = 0xffffffff;
-
-  std::uint32_t response = none;  ///< of the body
-  std::uint32_t term = none;      ///< of the constraint that is the body's
-
-  bool exists() const { return response != none; }
-};
-
-/// The term of the only rigid body among a constraint's terms, where that gives way more easily than the
-/// rest, which gives way, too.
-///   carrier_of, share_of  of a term; the share is that of the constraint's softness
-template <class CarrierOf, class ShareOf>
-BodyTerm choose_body(const NodeMobility& mobility, std::size_t n_terms, const CarrierOf& carrier_of,
-                     const ShareOf& share_of, RigidResponses& responses) {
-  BodyTerm chosen;
-  double own = 0.0, others = 0.0;
-  for (std::uint32_t i = 0; i < n_terms; ++i) {
-    const bool is_body = mobility.is_body(carrier_of(i));
-    if (is_body && chosen.term != BodyTerm::none) return {};
-    if (is_body) chosen.term = i;
-    (is_body ? own : others) += share_of(i);
-  }
-  if (!(others > 0.0) || !(own > others)) return {};
-  chosen.response = responses.of(carrier_of(chosen.term));
-  return chosen;
-}
 
 }  // namespace contactsim

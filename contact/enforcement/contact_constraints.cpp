@@ -156,9 +156,8 @@ double ContactConstraints::turn_size(const Group& group, const Row& row, std::si
   return mobility_.turn_root(carrier, arm.cross(Eigen::Vector3d(group.normal.head<3>())));
 }
 
-void ContactConstraints::add_areas(LeaningAreas& areas, bool is_rest) const {
+void ContactConstraints::add_areas(LeaningAreas& areas) const {
   for (const Group& group : groups_) {
-    if (is_rest && group.body.exists()) continue;
     for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
       const double area = points_[rows_[row].point].area;
       for (std::size_t i = 0; i < group.n_terms; ++i)
@@ -180,27 +179,56 @@ double ContactConstraints::share(const Group& group, std::uint32_t row, std::siz
   return moves + turn_size(group, rows_[row], term) * areas[carrier][1];
 }
 
-void ContactConstraints::choose_bodies(const LeaningAreas& areas, RigidResponses& responses) {
-  for (Group& group : groups_) {
-    if (group.first_arm == none) continue;
-    group.body = choose_body(
-        mobility_, group.n_terms, [&](std::size_t i) { return group.carriers[i]; },
-        [&](std::size_t i) { return share(group, group.first_row, i, areas); }, responses);
+void ContactConstraints::add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const {
+  for (const Group& group : groups_) {
+    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
+      const double area = points_[rows_[row].point].area;
+      std::array<double, 2> sides{};
+      for (std::size_t i = 0; i < group.n_terms; ++i)
+        sides[weights_[row][i] > 0.0 ? 0 : 1] += share(group, row, i, areas);
+      for (std::size_t i = 0; i < group.n_terms; ++i) {
+        CarrierLoad& load = loads[group.carriers[i]];
+        const double weight = weights_[row][i];
+        load.own += sides[weight > 0.0 ? 0 : 1];
+        load.others += sides[weight > 0.0 ? 1 : 0];
+        load.area += area * std::abs(weight);
+      }
+    }
   }
 }
 
-double ContactConstraints::softness(const Group& group, std::uint32_t row, const ScalingAreas& areas) const {
+double ContactConstraints::softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
+                                    const LightCarriers& light, double least) const {
+  const double area = points_[rows_[row].point].area;
   double gap = 0.0;
-  for (std::size_t i = 0; i < group.n_terms; ++i)
-    gap += share(group, row, i, i == group.body.term ? areas.rest : areas.all);
-  return dt_ * gap / points_[rows_[row].point].area;
+  bool has_light = false;
+  for (std::size_t i = 0; i < group.n_terms; ++i) {
+    const bool is_light = light.is_light(group.carriers[i]);
+    has_light = has_light || is_light;
+    if (!is_light) gap += share(group, row, i, areas);
+  }
+  if (has_light) gap = std::max(gap, least * area);
+  return dt_ * gap / area;
 }
 
-void ContactConstraints::set_softness(const ScalingAreas& areas) {
+/// Slip per tangential force, that of light carriers, too: what friction holds is not found with their
+/// motion.
+double ContactConstraints::slip_softness(const Group& group, std::uint32_t row,
+                                         const LeaningAreas& areas) const {
+  double slip = 0.0;
+  for (std::size_t i = 0; i < group.n_terms; ++i) slip += share(group, row, i, areas);
+  return dt_ * slip / points_[rows_[row].point].area;
+}
+
+void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarriers& light, double least) {
   std::uint32_t n_kept = 0;
   for (Group& group : groups_) {
     const std::uint32_t first = group.first_row, end = first + group.n_rows;
-    for (std::uint32_t i = first; i < end; ++i) rows_[i].softness = softness(group, i, areas);
+    for (std::uint32_t i = first; i < end; ++i) {
+      rows_[i].softness = softness(group, i, areas, light, least);
+      if (rows_[i].grip == none) continue;
+      grips_[rows_[i].grip].softness = light.empty() ? rows_[i].softness : slip_softness(group, i, areas);
+    }
     group.first_row = n_kept;
     for (std::uint32_t i = first; i < end; ++i) {
       if (!(rows_[i].softness > 0.0)) continue;
@@ -212,45 +240,60 @@ void ContactConstraints::set_softness(const ScalingAreas& areas) {
   rows_.resize(n_kept);
   weights_.resize(n_kept);
   std::erase_if(groups_, [](const Group& group) { return group.n_rows == 0; });
-  groups_of_response_.clear();
-  for (std::uint32_t i = 0; i < groups_.size(); ++i) {
-    if (!groups_[i].body.exists()) continue;
-    const std::uint32_t response = groups_[i].body.response;
-    groups_of_response_.resize(std::max<std::size_t>(groups_of_response_.size(), response + 1));
-    groups_of_response_[response].push_back(i);
+}
+
+void ContactConstraints::add_rows(LightCarriers& light) {
+  std::array<LightShare, most_terms> shares;
+  light_points_.clear();
+  for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+    const Group& group = groups_[g];
+    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
+      std::size_t n = 0;
+      for (std::size_t i = 0; i < group.n_terms; ++i) {
+        const double weight = weights_[row][i];
+        if (weight == 0.0 || !light.is_light(group.carriers[i])) continue;
+        LightShare& share = shares[n++];
+        share = {light.of(group.carriers[i]), weight * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+        if (group.first_arm != none) share.arm = arms_[group.first_arm + i] / weight;
+      }
+      if (n == 0) continue;
+      rows_[row].light = light.add_row({shares.data(), n});
+      light_points_.push_back({g, row});
+    }
   }
 }
 
-RigidLever ContactConstraints::lever(const Group& group) const {
-  return rigid_lever(weights_[group.first_row][group.body.term], arms_[group.first_arm + group.body.term]);
+/// The tangential force that would hold a point, before the cone.
+Eigen::Vector3d ContactConstraints::trial_traction(const Eigen::Vector3d& normal, const Row& row,
+                                                   const NodeVector& changed) const {
+  const Grip& grip = grips_[row.grip];
+  const Eigen::Vector3d slip = slip_recovery * grip.held + grip.slip + in_plane(changed.head<3>(), normal);
+  return in_plane(row.ahead.head<3>(), normal) - (1.0 - constraint_compliance) / grip.softness * slip;
 }
 
-/// By how much a point's force falls with the velocity of the first side against the second: a force that
-/// slides or is none stays [force time/length].
-Eigen::Matrix3d ContactConstraints::rate(const Group& group, const Row& row, const NodeVector& changed,
-                                         const NodeVector& force) const {
-  const Eigen::Vector3d normal = group.normal.head<3>();
-  const double on_normal = group.normal.dot(force);
-  if (!(on_normal > 0.0)) return Eigen::Matrix3d::Zero();
+LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const {
+  const auto [g, r] = light_points_[light_point];
+  const Group& group = groups_[g];
+  const Row& row = rows_[r];
+  const NodeVector changed = dt_ * (change(group, weights_[r]) + node_vector(velocity));
+  const NodeVector force = next_force(group.normal, row, changed);
   const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
-  const bool is_held =
-      row.grip != none && !slides(row, in_plane(force.head<3>(), normal), changed, on_normal);
-  if (is_held) return rate * Eigen::Matrix3d::Identity();
-  return rate * normal * normal.transpose();
-}
-
-void ContactConstraints::answer(std::uint32_t response, RigidResponses& responses) const {
-  if (response >= groups_of_response_.size()) return;
-  RigidResponse& body = responses[response];
-  for (const std::uint32_t index : groups_of_response_[response]) {
-    const Group& group = groups_[index];
-    const Row& row = rows_[group.first_row];
-    const RigidLever lever = this->lever(group);
-    const NodeVector velocity =
-        change(group, weights_[group.first_row]) + node_vector(lever * body.velocity());
-    const NodeVector changed = dt_ * velocity, force = next_force(group.normal, row, changed);
-    body.add(lever, (force - row.ahead).head<3>(), rate(group, row, changed, force));
+  LightAnswer answer{force.head<3>(), (force - row.ahead).head<3>(), Eigen::Matrix3d::Zero(), rate};
+  const Eigen::Vector3d normal = group.normal.head<3>();
+  if (group.normal.dot(force) > 0.0) answer.rate = rate * normal * normal.transpose();
+  if (row.grip == none) return answer;
+  const Eigen::Vector3d trial = trial_traction(normal, row, changed);
+  constexpr double round_off = 1e-9;
+  const double size = trial.norm(), held = in_plane(force.head<3>(), normal).norm();
+  const Eigen::Matrix3d plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  const double of_slip = dt_ * (1.0 - constraint_compliance) / grips_[row.grip].softness;
+  if (held >= (1.0 - round_off) * size) {
+    answer.rate += of_slip * plane;
+  } else if (size > 0.0) {
+    const Eigen::Vector3d way = trial / size;
+    answer.rate += of_slip * held / size * (plane - way * way.transpose());
   }
+  return answer;
 }
 
 /// Change of the first side's velocity against the second's by the forces of the last pass [length/time].
@@ -291,14 +334,9 @@ double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed,
   return grip.rule->slip_limit(record, dt_);
 }
 
-/// Whether a tangential force is on the cone.
-bool ContactConstraints::slides(const Row& row, const Eigen::Vector3d& tangential, const NodeVector& changed,
-                                double normal_force) const {
-  constexpr double round_off = 1e-9;
-  return tangential.norm() >= (1.0 - round_off) * slip_limit(row, changed, normal_force);
-}
-
-/// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone.
+/// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone. On light carriers
+/// that is the cone of the normal force that the pass looks at: that of the force to be found would leave no
+/// potential, without which forces and motion need not fit together.
 ///   changed  by which the forces of the last pass change the gap and the slip [length]
 NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& row,
                                           const NodeVector& changed) const {
@@ -306,21 +344,18 @@ NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& r
   const double gap = row.start + normal.dot(changed) + constraint_compliance * row.softness * now;
   const double force = std::max(0.0, now - rate * gap);
   if (row.grip == none) return force * normal;
-  const Grip& grip = grips_[row.grip];
-  const Eigen::Vector3d unit = normal.head<3>();
-  const Eigen::Vector3d slip = slip_recovery * grip.held + grip.slip + in_plane(changed.head<3>(), unit);
-  Eigen::Vector3d tangential = in_plane(row.ahead.head<3>(), unit) - rate * slip;
-  const double limit = slip_limit(row, changed, force), size = tangential.norm();
+  Eigen::Vector3d tangential = trial_traction(normal.head<3>(), row, changed);
+  const double limit = slip_limit(row, changed, row.light == none ? force : std::max(0.0, now)),
+               size = tangential.norm();
   if (size > limit) tangential *= limit / size;
   return force * normal + node_vector(tangential);
 }
 
-ConstraintPass ContactConstraints::pass(double momentum, const RigidResponses& responses) {
+ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& light) {
   ConstraintPass sums;
   visit_rows([&](const Group& group, Row& row, const Weights& weights) {
     NodeVector velocity = change(group, weights);
-    if (group.body.exists())
-      velocity += node_vector(lever(group) * responses[group.body.response].velocity());
+    if (row.light != none) velocity += node_vector(light.velocity(row.light));
     sums.take(row, next_force(group.normal, row, dt_ * velocity), momentum);
     push(group, weights, row.ahead);
   });
@@ -381,9 +416,9 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
     point.work_before += friction_before;
     point.work_after += friction_after;
     point.tangential += tangential;
-    const bool is_sliding = slides(row, tangential, change, force);
-    if (is_sliding) point.slip = slip;
-    point.elastic = is_sliding ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
+    const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, change, force);
+    if (slides) point.slip = slip;
+    point.elastic = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
     entry.traction = tangential / point.area;
     entry.held = point.elastic;
   }

@@ -34,19 +34,21 @@ class ContactConstraints {
   void add(const ContactRecord& record, const PairRule& rule, double thickness);
 
   /// Adds the areas of the points to those of their carriers.
-  ///   is_rest  only of points whose forces are not found together with a rigid body's motion
-  void add_areas(LeaningAreas& areas, bool is_rest) const;
-  /// Chooses the points whose forces are found together with a rigid body's motion.
-  void choose_bodies(const LeaningAreas& areas, RigidResponses& responses);
-  /// Softness of each point, by all areas. Points between sides that are held or driven, where nothing can be
-  /// done, are no constraints any more.
-  void set_softness(const ScalingAreas& areas);
-  /// Adds what forces answer to a body's motion.
-  void answer(std::uint32_t response, RigidResponses& responses) const;
+  void add_areas(LeaningAreas& areas) const;
+  /// Adds the points to what leans on their carriers.
+  void add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const;
+  /// Softness of each point, by all areas but those of light carriers. Points between sides that are held or
+  /// driven, where nothing can be done, are no constraints any more.
+  ///   least  softness by area of points between light carriers [length/(force length^2)]
+  void set_softness(const LeaningAreas& areas, const LightCarriers& light, double least);
+  /// Adds the points with light carriers to the rows of these.
+  void add_rows(LightCarriers& light);
+  /// What the point of such a row answers to a velocity of its light carriers.
+  LightAnswer answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const;
   /// Pushes the carriers by the forces of the last pass, which the next one looks at: without momentum.
   void push_forces();
   /// Finds the next forces, and pushes the carriers by what the pass after looks at: by the momentum beyond.
-  ConstraintPass pass(double momentum, const RigidResponses& responses);
+  ConstraintPass pass(double momentum, const LightCarriers& light);
   /// Gives the points their forces, slip and losses, and remembers them.
   ContactLoss finish();
 
@@ -68,8 +70,9 @@ class ContactConstraints {
     NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
-    std::uint32_t point = 0;    // in points_
-    std::uint32_t grip = none;  // of a point with friction
+    std::uint32_t point = 0;     // in points_
+    std::uint32_t grip = none;   // of a point with friction
+    std::uint32_t light = none;  // its row among those with light carriers
   };
   /// Contact points between the same places, which have the same carriers.
   struct Group {
@@ -79,7 +82,6 @@ class ContactConstraints {
     std::uint32_t n_terms = 0;
     std::uint32_t first_arm = none;                  // of the carriers; none where all are plain
     std::array<std::uint8_t, most_terms> corners{};  // of both sides, of plain carriers
-    BodyTerm body;                                   // of a single point
   };
   /// Friction of a contact point.
   struct Grip {
@@ -87,6 +89,7 @@ class ContactConstraints {
     double limit_per_force = 0.0;                    // of the tangential force; < 0: the rule says [1]
     Eigen::Vector3d held = Eigen::Vector3d::Zero();  // slip of earlier steps that friction holds [length]
     Eigen::Vector3d slip = Eigen::Vector3d::Zero();  // of the step without forces, in the plane [length]
+    double softness = 0.0;                           // slip per force, as of the normal [length/force]
   };
 
   template <class Visit>
@@ -98,16 +101,15 @@ class ContactConstraints {
   void take_over(const ContactRecord& record, Row& row);
   double turn_size(const Group& group, const Row& row, std::size_t term) const;
   double share(const Group& group, std::uint32_t row, std::size_t term, const LeaningAreas& areas) const;
-  double softness(const Group& group, std::uint32_t row, const ScalingAreas& areas) const;
-  RigidLever lever(const Group& group) const;
-  Eigen::Matrix3d rate(const Group& group, const Row& row, const NodeVector& changed,
-                       const NodeVector& force) const;
+  double slip_softness(const Group& group, std::uint32_t row, const LeaningAreas& areas) const;
+  double softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
+                  const LightCarriers& light, double least) const;
   NodeVector change(const Group& group, const Weights& weights) const;
   void push(const Group& group, const Weights& weights, const NodeVector& force);
   double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
-  bool slides(const Row& row, const Eigen::Vector3d& tangential, const NodeVector& changed,
-              double normal_force) const;
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
+  Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
+                                 const NodeVector& changed) const;
   Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
   void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
 
@@ -117,8 +119,8 @@ class ContactConstraints {
   std::vector<ContactRecord> points_;
   std::vector<Group> groups_;
   std::vector<Row> rows_;
-  std::vector<Weights> weights_;  // [n_rows]
-  std::vector<std::vector<std::uint32_t>> groups_of_response_;
+  std::vector<Weights> weights_;                            // [n_rows]
+  std::vector<std::array<std::uint32_t, 2>> light_points_;  // group and row, of points with light carriers
   std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
   std::vector<Grip> grips_;
   std::vector<CarrierTerm> carriers_;  // scratch

@@ -31,31 +31,44 @@ void MomentumBalance::begin(const Model& model, const MovingSurface& surface, co
 /// By sums of rows: with the areas a > 0 of the points, |A| a <= D a bounds the eigenvalues of D^-1 A by 1
 /// (Collatz and Wielandt). Where nodes are free, D is the lumped mass per area on both sides in series.
 void MomentumBalance::set_softness() {
-  const auto add_areas = [this](LeaningAreas& areas, bool is_rest) {
-    areas.assign(mobility_.n_carriers(), {0.0, 0.0});
-    ties_.add_areas(areas, is_rest);
-    contacts_.add_areas(areas, is_rest);
-  };
-  add_areas(areas_.all, false);
-  responses_.clear();
-  ties_.choose_bodies(areas_.all, responses_);
-  contacts_.choose_bodies(areas_.all, responses_);
-  if (!responses_.empty()) add_areas(areas_.rest, true);
-  ties_.set_softness(areas_);
-  contacts_.set_softness(areas_);
+  areas_.assign(mobility_.n_carriers(), {0.0, 0.0});
+  ties_.add_areas(areas_);
+  contacts_.add_areas(areas_);
+  const double least = choose_light();
+  ties_.set_softness(areas_, light_, least);
+  contacts_.set_softness(areas_, light_, least);
+  if (light_.empty()) return;
+  ties_.add_rows(light_);
+  contacts_.add_rows(light_);
 }
 
-/// Finds the motions of the rigid bodies that come with the next forces.
-void MomentumBalance::respond() {
-  constexpr int most_steps = 10;
-  for (std::uint32_t i = 0; i < responses_.size(); ++i) {
-    responses_[i].begin(mobility_.rigid_mobility(responses_.carrier(i)));
-    for (int step = 0; step < most_steps; ++step) {
-      ties_.answer(i, responses_);
-      contacts_.answer(i, responses_);
-      if (responses_[i].step()) break;
-    }
+/// Chooses the rigid bodies that are light beside what they meet. Returns the mean softness by area of that,
+/// of which what meets light carriers alone has a share.
+double MomentumBalance::choose_light() {
+  constexpr double light = 3.0, least = 0.1;
+  light_.begin(mobility_.n_carriers());
+  if (!mobility_.has_bodies()) return 0.0;
+  loads_.assign(mobility_.n_carriers(), {});
+  ties_.add_loads(areas_, loads_);
+  contacts_.add_loads(areas_, loads_);
+  double others = 0.0, area = 0.0;
+  for (std::uint32_t i = 0; i < loads_.size(); ++i) {
+    const CarrierLoad& load = loads_[i];
+    if (!mobility_.is_body(i) || !(load.others > 0.0) || !(load.own > light * load.others)) continue;
+    light_.add(i, mobility_.mobility(i));
+    others += load.others;
+    area += load.area;
   }
+  return area > 0.0 ? least * others / area : 0.0;
+}
+
+/// Finds the motion of light carriers that comes with the next forces.
+void MomentumBalance::move_light() {
+  if (light_.empty()) return;
+  const std::uint32_t n_ties = ties_.n_light_points();
+  light_.solve([&](std::uint32_t row, const Eigen::Vector3d& velocity) {
+    return row < n_ties ? ties_.answer(row, velocity) : contacts_.answer(row - n_ties, velocity);
+  });
 }
 
 /// Has the carriers move by the forces, without momentum beyond them.
@@ -66,9 +79,9 @@ void MomentumBalance::push_forces() {
 }
 
 ConstraintPass MomentumBalance::pass(double momentum) {
-  respond();
-  ConstraintPass sums = ties_.pass(momentum, responses_);
-  sums += contacts_.pass(momentum, responses_);
+  move_light();
+  ConstraintPass sums = ties_.pass(momentum, light_);
+  sums += contacts_.pass(momentum, light_);
   mobility_.end_pass();
   return sums;
 }

@@ -67,7 +67,8 @@ class MomentumBalance {
 
  private:
   void set_softness();
-  void respond();
+  double choose_light();
+  void move_light();
   ConstraintPass pass(double momentum);
   void push_forces();
   void choose_passes(std::int64_t n_passes, double share, double residual);
@@ -75,8 +76,9 @@ class MomentumBalance {
   NodeMobility mobility_;
   TieConstraints ties_{mobility_};
   ContactConstraints contacts_{mobility_};
-  ScalingAreas areas_;  // scratch
-  RigidResponses responses_;
+  LeaningAreas areas_;              // scratch
+  std::vector<CarrierLoad> loads_;  // scratch
+  LightCarriers light_;
   ContactLoss loss_;
   std::int64_t n_passes_ = 10;  // of the next step at most
 };

@@ -157,12 +157,11 @@ double NodeMobility::turn_root(std::uint32_t carrier, const Eigen::Vector3d& tur
   return std::sqrt(std::max(0.0, half_steps_ * turn.dot(rotation * turn)));
 }
 
-RigidMatrix NodeMobility::rigid_mobility(std::uint32_t carrier) const {
-  const General& general = generals_[carriers_[carrier].general];
-  RigidMatrix mobility = RigidMatrix::Zero();
-  mobility.topLeftCorner<3, 3>() = half_steps_ * general.translation;
-  mobility.bottomRightCorner<3, 3>() = half_steps_ * general.rotation;
-  return mobility;
+CarrierMobility NodeMobility::mobility(std::uint32_t carrier) const {
+  const Carrier& own = carriers_[carrier];
+  if (own.general == none) return {own.mobility * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero()};
+  const General& general = generals_[own.general];
+  return {half_steps_ * general.translation, half_steps_ * general.rotation};
 }
 
 void NodeMobility::begin_passes() {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/enforcement/rigid_response.hpp"
+#include "contact/enforcement/light_carriers.hpp"
 #include "contact/free_directions.hpp"
 #include "contact/moving_surface.hpp"
 #include "core/elements/gather.hpp"
@@ -48,10 +48,11 @@ class NodeMobility {
   const std::vector<std::uint32_t>& mesh_nodes() const { return mesh_nodes_; }
   /// The largest change of velocity per force [time/mass].
   double translation_bound(std::uint32_t carrier) const { return carriers_[carrier].mobility; }
+  bool has_bodies() const { return !state_->rigid.empty(); }
   /// Whether a carrier is a rigid body.
   bool is_body(std::uint32_t carrier) const { return carriers_[carrier].body >= surface_->faces().n_nodes(); }
-  /// The velocity and angular velocity of a rigid body by a force and a moment over the coming step.
-  RigidMatrix rigid_mobility(std::uint32_t carrier) const;
+  /// How a carrier answers over the coming step.
+  CarrierMobility mobility(std::uint32_t carrier) const;
   /// The square root of the change of angular velocity about a direction per moment, times its length.
   double turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const;
   /// The largest of those for unit length.

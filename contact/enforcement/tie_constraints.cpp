@@ -103,9 +103,8 @@ double TieConstraints::turn_size(const Term& term) const {
   return mobility_.turn_bound(term.carrier) * bound_of(term.weight) * term.arm.norm();
 }
 
-void TieConstraints::add_areas(LeaningAreas& areas, bool is_rest) const {
+void TieConstraints::add_areas(LeaningAreas& areas) const {
   for (const Row& row : rows_) {
-    if (is_rest && row.body.exists()) continue;
     const double area = area_of(row);
     for (const Term& term : terms_of(row)) {
       areas[term.carrier][0] += area * bound_of(term.weight);
@@ -119,39 +118,54 @@ double TieConstraints::share(const Term& term, const LeaningAreas& areas) const 
          turn_size(term) * areas[term.carrier][1];
 }
 
-void TieConstraints::choose_bodies(const LeaningAreas& areas, RigidResponses& responses) {
-  for (Row& row : rows_) {
-    const auto terms = terms_of(row);
-    row.body = choose_body(
-        mobility_, row.n_terms, [&](std::size_t i) { return terms[i].carrier; },
-        [&](std::size_t i) { return share(terms[i], areas); }, responses);
+void TieConstraints::add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const {
+  for (const Row& row : rows_) {
+    std::array<double, 2> sides{};
+    const auto side = [](const Term& term) { return term.weight.trace() > 0.0 ? 0 : 1; };
+    for (const Term& term : terms_of(row)) sides[side(term)] += share(term, areas);
+    for (const Term& term : terms_of(row)) {
+      CarrierLoad& load = loads[term.carrier];
+      load.own += sides[side(term)];
+      load.others += sides[1 - side(term)];
+      load.area += area_of(row) * bound_of(term.weight);
+    }
   }
 }
 
-void TieConstraints::set_softness(const ScalingAreas& areas) {
+void TieConstraints::set_softness(const LeaningAreas& areas, const LightCarriers& light, double least) {
   for (Row& row : rows_) {
     double gap = 0.0;
-    for (std::uint32_t i = 0; i < row.n_terms; ++i)
-      gap += share(terms_[row.first_term + i], i == row.body.term ? areas.rest : areas.all);
+    bool has_light = false;
+    for (const Term& term : terms_of(row)) {
+      const bool is_light = light.is_light(term.carrier);
+      has_light = has_light || is_light;
+      if (!is_light) gap += share(term, areas);
+    }
+    if (has_light) gap = std::max(gap, least * area_of(row));
     row.softness = dt_ * gap / area_of(row);
   }
   std::erase_if(rows_, [](const Row& row) { return !(row.softness > 0.0); });
 }
 
-RigidLever TieConstraints::lever(const Row& row) const {
-  const Term& term = terms_[row.first_term + row.body.term];
-  return term.weight * rigid_lever(1.0, term.arm);
+void TieConstraints::add_rows(LightCarriers& light) {
+  std::vector<LightShare> shares;
+  light_points_.clear();
+  for (std::uint32_t i = 0; i < rows_.size(); ++i) {
+    shares.clear();
+    for (const Term& term : terms_of(rows_[i])) {
+      if (light.is_light(term.carrier)) shares.push_back({light.of(term.carrier), term.weight, term.arm});
+    }
+    if (shares.empty()) continue;
+    rows_[i].light = light.add_row(shares);
+    light_points_.push_back(i);
+  }
 }
 
-void TieConstraints::answer(std::uint32_t response, RigidResponses& responses) const {
-  RigidResponse& body = responses[response];
-  for (const Row& row : rows_) {
-    if (row.body.response != response) continue;
-    const RigidLever lever = this->lever(row);
-    const Eigen::Vector3d force = next_force(row, dt_ * (change(row) + lever * body.velocity()));
-    const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
-    body.add(lever, force - row.ahead, rate * Eigen::Matrix3d::Identity());
-  }
+LightAnswer TieConstraints::answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const {
+  const Row& row = rows_[light_points_[light_point]];
+  const Eigen::Vector3d force = next_force(row, dt_ * (change(row) + velocity));
+  const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
+  return {force, force - row.ahead, rate * Eigen::Matrix3d::Identity(), rate};
 }
 
 Eigen::Vector3d TieConstraints::change(const Row& row) const {
@@ -183,11 +197,11 @@ Eigen::Vector3d TieConstraints::next_force(const Row& row, const Eigen::Vector3d
   return row.ahead - (1.0 - constraint_compliance) / row.softness * distance;
 }
 
-ConstraintPass TieConstraints::pass(double momentum, const RigidResponses& responses) {
+ConstraintPass TieConstraints::pass(double momentum, const LightCarriers& light) {
   ConstraintPass sums;
   for (Row& row : rows_) {
     Eigen::Vector3d velocity = change(row);
-    if (row.body.exists()) velocity += lever(row) * responses[row.body.response].velocity();
+    if (row.light != LightCarriers::none) velocity += light.velocity(row.light);
     sums.take(row, next_force(row, dt_ * velocity), momentum);
     push(row);
   }

@@ -24,12 +24,14 @@ class TieConstraints {
   bool empty() const { return rows_.empty(); }
 
   // As of ContactConstraints.
-  void add_areas(LeaningAreas& areas, bool is_rest) const;
-  void choose_bodies(const LeaningAreas& areas, RigidResponses& responses);
-  void set_softness(const ScalingAreas& areas);
-  void answer(std::uint32_t response, RigidResponses& responses) const;
+  void add_areas(LeaningAreas& areas) const;
+  void add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const;
+  void set_softness(const LeaningAreas& areas, const LightCarriers& light, double least);
+  void add_rows(LightCarriers& light);
+  std::uint32_t n_light_points() const { return static_cast<std::uint32_t>(light_points_.size()); }
+  LightAnswer answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const;
   void push_forces();
-  ConstraintPass pass(double momentum, const RigidResponses& responses);
+  ConstraintPass pass(double momentum, const LightCarriers& light);
   /// Gives the points of the ties their forces.
   void finish();
 
@@ -47,9 +49,9 @@ class TieConstraints {
     std::uint32_t point = 0;  // of the tie
     std::uint32_t first_term = 0, n_terms = 0;
     Eigen::Vector3d start =
-        Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
-    double softness = 0.0;        // as of contact points [length/force]
-    BodyTerm body;
+        Eigen::Vector3d::Zero();                // distance at the end of the step without forces [length]
+    double softness = 0.0;                      // as of contact points [length/force]
+    std::uint32_t light = LightCarriers::none;  // its row among those with light carriers
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), ahead = Eigen::Vector3d::Zero();  // [force]
   };
   /// Corners of a tie, and the axes that turn with the second side.
@@ -71,7 +73,6 @@ class TieConstraints {
                         const std::array<Eigen::Matrix3d, 4>& carried);
   double turn_size(const Term& term) const;
   Eigen::Vector3d change(const Row& row) const;
-  RigidLever lever(const Row& row) const;
   double share(const Term& term, const LeaningAreas& areas) const;
   Eigen::Vector3d next_force(const Row& row, const Eigen::Vector3d& changed) const;
   void push(const Row& row);
@@ -81,7 +82,8 @@ class TieConstraints {
   double dt_ = 0.0;
   std::vector<Row> rows_;
   std::vector<Term> terms_;
-  std::vector<CarrierTerm> carriers_;  // scratch
+  std::vector<CarrierTerm> carriers_;        // scratch
+  std::vector<std::uint32_t> light_points_;  // rows with light carriers
 };
 
 }  // namespace contactsim
