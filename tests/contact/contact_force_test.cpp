@@ -140,6 +140,21 @@ TEST_CASE("a cube that lands on the edge of a plate is pushed up and not aside",
   if (formulation.empty()) CHECK(bodies.force_on(1).z() == Approx(1000.0 * 0.25 * 0.05));
 }
 
+TEST_CASE("what a penalty presses past the edge of a face keeps its force", "[contact][contact_force]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1});
+  b.add_hexes({.id = 2, .origin = {0, 0, 1}, .share_nodes = false});
+  ContactBodies bodies(b, general_contact(stiff + node_face));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -0.01});
+  bodies.step(1.0);
+  bodies.set_velocity(1, {1e-3, 0, 0});
+  for (int step = 0; step < 5; ++step) {
+    CHECK(bodies.force_on(1).z() == Approx(10.0).epsilon(0.01));
+    bodies.step(1.0);
+  }
+}
+
 TEST_CASE("a bounce off a penalty spring is that of the spring", "[contact][contact_force]") {
   // Verification case U2 in small: a cube of mass 1 on a plate, held together by nothing but contact.
   MeshBuilder b;
