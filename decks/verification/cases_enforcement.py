@@ -37,15 +37,15 @@ def bouncing_block(bench):
             runs.append(run)
             label, height = f"{enforcement}, {form}", 7.8 * 9.81 * 0.01  # m g h
             flying = run["contact_energy"][run["force"] == 0] / height
-            # A hit lasts some 20 steps: where its first and last step fall makes or keeps 0.5 % of it by chance, more where
-            # nodes on faces come and go one by one.
+            # A hit lasts some 20 steps: where its last step falls makes or keeps up to 0.9 % of it, for which the next hit pays.
+            # Nodes on faces come and go one by one and share areas anew, which keeps up to 4 % for one flight.
+            by_chance = 0.05 if enforcement == "penalty" and form == "node_face" else None
             checks += [Check(f"{label}: 30,000 steps", 1.0, float(len(run["Time"]) > 30000), 0.0),
                        at_most(f"{label}: energy given out by contact over m g h", max(0.0, -np.min(flying)),
-                               0.01 if enforcement == "penalty" else 0.001,
-                               known_miss=0.03 if enforcement == "penalty" else None)]
+                               0.01 if enforcement == "penalty" else 0.001, known_miss=by_chance)]
             if enforcement == "penalty":
                 checks.append(at_most(f"{label}: energy kept by contact in flight over m g h", np.max(flying), 0.01,
-                                      known_miss=0.08))
+                                      known_miss=by_chance))
             else:
                 told = (run["contact_energy"] - run["impact_energy"])[run["force"] == 0] / height
                 checks.append(at_most(f"{label}: loss that is not told over m g h", np.max(np.abs(told)), 0.001))

@@ -184,3 +184,24 @@ TEST_CASE("a bounce off a penalty spring is that of the spring", "[contact][cont
   CHECK(history.impulse.z() == Approx(2.0).epsilon(1e-3));
   CHECK(history.work == Approx(0.0).margin(1e-9));
 }
+
+TEST_CASE("a hit of few steps keeps no energy, wherever its first and last one fall",
+          "[contact][contact_force]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  const double dt = 0.01;  // a hit lasts ten steps
+  for (int i = 0; i < 8; ++i) {
+    MeshBuilder b;
+    b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}});
+    b.add_hexes({.id = 2, .origin = {1.2, 0.9, 1.0 + 0.125 * i * dt}, .share_nodes = false});
+    ContactBodies bodies(b, general_contact(stiff + formulation));
+    bodies.ask();
+    double speed = -1.0;
+    for (int step = 0; step < 16; ++step) {
+      bodies.set_velocity(1, {0, 0, speed});
+      bodies.step(dt);
+      speed += dt * bodies.force_on(1).z();
+    }
+    CHECK(speed > 0.999);
+    CHECK(speed < 1.005);  // the next hit takes back what the last step of this one gives too much
+  }
+}
