@@ -20,6 +20,7 @@ struct Backing {
   double stiffness = 0.0;      ///< of the penalty, per area: see contact/penalty.hpp [force/length^3]
   double mass_per_area = 0.0;  ///< that moves with the face [mass/length^2]
   bool is_rigid = false;       ///< rigid, held or driven: it gives way by no spring of its own
+  double start_depth = 0.0;    ///< by which it penetrated something at the start [length]
 };
 
 /// How much stiffer than the element behind it a penalty is. Nodes of elements that set the step cannot bear

@@ -10,6 +10,7 @@
 #include "contact/penalty.hpp"
 #include "contact/returned_energy.hpp"
 #include "contact/sharp_edges.hpp"
+#include "contact/start_depths.hpp"
 #include "core/errors.hpp"
 #include "core/least_mass.hpp"
 #include "core/threads.hpp"
@@ -106,6 +107,7 @@ void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
   start_step_ = motion.stable_step;
   limit_stiffness(surface_);
+  forget_start_depths(faces_);
   find_candidates(motion);
   const ContactScene scene{surface_, rules_, glued_, motion.dt};
   mark_close_places(scene, near_candidates(), rules_);
@@ -293,6 +295,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   add_places({surface_, rules_, glued_, motion.dt, motion.stable_step, &depths_});
   write_forces(forces);
   if (is_first) {
+    set_start_depths(points_, faces_);
     stored_at_start_ = stored();
     for (std::size_t i = 0; i < histories_.size(); ++i)
       histories_[i].stored_at_start = sums_.pairs()[i].stored;

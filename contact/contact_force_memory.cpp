@@ -5,7 +5,7 @@
 
 namespace contactsim {
 
-/// Faces have other stiffnesses than the mesh says: limit_stiffness() knows the start.
+/// Faces have other stiffnesses than the mesh says, and depths of the start.
 void ContactForce::archive_faces(StateArchive& saved) {
   Digest digest;
   for (const ContactFace& face : faces_.faces)
@@ -16,7 +16,9 @@ void ContactForce::archive_faces(StateArchive& saved) {
   for (const ContactEdge& edge : faces_.edges) digest.add_values(std::span<const std::uint32_t>(edge.nodes));
   saved.expect("contact/surfaces", digest.value(), "contact surfaces");
   saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
-  const auto visit = [](auto& item, RowNumbers& row) { row(item.backing.stiffness, item.backing.is_rigid); };
+  const auto visit = [](auto& item, RowNumbers& row) {
+    row(item.backing.stiffness, item.backing.is_rigid, item.backing.start_depth);
+  };
   saved.fixed_rows("contact/faces/stiffness", faces_.faces, visit);
   saved.fixed_rows("contact/nodes/stiffness", faces_.surface_nodes, visit);
   saved.fixed_rows("contact/edges/stiffness", faces_.edges, visit);

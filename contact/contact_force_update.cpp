@@ -7,6 +7,7 @@
 #include "contact/contact_force.hpp"
 #include "contact/penalty.hpp"
 #include "contact/sharp_edges.hpp"
+#include "contact/start_depths.hpp"
 
 namespace contactsim {
 
@@ -100,6 +101,7 @@ void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode>
                               std::back_inserter(left_));
   left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
                before.mesh_nodes.end());
+  carry_start_depths(places, before, faces_);
   renumber(places);
   surface_.renumber(places, motion);
   surface_.move_nodes(motion);

@@ -27,6 +27,7 @@ void push_node(const NodePush& push, ContactRecord& record) {
   const double damper = std::max(-penalty.damping * push.area * speed, -spring);
   record.beyond_spring = stiffness * penalty.law.potential(-record.gap) + 0.5 * spring * record.gap;
   record.area = push.area;
+  record.deepest = -record.gap;
   record.force = spring + damper;
   record.damped = -damper * speed * push.dt;
   record.slip = push.velocity * push.dt;

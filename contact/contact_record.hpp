@@ -36,6 +36,7 @@ struct ContactRecord {
   double stiffness = 0.0;  ///< for the stable step, damping included [force/length]
   double area = 0.0;       ///< that touches [length^2]
   double gap = 0.0;        ///< < 0 when they touch [length]
+  double deepest = 0.0;    ///< penetration of any of its points, of the penalty only [length]
   double closing = 0.0;    ///< by which the gap would shrink in the coming step, is_balanced only [length]
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
   double dissipated = 0.0;                         ///< by friction in the step [energy]

@@ -26,6 +26,13 @@ class DepthLaw {
   DepthLaw(double begin, double end, double stiffest)
       : begin_(begin), width_(end - begin), growth_((stiffest - 1.0) / width_) {}
 
+  /// The law that is a spring for so much longer, >= 0 [length].
+  DepthLaw behind(double depth) const {
+    DepthLaw law = *this;
+    law.begin_ += depth;
+    return law;
+  }
+
   /// f: the depth at which a spring would press as much [length].
   template <class Depth>
   Depth spring_depth(const Depth& depth) const {

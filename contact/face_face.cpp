@@ -62,6 +62,7 @@ class PressureSums {
     contact.stiffness = penalty_.stiffness * penalty_.law.slope(penalty_.closing - contact.gap);
     const double n = forces_1_[0];
     if (n > 0.0) {
+      contact.deepest = -contact.gap;
       contact.force = n;
       contact.gap = -work_ / n;
     }

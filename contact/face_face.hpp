@@ -39,6 +39,7 @@ struct FaceFaceContact {
   double area = 0.0;      ///< that touches [length^2]
   double gap =
       0.0;  ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
+  double deepest = 0.0;    ///< penetration of any point [length]
   double stiffness = 0.0;  ///< of the penalty over what is nearer than the reach, at the end of the step to
                            ///< come [force/length]
   double beyond_spring = 0.0;  ///< stored besides what springs of that force and depth would [energy]

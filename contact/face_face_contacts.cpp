@@ -209,6 +209,7 @@ ContactRecord FaceFaceContacts::make_record(const Candidate& candidate,
   record.force = contact.force;
   record.area = contact.area;
   record.gap = contact.gap;
+  record.deepest = contact.deepest;
   record.beyond_spring = contact.beyond_spring;
   record.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
   return record;

@@ -181,12 +181,14 @@ bool NodeFaceContacts::comes_from_outside(const ContactScene& scene, const Surfa
   if (scene.dt == 0.0 || hit.point.gap >= 0.0) return true;
   const Eigen::Vector4d weights = corner_weights(hit.point.xi, hit.point.eta, face.is_triangle);
   const double approach = (face.v * weights - scene.surface.v(node.node)).dot(hit.point.normal) * scene.dt;
-  // Beyond the edge of a face it may be outside the body: there it has to come from in front.
+  // Beyond the edge of a face it may be outside the body: there it has to come from in front. A spring that
+  // holds the node already does not end there, for its force would come and go with all of its depth.
   const bool is_beyond = hit.point.edge >= 0 && hit.point.beyond > just_beyond * node.backing.thickness;
-  const double shallow = is_beyond ? just_beyond * node.backing.thickness
-                                   : std::max({shallow_depth * node.backing.thickness,
-                                               flush_width(scene, hit.face), known_depth * depth});
-  return hit.point.gap + approach > -shallow;
+  const double held = scene.balances && is_beyond ? 0.0 : known_depth * depth;
+  const double shallow = is_beyond
+                             ? just_beyond * node.backing.thickness
+                             : std::max(shallow_depth * node.backing.thickness, flush_width(scene, hit.face));
+  return hit.point.gap + approach > -std::max(shallow, held);
 }
 
 bool NodeFaceContacts::looks_at(const ContactScene& scene, const SurfaceNode& node,

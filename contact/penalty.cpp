@@ -123,8 +123,10 @@ PairPenalty make_pair_penalty(const Backing& first, const Backing* second, const
   penalty.damping = 2.0 * pair.damping_fraction * std::sqrt(penalty.stiffness * mass);
   const double thickness = second ? std::min(first.thickness, second->thickness) : first.thickness;
   penalty.depth = pair.normal_tolerance.value_or(deep * thickness);
-  if (!pair.penalty_stiffness)
-    penalty.law = DepthLaw(first_share * thickness, last_share * thickness, stiffest);
+  if (!pair.penalty_stiffness) {
+    const double start_depth = std::max(first.start_depth, second ? second->start_depth : 0.0);
+    penalty.law = DepthLaw(first_share * thickness, last_share * thickness, stiffest).behind(start_depth);
+  }
   return penalty;
 }
 

@@ -13,17 +13,58 @@ namespace {
 /// force: what springs gain without work they mostly lose again without any.
 constexpr double reserve = 0.3;
 
+/// The share of a spring's force that one would have which has got longer in this step alone: without any
+/// energy something must resist what presses on.
+///   taken  by the point in half a step
+double share_of_step(const ContactRecord& record, double taken) {
+  const double held = -record.force * record.gap;
+  return held > 0.0 ? std::clamp(2.0 * taken / held, 0.0, 1.0) : 1.0;
+}
+
+/// A point without its friction.
+ContactRecord without_friction(ContactRecord record) {
+  record.tangential.setZero();
+  return record;
+}
+
+/// What a point takes from the bodies in the half step behind it.
+struct PointWork {
+  double taken = 0.0;   ///< [energy]
+  double normal = 0.0;  ///< the same by its force along the normal alone [energy]
+  /// What it takes too much in this half step and the next one, having met the other side in the step, or
+  /// gives too much, because it will part in one like it: its force F = k d works along a step's way w and
+  /// not along the depth d < w alone that it is in touch, F w > k d^2 / 2 + F w / 2. Where the first and the
+  /// last step of a hit fall is chance [energy].
+  double excess = 0.0;
+
+  PointWork() = default;
+  PointWork(const MovingSurface& surface, const PairWork& work, const ContactRecord& record)
+      : taken(work.work_behind(surface, record)),
+        normal(record.tangential.isZero(0.0) ? taken : work.work_behind(surface, without_friction(record))),
+        excess(std::max(0.0, std::abs(normal) + 0.5 * record.force * record.gap)) {}
+
+  bool meets() const { return normal > 0.0; }
+  /// The factor of the force with which the work has a share of its excess less.
+  double factor(double spared) const {
+    return excess > 0.0 ? 1.0 - spared * excess / (2.0 * std::abs(normal)) : 1.0;
+  }
+};
+
 /// What the points of a pair hold, lose in the step, and take in its half behind them [energy].
 struct PairEnergy {
   double stored = 0.0, lost = 0.0, taken = 0.0;
-  bool ends = true;  ///< all points will have parted after the coming step
+  double of_meeting = 0.0, of_parting = 0.0;  ///< excess of points that have just met, that will part
 
-  /// The factor of the forces. A step ends a contact somewhere between the depth that it has and touch, which
-  /// makes or destroys energy by chance: the last force gives back no more than what is left, in this half
-  /// step and the next one.
+  void add(const ContactRecord& point, const PointWork& work) {
+    stored += point.stored();
+    lost += point.dissipated + point.damped;
+    taken += work.taken;
+    (work.meets() ? of_meeting : of_parting) += work.excess;
+  }
+
+  /// The factor of the forces.
   double factor(double energy, double least) const {
     if (std::isnan(energy)) return 1.0;
-    if (ends && taken < 0.0) return std::clamp(energy / (-2.0 * taken), 0.0, 1.0);
     const double needed = reserve * (stored + lost - taken);
     const double available = energy - least;
     if (!(needed > available)) return 1.0;
@@ -33,20 +74,16 @@ struct PairEnergy {
     const double share = std::max(0.0, available / needed);
     return taken > 0.0 ? std::sqrt(share) : share;
   }
+
+  /// The share of their excess that points which meet, or part, are spared of, so that the pair has no energy
+  /// left over, and has given none away, when all have parted. The next hit makes up for what this one
+  /// leaves.
+  double spared(double energy, bool meets) const {
+    const double left_over = energy + taken - lost - stored - of_parting;
+    const double share = meets ? left_over / of_meeting : -left_over / of_parting;
+    return std::clamp(share, 0.0, 2.0);
+  }
 };
-
-/// The share of a spring's force that one would have which has got longer in this step alone: without any
-/// energy something must resist what presses on.
-///   taken  by the point in half a step
-double share_of_step(const ContactRecord& record, double taken) {
-  const double held = -record.force * record.gap;
-  return held > 0.0 ? std::clamp(2.0 * taken / held, 0.0, 1.0) : 1.0;
-}
-
-/// Whether a point will have parted after another step like the last one.
-bool parts_next(const ContactRecord& record, double taken) {
-  return -2.0 * taken > -record.force * record.gap;
-}
 
 void scale(double factor, ContactRecord& record) {
   record.force *= factor;
@@ -61,20 +98,20 @@ void scale(double factor, ContactRecord& record) {
 void limit_returned_energy(const MovingSurface& surface, const PairWork& work, std::span<const double> energy,
                            std::span<const double> least, std::span<ContactRecord> points) {
   std::vector<PairEnergy> pairs(energy.size());
-  std::vector<double> taken(points.size(), 0.0);
+  std::vector<PointWork> works(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactRecord& point = points[i];
     if (!point.touches() || std::isnan(energy[point.pair])) continue;
-    taken[i] = work.work_behind(surface, point);
-    PairEnergy& pair = pairs[point.pair];
-    pair.stored += point.stored();
-    pair.lost += point.dissipated + point.damped;
-    pair.taken += taken[i];
-    pair.ends = pair.ends && parts_next(point, taken[i]);
+    works[i] = PointWork(surface, work, point);
+    pairs[point.pair].add(point, works[i]);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double factor = pairs[points[i].pair].factor(energy[points[i].pair], least[points[i].pair]);
-    if (factor < 1.0) scale(std::max(factor, share_of_step(points[i], taken[i])), points[i]);
+    const PairEnergy& pair = pairs[points[i].pair];
+    const double available = energy[points[i].pair];
+    const double held =
+        std::max(pair.factor(available, least[points[i].pair]), share_of_step(points[i], works[i].taken));
+    const double factor = held * works[i].factor(pair.spared(available, works[i].meets()));
+    if (factor < 1.0) scale(factor, points[i]);
   }
 }
 

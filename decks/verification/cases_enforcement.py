@@ -48,15 +48,15 @@ def bouncing_block(bench):
             runs.append(run)
             label, height = f"{enforcement}, {form}", 7.8 * 9.81 * 0.01  # m g h
             flying = run["contact_energy"][run["force"] == 0] / height
-            # A hit lasts some 20 steps: where its first and last step fall makes or keeps 0.5 % of it by chance, more where
-            # nodes on faces come and go one by one.
+            # A hit lasts some 20 steps: where its last step falls makes or keeps up to 0.9 % of it, for which the next hit pays.
+            # Nodes on faces come and go one by one and share areas anew, which keeps up to 4 % for one flight.
+            by_chance = 0.05 if enforcement == "penalty" and form == "node_face" else None
             checks += [Check(f"{label}: 30,000 steps", 1.0, float(len(run["Time"]) > 30000), 0.0),
                        at_most(f"{label}: energy given out by contact over m g h", max(0.0, -np.min(flying)),
-                               0.01 if enforcement == "penalty" else 0.001,
-                               known_miss=0.03 if enforcement == "penalty" else None)]
+                               0.01 if enforcement == "penalty" else 0.001, known_miss=by_chance)]
             if enforcement == "penalty":
                 checks.append(at_most(f"{label}: energy kept by contact in flight over m g h", np.max(flying), 0.01,
-                                      known_miss=0.08))
+                                      known_miss=by_chance))
             else:
                 told = (run["contact_energy"] - run["impact_energy"])[run["force"] == 0] / height
                 checks.append(at_most(f"{label}: loss that is not told over m g h", np.max(np.abs(told)), 0.001))
@@ -109,9 +109,9 @@ def pressed_columns_penalty(bench):
             forces[stiffer, heavier] = held_force(run)
             checks.append(Check(f"{form}, rigid, modulus x {stiffer:g}, density x {heavier:g}: force over that of x 1", 1.0,
                                 forces[stiffer, heavier] / forces[1.0, 1.0], 0.02))
-    # Open: under NODE_FACE the penalty against a rigid side gives out energy while the column is held (half of its strain
-    # energy, 6 % in the balance), whatever the block is made of. FACE_FACE keeps 1e-8.
-    return checks + balances(runs, tolerance=0.1) + balances([deep], has_friction=True)
+    given = max(-np.min(run["contact_energy"]) / np.max(run["internal_energy"]) for run in runs)
+    checks.append(at_most("energy given out by contact over the strain energy", given, 0.01))
+    return checks + balances(runs) + balances([deep], has_friction=True)
 
 
 @case()

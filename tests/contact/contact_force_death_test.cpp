@@ -15,11 +15,12 @@ using namespace contactsim::test;
 
 namespace {
 
-/// A plate of 6 x 3 x 2 cells under a cube of one cell that lies on its middle, 0.01 deep.
-MeshBuilder cube_on_plate() {
+/// A plate of 6 x 3 x 2 cells under a cube of one cell that lies on its middle.
+MeshBuilder cube_on_plate(double depth = 0.01) {
   MeshBuilder builder;
   builder.add_hexes({.id = 1, .cells = {6, 3, 2}, .size = {6, 3, 2}});
-  builder.add_hexes({.id = 2, .origin = {2.1, 1.1, 1.99}, .size = {0.8, 0.8, 0.8}, .share_nodes = false});
+  builder.add_hexes(
+      {.id = 2, .origin = {2.1, 1.1, 2.0 - depth}, .size = {0.8, 0.8, 0.8}, .share_nodes = false});
   return builder;
 }
 
@@ -85,6 +86,17 @@ TEST_CASE("friction goes on without a jump when a far element dies", "[contact][
     CHECK(dying->forces == untouched->forces);
   }
   CHECK(dying->force_on(1).x() < 0.0);
+}
+
+TEST_CASE("an overlap of the start stays that of a spring when a far element dies", "[contact][death]") {
+  DyingBodies bodies(cube_on_plate(0.3),
+                     general_contact(GENERATE(as<std::string>{}, "", "constraint formulation = node_face\n")),
+                     false);
+  bodies.ask();
+  const double at_start = bodies.force_on(1).z();
+  bodies.kill({{0}});
+  bodies.step(0.1);
+  CHECK(bodies.force_on(1).z() == Approx(at_start));
 }
 
 TEST_CASE("contact passes to what a death exposes, also where first partners are kept", "[contact][death]") {

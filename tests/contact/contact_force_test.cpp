@@ -140,6 +140,21 @@ TEST_CASE("a cube that lands on the edge of a plate is pushed up and not aside",
   if (formulation.empty()) CHECK(bodies.force_on(1).z() == Approx(1000.0 * 0.25 * 0.05));
 }
 
+TEST_CASE("what a penalty presses past the edge of a face keeps its force", "[contact][contact_force]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1});
+  b.add_hexes({.id = 2, .origin = {0, 0, 1}, .share_nodes = false});
+  ContactBodies bodies(b, general_contact(stiff + node_face));
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, -0.01});
+  bodies.step(1.0);
+  bodies.set_velocity(1, {1e-3, 0, 0});
+  for (int step = 0; step < 5; ++step) {
+    CHECK(bodies.force_on(1).z() == Approx(10.0).epsilon(0.01));
+    bodies.step(1.0);
+  }
+}
+
 TEST_CASE("a bounce off a penalty spring is that of the spring", "[contact][contact_force]") {
   // Verification case U2 in small: a cube of mass 1 on a plate, held together by nothing but contact.
   MeshBuilder b;
@@ -168,4 +183,25 @@ TEST_CASE("a bounce off a penalty spring is that of the spring", "[contact][cont
   CHECK(history.peak_force == Approx(largest));
   CHECK(history.impulse.z() == Approx(2.0).epsilon(1e-3));
   CHECK(history.work == Approx(0.0).margin(1e-9));
+}
+
+TEST_CASE("a hit of few steps keeps no energy, wherever its first and last one fall",
+          "[contact][contact_force]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  const double dt = 0.01;  // a hit lasts ten steps
+  for (int i = 0; i < 8; ++i) {
+    MeshBuilder b;
+    b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}});
+    b.add_hexes({.id = 2, .origin = {1.2, 0.9, 1.0 + 0.125 * i * dt}, .share_nodes = false});
+    ContactBodies bodies(b, general_contact(stiff + formulation));
+    bodies.ask();
+    double speed = -1.0;
+    for (int step = 0; step < 16; ++step) {
+      bodies.set_velocity(1, {0, 0, speed});
+      bodies.step(dt);
+      speed += dt * bodies.force_on(1).z();
+    }
+    CHECK(speed > 0.999);
+    CHECK(speed < 1.005);  // the next hit takes back what the last step of this one gives too much
+  }
 }

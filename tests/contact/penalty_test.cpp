@@ -48,6 +48,17 @@ TEST_CASE("the penalty gets stiffer with depth, one of the pair's own does not",
   CHECK(make_pair_penalty(soft, &hard, pair).law.slope(0.05) == 1.0);
 }
 
+TEST_CASE("the penalty gets stiffer behind the depth that either side had at the start",
+          "[contact][penalty]") {
+  Backing overlapping = soft;
+  overlapping.start_depth = 0.06;
+  for (const PairPenalty& penalty :
+       {make_pair_penalty(overlapping, &hard, {}), make_pair_penalty(hard, &overlapping, {})}) {
+    CHECK(penalty.law.spring_depth(0.064) == 0.064);
+    CHECK(penalty.law.slope(0.11) == make_pair_penalty(soft, &hard, {}).law.slope(0.05));
+  }
+}
+
 TEST_CASE("a pair scales the stiffness or has its own", "[contact][penalty]") {
   SurfacePair pair;
   pair.penalty_scale = 0.5;

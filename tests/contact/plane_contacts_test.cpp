@@ -88,6 +88,8 @@ TEST_CASE("friction on a plane sticks, then slides at its limit", "[contact][pla
   bodies.step(1.0);
   bodies.set_velocity(0, {0, 0, -0.02});
   bodies.step(1.0);
+  bodies.set_velocity(0, {0, 0, 0});
+  bodies.step(1.0);
   CHECK(bodies.force_on(0).head<2>().norm() < 1e-12);
   CHECK(bodies.force_on(0).z() == Approx(40.0));
 }
