@@ -145,11 +145,11 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
     if ((point - middle).norm() - (x.colwise() - middle).colwise().norm().maxCoeff() > least) continue;
     const auto foot = project_onto_face(x, face.is_triangle(), point);
     if (!foot) continue;
+    const double cosine = has_normal ? own.normal.dot(foot->normal) / own.normal.norm() : -1.0;
+    if (cosine > same_way_cosine) continue;
     if (std::hypot(foot->gap, foot->beyond) <= smallest_share * parts_.of_face[index].size)
       return std::nullopt;
     if (foot->gap > 0.0) continue;
-    const double cosine = has_normal ? own.normal.dot(foot->normal) / own.normal.norm() : -1.0;
-    if (cosine > same_way_cosine) continue;
     const double cost = std::hypot(foot->gap, foot->beyond) * (1.0 + 2.0 * (1.0 + cosine));
     if (cost >= least) continue;
     least = cost;

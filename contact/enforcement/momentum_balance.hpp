@@ -80,7 +80,7 @@ class MomentumBalance {
   std::vector<CarrierLoad> loads_;  // scratch
   LightCarriers light_;
   ContactLoss loss_;
-  std::int64_t n_passes_ = 10;  // of the next step at most
+  std::int64_t n_passes_ = 1000;  // of the next step at most
 };
 
 }  // namespace contactsim

@@ -161,7 +161,7 @@ TEST_CASE("contact that runs away ends the run with code 4 and results that can 
   // The step is stable for the elements but far too large for the springs of contact.
   const LawDeck deck(mesh,
                      "enforcement = penalty\nskin all blocks = on\nbegin interaction defaults\n"
-                     "general contact = on\npenalty stiffness = 2e9\nend\n",
+                     "general contact = on\npenalty stiffness = 4e9\nend\n",
                      "begin initial velocity\nblock = block_2\ncomponent = z\nmagnitude = -10\nend\n"
                      "begin results output\ndatabase name = a.e\nat time 0 increment = 1e-2\n"
                      "nodal displacement\nend\n",

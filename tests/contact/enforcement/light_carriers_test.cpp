@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/light_carriers.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <vector>
 
@@ -59,14 +60,16 @@ TEST_CASE("light bodies move by the forces that come with their motion, however 
   Eigen::Vector3d force[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   Eigen::Vector3d moment[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   double size = 0.0;
+  CAPTURE(lightness, n_held);
   const auto push = [&](std::size_t body, const Eigen::Vector3d& arm, const Eigen::Vector3d& change) {
     force[body] += change;
     moment[body] += arm.cross(change);
-    size += change.norm();
   };
   for (std::uint32_t row = 0; row < bodies.points.size(); ++row) {
     const Point& point = bodies.points[row];
-    const Eigen::Vector3d change = point.answer(bodies.light.velocity(row)).change;
+    const LightAnswer answer = point.answer(bodies.light.velocity(row));
+    const Eigen::Vector3d& change = answer.change;
+    size += point.last + answer.force.norm();
     push(point.body, point.arm, change);
     if (row == 6) push(1, {-0.4, 0.1, 0}, -change);
   }
