@@ -29,6 +29,23 @@ def column_under_tool():
     return mesh
 
 
+def columns_with_plate(plate):
+    """A rigid plate that stands over on all sides, or a sheet of 10 mm, between two columns."""
+    half = 0.025 if plate == "rigid" else 0.005
+    mesh = MeshMaker()
+    mesh.hexes("below", (0, 0, -1 - half), (1, 1, 1), (2, 2, 3))
+    mesh.new_body()
+    mesh.hexes("above", (0, 0, half), (1, 1, 1), (3, 3, 3))
+    mesh.new_body()
+    if plate == "rigid":
+        mesh.hexes("plate", (-0.1, -0.1, -half), (1.2, 1.2, 2 * half), (1, 1, 1))
+    else:
+        mesh.shells("plate", (0, 0, 0), (1, 1), (2, 3), 2 * half)
+    mesh.node_set("bottom", lambda x, y, z: z < -1 - half + 1e-9)
+    mesh.node_set("top", lambda x, y, z: z > 1 + half - 1e-9)
+    return mesh
+
+
 def block_over_plate():
     mesh = MeshMaker()
     mesh.hexes("plate", (-0.1, -0.1, -0.05), (0.3, 0.3, 0.05), (6, 6, 1))
@@ -90,6 +107,23 @@ def columns(bench):
         run = bench.run("columns", two_columns(4, 4), form=form, law="tied", way=0.02)
         runs.append(run)
         checks.append(Check(f"{form}, tied and pulled: force over E A strain", 1.0, held_force(run) / 1e5, 0.01))
+    return checks + balances(runs)
+
+
+@case()
+def sandwich(bench):
+    """What is pressed between two columns passes on their force, however light it is."""
+    checks, runs = [], []
+    for form, law, density in (("face_face", "frictionless", 10), ("face_face", "rub", 1000), ("face_face", "rub", 10),
+                               ("face_face", "rub", 1), ("node_face", "rub", 10)):
+        runs.append(bench.run("sandwich", columns_with_plate("rigid"), form=form, law=law, plate="rigid", density=density))
+        checks.append(Check(f"{form}, {law}, rigid, density {density}: force over E A strain", 1.0, held_force(runs[-1]) / 1e5, 0.02))
+    for law, density, youngs, known_miss in (("frictionless", 7800, 2e9, None), ("frictionless", 1000, 1e7, 0.8)):
+        run = bench.run("sandwich", columns_with_plate("shell"), law=law, plate="shell", density=density, youngs=youngs)
+        checks.append(Check(f"sheet, {law}, E {youngs:g}: force over E A strain", 1.0, held_force(run) / 1e5, 0.02,
+                            known_miss=known_miss))
+        if known_miss is None:
+            runs.append(run)
     return checks + balances(runs)
 
 
