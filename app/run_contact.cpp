@@ -115,8 +115,8 @@ bool RunContact::came_out_of_overlap(std::size_t pair) const {
                              [&](const StartOverlap& overlap) { return overlap.pair == pair; });
 }
 
-double RunContact::put_in_by_overlaps() const {
-  double sum = force_.stored_at_start();
+double RunContact::given_out_by_overlaps() const {
+  double sum = 0.0;
   const auto histories = force_.histories();
   for (std::size_t i = 0; i < histories.size(); ++i) {
     if (came_out_of_overlap(i)) sum += std::max(0.0, histories[i].made());
@@ -125,7 +125,7 @@ double RunContact::put_in_by_overlaps() const {
 }
 
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
-  const double made = made_by_contact(force_, energies) - (put_in_by_overlaps() - force_.stored_at_start());
+  const double made = made_by_contact(force_, energies) - given_out_by_overlaps();
   if (made <= worrying_share * energies.largest || contact_.pairs.empty()) return;
   const std::size_t culprit = find_culprit(force_.histories());
   warnings.add_warning(

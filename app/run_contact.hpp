@@ -54,9 +54,8 @@ class RunContact {
   void warn_of_lost(Diagnostics& warnings) const;
   /// Warns of pairs that have penetrated by more than a tenth of their thickness.
   void warn_of_penetration(Diagnostics& warnings) const;
-  /// Energy that overlaps of the mesh have put in: what springs stored before the first step, and what pairs
-  /// without springs gave out to part [energy].
-  double put_in_by_overlaps() const;
+  /// What pairs without springs gave out to come out of overlaps of the mesh [energy].
+  double given_out_by_overlaps() const;
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
   /// out more energy from nowhere than all that was put into the model.
   void stop_at_runaway(const State& state);

@@ -57,12 +57,15 @@ std::string format_step(const State& state) {
                      error);
 }
 
-std::string format_energy_balance(const Energies& energies, double of_overlaps) {
+std::string format_energy_balance(const Energies& energies, double stored_at_start,
+                                  double given_out_by_overlaps) {
   std::string text = "\nEnergy balance\n";
   const auto add = [&](const char* name, double energy) {
     text += fmt::format("  {:<30} {:>13.5e}\n", name, energy);
   };
-  const double lost = energies.friction + energies.contact_damping + energies.impact;
+  const double impact = energies.impact + given_out_by_overlaps;
+  const double of_overlaps = stored_at_start + given_out_by_overlaps;
+  const double lost = energies.friction + energies.contact_damping + impact;
   add("start, between half steps", energies.start);
   add("put in by the start, overlaps", of_overlaps);
   add("work of loads and motion", energies.external);
@@ -71,7 +74,7 @@ std::string format_energy_balance(const Energies& energies, double of_overlaps) 
   add("held by contact", of_overlaps + energies.contact - lost);
   add("lost to friction", energies.friction);
   add("lost to contact damping", energies.contact_damping);
-  add("lost where sides met", energies.impact);
+  add("lost where sides met", impact);
   add("error of the balance", energies.error);
   return text;
 }

@@ -25,8 +25,10 @@ std::string step_heading();
 std::string format_step(const State& state);
 
 /// What was put into a run with contact and what has become of it.
-///   of_overlaps  that contact held before the first step [energy]
-std::string format_energy_balance(const Energies& energies, double of_overlaps);
+///   stored_at_start        in springs of overlaps, before the first step [energy]
+///   given_out_by_overlaps  by contact without springs, to part them: booked as < 0 where sides met [energy]
+std::string format_energy_balance(const Energies& energies, double stored_at_start,
+                                  double given_out_by_overlaps);
 
 /// A part of the run and how long it took.
 struct PartTime {

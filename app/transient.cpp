@@ -82,7 +82,8 @@ class Run {
         contact_->warn_of_energy(state_.energies, warnings_);
       contact_->warn_of_lost(warnings_);
       contact_->warn_of_penetration(warnings_);
-      log_.write(format_energy_balance(state_.energies, contact_->put_in_by_overlaps()));
+      log_.write(format_energy_balance(state_.energies, contact_->force().stored_at_start(),
+                                       contact_->given_out_by_overlaps()));
       log_.write(contact_->report());
       contact_->write_debug_files();
     }
