@@ -224,15 +224,14 @@ void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarr
   std::uint32_t n_kept = 0;
   for (Group& group : groups_) {
     const std::uint32_t first = group.first_row, end = first + group.n_rows;
-    for (std::uint32_t i = first; i < end; ++i) {
-      rows_[i].softness = softness(group, i, areas, light, least);
-      if (rows_[i].grip == none) continue;
-      grips_[rows_[i].grip].softness = light.empty() ? rows_[i].softness : slip_softness(group, i, areas);
-    }
     group.first_row = n_kept;
     for (std::uint32_t i = first; i < end; ++i) {
-      if (!(rows_[i].softness > 0.0)) continue;
-      rows_[n_kept] = rows_[i];
+      Row& row = rows_[i];
+      row.softness = softness(group, i, areas, light, least);
+      if (!(row.softness > 0.0)) continue;
+      if (row.grip != none)
+        grips_[row.grip].softness = light.empty() ? row.softness : slip_softness(group, i, areas);
+      rows_[n_kept] = row;
       weights_[n_kept++] = weights_[i];
     }
     group.n_rows = n_kept - group.first_row;
