@@ -38,11 +38,11 @@ void ContactConstraints::begin(const MovingSurface& surface, double dt_before, d
   grips_.clear();
 }
 
+/// Calls visit(group, row) for each point, in their order.
 template <class Visit>
-void ContactConstraints::visit_rows(const Visit& visit) {
+void ContactConstraints::visit_rows(const Visit& visit) const {
   for (const Group& group : groups_) {
-    for (std::uint32_t i = group.first_row; i < group.first_row + group.n_rows; ++i)
-      visit(group, rows_[i], weights_[i]);
+    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) visit(group, row);
   }
 }
 
@@ -157,16 +157,14 @@ double ContactConstraints::turn_size(const Group& group, const Row& row, std::si
 }
 
 void ContactConstraints::add_areas(LeaningAreas& areas) const {
-  for (const Group& group : groups_) {
-    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
-      const double area = points_[rows_[row].point].area;
-      for (std::size_t i = 0; i < group.n_terms; ++i)
-        areas[group.carriers[i]][0] += area * std::abs(weights_[row][i]);
-      if (group.first_arm == none) continue;
-      for (std::size_t i = 0; i < group.n_terms; ++i)
-        areas[group.carriers[i]][1] += area * turn_size(group, rows_[row], i);
-    }
-  }
+  visit_rows([&](const Group& group, std::uint32_t row) {
+    const double area = points_[rows_[row].point].area;
+    for (std::size_t i = 0; i < group.n_terms; ++i)
+      areas[group.carriers[i]][0] += area * std::abs(weights_[row][i]);
+    if (group.first_arm == none) return;
+    for (std::size_t i = 0; i < group.n_terms; ++i)
+      areas[group.carriers[i]][1] += area * turn_size(group, rows_[row], i);
+  });
 }
 
 /// What a carrier adds to the softness of a point, times its area over the step.
@@ -180,21 +178,18 @@ double ContactConstraints::share(const Group& group, std::uint32_t row, std::siz
 }
 
 void ContactConstraints::add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const {
-  for (const Group& group : groups_) {
-    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
-      const double area = points_[rows_[row].point].area;
-      std::array<double, 2> sides{};
-      for (std::size_t i = 0; i < group.n_terms; ++i)
-        sides[weights_[row][i] > 0.0 ? 0 : 1] += share(group, row, i, areas);
-      for (std::size_t i = 0; i < group.n_terms; ++i) {
-        CarrierLoad& load = loads[group.carriers[i]];
-        const double weight = weights_[row][i];
-        load.own += sides[weight > 0.0 ? 0 : 1];
-        load.others += sides[weight > 0.0 ? 1 : 0];
-        load.area += area * std::abs(weight);
-      }
+  visit_rows([&](const Group& group, std::uint32_t row) {
+    const double area = points_[rows_[row].point].area;
+    const auto side = [&](std::size_t term) { return weights_[row][term] > 0.0 ? 0 : 1; };
+    std::array<double, 2> sides{};
+    for (std::size_t i = 0; i < group.n_terms; ++i) sides[side(i)] += share(group, row, i, areas);
+    for (std::size_t i = 0; i < group.n_terms; ++i) {
+      CarrierLoad& load = loads[group.carriers[i]];
+      load.own += sides[side(i)];
+      load.others += sides[1 - side(i)];
+      load.area += area * std::abs(weights_[row][i]);
     }
-  }
+  });
 }
 
 double ContactConstraints::softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
@@ -244,22 +239,19 @@ void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarr
 void ContactConstraints::add_rows(LightCarriers& light) {
   std::array<LightShare, most_terms> shares;
   light_points_.clear();
-  for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-    const Group& group = groups_[g];
-    for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row) {
-      std::size_t n = 0;
-      for (std::size_t i = 0; i < group.n_terms; ++i) {
-        const double weight = weights_[row][i];
-        if (weight == 0.0 || !light.is_light(group.carriers[i])) continue;
-        LightShare& share = shares[n++];
-        share = {light.of(group.carriers[i]), weight * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
-        if (group.first_arm != none) share.arm = arms_[group.first_arm + i] / weight;
-      }
-      if (n == 0) continue;
-      rows_[row].light = light.add_row({shares.data(), n});
-      light_points_.push_back({g, row});
+  visit_rows([&](const Group& group, std::uint32_t row) {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < group.n_terms; ++i) {
+      const double weight = weights_[row][i];
+      if (weight == 0.0 || !light.is_light(group.carriers[i])) continue;
+      LightShare& share = shares[n++];
+      share = {light.of(group.carriers[i]), weight * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+      if (group.first_arm != none) share.arm = arms_[group.first_arm + i] / weight;
     }
-  }
+    if (n == 0) return;
+    rows_[row].light = light.add_row({shares.data(), n});
+    light_points_.push_back({&group, row});
+  });
 }
 
 /// The tangential force that would hold a point, before the cone.
@@ -271,8 +263,8 @@ Eigen::Vector3d ContactConstraints::trial_traction(const Eigen::Vector3d& normal
 }
 
 LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::Vector3d& velocity) const {
-  const auto [g, r] = light_points_[light_point];
-  const Group& group = groups_[g];
+  const auto [place, r] = light_points_[light_point];
+  const Group& group = *place;
   const Row& row = rows_[r];
   const NodeVector changed = dt_ * (change(group, weights_[r]) + node_vector(velocity));
   const NodeVector force = next_force(group.normal, row, changed);
@@ -318,9 +310,9 @@ void ContactConstraints::push(const Group& group, const Weights& weights, const 
 }
 
 void ContactConstraints::push_forces() {
-  visit_rows([this](const Group& group, Row& row, const Weights& weights) {
-    row.ahead = row.force;
-    push(group, weights, row.ahead);
+  visit_rows([this](const Group& group, std::uint32_t i) {
+    rows_[i].ahead = rows_[i].force;
+    push(group, weights_[i], rows_[i].ahead);
   });
 }
 
@@ -352,11 +344,12 @@ NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& r
 
 ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& light) {
   ConstraintPass sums;
-  visit_rows([&](const Group& group, Row& row, const Weights& weights) {
-    NodeVector velocity = change(group, weights);
+  visit_rows([&](const Group& group, std::uint32_t i) {
+    Row& row = rows_[i];
+    NodeVector velocity = change(group, weights_[i]);
     if (row.light != none) velocity += node_vector(light.velocity(row.light));
     sums.take(row, next_force(group.normal, row, dt_ * velocity), momentum);
-    push(group, weights, row.ahead);
+    push(group, weights_[i], row.ahead);
   });
   return sums;
 }
@@ -382,8 +375,8 @@ Eigen::Vector3d ContactConstraints::relative_velocity(const ContactRecord& recor
 ContactLoss ContactConstraints::finish() {
   ContactLoss loss;
   memory_.begin();
-  visit_rows([&](const Group& group, const Row& row, const Weights& weights) {
-    finish(row, row.force.dot(group.normal), dt_ * change(group, weights), loss);
+  visit_rows([&](const Group& group, std::uint32_t i) {
+    finish(rows_[i], rows_[i].force.dot(group.normal), dt_ * change(group, weights_[i]), loss);
   });
   memory_.end();
   return loss;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact/contact_record.hpp"
@@ -93,7 +94,7 @@ class ContactConstraints {
   };
 
   template <class Visit>
-  void visit_rows(const Visit& visit);
+  void visit_rows(const Visit& visit) const;
   bool find_plain_terms(const ContactRecord& record, Group& group, Weights& weights);
   void find_general_terms(const ContactRecord& record, Group& group, Weights& weights);
   bool is_of_last_group(const ContactRecord& record) const;
@@ -119,8 +120,8 @@ class ContactConstraints {
   std::vector<ContactRecord> points_;
   std::vector<Group> groups_;
   std::vector<Row> rows_;
-  std::vector<Weights> weights_;                            // [n_rows]
-  std::vector<std::array<std::uint32_t, 2>> light_points_;  // group and row, of points with light carriers
+  std::vector<Weights> weights_;                                      // [n_rows]
+  std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
   std::vector<Grip> grips_;
   std::vector<CarrierTerm> carriers_;  // scratch

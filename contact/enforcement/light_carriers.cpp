@@ -55,7 +55,6 @@ struct MassOf {
 
 void LightCarriers::begin(std::size_t n_carriers) {
   index_.assign(n_carriers, none);
-  carriers_.clear();
   mobility_.clear();
   mass_.clear();
   free_.clear();
@@ -64,8 +63,7 @@ void LightCarriers::begin(std::size_t n_carriers) {
 }
 
 void LightCarriers::add(std::uint32_t carrier, const CarrierMobility& mobility) {
-  index_[carrier] = static_cast<std::uint32_t>(carriers_.size());
-  carriers_.push_back(carrier);
+  index_[carrier] = static_cast<std::uint32_t>(mobility_.size());
   const MassOf moves(mobility.translation), turns(mobility.rotation);
   mobility_.push_back(blocks(mobility.translation, mobility.rotation));
   mass_.push_back(blocks(moves.mass, turns.mass));
@@ -96,38 +94,36 @@ void LightCarriers::add_force(std::uint32_t row, const Eigen::Vector3d& force, V
 }
 
 void LightCarriers::set_motion() {
-  for (std::size_t i = 0; i < carriers_.size(); ++i) motion_[i] = mobility_[i] * impulse_[i];
+  for (std::size_t i = 0; i < mobility_.size(); ++i) motion_[i] = mobility_[i] * impulse_[i];
 }
 
 /// Finds the answers to the motion, and what is missing of the impulses. Returns the energy of that over the
 /// energy of the forces.
 double LightCarriers::evaluate(const Answer& answer) {
   double of_forces = 0.0, of_missing = 0.0;
-  for (std::size_t i = 0; i < carriers_.size(); ++i) missing_[i] = -impulse_[i];
+  for (std::size_t i = 0; i < mobility_.size(); ++i) missing_[i] = -impulse_[i];
   for (std::uint32_t row = 0; row < rows_.size(); ++row) {
     answers_[row] = answer(row, velocity_of(row, motion_));
     add_force(row, answers_[row].change, missing_);
     of_forces += answers_[row].force.squaredNorm() / answers_[row].stiffest;
   }
-  for (std::size_t i = 0; i < carriers_.size(); ++i)
+  for (std::size_t i = 0; i < mobility_.size(); ++i)
     of_missing += missing_[i].dot(mobility_[i] * missing_[i]);
   return of_missing > 0.0 ? of_missing / (of_forces > 0.0 ? of_forces : of_missing) : 0.0;
 }
 
 /// The inverse of each carrier's own mass and stiffness.
 void LightCarriers::precondition() {
-  preconditioner_.assign(carriers_.size(), RigidMatrix::Zero());
+  preconditioner_.assign(mobility_.size(), RigidMatrix::Zero());
   for (std::uint32_t row = 0; row < rows_.size(); ++row) {
     for (const LightShare& share : shares_of(row)) {
       Eigen::Matrix<double, 3, 6> lever;
-      const Eigen::Vector3d& arm = share.arm;
       lever.leftCols<3>() = share.weight;
-      lever.rightCols<3>() << 0.0, arm.z(), -arm.y(), -arm.z(), 0.0, arm.x(), arm.y(), -arm.x(), 0.0;
-      lever.rightCols<3>() = share.weight * Eigen::Matrix3d(lever.rightCols<3>());
+      for (int i = 0; i < 3; ++i) lever.col(3 + i) = share.weight * Eigen::Vector3d::Unit(i).cross(share.arm);
       preconditioner_[share.light] += lever.transpose() * answers_[row].rate * lever;
     }
   }
-  for (std::size_t i = 0; i < carriers_.size(); ++i) {
+  for (std::size_t i = 0; i < mobility_.size(); ++i) {
     const RigidMatrix& free = free_[i];
     const RigidMatrix own = mass_[i] + free * preconditioner_[i] * free + (RigidMatrix::Identity() - free);
     preconditioner_[i] = free * own.ldlt().solve(free);
@@ -193,7 +189,7 @@ double LightCarriers::go(const Answer& answer) {
 void LightCarriers::solve(const Answer& answer) {
   constexpr int most_steps = 20;
   for (Vectors* all : {&impulse_, &motion_, &missing_, &step_, &x_, &residual_, &search_, &product_})
-    all->assign(carriers_.size(), RigidVector::Zero());
+    all->assign(mobility_.size(), RigidVector::Zero());
   answers_.resize(rows_.size());
   double error = evaluate(answer);
   for (int i = 0; i < most_steps && error > consistent; ++i) {

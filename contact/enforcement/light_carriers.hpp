@@ -50,7 +50,7 @@ class LightCarriers {
 
   /// Begins a step without light carriers.
   void begin(std::size_t n_carriers);
-  bool empty() const { return carriers_.empty(); }
+  bool empty() const { return mobility_.empty(); }
   bool is_light(std::uint32_t carrier) const { return index_[carrier] != none; }
   /// Position of a light carrier.
   std::uint32_t of(std::uint32_t carrier) const { return index_[carrier]; }
@@ -81,9 +81,8 @@ class LightCarriers {
   void find_step();
   double go(const Answer& answer);
 
-  std::vector<std::uint32_t> index_;     // [n_carriers] among the light ones
-  std::vector<std::uint32_t> carriers_;  // [n_light]
-  std::vector<RigidMatrix> mobility_, mass_, free_, preconditioner_;
+  std::vector<std::uint32_t> index_;                                  // [n_carriers] among the light ones
+  std::vector<RigidMatrix> mobility_, mass_, free_, preconditioner_;  // [n_light]
   std::vector<Row> rows_;
   std::vector<LightShare> shares_;
   std::vector<LightAnswer> answers_;           // [n_rows]
