@@ -106,9 +106,10 @@ void ContactConstraints::add_friction(const ContactRecord& record, const PairRul
 }
 
 /// Begins with a share of the forces of the step before.
-void ContactConstraints::take_over(const ContactRecord& record, Row& row) {
+void ContactConstraints::take_over(const ContactRecord& record, double allowed, Row& row) {
   ContactMemory::Entry known;
   if (!memory_.recall(record, known)) return;
+  row.start -= std::min(known.left, allowed);
   const double share = taken_over * record.area;
   Eigen::Vector3d force = share * known.pressure * record.normal;
   if (row.grip != none) {
@@ -135,9 +136,10 @@ void ContactConstraints::add(const ContactRecord& record, const PairRule& rule, 
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
-  row.start = record.gap - record.closing + left_penetration(record.gap, thickness);
+  const double allowed = left_penetration(record.gap, thickness);
+  row.start = record.gap - record.closing + allowed;
   if (rule.friction > 0.0) add_friction(record, rule, row);
-  take_over(record, row);
+  take_over(record, allowed, row);
   if (group == &alone) {
     alone.normal = node_vector(record.normal);
     alone.first_row = static_cast<std::uint32_t>(rows_.size());
@@ -396,6 +398,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   point.work_after = impact_after;
   point.force += force;
   ContactMemory::Entry entry{force / point.area};
+  entry.left = std::max(0.0, -(row.start + point.normal.dot(changed)));
   if (row.grip != none) {
     Grip& grip = grips_[row.grip];
     const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);

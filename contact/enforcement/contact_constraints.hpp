@@ -99,7 +99,7 @@ class ContactConstraints {
   void find_general_terms(const ContactRecord& record, Group& group, Weights& weights);
   bool is_of_last_group(const ContactRecord& record) const;
   void add_friction(const ContactRecord& record, const PairRule& rule, Row& row);
-  void take_over(const ContactRecord& record, Row& row);
+  void take_over(const ContactRecord& record, double allowed, Row& row);
   double turn_size(const Group& group, const Row& row, std::size_t term) const;
   double share(const Group& group, std::uint32_t row, std::size_t term, const LeaningAreas& areas) const;
   double slip_softness(const Group& group, std::uint32_t row, const LeaningAreas& areas) const;

@@ -38,6 +38,7 @@ bool ContactMemory::recall(const ContactRecord& point, Entry& found) {
     found.pressure += share * entries_[i].pressure;
     found.traction += share * entries_[i].traction;
     found.held += share * entries_[i].held;
+    found.left += share * entries_[i].left;
   }
   return true;
 }
@@ -66,7 +67,7 @@ void ContactMemory::renumber(const ContactRenumbering& places) {
 
 void ContactMemory::archive(StateArchive& saved) {
   saved.rows("contact/points", entries_, [](PlacedEntry& known, RowNumbers& row) {
-    row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held);
+    row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held, known.left);
   });
   cursor_ = 0;
 }
