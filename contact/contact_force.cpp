@@ -57,6 +57,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       histories_(setup.contact.pairs.size()),
       least_energy_(setup.contact.pairs.size(), 0.0),
       stored_(setup.contact.pairs.size(), 0.0) {
+  surface_.turn_by(make_spins());
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
   has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);
 }
@@ -100,6 +101,12 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
     if (is_watched[face] != 0) watched.push_back(face);
   }
   return watched;
+}
+
+/// The mid surfaces of lofted shells, which turn the points of lofts.
+LoftSpins ContactForce::make_spins() const {
+  return {faces_.loft, static_cast<std::size_t>(setup_.model.mesh->coordinates().cols()),
+          setup_.model.rigid.nodes};
 }
 
 /// The first time that forces are asked for: only now the elements' stable step is known.
@@ -238,7 +245,7 @@ double ContactForce::largest_eigenvalue() {
   return largest;
 }
 
-void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
+void ContactForce::write_forces(Eigen::Matrix3Xd& forces) {
   const auto nodes = sums_.nodes();
   const std::size_t n_mesh_points = faces_.n_mesh_points();
   // Several points of lofts may hang on one node of the mesh.
@@ -247,31 +254,59 @@ void ContactForce::write_forces(Eigen::Matrix3Xd& forces) const {
   for (std::size_t i = 0; i < n_mesh_points; ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
   for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
     forces.col(faces_.mesh_nodes[i]) += nodes[i].head<3>();
+  spread_moments(forces);
 }
 
-void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
-  moments.setZero();
+/// Calls visit(node, moment) for the moments of forces on points that stand off their nodes.
+template <class Visit>
+void ContactForce::visit_moments(const Visit& visit) const {
   const std::size_t n_mesh_points = faces_.n_mesh_points();
   const auto on_points = sums_.nodes().subspan(n_mesh_points);
   for (std::size_t i = 0; i < on_points.size(); ++i) {
     const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
-    const auto node = static_cast<Eigen::Index>(faces_.loft.node(i));
-    if (setup_.model.inertia(0, node) > least_mass) moments.col(node) += arm.cross(on_points[i].head<3>());
+    visit(faces_.loft.node(i), Eigen::Vector3d(arm.cross(on_points[i].head<3>())));
   }
-  // Particles and the nodes of trusses and membranes do not turn: the moment of friction on them is lost.
   const auto of_balls = sums_.moments();
-  for (std::size_t i = 0; i < of_balls.size(); ++i) {
-    const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[i]);
-    if (setup_.model.inertia(0, node) > least_mass) moments.col(node) += of_balls[i];
+  for (std::size_t i = 0; i < of_balls.size(); ++i) visit(faces_.mesh_nodes[i], of_balls[i]);
+}
+
+/// Gives the moments on lofted shells to the nodes around.
+void ContactForce::spread_moments(Eigen::Matrix3Xd& forces) {
+  const LoftSpins& spins = surface_.spins();
+  spin_moments_.assign(spins.size(), Eigen::Vector3d::Zero());
+  visit_moments([&](std::uint32_t node, const Eigen::Vector3d& moment) {
+    if (const std::uint32_t spin = spins.find(node); spin != LoftSpins::none) spin_moments_[spin] += moment;
+  });
+  for (std::size_t i = 0; i < spins.size(); ++i) {
+    if (spin_moments_[i].isZero(0.0)) continue;
+    const auto around = spins.neighbours(i);
+    forces.col(spins.node(i)) +=
+        spins.spread(i, spin_moments_[i],
+                     [&](std::size_t k, const Eigen::Vector3d& force) { forces.col(around[k]) += force; });
   }
+}
+
+void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
+  moments.setZero();
+  const LoftSpins& spins = surface_.spins();
+  visit_moments([&](std::uint32_t node, const Eigen::Vector3d& moment) {
+    const std::uint32_t spin = spins.find(node);
+    // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
+    if (!(setup_.model.inertia(0, node) > least_mass)) return;
+    moments.col(node) += spin == LoftSpins::none ? moment : spins.own_share(spin, moment);
+  });
 }
 
 ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   const bool is_first = !has_begun_;
   if (is_first) forces.setZero();  // later on only contact nodes ever have another value
   for (const std::uint32_t node : std::exchange(left_, {})) forces.col(node).setZero();
-  surface_.step(motion);
   const bool have_conditions_changed = mobility_.update(motion.time);
+  if (have_conditions_changed) {
+    surface_.hold(mobility_.free_directions());
+    balance_.forget_mobility();
+  }
+  surface_.step(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
   if (have_conditions_changed && !is_first) limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh));
   if (is_first) {
@@ -361,7 +396,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   scene.depths = &depths_;
   scene.balances = true;
   scene.coming_dt = state.next_dt;
-  balance_.begin(setup_.model, surface_, state);
+  balance_.begin(setup_.model, mobility_.free_directions(), surface_, state);
   const auto to_glue = visit_points(scene, [&](const ContactRecord& record) {
     balance_.add(record, rules_[record.pair], thinner_side(record));
   });

@@ -112,7 +112,11 @@ class ContactForce final : public ForceTerm {
   /// The contact points of nodes with faces.
   std::span<const ContactRecord> find_node_places(const ContactScene& scene);
   void add_places(const ContactScene& scene);
-  void write_forces(Eigen::Matrix3Xd& forces) const;
+  void write_forces(Eigen::Matrix3Xd& forces);
+  template <class Visit>
+  void visit_moments(const Visit& visit) const;
+  void spread_moments(Eigen::Matrix3Xd& forces);
+  LoftSpins make_spins() const;
   double largest_eigenvalue();
   void limit_stiffness(const MovingSurface& start);
   void end_step(double time, double dt);
@@ -146,6 +150,7 @@ class ContactForce final : public ForceTerm {
   BalanceReport balance_report_;
   std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
   std::vector<ContactRecord> points_;               // of the step
+  std::vector<Eigen::Vector3d> spin_moments_;       // scratch, about nodes of lofted shells [force length]
   NodeAreas node_areas_;
   std::vector<ContactRecord> node_places_;  // scratch
   std::vector<PairHistory> histories_;

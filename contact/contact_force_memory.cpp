@@ -51,6 +51,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   if (!saved.restores()) return;
   has_begun_ = true;
   mobility_.update(motion.time);
+  surface_.hold(mobility_.free_directions());
   rules_.activate(motion.time, times_.is_active(motion.time));
   surface_.move_nodes(motion);
   surface_.bound_all();

@@ -103,6 +103,8 @@ void ContactForce::take_surfaces(const Motion& motion, std::span<const FreeNode>
                before.mesh_nodes.end());
   carry_start_depths(places, before, faces_);
   renumber(places);
+  surface_.turn_by(make_spins());
+  surface_.hold(mobility_.free_directions());
   surface_.renumber(places, motion);
   surface_.move_nodes(motion);
   surface_.bound_all();

@@ -26,6 +26,7 @@ class ContactMobility {
   /// Takes over the conditions that act in the step that begins now. Returns whether nodes or bodies have
   /// become held or free since the last call.
   bool update(double time) { return free_.update(model_, time); }
+  const ModelFreeDirections& free_directions() const { return free_; }
 
   /// Whether a contact node moves with a rigid body.
   bool is_of_body(const ContactFaces& faces, std::uint32_t node) const {

@@ -28,6 +28,8 @@ class LoftPoints {
   std::uint32_t node(std::size_t point) const { return nodes_[point]; }
   double distance(std::size_t point) const { return std::abs(arms_[point].height); }
   double thickness(std::size_t point) const { return arms_[point].thickness; }
+  /// The nodes of the mesh of each shell; a triangle repeats its last.
+  std::span<const std::array<std::uint32_t, 4>> shell_nodes() const { return shell_nodes_; }
 
   /// The way from the node to each point.
   ///   coordinates  3 x n_nodes of the mesh [length]

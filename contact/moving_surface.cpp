@@ -25,8 +25,9 @@ FaceCorners gather(const std::array<std::uint32_t, 4>& corners, const VectorOf& 
 
 void MovingSurface::move_nodes(const Motion& motion) {
   const auto n_nodes = static_cast<Eigen::Index>(faces_.n_nodes());
+  spins_.update(motion.coordinates);
   velocity_ = last_velocity_ = &motion.velocity;
-  turning_ = last_turning_ = motion.angular_velocity;
+  turning_ = last_turning_ = find_turning(motion, past_turning_);
   x_.resize(3, n_nodes);
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_nodes()))
   for (Eigen::Index i = 0; i < n_nodes; ++i)
@@ -35,14 +36,33 @@ void MovingSurface::move_nodes(const Motion& motion) {
 }
 
 void MovingSurface::step(const Motion& motion) {
-  if (faces_.loft.size() > 0 && arms_.cols() > 0 && motion.angular_velocity != nullptr) turn_arms(motion);
+  if (faces_.loft.size() > 0 && arms_.cols() > 0) turn_arms(motion);
   move_nodes(motion);
 }
 
 void MovingSurface::foresee(const Motion& motion) {
   velocity_ = &motion.velocity;
-  turning_ = motion.angular_velocity;
-  if (faces_.loft.size() > 0) find_loft_velocities(motion);
+  turning_ = find_turning(motion, coming_turning_);
+  if (faces_.loft.size() > 0) find_loft_velocities();
+}
+
+/// The angular velocities of the nodes of the mesh, those of lofts by their spins. Null when none turns.
+const Eigen::Matrix3Xd* MovingSurface::find_turning(const Motion& motion, Eigen::Matrix3Xd& turning) const {
+  if (spins_.size() == 0) return motion.angular_velocity;
+  if (motion.angular_velocity != nullptr) {
+    turning = *motion.angular_velocity;
+  } else {
+    turning.setZero(3, motion.velocity.cols());
+  }
+#pragma omp parallel for schedule(static) num_threads(threads_for(spins_.size()))
+  for (std::size_t i = 0; i < spins_.size(); ++i) {
+    const std::uint32_t node = spins_.node(i);
+    const auto around = spins_.neighbours(i);
+    const Eigen::Vector3d own = turning.col(node), velocity = motion.velocity.col(node);
+    turning.col(node) =
+        spins_.spin(i, own, velocity, [&](std::size_t k) { return motion.velocity.col(around[k]); });
+  }
+  return &turning;
 }
 
 MovingFace MovingSurface::last_face(std::uint32_t index) const {
@@ -72,30 +92,45 @@ void MovingSurface::archive(StateArchive& saved) {
 void MovingSurface::turn_arms(const Motion& motion) {
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.loft.size()))
   for (Eigen::Index i = 0; i < arms_.cols(); ++i) {
-    const Eigen::Vector3d turn =
-        motion.dt * motion.angular_velocity->col(faces_.loft.node(static_cast<std::size_t>(i)));
-    const double angle = turn.norm();
-    if (angle > 0.0) arms_.col(i) = Eigen::AngleAxisd(angle, turn / angle) * Eigen::Vector3d(arms_.col(i));
+    const std::uint32_t node = faces_.loft.node(static_cast<std::size_t>(i));
+    const std::uint32_t spin = spins_.find(node);
+    Eigen::Vector3d own = Eigen::Vector3d::Zero();
+    if (motion.angular_velocity != nullptr) own = motion.angular_velocity->col(node);
+    Eigen::Vector3d turn = motion.dt * own;
+    double angle = turn.norm();
+    if (spin != LoftSpins::none) {
+      turn = motion.dt * spins_.mid_spin(spin, motion.coordinates, motion.velocity, motion.dt, own);
+      angle = 2.0 * std::atan(0.5 * turn.norm());
+    }
+    if (angle > 0.0)
+      arms_.col(i) = Eigen::AngleAxisd(angle, turn.normalized()) * Eigen::Vector3d(arms_.col(i));
   }
 }
 
+/// Points of which nothing tells how they turn follow the normals of the shells.
 void MovingSurface::move_lofts(const Motion& motion) {
-  if (arms_.cols() == 0 || motion.angular_velocity == nullptr)
+  if (arms_.cols() == 0) {
     faces_.loft.find_arms(motion.coordinates, shell_areas_, arms_);
-  const Eigen::Index n_points = arms_.cols();
-  x_.rightCols(n_points) += arms_;
-  find_loft_velocities(motion);
+  } else if (motion.angular_velocity == nullptr) {
+    faces_.loft.find_arms(motion.coordinates, shell_areas_, normal_arms_);
+    for (Eigen::Index i = 0; i < arms_.cols(); ++i) {
+      if (spins_.find(faces_.loft.node(static_cast<std::size_t>(i))) == LoftSpins::none)
+        arms_.col(i) = normal_arms_.col(i);
+    }
+  }
+  x_.rightCols(arms_.cols()) += arms_;
+  find_loft_velocities();
 }
 
-void MovingSurface::find_loft_velocities(const Motion& motion) {
+void MovingSurface::find_loft_velocities() {
   const Eigen::Index n_points = arms_.cols();
   loft_velocity_.resize(3, n_points);
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.loft.size()))
   for (Eigen::Index i = 0; i < n_points; ++i) {
     const Eigen::Index node = faces_.loft.node(static_cast<std::size_t>(i));
-    loft_velocity_.col(i) = motion.velocity.col(node);
-    if (motion.angular_velocity == nullptr) continue;
-    const Eigen::Vector3d turning = motion.angular_velocity->col(node);
+    loft_velocity_.col(i) = velocity_->col(node);
+    if (turning_ == nullptr) continue;
+    const Eigen::Vector3d turning = turning_->col(node);
     loft_velocity_.col(i) += turning.cross(arms_.col(i));
   }
 }

@@ -7,6 +7,7 @@
 #include "contact/contact_faces.hpp"
 #include "contact/face_bound.hpp"
 #include "contact/face_face.hpp"
+#include "contact/loft_spins.hpp"
 #include "core/force_term.hpp"
 
 namespace contactsim {
@@ -24,9 +25,13 @@ class MovingSurface {
   /// long. Bounds of faces are those of earlier then. Points of lofts stand off their nodes as they did, at
   /// first along the normals of the shells.
   void move_nodes(const Motion& motion);
-  /// The same at the end of a step, in which the points of lofts have turned with their nodes: so they move
-  /// by what forces and moments on the nodes work on, and make no energy. Where no node turns they follow the
-  /// normals of the shells.
+  /// From now on the points of lofts turn with the mid surface about their nodes.
+  void turn_by(LoftSpins spins) { spins_ = std::move(spins); }
+  /// Takes over which rotations conditions hold or drive.
+  void hold(const ModelFreeDirections& free) { spins_.hold(free); }
+  const LoftSpins& spins() const { return spins_; }
+  /// As move_nodes() at the end of a step, in which the points of lofts have turned: so they move by what the
+  /// forces on them work on, and make no energy.
   void step(const Motion& motion);
   /// Has v() answer with the velocities that the coming step would have; last_v() still with those of the
   /// last.
@@ -56,20 +61,19 @@ class MovingSurface {
     const Eigen::Vector3d velocity = last_velocity_->col(faces_.mesh_nodes[node]);
     const std::size_t n_mesh_points = faces_.n_mesh_points();
     if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
-    const Eigen::Vector3d turning = last_turning_->col(faces_.mesh_nodes[node]);
-    return velocity + turning.cross(arms_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
+    return velocity + last_turning(node).cross(arms_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
   }
   /// The velocity of a point that turns with a node, in the step before or as foreseen [length/time].
   ///   arm  from the node to the point [length]
   Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
-    if (last_turning_ == nullptr) return last_v(node);
-    return last_v(node) + Eigen::Vector3d(last_turning_->col(faces_.mesh_nodes[node])).cross(arm);
+    return last_turning_ == nullptr ? last_v(node) : last_v(node) + last_turning(node).cross(arm);
   }
   Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
     if (turning_ == nullptr) return v(node);
     return v(node) + Eigen::Vector3d(turning_->col(faces_.mesh_nodes[node])).cross(arm);
   }
-  /// How the node of the mesh turned in the step before that a contact node hangs on [1/time].
+  /// How the surface turned in the step before about the node of the mesh that a contact node hangs on
+  /// [1/time].
   Eigen::Vector3d last_turning(std::uint32_t node) const {
     if (last_turning_ == nullptr) return Eigen::Vector3d::Zero();
     return last_turning_->col(faces_.mesh_nodes[node]);
@@ -98,15 +102,18 @@ class MovingSurface {
   std::vector<std::uint32_t> watched_;
   void turn_arms(const Motion& motion);
   void move_lofts(const Motion& motion);
-  void find_loft_velocities(const Motion& motion);
+  const Eigen::Matrix3Xd* find_turning(const Motion& motion, Eigen::Matrix3Xd& turning) const;
+  void find_loft_velocities();
 
   Eigen::Matrix3Xd x_;                          // of the contact nodes [length]
   Eigen::Matrix3Xd arms_, loft_velocity_;       // of the points of lofts [length] [length/time]
-  Eigen::Matrix3Xd shell_areas_;                // scratch
+  Eigen::Matrix3Xd shell_areas_, normal_arms_;  // scratch
   const Eigen::Matrix3Xd* velocity_ = nullptr;  // of the mesh's nodes [length/time]
   const Eigen::Matrix3Xd* turning_ = nullptr;   // of the mesh's nodes [1/time]; null when none turns
   const Eigen::Matrix3Xd *last_velocity_ = nullptr, *last_turning_ = nullptr;  // of the step before
-  std::vector<FaceBound> bounds_;                                              // [n_faces]
+  LoftSpins spins_;
+  Eigen::Matrix3Xd coming_turning_, past_turning_;  // of the mesh's nodes where there are spins [1/time]
+  std::vector<FaceBound> bounds_;                   // [n_faces]
 };
 
 /// The contact nodes where the mesh has them; velocities mean nothing. Both must outlive it.

@@ -67,7 +67,8 @@ void ContactMemory::renumber(const ContactRenumbering& places) {
 
 void ContactMemory::archive(StateArchive& saved) {
   saved.rows("contact/points", entries_, [](PlacedEntry& known, RowNumbers& row) {
-    row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held, known.left);
+    row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held,
+        known.left);
   });
   cursor_ = 0;
 }

@@ -20,7 +20,7 @@ class ContactMemory {
     double pressure = 0.0;                               ///< normal force over area
     Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< tangential force over area
     Eigen::Vector3d held = Eigen::Vector3d::Zero();      ///< slip that friction holds [length]
-    double left = 0.0;  ///< penetration that the passes have left [length]
+    double left = 0.0;                                   ///< penetration that the passes have left [length]
   };
 
   /// What is known of a contact point. A new one takes over the mean of what its first place is known by.

@@ -21,8 +21,9 @@ constexpr std::int64_t least_passes = 4;
 
 }  // namespace
 
-void MomentumBalance::begin(const Model& model, const MovingSurface& surface, const State& state) {
-  mobility_.begin(model, surface, state);
+void MomentumBalance::begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
+                            const State& state) {
+  mobility_.begin(model, free, surface, state);
   contacts_.begin(surface, state.dt, state.next_dt);
   ties_.begin(surface, state.next_dt);
   loss_ = {};
@@ -34,6 +35,7 @@ void MomentumBalance::set_softness() {
   areas_.assign(mobility_.n_carriers(), {0.0, 0.0});
   ties_.add_areas(areas_);
   contacts_.add_areas(areas_);
+  mobility_.spread_areas(areas_);
   const double least = choose_light();
   ties_.set_softness(areas_, light_, least);
   contacts_.set_softness(areas_, light_, least);

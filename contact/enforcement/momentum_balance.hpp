@@ -24,9 +24,9 @@ struct BalanceReport {
 /// lumped masses make cheap: A = B M^-1 B^T with one row per point. A pass gives every point the force that
 /// would close its gap if all points around had the same pressure, pushing only, with friction returned to
 /// the Coulomb cone; so a uniform pressure takes one pass, and waves of the mesh's length a few. Passes are
-/// accelerated, begin with half of the forces of the step before, and end when forces no longer change, or
-/// more passes bring nothing. Each force acts on both sides of its point alike. The same bits for any number
-/// of threads.
+/// accelerated, begin with half of the forces of the step before, go the same way twice, and end when forces
+/// no longer change, or more passes bring nothing. Each force acts on both sides of its point alike. The same
+/// bits for any number of threads.
 ///
 /// A point that is apart may close by its gap; one that penetrates comes out slowly, so that nothing is
 /// thrown out. What meets loses the energy of the motion of its carriers against each other, once; the
@@ -40,7 +40,8 @@ class MomentumBalance {
  public:
   /// Begins a step.
   ///   surface  sees the velocities of the coming step without these forces
-  void begin(const Model& model, const MovingSurface& surface, const State& state);
+  void begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
+             const State& state);
   /// Adds a contact point, or a law's force that acts besides.
   ///   rule  of its pair, which must outlive the step
   ///   thickness  of the thinner side [length]
@@ -58,6 +59,8 @@ class MomentumBalance {
   const ContactLoss& loss() const { return loss_; }
   /// The nodes of the mesh that the forces may act on.
   std::span<const std::uint32_t> mesh_nodes() const { return mobility_.mesh_nodes(); }
+  /// To be called when conditions on nodes or bodies have changed.
+  void forget_mobility() { mobility_.forget(); }
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactRecord>& points) { contacts_.swap_points(points); }
 

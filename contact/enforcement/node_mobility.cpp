@@ -21,7 +21,8 @@ bool is_positive(double mass) { return mass > least_mass; }
 
 }  // namespace
 
-void NodeMobility::begin(const Model& model, const MovingSurface& surface, const State& state) {
+void NodeMobility::begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
+                         const State& state) {
   surface_ = &surface;
   rigid_ = &model.rigid.nodes;
   state_ = &state;
@@ -29,20 +30,22 @@ void NodeMobility::begin(const Model& model, const MovingSurface& surface, const
   for (const Carrier& carrier : carriers_) carrier_[carrier.body] = none;
   carriers_.clear();
   mesh_nodes_.clear();
+  rings_.clear();
+  ring_carriers_.clear();
   for (Changes* changes : {&now_, &next_}) {
     changes->changes.clear();
     changes->turnings.clear();
   }
-  if (free_.update(model, state.time) || inverse_mass_.empty()) {
+  if (inverse_mass_.empty()) {
     const std::size_t n_bodies = surface.faces().n_nodes() + model.rigid.bodies.size();
     general_.assign(n_bodies, none);
     inverse_mass_.assign(n_bodies, 0.0);
     carrier_.assign(n_bodies, none);
     generals_.clear();
-    set_nodes(model);
-    set_bodies(model);
+    set_nodes(model, free);
+    set_bodies(model, free);
   }
-  turn_bodies(model, state);
+  turn_bodies(model, free, state);
 }
 
 NodeMobility::General& NodeMobility::make_general(std::uint32_t body) {
@@ -50,44 +53,48 @@ NodeMobility::General& NodeMobility::make_general(std::uint32_t body) {
   return generals_.emplace_back();
 }
 
-void NodeMobility::set_nodes(const Model& model) {
+void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& directions) {
   const ContactFaces& faces = surface_->faces();
   const bool turns = model.inertia.cols() > 0;
   const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
+  contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), none);
   for (std::uint32_t i = 0; i < faces.n_nodes(); ++i) {
     const NodeIndex node{faces.mesh_nodes[i]};
+    if (faces.first_alike[i] == i) contact_node_[node.value] = i;
     const double mass = model.mass(0, node.value);
     if (faces.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
-    const Eigen::Matrix3d* free = free_.of_node(node.value);
+    const Eigen::Matrix3d* free = directions.of_node(node.value);
     const double inertia = turns ? model.inertia(0, node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
-    if (!is_positive(inertia) && (free == nullptr || is_held || *free == all)) {
+    const bool has_ring = surface_->spins().find(node.value) != LoftSpins::none;
+    if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {
       inverse_mass_[i] = is_held ? 0.0 : 1.0 / mass;
       continue;
     }
     General& general = make_general(i);
     general.translation = (free != nullptr ? *free : all) / mass;
-    if (!is_positive(inertia)) continue;
-    const Eigen::Matrix3d* free_turns = free_.of_turns(node.value);
+    if (!is_positive(inertia) || has_ring) continue;
+    const Eigen::Matrix3d* free_turns = directions.of_turns(node.value);
     general.rotation = (free_turns != nullptr ? *free_turns : all) / inertia;
   }
 }
 
-void NodeMobility::set_bodies(const Model& model) {
+void NodeMobility::set_bodies(const Model& model, const ModelFreeDirections& directions) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
     General& general = make_general(static_cast<std::uint32_t>(surface_->faces().n_nodes()) + i);
-    const Eigen::Matrix3d* free = free_.of_body(i);
+    const Eigen::Matrix3d* free = directions.of_body(i);
     general.translation =
         (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
   }
 }
 
-void NodeMobility::turn_bodies(const Model& model, const State& state) {
+void NodeMobility::turn_bodies(const Model& model, const ModelFreeDirections& directions,
+                               const State& state) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
     const RigidBody& body = model.rigid.bodies[i];
     General& general = generals_[general_[surface_->faces().n_nodes() + i]];
     const Eigen::Matrix3d axes = state.rigid[i].orientation.toRotationMatrix();
-    const Eigen::Matrix3d* free = free_.of_body_turns(i);
+    const Eigen::Matrix3d* free = directions.of_body_turns(i);
     if (free == nullptr) {
       general.rotation = axes * body.flexible * axes.transpose();
     } else {
@@ -119,6 +126,17 @@ std::uint32_t NodeMobility::use_node(std::uint32_t node) {
   return carrier;
 }
 
+/// Has a node of a lofted shell turn with the nodes around.
+void NodeMobility::use_ring(std::uint32_t carrier, std::uint32_t mesh_node) {
+  const std::uint32_t spin = surface_->spins().find(mesh_node);
+  if (spin == LoftSpins::none || carriers_[carrier].ring != none) return;
+  carriers_[carrier].ring = static_cast<std::uint32_t>(rings_.size());
+  carriers_[carrier].turn_bound = 1.0;
+  rings_.push_back({carrier, spin, static_cast<std::uint32_t>(ring_carriers_.size())});
+  for (const std::uint32_t other : surface_->spins().neighbours(spin))
+    ring_carriers_.push_back(use_node(contact_node_[other]));
+}
+
 std::optional<std::uint32_t> NodeMobility::plain_carrier(std::uint32_t node) {
   const ContactFaces& faces = surface_->faces();
   const bool is_plain =
@@ -134,7 +152,9 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
     Eigen::Vector3d arm = beside;
     const std::size_t n_mesh_points = faces.n_mesh_points();
     if (node >= n_mesh_points) arm += surface_->arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
-    terms.push_back({use_node(node), weight, arm});
+    const std::uint32_t carrier = use_node(node);
+    use_ring(carrier, mesh_node.value);
+    terms.push_back({carrier, weight, arm});
     return;
   }
   const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);
@@ -152,6 +172,7 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
 }
 
 double NodeMobility::turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const {
+  if (carriers_[carrier].ring != none) return turn.norm();
   if (carriers_[carrier].general == none) return 0.0;
   const Eigen::Matrix3d& rotation = generals_[carriers_[carrier].general].rotation;
   return std::sqrt(std::max(0.0, half_steps_ * turn.dot(rotation * turn)));
@@ -164,25 +185,75 @@ CarrierMobility NodeMobility::mobility(std::uint32_t carrier) const {
   return {half_steps_ * general.translation, half_steps_ * general.rotation};
 }
 
+void NodeMobility::spread_areas(LeaningAreas& areas) const {
+  const LoftSpins& spins = surface_->spins();
+  for (const Ring& ring : rings_) {
+    const double area = areas[ring.carrier][1];
+    areas[ring.carrier][0] += area * spins.own_bound(ring.spin);
+    for (std::size_t k = 0; k < spins.neighbours(ring.spin).size(); ++k)
+      areas[ring_carriers_[ring.first + k]][0] += area * spins.bound(ring.spin, k);
+  }
+  for (const Ring& ring : rings_) {
+    const auto turns = [&](std::uint32_t carrier, double bound) {
+      return bound * translation_bound(carrier) * areas[carrier][0];
+    };
+    double sum = turns(ring.carrier, spins.own_bound(ring.spin));
+    for (std::size_t k = 0; k < spins.neighbours(ring.spin).size(); ++k)
+      sum += turns(ring_carriers_[ring.first + k], spins.bound(ring.spin, k));
+    areas[ring.carrier][1] = sum;
+  }
+}
+
+/// Gives the moments on rings to the nodes around, and then turns the rings as these move.
+void NodeMobility::turn_rings(Changes& of) const {
+  const LoftSpins& spins = surface_->spins();
+  for (const Ring& ring : rings_) {
+    const Eigen::Vector3d moment = of.turnings[ring.carrier].head<3>();
+    if (moment.isZero(0.0)) continue;
+    const Eigen::Vector3d own =
+        spins.spread(ring.spin, moment, [&](std::size_t k, const Eigen::Vector3d& force) {
+          const std::uint32_t carrier = ring_carriers_[ring.first + k];
+          of.changes[carrier].head<3>() += moved_by(carrier, force);
+        });
+    of.changes[ring.carrier].head<3>() += moved_by(ring.carrier, own);
+  }
+  for (const Ring& ring : rings_) {
+    const auto change = [&](std::uint32_t carrier) -> Eigen::Vector3d {
+      return of.changes[carrier].head<3>();
+    };
+    of.turnings[ring.carrier].head<3>() =
+        spins.spin(ring.spin, Eigen::Vector3d::Zero(), change(ring.carrier),
+                   [&](std::size_t k) { return change(ring_carriers_[ring.first + k]); });
+  }
+}
+
 void NodeMobility::begin_passes() {
   first_ = next_;
   now_ = next_;
+  turn_rings(now_);
 }
 
 void NodeMobility::end_pass() {
   std::swap(now_, next_);
+  turn_rings(now_);
   next_ = first_;
 }
 
-void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+/// The change of velocity by a force over the coming step.
+Eigen::Vector3d NodeMobility::moved_by(std::uint32_t carrier, const Eigen::Vector3d& force) const {
   const Carrier& pushed = carriers_[carrier];
-  if (pushed.general == none) {
-    next_.changes[carrier].head<3>() += pushed.mobility * force;
-    return;
+  if (pushed.general == none) return pushed.mobility * force;
+  return generals_[pushed.general].translation * (half_steps_ * force);
+}
+
+void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
+  next_.changes[carrier].head<3>() += moved_by(carrier, force);
+  const Carrier& pushed = carriers_[carrier];
+  if (pushed.ring != none) {
+    next_.turnings[carrier].head<3>() += moment;
+  } else if (pushed.general != none) {
+    next_.turnings[carrier].head<3>() += generals_[pushed.general].rotation * (half_steps_ * moment);
   }
-  const General& general = generals_[pushed.general];
-  next_.changes[carrier].head<3>() += general.translation * (half_steps_ * force);
-  next_.turnings[carrier].head<3>() += general.rotation * (half_steps_ * moment);
 }
 
 }  // namespace contactsim

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/light_carriers.hpp"
 #include "contact/free_directions.hpp"
 #include "contact/moving_surface.hpp"
@@ -23,16 +24,19 @@ struct CarrierTerm {
 };
 
 /// How the carriers of contact points answer to forces over the coming step: by lumped mass and rotary
-/// inertia, along the directions that conditions leave free; rigid bodies by their six degrees of freedom. A
-/// carrier that is held or driven does not answer at all. Carriers are numbered as contact points of the step
+/// inertia, along the directions that conditions leave free; rigid bodies by their six degrees of freedom.
+/// About nodes of lofted shells the mid surface turns, and moments go to the nodes around. A carrier that is
+/// held or driven does not answer at all. Carriers are numbered as contact points of the step
 /// name them, so that a pass over the points works on what they need alone. Source: v(t + dt/2) = v* +
 /// (dt_before + dt_after) / 2 M^-1 f, as the integrator moves them.
 class NodeMobility {
  public:
   /// Begins a step without carriers.
   ///   state  between two steps, the size of the next one is known
-  void begin(const Model& model, const MovingSurface& surface, const State& state);
-  /// To be called when the contact nodes are others.
+  ///   free   where conditions leave nodes and bodies free
+  void begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
+             const State& state);
+  /// To be called when the contact nodes or the conditions are others.
   void forget() { inverse_mass_.clear(); }
 
   /// Appends the terms of a contact node, those of one rigid body as one.
@@ -55,8 +59,12 @@ class NodeMobility {
   CarrierMobility mobility(std::uint32_t carrier) const;
   /// The square root of the change of angular velocity about a direction per moment, times its length.
   double turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const;
-  /// The largest of those for unit length.
+  /// The same for all directions and unit length.
   double turn_bound(std::uint32_t carrier) const { return carriers_[carrier].turn_bound; }
+
+  /// Of carriers that turn with the mid surface around them, whose turn sizes are lengths: gives the areas by
+  /// rotation to the nodes around, and has them answer by how these move.
+  void spread_areas(LeaningAreas& areas) const;
 
   /// Forces that were pushed before stay in all passes.
   void begin_passes();
@@ -87,32 +95,43 @@ class NodeMobility {
     std::uint32_t general = none;  // position in generals_, none of a plain one
     double mobility = 0.0;         // the largest change of velocity per force, of a plain one any [time/mass]
     double turn_bound = 0.0;       // see turn_bound()
+    std::uint32_t ring = none;     // position in rings_, of one that turns with the mid surface around it
   };
-  /// Changes of velocities [n_carriers].
+  /// A node of a lofted shell and the carriers around it.
+  struct Ring {
+    std::uint32_t carrier = 0, spin = 0, first = 0;  // position in LoftSpins, in ring_carriers_
+  };
+  /// Changes of velocities [n_carriers]. Fourth numbers are 0.
   struct Changes {
-    std::vector<NodeVector> changes, turnings;  // [length/time] [1/time]; fourth numbers are 0
+    std::vector<NodeVector> changes;   // [length/time]
+    std::vector<NodeVector> turnings;  // [1/time]; of rings, while forces are pushed, moments [force length]
   };
 
-  void set_nodes(const Model& model);
-  void set_bodies(const Model& model);
-  void turn_bodies(const Model& model, const State& state);
+  void set_nodes(const Model& model, const ModelFreeDirections& directions);
+  void set_bodies(const Model& model, const ModelFreeDirections& directions);
+  void turn_bodies(const Model& model, const ModelFreeDirections& directions, const State& state);
   General& make_general(std::uint32_t body);
   std::uint32_t use(std::uint32_t body);
   std::uint32_t use_node(std::uint32_t node);
+  void use_ring(std::uint32_t carrier, std::uint32_t mesh_node);
+  void turn_rings(Changes& of) const;
+  Eigen::Vector3d moved_by(std::uint32_t carrier, const Eigen::Vector3d& force) const;
 
   const MovingSurface* surface_ = nullptr;
   const RigidNodes* rigid_ = nullptr;
   const State* state_ = nullptr;
   // Bodies: contact nodes, then rigid bodies.
-  std::vector<std::uint32_t> general_;  // [n_bodies] position in generals_, or none
-  std::vector<double> inverse_mass_;    // [n_bodies] of plain ones, 0 of held ones [1/mass]
-  std::vector<std::uint32_t> carrier_;  // [n_bodies] among those of the step, or none
+  std::vector<std::uint32_t> general_;       // [n_bodies] position in generals_, or none
+  std::vector<double> inverse_mass_;         // [n_bodies] of plain ones, 0 of held ones [1/mass]
+  std::vector<std::uint32_t> carrier_;       // [n_bodies] among those of the step, or none
+  std::vector<std::uint32_t> contact_node_;  // [n_nodes of the mesh] the first one with it, or none
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step
-  Changes first_, now_, next_;             // before any pass, of the last one, of the one that runs
-  ModelFreeDirections free_;
-  double half_steps_ = 0.0;  // a force acts for [time]
+  std::vector<Ring> rings_;                // of the step
+  std::vector<std::uint32_t> ring_carriers_;
+  Changes first_, now_, next_;  // before any pass, of the last one, of the one that runs
+  double half_steps_ = 0.0;     // a force acts for [time]
 };
 
 }  // namespace contactsim
