@@ -82,6 +82,7 @@ class MomentumBalance {
   LeaningAreas areas_;              // scratch
   std::vector<CarrierLoad> loads_;  // scratch
   LightCarriers light_;
+  std::vector<double> momenta_;  // of the passes of the first half
   ContactLoss loss_;
   std::int64_t n_passes_ = 1000;  // of the next step at most
 };
