@@ -141,7 +141,7 @@ void add_work(const NodeWork& work, State& state) {
   state.begun = work.begun;
   state.momentum = work.momentum;
   const double seen = work.conserved + work.unseen;
-  if (state.step == 0) energies.start = seen;
+  if (state.step == 0) energies.start = seen + energies.contact;
   energies.error = seen + energies.internal + energies.contact - energies.external - energies.start;
   for (const double term : {energies.kinetic, energies.internal, energies.external, energies.contact})
     energies.largest = std::max(energies.largest, std::abs(term));
@@ -184,6 +184,22 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
   constrain(model, state);
 }
 
+/// What accelerations leave of the kinetic energy between half steps at the start, where the leapfrog stands
+/// mirrored: |v0|^2 - |v - v0|^2.
+double energy_at_start(const Model& model, const State& state) {
+  const double half = 0.5 * state.next_dt;
+  const NodalRotations& rotations = state.rotations;
+  NodeWork of_bodies;
+  if (!model.rigid.empty()) add_rigid_work(model, state, of_bodies);
+  double changed = 0.0;
+  for (std::uint32_t i = 0; i < model.mesh->n_nodes(); ++i) {
+    if (!model.rigid.nodes.is_free({i})) continue;
+    changed += model.mass(0, i) * state.acceleration.col(i).squaredNorm();
+    if (rotations.exist()) changed += model.inertia(0, i) * rotations.acceleration.col(i).squaredNorm();
+  }
+  return of_bodies.conserved - 0.5 * half * half * changed;
+}
+
 /// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
 void complete(const Model& model, ForceTerms terms, const TimeStepControl& control, const StepReport& report,
               State& state) {
@@ -191,7 +207,9 @@ void complete(const Model& model, ForceTerms terms, const TimeStepControl& contr
   if (state.step == 0) state.first_dt = state.next_dt;
   check_step(model, state, report);
   find_accelerations(model, state);
+  const double free = state.step == 0 ? energy_at_start(model, state) : 0.0;
   balance_contact(model, terms, state);
+  if (state.step == 0) state.energies.contact = free - energy_at_start(model, state);
   NodeWork work = complete_velocities(model, state);
   if (!model.rigid.empty()) add_rigid_work(model, state, work);
   if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);

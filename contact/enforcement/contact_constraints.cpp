@@ -389,11 +389,21 @@ ContactLoss ContactConstraints::finish() {
   return loss;
 }
 
+/// What a force loses in half of the step before. Before the first step the leapfrog stands mirrored.
+///   before   way of the first side along the second in the step before [length]
+///   changed  by which all forces change that of the coming step [length]
+double ContactConstraints::lost_before(const Eigen::Vector3d& force, const ContactRecord& point,
+                                       const Eigen::Vector3d& before, const Eigen::Vector3d& changed) const {
+  if (dt_before_ > 0.0) return -0.5 * force.dot(before);
+  const Eigen::Vector3d begun = relative_velocity(point, false) - relative_velocity(point, true);
+  return 0.25 * force.dot(2.0 * dt_ * begun + changed);
+}
+
 void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
   if (!(force > 0.0)) return;
   ContactRecord& point = points_[row.point];
   const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
-  const double impact_before = -0.5 * force * point.normal.dot(before),
+  const double impact_before = lost_before(force * point.normal, point, before, changed),
                impact_after = 0.5 * force * (point.closing - point.normal.dot(changed));
   loss.impact_before += impact_before;
   loss.impact_after += impact_after;
@@ -409,7 +419,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
     Grip& grip = grips_[row.grip];
     const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);
     const Eigen::Vector3d tangential = in_plane(row.force.head<3>(), point.normal);
-    const double friction_before = -0.5 * tangential.dot(before),
+    const double friction_before = lost_before(tangential, point, before, changed),
                  friction_after = -0.5 * tangential.dot(slip);
     loss.friction_before += friction_before;
     loss.friction_after += friction_after;

@@ -112,6 +112,8 @@ class ContactConstraints {
   Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
                                  const NodeVector& changed) const;
   Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
+  double lost_before(const Eigen::Vector3d& force, const ContactRecord& point, const Eigen::Vector3d& before,
+                     const Eigen::Vector3d& changed) const;
   void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
 
   NodeMobility& mobility_;

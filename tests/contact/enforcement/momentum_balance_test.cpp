@@ -87,6 +87,19 @@ TEST_CASE("momentum balance closes the gap and no more, alike on both sides", "[
   CHECK(kinetic(after) <= kinetic(blocks.state.velocity));
 }
 
+TEST_CASE("what a hit takes in the first step is lost", "[contact][enforcement]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  ClosingBlocks blocks(formulation, 0.01, 2);
+  blocks.state.dt = 0.0;
+  const Eigen::Matrix3Xd forces = blocks.forces_at({0, 0, -1.0});
+  REQUIRE(blocks.report);
+  // The leapfrog stands mirrored before it: m |v0|^2 / 2 becomes m (|v0|^2 - |v - v0|^2) / 2.
+  const Eigen::Matrix3Xd change = 0.5 * ClosingBlocks::step * forces.cwiseQuotient(blocks.bodies.model.mass);
+  const double taken = 0.5 * change.cwiseAbs2().cwiseProduct(blocks.bodies.model.mass).sum();
+  REQUIRE(taken > 0.0);
+  CHECK(blocks.report->impact_work == Approx(taken));
+}
+
 TEST_CASE("a block whose sides lean out goes on standing on what it touches", "[contact][enforcement]") {
   const std::string formulation = GENERATE(std::string(), node_face);
   const double lean = GENERATE(0.1, 0.3, 0.6, 1.0);  // of the sides, over the height
