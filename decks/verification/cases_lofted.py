@@ -262,7 +262,7 @@ def shell_box(bench):
                            np.max(np.linalg.norm(momentum - momentum[0], axis=1)) / scale, 1e-10),
                    at_most(f"{form}: turned by 30 and 20 degrees: change of displacements",
                            np.max(np.abs(change)) / np.max(np.abs(run.nodal("displacement")[-1])), 1e-6),
-                   kept_energy(form, run, known_miss=0.2)]
+                   kept_energy(form, run, known_miss=0.1)]
     return checks + balances(runs, is_free=True)
 
 
