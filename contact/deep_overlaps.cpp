@@ -132,7 +132,8 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
   const SurfaceNode& node = faces().surface_nodes[inside.row];
   const Eigen::Vector3d point = surface.x(node.node);
   const OverlapNode& own = parts_.of_node[inside.row];
-  const bool has_normal = own.normal.norm() > smallest_share * own.size * own.size;
+  // A sheet or a ball may go out either way.
+  const bool has_normal = !parts_.is_lofted(node) && own.normal.norm() > smallest_share * own.size * own.size;
   std::optional<DeepOverlap> best;
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t index : faces_of_body.of(inside.body)) {
@@ -153,7 +154,8 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
     const double cost = std::hypot(foot->gap, foot->beyond) * (1.0 + 2.0 * (1.0 + cosine));
     if (cost >= least) continue;
     least = cost;
-    best = DeepOverlap{pair, inside.row, index, -foot->gap, foot->normal, false};
+    const double depth = static_cast<double>(node.radius) - foot->gap;
+    best = DeepOverlap{pair, inside.row, index, depth, foot->normal, false};
   }
   if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
   const double own_reach = own.reach > 0.0 ? own.reach : std::numeric_limits<double>::infinity();

@@ -33,7 +33,7 @@ class DeepOverlaps {
 
   /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
   /// it the way out is the nearest one, nearer the more it looks against the node's surface; those that look
-  /// the same way are none.
+  /// the same way are none. Sheets, lines and balls take the nearest one, balls with their radius.
   ///   coordinates  [3 x n_nodes] of the mesh [length]
   ///   surface      the contact nodes there
   std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
