@@ -90,20 +90,27 @@ void MovingSurface::archive(StateArchive& saved) {
 }
 
 void MovingSurface::turn_arms(const Motion& motion) {
+  const auto own_of = [&](std::uint32_t node) -> Eigen::Vector3d {
+    if (motion.angular_velocity == nullptr) return Eigen::Vector3d::Zero();
+    return motion.angular_velocity->col(node);
+  };
+  turns_.resize(spins_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(spins_.size()))
+  for (std::size_t i = 0; i < spins_.size(); ++i) {
+    const Eigen::Vector3d turn = motion.dt * spins_.mid_spin(i, motion.coordinates, motion.velocity,
+                                                             motion.dt, own_of(spins_.node(i)));
+    turns_[i] = Eigen::AngleAxisd(2.0 * std::atan(0.5 * turn.norm()), turn.stableNormalized()).matrix();
+  }
 #pragma omp parallel for schedule(static) num_threads(threads_for(faces_.loft.size()))
   for (Eigen::Index i = 0; i < arms_.cols(); ++i) {
     const std::uint32_t node = faces_.loft.node(static_cast<std::size_t>(i));
     const std::uint32_t spin = spins_.find(node);
-    Eigen::Vector3d own = Eigen::Vector3d::Zero();
-    if (motion.angular_velocity != nullptr) own = motion.angular_velocity->col(node);
-    Eigen::Vector3d turn = motion.dt * own;
-    double angle = turn.norm();
+    const Eigen::Vector3d turn = motion.dt * own_of(node), arm = arms_.col(i);
     if (spin != LoftSpins::none) {
-      turn = motion.dt * spins_.mid_spin(spin, motion.coordinates, motion.velocity, motion.dt, own);
-      angle = 2.0 * std::atan(0.5 * turn.norm());
+      arms_.col(i) = turns_[spin] * arm;
+    } else if (const double angle = turn.norm(); angle > 0.0) {
+      arms_.col(i) = Eigen::AngleAxisd(angle, turn / angle) * arm;
     }
-    if (angle > 0.0)
-      arms_.col(i) = Eigen::AngleAxisd(angle, turn.normalized()) * Eigen::Vector3d(arms_.col(i));
   }
 }
 

@@ -112,6 +112,7 @@ class MovingSurface {
   const Eigen::Matrix3Xd* turning_ = nullptr;   // of the mesh's nodes [1/time]; null when none turns
   const Eigen::Matrix3Xd *last_velocity_ = nullptr, *last_turning_ = nullptr;  // of the step before
   LoftSpins spins_;
+  std::vector<Eigen::Matrix3d> turns_;              // scratch, by spins in the step before
   Eigen::Matrix3Xd coming_turning_, past_turning_;  // of the mesh's nodes where there are spins [1/time]
   std::vector<FaceBound> bounds_;                   // [n_faces]
 };
