@@ -25,8 +25,8 @@ namespace contactsim {
 class LoftSpins {
  public:
   LoftSpins() = default;
-  /// Nodes of rigid bodies turn as those do; so do nodes with their own rotation that have no two neighbours
-  /// besides on a line with them.
+  /// Nodes of rigid bodies turn as those do, and are no neighbours. Nodes with fewer than two neighbours turn
+  /// by themselves; those whose neighbours all lie on a line with them do not turn.
   LoftSpins(const LoftPoints& loft, std::size_t n_mesh_nodes, const RigidNodes& rigid);
 
   /// Takes over where the nodes are.
