@@ -95,8 +95,8 @@ std::string describe(const StartOverlap& overlap, const ContactModel& model, con
       overlap.deepest, mesh.node_id(overlap.node));
   if (overlap.other) text += fmt::format(", beside node {} of the other side", mesh.node_id(*overlap.other));
   if (overlap.n_deep > 0)
-    text +=
-        fmt::format("; {} deeper than half an element", counted(overlap.n_deep, "node lies", "nodes lie"));
+    text += fmt::format("; {} deeper than half an element or sheet, where contact takes no notice",
+                        counted(overlap.n_deep, "node lies", "nodes lie"));
   return text;
 }
 
@@ -114,7 +114,8 @@ std::string format_start_overlaps(std::span<const StartOverlap> overlaps, const 
                         model.surfaces.surfaces[pair.second].name, overlap.n_nodes, overlap.n_faces,
                         overlap.n_deep, fmt::format("{:.6g}", overlap.deepest), mesh.node_id(overlap.node));
   }
-  return text + "      deep: nodes more than half an element behind the surface\n";
+  return text +
+         "      deep: nodes more than half an element, or half a shell's thickness, behind the surface\n";
 }
 
 std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log) {

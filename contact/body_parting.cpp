@@ -12,15 +12,20 @@ namespace {
 /// Nodes whose way out has a smaller cosine with that of the others are waited for until these are out.
 constexpr double along_cosine = 0.5;
 
+/// A sum of ways out that is smaller than this share of what they could come to is round-off.
+constexpr double even_share = 1e-6;
+
 /// What two bodies have to go apart.
 struct Parting {
-  Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum, out of the second body [1]
+  Eigen::Vector3d normals = Eigen::Vector3d::Zero();  ///< sum times depths, out of the second body [length]
   std::vector<const DeepOverlap*> overlaps;
   std::vector<double> signs;  ///< -1 of nodes of the second body [1]
 
-  /// The way that brings out the nodes that go along it.
+  /// The way that brings out the nodes that go along it. Where as many want to go back, as those of sheets
+  /// with one middle, it is that of the first.
   Eigen::Vector3d way() const {
-    const Eigen::Vector3d along = normals.normalized();
+    const bool is_even = normals.norm() <= even_share * static_cast<double>(overlaps.size()) * deepest();
+    const Eigen::Vector3d along = is_even ? signs[0] * overlaps[0]->normal : normals.normalized();
     double length = 0.0;
     for (std::size_t i = 0; i < overlaps.size(); ++i) {
       const double cosine = signs[i] * overlaps[i]->normal.dot(along);

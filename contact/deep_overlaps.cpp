@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "contact/bodies.hpp"
 #include "contact/broad_phase.hpp"
@@ -22,6 +23,9 @@ constexpr double smallest_share = 1e-6;
 /// Faces whose normal has a greater cosine with that of the node's surface look the same way.
 constexpr double same_way_cosine = 0.25;
 
+/// Faces look at each other when the cosine of their normals is less.
+constexpr double facing_cosine = -0.7;
+
 Box empty_box() {
   constexpr double far = std::numeric_limits<double>::infinity();
   return {{far, far, far}, {-far, -far, -far}};
@@ -34,8 +38,8 @@ void add(const Eigen::Vector3d& x, Box& box) {
   }
 }
 
-bool is_solid(const Mesh& mesh, ElementIndex element) {
-  return topology(mesh.blocks()[mesh.block_of(element)].shape).family == Family::solid;
+bool is_solid(const Mesh& mesh, ElementSide side) {
+  return topology(mesh.blocks()[mesh.block_of(side.element())].shape).family == Family::solid;
 }
 
 }  // namespace
@@ -47,31 +51,74 @@ DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const Ov
       bodies_(find_bodies(mesh)),
       number_of_body_(mesh.n_nodes(), none) {
   for (const ContactFace& face : faces().faces) {
-    if (faces().is_lofted(face) || !is_solid(mesh, face.side.element())) continue;
+    if (!faces().is_lofted(face) && !is_solid(mesh, face.side)) continue;
     std::uint32_t& number = number_of_body_[body_of(face)];
     if (number != none) continue;
     number = 0;
-    solid_bodies_.push_back(body_of(face));
+    thick_bodies_.push_back(body_of(face));
   }
-  std::ranges::sort(solid_bodies_);
-  for (std::uint32_t i = 0; i < solid_bodies_.size(); ++i) number_of_body_[solid_bodies_[i]] = i;
+  std::ranges::sort(thick_bodies_);
+  for (std::uint32_t i = 0; i < thick_bodies_.size(); ++i) number_of_body_[thick_bodies_[i]] = i;
+  find_lofts();
 }
 
-/// The solids of the bodies that meet the boxes of what may lie in them.
-///   boxes  of each body [n_solid_bodies]
-std::vector<ElementIndex> DeepOverlaps::elements_near(const Eigen::Matrix3Xd& coordinates,
-                                                      std::span<const Box> boxes) const {
-  std::vector<ElementIndex> near;
+/// Pairs the tops and bottoms of lofted shells. One of which a surface has one side only is no volume.
+void DeepOverlaps::find_lofts() {
+  std::map<std::uint32_t, const ContactFace*> tops;
+  for (const ContactFace& face : faces().faces) {
+    if (faces().is_lofted(face) && face.side.side() == 1) tops[face.side.element().value] = &face;
+  }
+  for (const ContactFace& face : faces().faces) {
+    if (!faces().is_lofted(face) || face.side.side() != 2) continue;
+    const auto top = tops.find(face.side.element().value);
+    if (top == tops.end()) continue;
+    std::array<std::uint32_t, 8> corners{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      corners[k] = top->second->corners[k];
+      corners[k + 4] = *std::ranges::find(face.corners, faces().mesh_nodes[corners[k]],
+                                          [&](std::uint32_t point) { return faces().mesh_nodes[point]; });
+    }
+    lofts_.push_back(corners);
+    tops.erase(top);
+  }
+}
+
+/// The solids and lofts of the bodies that meet the boxes of what may lie in them.
+///   boxes  of each body [n_thick_bodies]
+std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix3Xd& coordinates,
+                                                             const MovingSurface& surface,
+                                                             std::span<const Box> boxes) const {
+  std::vector<Volume> near;
+  Volume volume;
+  const auto add_if_near = [&](std::size_t n_corners) {
+    const std::uint32_t body = number_of_body_[volume.body];
+    if (body == none) return;
+    Box own = empty_box();
+    for (std::size_t k = 0; k < n_corners; ++k) add(volume.corners.col(static_cast<Eigen::Index>(k)), own);
+    if (do_overlap(own, boxes[body])) near.push_back(volume);
+  };
   for (const ElementBlock& block : mesh_.blocks()) {
     if (topology(block.shape).family != Family::solid) continue;
+    const std::size_t n_corners = topology(block.shape).n_corners;
+    volume.shape = block.shape;
     for (std::uint32_t e = 0; e < block.n_elements; ++e) {
       const auto nodes = block.element_nodes(e);
-      const std::uint32_t body = number_of_body_[bodies_[nodes[0].value]];
-      if (body == none || boxes[body].lo[0] > boxes[body].hi[0]) continue;
-      Box own = empty_box();
-      for (const NodeIndex node : nodes) add(coordinates.col(node.value), own);
-      if (do_overlap(own, boxes[body])) near.push_back({block.first_element.value + e});
+      volume.body = bodies_[nodes[0].value];
+      for (std::size_t k = 0; k < n_corners; ++k)
+        volume.corners.col(static_cast<Eigen::Index>(k)) = coordinates.col(nodes[k].value);
+      add_if_near(n_corners);
     }
+  }
+  for (const auto& loft : lofts_) {
+    const bool is_triangle = loft[2] == loft[3];
+    const std::size_t n = is_triangle ? 3 : 4;
+    volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
+    volume.body = bodies_[faces().mesh_nodes[loft[0]]];
+    for (std::size_t k = 0; k < n; ++k) {
+      volume.corners.col(static_cast<Eigen::Index>(k)) = surface.x(loft[k]);
+      volume.corners.col(static_cast<Eigen::Index>(k + n)) = surface.x(loft[k + 4]);
+    }
+    add_if_near(2 * n);
   }
   return near;
 }
@@ -79,52 +126,68 @@ std::vector<ElementIndex> DeepOverlaps::elements_near(const Eigen::Matrix3Xd& co
 std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3Xd& coordinates,
                                                             const MovingSurface& surface) const {
   const auto n_rows = static_cast<std::uint32_t>(faces().surface_nodes.size());
-  if (n_rows == 0 || solid_bodies_.empty()) return {};
+  if (n_rows == 0 || thick_bodies_.empty()) return {};
   const auto box_of_row = [&](std::uint32_t row) {
     Box box = empty_box();
     add(surface.x(faces().surface_nodes[row].node), box);
     return box;
   };
-  std::vector<Box> body_boxes(solid_bodies_.size(), empty_box());
-  for (Eigen::Index i = 0; i < coordinates.cols(); ++i) {
-    const std::uint32_t number = number_of_body_[bodies_[static_cast<std::size_t>(i)]];
-    if (number != none) add(coordinates.col(i), body_boxes[number]);
+  std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
+  const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
+    const std::uint32_t number = number_of_body_[bodies_[mesh_node]];
+    if (number != none) add(x, body_boxes[number]);
+  };
+  for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
+  for (const auto& loft : lofts_) {
+    for (const std::uint32_t point : loft) extend(faces().mesh_nodes[point], surface.x(point));
   }
-  BroadPhase rows, around, solids;
+  BroadPhase rows, around, inner;
   if (rows.update(n_rows, box_of_row) || around.update(body_boxes)) return {};
   PairLists near;
   rows.find_pairs(
-      around, [&](std::uint32_t row, std::uint32_t body) { return body_of_row(row) != solid_bodies_[body]; },
+      around, [&](std::uint32_t row, std::uint32_t body) { return body_of_row(row) != thick_bodies_[body]; },
       near);
-  std::vector<Box> boxes(solid_bodies_.size(), empty_box());
+  std::vector<Box> boxes(thick_bodies_.size(), empty_box());
   for (std::uint32_t row = 0; row < n_rows; ++row) {
     for (const std::uint32_t body : near.of(row))
       add(surface.x(faces().surface_nodes[row].node), boxes[body]);
   }
-  const std::vector<ElementIndex> elements = elements_near(coordinates, boxes);
-  if (elements.empty()) return {};
-  const auto box_of_element = [&](std::uint32_t i) {
+  const std::vector<Volume> volumes = volumes_near(coordinates, surface, boxes);
+  if (volumes.empty()) return {};
+  const auto box_of_volume = [&](std::uint32_t i) {
     Box box = empty_box();
-    for (const NodeIndex node : mesh_.element_nodes(elements[i])) add(coordinates.col(node.value), box);
+    for (Eigen::Index k = 0; k < topology(volumes[i].shape).n_corners; ++k)
+      add(volumes[i].corners.col(k), box);
     return box;
   };
-  if (solids.update(static_cast<std::uint32_t>(elements.size()), box_of_element)) return {};
+  if (inner.update(static_cast<std::uint32_t>(volumes.size()), box_of_volume)) return {};
   const auto is_inside = [&](std::uint32_t row, std::uint32_t i) {
-    const auto nodes = mesh_.element_nodes(elements[i]);
-    if (bodies_[nodes[0].value] == body_of_row(row)) return false;
-    const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(elements[i])].shape);
-    return is_in_solid(coordinates, nodes, shape, surface.x(faces().surface_nodes[row].node));
+    const Volume& volume = volumes[i];
+    if (volume.body == body_of_row(row)) return false;
+    return is_in_solid(volume.corners, topology(volume.shape), surface.x(faces().surface_nodes[row].node));
   };
-  rows.find_pairs(solids, is_inside, near);
+  rows.find_pairs(inner, is_inside, near);
   std::vector<Inside> inside;
   for (std::uint32_t row = 0; row < n_rows; ++row) {
     for (const std::uint32_t i : near.of(row)) {
-      const std::uint32_t body = number_of_body_[bodies_[mesh_.element_nodes(elements[i])[0].value]];
+      const std::uint32_t body = number_of_body_[volumes[i].body];
       const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
       if (!is_known) inside.push_back({row, body});
     }
   }
   return inside;
+}
+
+/// Whether one of a node's own faces looks at a face; what has none looks everywhere.
+bool DeepOverlaps::looks_at(const MovingSurface& surface, const SurfaceNode& node,
+                            const Eigen::Vector3d& normal) const {
+  if (node.radius > 0.0f) return true;
+  const auto own_faces = faces().faces_of_node.of(node.node);
+  return own_faces.empty() || std::ranges::any_of(own_faces, [&](std::uint32_t index) {
+           const ContactFace& face = faces().faces[index];
+           const Eigen::Vector3d area = surface.area(face);
+           return face.surface == node.surface && area.dot(normal) < facing_cosine * area.norm();
+         });
 }
 
 std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surface, const Inside& inside,
@@ -140,6 +203,8 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
     const ContactFace& face = faces().faces[index];
     const std::uint32_t pair = rules_.find(node.surface, face.surface);
     if (pair == PairRules::none) continue;
+    const bool is_lofted = faces().is_lofted(face);
+    if (is_lofted && std::holds_alternative<Tied>(rules_[pair].pair->law)) continue;
     FaceCorners x;
     for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = surface.x(face.corners[k]);
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
@@ -147,7 +212,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
     const auto foot = project_onto_face(x, face.is_triangle(), point);
     if (!foot) continue;
     const double cosine = has_normal ? own.normal.dot(foot->normal) / own.normal.norm() : -1.0;
-    if (cosine > same_way_cosine) continue;
+    if (cosine > same_way_cosine || (is_lofted && !looks_at(surface, node, foot->normal))) continue;
     if (std::hypot(foot->gap, foot->beyond) <= smallest_share * parts_.of_face[index].size)
       return std::nullopt;
     if (foot->gap > 0.0) continue;
@@ -159,7 +224,10 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surfa
   }
   if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
   const double own_reach = own.reach > 0.0 ? own.reach : std::numeric_limits<double>::infinity();
-  best->is_deep = best->depth > std::min(own_reach, parts_.of_face[best->face].reach);
+  const double reach = std::min(own_reach, parts_.of_face[best->face].reach);
+  const bool is_lofted = faces().is_lofted(faces().faces[best->face]);
+  best->is_deep = best->depth > (is_lofted ? 1.0 + smallest_share : 1.0) * reach;
+  if (is_lofted && !best->is_deep) return std::nullopt;
   return best;
 }
 
@@ -167,18 +235,32 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
                                             const MovingSurface& surface) const {
   const std::vector<Inside> inside = find_inside(coordinates, surface);
   if (inside.empty()) return {};
-  const PairLists faces_of_body = list_by_row(solid_bodies_.size(), [&](const auto& take) {
+  const PairLists faces_of_body = list_by_row(thick_bodies_.size(), [&](const auto& take) {
     for (std::uint32_t i = 0; i < faces().faces.size(); ++i) {
       const std::uint32_t number = number_of_body_[body_of(faces().faces[i])];
-      if (number != none && !faces().is_lofted(faces().faces[i])) take(number, i);
+      if (number != none) take(number, i);
     }
   });
   std::vector<std::optional<DeepOverlap>> ways(inside.size());
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads_for(inside.size() * 100))
   for (std::size_t i = 0; i < inside.size(); ++i) ways[i] = find_way_out(surface, inside[i], faces_of_body);
+  // Top and bottom of a sheet look at opposite faces of a loft: their node goes the shorter way.
+  const auto is_of_loft = [&](const std::optional<DeepOverlap>& way) {
+    return way && faces().is_lofted(faces().faces[way->face]);
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> least;
+  const auto key = [&](std::size_t i) {
+    return std::pair(faces().mesh_nodes[faces().surface_nodes[inside[i].row].node], inside[i].body);
+  };
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (!is_of_loft(ways[i])) continue;
+    const auto [known, is_new] = least.try_emplace(key(i), ways[i]->depth);
+    known->second = std::min(known->second, ways[i]->depth);
+  }
   std::vector<DeepOverlap> found;
-  for (const auto& way : ways) {
-    if (way) found.push_back(*way);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const bool is_longer = is_of_loft(ways[i]) && ways[i]->depth > least[key(i)];
+    if (ways[i] && !is_longer) found.push_back(*ways[i]);
   }
   return found;
 }

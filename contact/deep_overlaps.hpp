@@ -11,18 +11,19 @@
 
 namespace contactsim {
 
-/// A node of a contact surface that lies inside the solids of another body.
+/// A node of a contact surface that lies inside the solids, or the lofted shells, of another body.
 struct DeepOverlap {
   std::uint32_t pair = 0;
   std::uint32_t row = 0;                             ///< surface node
   std::uint32_t face = 0;                            ///< through which its way out leads
   double depth = 0.0;                                ///< along the face's normal, > 0 [length]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the face: the node's way out [1]
-  bool is_deep = false;                              ///< by more than half the thinner element
+  bool is_deep = false;  ///< by more than half the thinner element; always inside a lofted shell
 };
 
-/// Finds the nodes of contact surfaces that lie inside solids of other bodies, however deep: point in
-/// element. Bodies are what solids and shells join; a body that lies in itself is not found.
+/// Finds the nodes of contact surfaces that lie inside solids of other bodies, however deep, or deeper than
+/// half the thickness inside their lofted shells: point in element. Bodies are what solids and shells join; a
+/// body that lies in itself is not found.
 class DeepOverlaps {
  public:
   /// All must outlive this.
@@ -33,7 +34,9 @@ class DeepOverlaps {
 
   /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
   /// it the way out is the nearest one, nearer the more it looks against the node's surface; those that look
-  /// the same way are none. Sheets, lines and balls take the nearest one, balls with their radius.
+  /// the same way are none. Sheets, lines and balls take the nearest one, balls with their radius. Out of a
+  /// lofted shell the way leads through a face that one of the node's own faces looks at: of two sheets whose
+  /// mid surfaces have passed each other, the shorter way. Ties leave what lies deep in lofts where it is.
   ///   coordinates  [3 x n_nodes] of the mesh [length]
   ///   surface      the contact nodes there
   std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
@@ -42,11 +45,19 @@ class DeepOverlaps {
   struct Inside {
     std::uint32_t row, body;
   };
+  /// A solid, or the room between the top and the bottom of a lofted shell.
+  struct Volume {
+    Eigen::Matrix<double, 3, 8> corners;  // [length]; a wedge of a triangle has six
+    Shape shape;
+    std::uint32_t body;  // its first node
+  };
   std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
-  std::vector<ElementIndex> elements_near(const Eigen::Matrix3Xd& coordinates,
-                                          std::span<const Box> boxes) const;
+  void find_lofts();
+  std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface,
+                                   std::span<const Box> boxes) const;
   std::optional<DeepOverlap> find_way_out(const MovingSurface& surface, const Inside& inside,
                                           const PairLists& faces_of_body) const;
+  bool looks_at(const MovingSurface& surface, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
   std::uint32_t body_of(const ContactFace& face) const {
     return bodies_[faces().mesh_nodes[face.corners[0]]];
   }
@@ -59,8 +70,10 @@ class DeepOverlaps {
   const OverlapParts& parts_;
   PairRules rules_;
   std::vector<std::uint32_t> bodies_;          // [n_nodes]
-  std::vector<std::uint32_t> solid_bodies_;    // with contact faces of solids, ascending
-  std::vector<std::uint32_t> number_of_body_;  // [n_nodes] by first node: position in solid_bodies_
+  std::vector<std::uint32_t> thick_bodies_;    // with contact faces of solids or lofts, ascending
+  std::vector<std::uint32_t> number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
+  /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
+  std::vector<std::array<std::uint32_t, 8>> lofts_;
 };
 
 }  // namespace contactsim

@@ -29,9 +29,11 @@ bool is_in_tetrahedron(const std::array<Eigen::Vector3d, 3>& corners, const Eige
 
 }  // namespace
 
-bool is_in_solid(const Eigen::Matrix3Xd& coordinates, std::span<const NodeIndex> nodes, const Topology& shape,
+bool is_in_solid(const Eigen::Ref<const Eigen::Matrix3Xd>& corners, const Topology& shape,
                  const Eigen::Vector3d& point) {
-  const auto corner = [&](std::size_t k) -> Eigen::Vector3d { return coordinates.col(nodes[k].value); };
+  const auto corner = [&](std::size_t k) -> Eigen::Vector3d {
+    return corners.col(static_cast<Eigen::Index>(k));
+  };
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < shape.n_corners; ++k) middle += corner(k);
   middle /= shape.n_corners;

@@ -201,13 +201,63 @@ TEST_CASE("a sheet deep in a block goes out by the face that is nearest", "[cont
   CHECK(cleared.moved_by(2, {0, 0, way}));
 }
 
-TEST_CASE("shells that overlap by half their thickness may be on the other side and stay",
+TEST_CASE("shells that overlap by more than half their thickness part the shorter way",
+          "[contact][overlap]") {
+  const double off = GENERATE(-0.4, -0.1, 0.1, 0.4);  // of the mid surfaces, in thicknesses
+  const int shape = GENERATE(0, 1);
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
+  const Sheet upper{.id = 2,
+                    .cells = {3, 3},
+                    .origin = {0.1, 0.2, off * thickness},
+                    .u = {1, 0.2, 0},
+                    .v = {-0.2, 1, 0},
+                    .share_nodes = false};
+  if (shape == 0) add_plate(b, upper, thickness);
+  if (shape == 1) b.add_triangles(upper).set_attributes(2, {"thickness"}, std::vector<double>(18, thickness));
+  const Cleared cleared(b, formulation(), {1});
+  REQUIRE(cleared.removed.moves.size() == 1);
+  CHECK(cleared.removed.moves[0].deepest == Approx((1.0 - std::abs(off)) * thickness));
+  CHECK(cleared.moved_by(2, {0, 0, std::copysign(thickness, off) - off * thickness}));
+  CHECK(cleared.after.force_size() == 0.0);
+}
+
+TEST_CASE("a thin shell within a thick one goes out by the nearer face", "[contact][overlap]") {
+  const double off = GENERATE(-0.2, 0.2);
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
+  add_plate(b, {.id = 2, .cells = {2, 2}, .origin = {0.1, 0.1, off * thickness}, .share_nodes = false},
+            0.1 * thickness);
+  const Cleared cleared(b, formulation(), {1});
+  CHECK(cleared.moved_by(2, {0, 0, std::copysign(0.55 * thickness, off) - off * thickness}));
+}
+
+TEST_CASE("a ball and a block behind the middle of a shell go out of it", "[contact][overlap]") {
+  MeshBuilder b;
+  add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
+  const double off = 0.2 * thickness;
+  if (GENERATE(true, false)) {
+    add_balls(b, 2, {{0.4, 0.6, off}}, radius);
+    CHECK(Cleared(b, formulation(), {1}).moved_by(2, {0, 0, 0.5 * thickness - off + radius}));
+  } else {
+    b.add_hexes({.id = 2, .origin = {0.1, 0.1, -off}, .size = {0.7, 0.7, 1.0}, .share_nodes = false});
+    CHECK(Cleared(b, formulation(), {1}).moved_by(2, {0, 0, 0.5 * thickness + off}));
+  }
+}
+
+TEST_CASE("shells that end on the middle of another, or are tied to it, do not lie deep in it",
           "[contact][overlap]") {
   MeshBuilder b;
   add_plate(b, {.id = 1, .cells = {3, 3}}, thickness);
-  add_plate(b, {.id = 2, .cells = {3, 3}, .origin = {0, 0, 0.4 * thickness}, .share_nodes = false},
-            thickness);
-  CHECK(Cleared(b, formulation()).removed.moves.empty());
+  if (GENERATE(true, false)) {
+    add_plate(b, {.id = 2, .cells = {2, 2}, .origin = {0.1, 0.4, 0}, .v = {0, 0, 1}, .share_nodes = false},
+              thickness);
+    CHECK(Cleared(b, formulation(), {1}).removed.n_body_passes == 0);
+  } else {
+    add_plate(b, {.id = 2, .cells = {2, 2}, .share_nodes = false}, thickness);
+    CHECK(Cleared(b, "friction model = tied\n", {1}).removed.n_body_passes == 0);
+    CHECK(Cleared(b, formulation(), {1}).removed.n_body_passes == 1);
+  }
 }
 
 TEST_CASE("a shell that stands in a block goes out as a whole by the depth of its rim, however thin",

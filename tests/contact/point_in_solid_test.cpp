@@ -15,8 +15,12 @@ namespace {
 int count_holders(const Mesh& mesh, const Eigen::Vector3d& point) {
   int n = 0;
   for (const ElementBlock& block : mesh.blocks()) {
-    for (std::uint32_t e = 0; e < block.n_elements; ++e)
-      n += is_in_solid(mesh.coordinates(), block.element_nodes(e), topology(block.shape), point) ? 1 : 0;
+    for (std::uint32_t e = 0; e < block.n_elements; ++e) {
+      Eigen::Matrix3Xd corners(3, block.element_nodes(e).size());
+      for (Eigen::Index k = 0; k < corners.cols(); ++k)
+        corners.col(k) = mesh.coordinates().col(block.element_nodes(e)[static_cast<std::size_t>(k)].value);
+      n += is_in_solid(corners, topology(block.shape), point) ? 1 : 0;
+    }
   }
   return n;
 }
