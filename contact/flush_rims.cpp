@@ -38,15 +38,19 @@ struct Ahead {
   std::uint32_t surface = 0;                ///< of the other side
 };
 
-/// Whether some face at the corners of what lies ahead looks against a direction: only where the faces beyond
-/// both rims lie flat on each other does a side face rise by so little that it is none.
+/// Whether some face at the corners of what lies ahead looks against a direction, and turns away from what
+/// lies ahead: only where the faces beyond both rims lie flat on each other does a side face rise by so
+/// little that it is none. A sheet that is bent over the rim turns towards it.
 bool has_opposite(const ContactScene& scene, const Ahead& ahead, const Eigen::Vector3d& out) {
   constexpr double opposite = -0.9;
   const ContactFaces& faces = scene.surface.faces();
   return std::ranges::any_of(ahead.corners, [&](std::uint32_t corner) {
+    const Eigen::Vector3d x = scene.surface.x(corner);
     return std::ranges::any_of(faces.faces_of_node.of(corner), [&](std::uint32_t face) {
+      const FaceBound& bound = scene.surface.bound(face);
       return faces.faces[face].surface == ahead.surface &&
-             scene.surface.bound(face).normal().cast<double>().dot(out) < opposite;
+             bound.normal().cast<double>().dot(out) < opposite &&
+             (scene.surface.face(face).x.rowwise().mean() - x).dot(ahead.normal) <= 0.0;
     });
   });
 }
