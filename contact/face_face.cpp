@@ -4,39 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/projected_pair.hpp"
+
 namespace contactsim {
 
 namespace {
-
-bool boxes_meet(const FaceCorners& first, const FaceCorners& second) {
-  for (int i = 0; i < 2; ++i) {
-    if (first.row(i).maxCoeff() <= second.row(i).minCoeff()) return false;
-    if (second.row(i).maxCoeff() <= first.row(i).minCoeff()) return false;
-  }
-  return true;
-}
 
 /// The component of a face's velocity along the normal, as a function on the face.
 FaceFunction normal_speed(const MovingFace& face, const Eigen::Vector3d& normal) {
   const FaceMap map = make_face_map(face.v, face.is_triangle);
   return {map.c[0].dot(normal), map.c[1].dot(normal), map.c[2].dot(normal), map.c[3].dot(normal)};
 }
-
-void add_moments(const Lanes& f, const Lanes& xi, const Lanes& eta, FaceMoments& moments) {
-  const Lanes f_xi = f * xi;
-  moments[0] += f.sum();
-  moments[1] += f_xi.sum();
-  moments[2] += (f * eta).sum();
-  moments[3] += (f_xi * eta).sum();
-}
-
-/// Two faces in the coordinates of their common plane.
-struct ProjectedPair {
-  CommonPlane plane;
-  FaceCorners first, second;
-  double least_gap, most_gap;  ///< bounds of the height of the first over the second [length]
-  FaceMap map_1, map_2;
-};
 
 /// What touches and what may soon touch of two faces.
 struct Overlap {
@@ -113,37 +91,6 @@ class PressureSums {
   double work_ = 0.0;
 };
 
-/// Both faces as seen along the normal of now.
-///   ahead  heights are those after this time [time]
-std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second,
-                                          double ahead = 0.0) {
-  const auto plane = make_common_plane(first.x, first.look(), second.look());
-  if (!plane) return std::nullopt;
-  ProjectedPair pair{*plane, project(first.x, *plane), project(second.x, *plane), 0.0, 0.0, {}, {}};
-  if (ahead > 0.0) {
-    pair.first.row(2) += ahead * (plane->normal.transpose() * first.v);
-    pair.second.row(2) += ahead * (plane->normal.transpose() * second.v);
-  }
-  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
-  pair.least_gap = z1.minCoeff() - z2.maxCoeff();
-  pair.most_gap = z1.maxCoeff() - z2.minCoeff();
-  return pair;
-}
-
-/// Whether some point of the first face may be nearer to the second than the reach, and none is too deep.
-bool is_near(const ProjectedPair& pair, double reach, double depth) {
-  return pair.least_gap < reach && -pair.most_gap < depth && boxes_meet(pair.first, pair.second);
-}
-
-void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair& pair) {
-  pair.map_1 = make_face_map(pair.first, first.is_triangle);
-  pair.map_2 = make_face_map(pair.second, second.is_triangle);
-}
-
-OverlapPolygon overlap_of(const ProjectedPair& pair) {
-  return intersect(pair.first, pair.map_1.is_triangle, pair.second, pair.map_2.is_triangle);
-}
-
 /// Whether all of the overlap is near, and on one side of where the gap closes.
 bool is_uncut(const ProjectedPair& pair, double reach, double depth) {
   return pair.least_gap >= -depth && pair.most_gap <= reach && (pair.most_gap <= 0.0 || pair.least_gap > 0.0);
@@ -196,79 +143,6 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   contact.weights_1 = sums.weights(true, first.is_triangle);
   contact.weights_2 = sums.weights(false, second.is_triangle);
   return contact;
-}
-
-namespace {
-
-/// The part of an overlap that a corner has, by its shape function on one of the faces; all of it without
-/// one.
-OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, const FaceFunction* shape,
-                      bool is_of_first) {
-  FaceMoments on_first{}, on_second{};
-  for (const OverlapBatch& batch : points.batches()) {
-    Lanes f = batch.weight;
-    if (shape != nullptr)
-      f *=
-          is_of_first ? evaluate(*shape, batch.xi_1, batch.eta_1) : evaluate(*shape, batch.xi_2, batch.eta_2);
-    add_moments(f, batch.xi_1, batch.eta_1, on_first);
-    add_moments(f, batch.xi_2, batch.eta_2, on_second);
-  }
-  return {on_first[0], corner_shares(on_first, pair.map_1.is_triangle) / on_first[0],
-          corner_shares(on_second, pair.map_2.is_triangle) / on_first[0]};
-}
-
-/// The shape functions of a face's corners.
-std::span<const FaceFunction> shape_functions(bool is_triangle) {
-  static constexpr std::array<FaceFunction, 3> triangle{{{1, -1, -1, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-  static constexpr std::array<FaceFunction, 4> quadrilateral{{{0.25, -0.25, -0.25, 0.25},
-                                                              {0.25, 0.25, -0.25, -0.25},
-                                                              {0.25, 0.25, 0.25, 0.25},
-                                                              {0.25, -0.25, 0.25, -0.25}}};
-  if (is_triangle) return triangle;
-  return quadrilateral;
-}
-
-}  // namespace
-
-FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
-                                               const ConstraintReach& reach) {
-  constexpr double large = 0.5, negligible = 1e-6;  // of an area
-  FaceFaceConstraints found;
-  auto pair = project_pair(first, second, reach.ahead);
-  if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
-  make_maps(first, second, *pair);
-  OverlapPolygon whole = overlap_of(*pair);
-  if (!whole.has_area()) return found;
-  const double area_1 = std::abs(area_vector(first.x).dot(pair->plane.normal)),
-               area_2 = std::abs(area_vector(second.x).dot(pair->plane.normal));
-  const double smaller = std::min(area_1, area_2);
-  std::array<OverlapPolygon, 2> scratch;
-  const OverlapPolygon* part = &whole;
-  const bool is_uncut = pair->least_gap >= -reach.depth && pair->most_gap <= reach.margin;
-  if (!is_uncut) {
-    set_gaps(pair->map_1, pair->map_2, whole);
-    part = &part_between(-reach.depth, reach.margin, whole, scratch);
-    if (!(part->area() > 0.0) && reach.near > reach.margin)
-      part = &part_between(-reach.depth, reach.near, whole, scratch);
-  }
-  const double area = part->area();
-  if (!(area > negligible * smaller)) return found;
-  OverlapPoints points;
-  place_points(*part, pair->map_1, pair->map_2, points);
-  points.spread(pair->plane.spread);
-  found.normal = pair->plane.normal;
-  if (area < large * smaller) {
-    found.points[found.n++] = share_of(*pair, points, nullptr, true);
-    return found;
-  }
-  const bool is_of_first = area_1 <= area_2;
-  const auto shapes = shape_functions(is_of_first ? first.is_triangle : second.is_triangle);
-  for (std::size_t k = 0; k < shapes.size(); ++k) {
-    OverlapShare share = share_of(*pair, points, &shapes[k], is_of_first);
-    share.corner = k;
-    if (share.area > negligible * points.area) found.points[found.n++] = share;
-  }
-  return found;
 }
 
 std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second) {

@@ -70,17 +70,18 @@ struct ConstraintReach {
 
 /// The part of an overlap that one corner of a face has; of a small overlap all of it.
 struct OverlapShare {
-  double area = 0.0;                     ///< [length^2]
+  double area;                           ///< [length^2]
+  Eigen::Vector3d normal;                ///< unit, from the second face to the first [1]
   Eigen::Vector4d weights_1, weights_2;  ///< of the corners, sum 1 each [1]
-  std::size_t corner = 0;
+  std::uint8_t part;                     ///< of the overlap
 };
 
-/// The contact points of two faces.
+/// The contact points of two faces. Left without values: most of it is never used.
 struct FaceFaceConstraints {
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
   std::size_t n = 0;
-  std::array<OverlapShare, 4> points;
+  std::array<OverlapShare, 64> points;  // of four facets on four, with four at most
 
+  void add(const OverlapShare& point) { points[n++] = point; }
   std::span<const OverlapShare> all() const { return {points.data(), n}; }
 };
 
@@ -89,6 +90,10 @@ struct FaceFaceConstraints {
 /// pressure that is linear over it, and a uniform one exactly. A part that is less than half of the smaller
 /// face is one point. Seen along the normal both sides of a point coincide now, so that equal and opposite
 /// forces leave no moment. Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
+///
+/// Warped quadrilaterals that are near in part count as four triangles about their mean, each with its own
+/// normal: that of the middle is not square to the edges, so that what slides along an edge would sink in,
+/// and what the corner of one face cuts out of another would not be found by gaps at corners alone.
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintReach& reach);
 

@@ -176,20 +176,20 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
   const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
   for (const OverlapShare& point : found.all()) {
     FaceFaceContact contact;
-    contact.normal = found.normal;
+    contact.normal = point.normal;
     contact.weights_1 = point.weights_1;
     contact.weights_2 = point.weights_2;
     contact.area = point.area;
-    contact.gap = found.normal.dot((first.x.colwise() - origin) * point.weights_1 -
+    contact.gap = point.normal.dot((first.x.colwise() - origin) * point.weights_1 -
                                    (second.x.colwise() - origin) * point.weights_2);
     const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
-    const double closing = -apart.dot(found.normal) * scene.coming_dt;
+    const double closing = -apart.dot(point.normal) * scene.coming_dt;
     if (!did_touch && contact.gap < 0.0 && !met_in_front(scene, candidate, contact, closing)) continue;
     if (contact.gap < closing && is_at_flush_rim(scene, candidate.first, candidate.second, contact)) continue;
     ContactRecord& record = records.emplace_back(make_record(candidate, contact));
     record.stiffness = 0.0;
     record.is_balanced = true;
-    record.part = static_cast<std::uint8_t>(point.corner);
+    record.part = point.part;
     record.closing = closing;
     if (record.is_met()) touched_[candidate.place] = 1;
   }
