@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Interfaces that must be neither soft nor lost."""
+import itertools
+
 import numpy as np
 
 from cases import FORMULATIONS, balances, case
@@ -53,6 +55,67 @@ def block_over_plate():
     mesh.hexes("cube", (0, 0, 0.01), (0.1, 0.1, 0.1), (2, 2, 2))
     mesh.node_set("bottom", lambda x, y, z: z < -0.05 + 1e-9)
     return mesh
+
+
+def press_with_blank(kind):
+    """A blank on a square die, its hole under a punch."""
+    mesh = MeshMaker()
+    add_blank = mesh.shells if kind == "quadrilaterals" else mesh.triangles
+    add_blank("blank", (-0.15, -0.15, 0.0005), (0.3, 0.3), (14, 14), 0.001)
+    mesh.new_body()
+    lines = [-0.15, -0.08, -0.03, 0.03, 0.08, 0.15]
+    for i, k in itertools.product(range(5), repeat=2):
+        if i in (0, 4) or k in (0, 4):
+            mesh.hexes("die", (lines[i], lines[k], -0.05), (lines[i + 1] - lines[i], lines[k + 1] - lines[k], 0.05), (2, 2, 1))
+    mesh.new_body()
+    mesh.hexes("punch", (-0.06, -0.06, 0.0011), (0.12, 0.12, 0.05), (4, 4, 1))
+    return mesh
+
+
+def strip_over_block(kind, width, edge):
+    """A strip along x, and a block under it that ends at the edge."""
+    mesh = MeshMaker()
+    add_strip = mesh.shells if kind == "quadrilaterals" else mesh.triangles
+    add_strip("strip", (0, -0.02, 0.0005), (0.1, 0.04), (round(0.1 / width), round(0.04 / width)), 0.001)
+    mesh.node_set("clamped", lambda x, y, z: x < 1e-9)
+    mesh.node_set("pulled", lambda x, y, z: x > 0.1 - 1e-9)
+    mesh.new_body()
+    mesh.hexes("block", (-0.01, -0.05, -0.05), (edge + 0.01, 0.1, 0.05), (1, 1, 1))
+    return mesh
+
+
+def given_out(run):
+    """Energy that contact gave out at most, over the work done."""
+    return max(0.0, -np.min(run["contact_energy"])) / np.max(run["external_energy"])
+
+
+@case()
+def bent_strip(bench):
+    checks, runs = [], []
+    for kind, width, edge in (("quadrilaterals", 0.02, 0.05), ("quadrilaterals", 0.02, 0.053), ("quadrilaterals", 0.01, 0.058),
+                              ("triangles", 0.02, 0.053)):
+        run = bench.run("bent_strip", strip_over_block(kind, width, edge))
+        runs.append(run)
+        label = f"{kind} of {1000 * width:g} mm, edge at {1000 * edge:g} mm"
+        checks += [at_most(f"{label}: penetration over the thickness", np.max(run["penetration"]) / 0.001, 0.1),
+                   at_most(f"{label}: energy given out by contact over the work", given_out(run), 0.01)]
+    return checks + balances(runs, has_friction=True)
+
+
+@case()
+def drawn_cup(bench):
+    checks, runs = [], []
+    for kind, form, depth in (("quadrilaterals", "face_face", 0.5), ("triangles", "face_face", 0.1),
+                              ("quadrilaterals", "node_face", 0.1)):
+        run = bench.run("drawn_cup", press_with_blank(kind), form=form)
+        runs.append(run)
+        blank = run.nodes_of(1)
+        under = blank[np.max(np.abs(run.start[blank, :2]), axis=1) < 0.05]
+        above = np.max(run.nodal("coordinates")[-1, under, 2]) - (0.0011 - 0.06 - 0.0005)
+        checks += [at_most(f"{kind}, {form}: penetration over the thickness", np.max(run["penetration"]) / 0.001, depth),
+                   at_most(f"{kind}, {form}: way of the blank into the punch over the thickness", max(0.0, above / 0.001), 0.1),
+                   at_most(f"{kind}, {form}: energy given out by contact over the work", given_out(run), 0.01)]
+    return checks + balances(runs, has_friction=True)
 
 
 @case()
