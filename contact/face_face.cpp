@@ -145,6 +145,12 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   return contact;
 }
 
+bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
+                      double reach) {
+  const auto pair = project_pair(first, second);
+  return pair && is_uncut(*pair, reach, penalty.depth);
+}
+
 std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second) {
   auto pair = project_pair(first, second);
   if (!pair || !boxes_meet(pair->first, pair->second)) return std::nullopt;

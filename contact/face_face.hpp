@@ -60,12 +60,18 @@ struct FaceFaceContact {
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
                                        const PairPenalty& penalty, double reach);
 
+/// Whether two faces look at each other, and no part of both lies on the other side of where the gap closes
+/// than the rest, or out of reach.
+bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
+                      double reach);
+
 /// Which part of an overlap is constrained, by the gaps at the end of the coming step.
 struct ConstraintReach {
   double ahead = 0.0;   ///< the coming step [time]
   double margin = 0.0;  ///< gaps up to it count as closed, > 0 [length]
   double near = 0.0;    ///< where no gap closes those up to it may close soon, >= margin [length]
   double depth = 0.0;   ///< what lies deeper is another wall [length]
+  double flat = 0.0;    ///< warp up to which a quadrilateral counts as flat [length]
 };
 
 /// The part of an overlap that one corner of a face has; of a small overlap all of it.
@@ -91,9 +97,7 @@ struct FaceFaceConstraints {
 /// face is one point. Seen along the normal both sides of a point coincide now, so that equal and opposite
 /// forces leave no moment. Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
 ///
-/// Warped quadrilaterals that are near in part count as four triangles about their mean, each with its own
-/// normal: that of the middle is not square to the edges, so that what slides along an edge would sink in,
-/// and what the corner of one face cuts out of another would not be found by gaps at corners alone.
+/// Warped quadrilaterals that are near in part count as their Facets.
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintReach& reach);
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "contact/facets.hpp"
 #include "contact/projected_pair.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// A quadrilateral that is less out of its plane than this many times the gap that counts as closed is flat.
-constexpr double flat_margins = 20.0;
-
 /// Part of an overlap from which on it has a point for each corner of the smaller face, and below which it
 /// has none, over that face's area.
 constexpr double large = 0.5, negligible = 1e-6;
+
+/// Points of one overlap at most.
+constexpr std::size_t most_parts = 4;
 
 /// The shape functions of a face's corners.
 std::span<const FaceFunction> shape_functions(bool is_triangle) {
@@ -25,38 +25,6 @@ std::span<const FaceFunction> shape_functions(bool is_triangle) {
                                                               {0.25, -0.25, 0.25, -0.25}}};
   if (is_triangle) return triangle;
   return quadrilateral;
-}
-
-/// A face, or of a warped quadrilateral the triangle between two of its corners and the mean of all.
-struct Facet {
-  MovingFace face;
-  std::array<Eigen::Index, 2> corners{};  ///< of the quadrilateral
-  bool is_whole = true;
-
-  /// The shares that the corners of the face have of those of the facet's.
-  Eigen::Vector4d to_face(const Eigen::Vector4d& shares) const {
-    if (is_whole) return shares;
-    Eigen::Vector4d of_face = Eigen::Vector4d::Constant(0.25 * shares[2]);
-    of_face[corners[0]] += shares[0];
-    of_face[corners[1]] += shares[1];
-    return of_face;
-  }
-};
-
-Facet make_facet(const MovingFace& face, Eigen::Index corner) {
-  const Eigen::Index next = (corner + 1) % 4;
-  const auto part = [&](const FaceCorners& all) {
-    const Eigen::Vector3d mean = all.rowwise().mean();
-    FaceCorners of_facet;
-    of_facet << all.col(corner), all.col(next), mean, mean;
-    return of_facet;
-  };
-  return {{part(face.x), part(face.v), true, face.sharpness}, {corner, next}, false};
-}
-
-double warp_of(const MovingFace& face, const Eigen::Vector3d& normal) {
-  if (face.is_triangle) return 0.0;
-  return 0.25 * std::abs(normal.dot(face.x.col(0) - face.x.col(1) + face.x.col(2) - face.x.col(3)));
 }
 
 /// The part of an overlap that a corner has, by its shape function on one of the faces; all of it without
@@ -115,17 +83,15 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
   FaceFaceConstraints found;
   auto pair = project_pair(first, second, reach.ahead);
   if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
-  const double flat = flat_margins * reach.margin;
-  const bool is_warped_1 = warp_of(first, pair->plane.normal) > flat,
-             is_warped_2 = warp_of(second, pair->plane.normal) > flat;
-  if (is_whole_near(*pair, reach) || (!is_warped_1 && !is_warped_2)) {
+  const Facets facets_1(first, reach.flat), facets_2(second, reach.flat);
+  if (is_whole_near(*pair, reach) || (!facets_1.are_many() && !facets_2.are_many())) {
     add_points(first, second, reach, *pair, found);
     return found;
   }
-  for (Eigen::Index i = 0; i < (is_warped_1 ? 4 : 1); ++i) {
-    const Facet a = is_warped_1 ? make_facet(first, i) : Facet{first};
-    for (Eigen::Index k = 0; k < (is_warped_2 ? 4 : 1); ++k) {
-      const Facet b = is_warped_2 ? make_facet(second, k) : Facet{second};
+  std::size_t part = 0;
+  for (const Facet& a : facets_1.all()) {
+    for (const Facet& b : facets_2.all()) {
+      part += most_parts;
       auto facets = project_pair(a.face, b.face, reach.ahead);
       if (!facets || !is_near(*facets, std::max(reach.near, reach.margin), reach.depth)) continue;
       const std::size_t n_before = found.n;
@@ -133,7 +99,7 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
       for (OverlapShare& point : std::span(found.points).subspan(n_before, found.n - n_before)) {
         point.weights_1 = a.to_face(point.weights_1);
         point.weights_2 = b.to_face(point.weights_2);
-        point.part = static_cast<std::uint8_t>(point.part + 4 * (1 + i + 4 * k));
+        point.part = static_cast<std::uint8_t>(part + point.part);
       }
     }
   }

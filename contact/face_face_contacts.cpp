@@ -120,7 +120,7 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   if (rule.is_balanced != scene.balances) return;
   const bool did_touch = touched_[candidate.place] != 0;
   touched_[candidate.place] = 0;
-  const double margin = scene.balances ? closed_margin(candidate) : 0.0;
+  const double margin = scene.balances ? closed_share * thinner(candidate) : 0.0;
   if (!may_touch(a, b, std::max(reach, margin)) || !scene.looks_at(rule) || rule.law == ContactLaw::tied)
     return;
   if (rule.law != ContactLaw::sliding && scene.glued.holds_faces(candidate.first, candidate.second)) return;
@@ -136,36 +136,69 @@ void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& cand
   const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
   if (scene.balances) {
     const double depth = penalty.depth + 1.5 * closing * scene.coming_dt;
-    return find_constraints(scene, candidate, first, second, {scene.coming_dt, margin, reach, depth},
+    return find_constraints(scene, candidate, first, second,
+                            {scene.coming_dt, margin, reach, depth, flat_share * thinner(candidate)},
                             did_touch, records);
   }
   penalty.closing = closed;
-  const FaceFaceContact contact = find_face_face_contact(first, second, penalty, reach);
+  find_penalty(scene, candidate, {first, second, penalty, reach, did_touch}, records);
+}
+
+void FaceFaceContacts::find_penalty(const ContactScene& scene, const Candidate& candidate,
+                                    const PenaltyPush& push, std::vector<ContactRecord>& records) {
+  const std::size_t n_before = records.size();
+  const double flat = flat_share * thinner(candidate);
+  const Facets facets_1(push.first, flat), facets_2(push.second, flat);
+  const bool is_split = (facets_1.are_many() || facets_2.are_many()) &&
+                        !is_contact_uncut(push.first, push.second, push.penalty, push.reach);
+  if (is_split) {
+    for (const Facet& a : facets_1.all()) {
+      for (const Facet& b : facets_2.all()) add_penalty(scene, candidate, push, a, b, records);
+    }
+  } else {
+    add_penalty(scene, candidate, push, {push.first}, {push.second}, records);
+  }
+  if (!(candidate.rule.friction > 0.0)) return;
+  // Facets share the slip that is held: the mean by area.
+  double area = 0.0;
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const ContactRecord& record : std::span(records).subspan(n_before)) {
+    if (!record.touches()) continue;
+    area += record.area;
+    mean += record.area / area * (record.elastic - mean);
+  }
+  if (area > 0.0) elastic_[candidate.place] = mean;
+}
+
+/// Adds the contact of a facet of each face by the elastic penalty.
+void FaceFaceContacts::add_penalty(const ContactScene& scene, const Candidate& candidate,
+                                   const PenaltyPush& push, const Facet& a, const Facet& b,
+                                   std::vector<ContactRecord>& records) {
+  FaceFaceContact contact = find_face_face_contact(a.face, b.face, push.penalty, push.reach);
   if (!contact.overlaps) return;
+  contact.weights_1 = a.to_face(contact.weights_1);
+  contact.weights_2 = b.to_face(contact.weights_2);
   const Eigen::Vector3d apart =
-      velocity_at(first, contact.weights_1) - velocity_at(second, contact.weights_2);
-  if (contact.force > 0.0 && !did_touch &&
-      !met_in_front(scene, candidate, contact, -apart.dot(contact.normal) * scene.dt))
-    return;
-
-  if (contact.force > 0.0 && !did_touch && is_at_flush_rim(scene, candidate.first, candidate.second, contact))
-    return;
-
+      velocity_at(push.first, contact.weights_1) - velocity_at(push.second, contact.weights_2);
+  if (contact.force > 0.0 && !push.did_touch) {
+    const double closed = -apart.dot(contact.normal) * scene.dt;
+    if (!met_in_front(scene, candidate, contact, closed)) return;
+    if (is_at_flush_rim(scene, candidate.first, candidate.second, contact)) return;
+  }
   ContactRecord& record = records.emplace_back(make_record(candidate, contact));
   record.damped = contact.damped_power * scene.dt;
   if (!record.touches()) return;
   touched_[candidate.place] = 1;
+  const PairRule& rule = candidate.rule;
   if (!(rule.friction > 0.0)) return;
   record.slip = apart * scene.dt;
-  if (!did_touch) elastic_[candidate.place] = mean_slip(candidate);
-  record.elastic = elastic_[candidate.place];
-  add_friction(penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), record);
-  elastic_[candidate.place] = record.elastic;
+  record.elastic = push.did_touch ? elastic_[candidate.place] : mean_slip(candidate);
+  add_friction(push.penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), record);
 }
 
-double FaceFaceContacts::closed_margin(const Candidate& candidate) const {
-  return closed_share * std::min(faces_.faces[candidate.first].backing.thickness,
-                                 faces_.faces[candidate.second].backing.thickness);
+double FaceFaceContacts::thinner(const Candidate& candidate) const {
+  return std::min(faces_.faces[candidate.first].backing.thickness,
+                  faces_.faces[candidate.second].backing.thickness);
 }
 
 void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candidate& candidate,
@@ -245,8 +278,7 @@ bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& 
                                     const FaceFaceContact& contact, double closed) const {
   // Before the first step nobody knows: what is wider than deep is pushed out.
   if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
-  const double thickness = std::min(faces_.faces[candidate.first].backing.thickness,
-                                    faces_.faces[candidate.second].backing.thickness);
+  const double thickness = thinner(candidate);
   if (contact.gap + closed > -shallow_depth * thickness) return true;
   // One that slides on from another partner may be about as deep as it was there, but not behind a far wall.
   const double before = depth_before(candidate);

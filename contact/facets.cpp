@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/facets.hpp"
+
+#include <cmath>
+
+namespace contactsim {
+
+namespace {
+
+double warp_of(const MovingFace& face) {
+  if (face.is_triangle) return 0.0;
+  const FaceCorners& x = face.x;
+  return 0.25 * std::abs(face.normal().dot((x.col(0) - x.col(1)) + (x.col(2) - x.col(3))));
+}
+
+Facet make_facet(const MovingFace& face, Eigen::Index corner) {
+  const Eigen::Index next = (corner + 1) % 4;
+  const auto part = [&](const FaceCorners& all) {
+    const Eigen::Vector3d mean = all.rowwise().mean();
+    FaceCorners of_facet;
+    of_facet << all.col(corner), all.col(next), mean, mean;
+    return of_facet;
+  };
+  return {{part(face.x), part(face.v), true, face.sharpness}, {corner, next}, false};
+}
+
+}  // namespace
+
+Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
+  if (is_whole) return shares;
+  Eigen::Vector4d of_face = Eigen::Vector4d::Constant(0.25 * shares[2]);
+  of_face[corners[0]] += shares[0];
+  of_face[corners[1]] += shares[1];
+  return of_face;
+}
+
+Facets::Facets(const MovingFace& face, double flat) {
+  if (warp_of(face) <= flat) {
+    facets_[0].face = face;
+    return;
+  }
+  n_ = 4;
+  for (Eigen::Index k = 0; k < 4; ++k) facets_[static_cast<std::size_t>(k)] = make_facet(face, k);
+}
+
+}  // namespace contactsim
