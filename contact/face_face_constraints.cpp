@@ -83,11 +83,11 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
   FaceFaceConstraints found;
   auto pair = project_pair(first, second, reach.ahead);
   if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
-  const Facets facets_1(first, reach.flat), facets_2(second, reach.flat);
-  if (is_whole_near(*pair, reach) || (!facets_1.are_many() && !facets_2.are_many())) {
+  if (is_whole_near(*pair, reach) || !(is_warped(first, reach.flat) || is_warped(second, reach.flat))) {
     add_points(first, second, reach, *pair, found);
     return found;
   }
+  const Facets facets_1(first, reach.flat), facets_2(second, reach.flat);
   std::size_t part = 0;
   for (const Facet& a : facets_1.all()) {
     for (const Facet& b : facets_2.all()) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact/contact_place.hpp"
+#include "contact/facets.hpp"
 #include "contact/flush_rims.hpp"
 #include "contact/friction.hpp"
 #include "contact/gap_pull.hpp"
@@ -148,15 +149,21 @@ void FaceFaceContacts::find_penalty(const ContactScene& scene, const Candidate& 
                                     const PenaltyPush& push, std::vector<ContactRecord>& records) {
   const std::size_t n_before = records.size();
   const double flat = flat_share * thinner(candidate);
-  const Facets facets_1(push.first, flat), facets_2(push.second, flat);
-  const bool is_split = (facets_1.are_many() || facets_2.are_many()) &&
+  const bool is_split = (is_warped(push.first, flat) || is_warped(push.second, flat)) &&
                         !is_contact_uncut(push.first, push.second, push.penalty, push.reach);
   if (is_split) {
+    const Facets facets_1(push.first, flat), facets_2(push.second, flat);
     for (const Facet& a : facets_1.all()) {
-      for (const Facet& b : facets_2.all()) add_penalty(scene, candidate, push, a, b, records);
+      for (const Facet& b : facets_2.all()) {
+        FaceFaceContact contact = find_face_face_contact(a.face, b.face, push.penalty, push.reach);
+        contact.weights_1 = a.to_face(contact.weights_1);
+        contact.weights_2 = b.to_face(contact.weights_2);
+        add_penalty(scene, candidate, push, contact, records);
+      }
     }
   } else {
-    add_penalty(scene, candidate, push, {push.first}, {push.second}, records);
+    const auto contact = find_face_face_contact(push.first, push.second, push.penalty, push.reach);
+    add_penalty(scene, candidate, push, contact, records);
   }
   if (!(candidate.rule.friction > 0.0)) return;
   // Facets share the slip that is held: the mean by area.
@@ -170,14 +177,10 @@ void FaceFaceContacts::find_penalty(const ContactScene& scene, const Candidate& 
   if (area > 0.0) elastic_[candidate.place] = mean;
 }
 
-/// Adds the contact of a facet of each face by the elastic penalty.
 void FaceFaceContacts::add_penalty(const ContactScene& scene, const Candidate& candidate,
-                                   const PenaltyPush& push, const Facet& a, const Facet& b,
+                                   const PenaltyPush& push, const FaceFaceContact& contact,
                                    std::vector<ContactRecord>& records) {
-  FaceFaceContact contact = find_face_face_contact(a.face, b.face, push.penalty, push.reach);
   if (!contact.overlaps) return;
-  contact.weights_1 = a.to_face(contact.weights_1);
-  contact.weights_2 = b.to_face(contact.weights_2);
   const Eigen::Vector3d apart =
       velocity_at(push.first, contact.weights_1) - velocity_at(push.second, contact.weights_2);
   if (contact.force > 0.0 && !push.did_touch) {

@@ -4,7 +4,6 @@
 #include "contact/contact_place.hpp"
 #include "contact/contact_renumbering.hpp"
 #include "contact/contact_scene.hpp"
-#include "contact/facets.hpp"
 #include "contact/pair_lists.hpp"
 
 namespace contactsim {
@@ -66,7 +65,7 @@ class FaceFaceContacts {
   void find_penalty(const ContactScene& scene, const Candidate& candidate, const PenaltyPush& push,
                     std::vector<ContactRecord>& records);
   void add_penalty(const ContactScene& scene, const Candidate& candidate, const PenaltyPush& push,
-                   const Facet& a, const Facet& b, std::vector<ContactRecord>& records);
+                   const FaceFaceContact& contact, std::vector<ContactRecord>& records);
   /// The contact points of a pair that is enforced by momentum balance.
   void find_constraints(const ContactScene& scene, const Candidate& candidate, const MovingFace& first,
                         const MovingFace& second, const ConstraintReach& reach, bool did_touch,

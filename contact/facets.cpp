@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/facets.hpp"
 
-#include <cmath>
-
 namespace contactsim {
 
 namespace {
-
-double warp_of(const MovingFace& face) {
-  if (face.is_triangle) return 0.0;
-  const FaceCorners& x = face.x;
-  return 0.25 * std::abs(face.normal().dot((x.col(0) - x.col(1)) + (x.col(2) - x.col(3))));
-}
 
 Facet make_facet(const MovingFace& face, Eigen::Index corner) {
   const Eigen::Index next = (corner + 1) % 4;
@@ -26,6 +18,13 @@ Facet make_facet(const MovingFace& face, Eigen::Index corner) {
 
 }  // namespace
 
+bool is_warped(const MovingFace& face, double flat) {
+  if (face.is_triangle) return false;
+  const Eigen::Vector3d area = area_vector(face.x);
+  const double height = 0.25 * area.dot((face.x.col(0) - face.x.col(1)) + (face.x.col(2) - face.x.col(3)));
+  return height * height > flat * flat * area.squaredNorm();
+}
+
 Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
   if (is_whole) return shares;
   Eigen::Vector4d of_face = Eigen::Vector4d::Constant(0.25 * shares[2]);
@@ -35,7 +34,7 @@ Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
 }
 
 Facets::Facets(const MovingFace& face, double flat) {
-  if (warp_of(face) <= flat) {
+  if (!is_warped(face, flat)) {
     facets_[0].face = face;
     return;
   }

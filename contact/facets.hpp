@@ -18,6 +18,9 @@ struct Facet {
   Eigen::Vector4d to_face(const Eigen::Vector4d& shares) const;
 };
 
+/// Whether a quadrilateral is out of its plane by more than this height [length].
+bool is_warped(const MovingFace& face, double flat);
+
 /// The facets of a face: four of a warped quadrilateral, else the face itself. Each of the four has a normal
 /// of its own: that in the middle of the quadrilateral is not square to its edges, so that what slides along
 /// an edge would sink in; and gaps between two of them are linear, so that what rises between the corners of
@@ -28,7 +31,6 @@ class Facets {
   Facets(const MovingFace& face, double flat);
 
   std::span<const Facet> all() const { return {facets_.data(), n_}; }
-  bool are_many() const { return n_ > 1; }
 
  private:
   std::size_t n_ = 1;
