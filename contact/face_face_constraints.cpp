@@ -88,10 +88,9 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
     return found;
   }
   const Facets facets_1(first, reach.flat), facets_2(second, reach.flat);
-  std::size_t part = 0;
   for (const Facet& a : facets_1.all()) {
     for (const Facet& b : facets_2.all()) {
-      part += most_parts;
+      const std::size_t part = most_parts * (Facet::n_numbers * a.number + b.number);
       auto facets = project_pair(a.face, b.face, reach.ahead);
       if (!facets || !is_near(*facets, std::max(reach.near, reach.margin), reach.depth)) continue;
       const std::size_t n_before = found.n;

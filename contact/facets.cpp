@@ -13,7 +13,7 @@ Facet make_facet(const MovingFace& face, Eigen::Index corner) {
     of_facet << all.col(corner), all.col(next), mean, mean;
     return of_facet;
   };
-  return {{part(face.x), part(face.v), true, face.sharpness}, {corner, next}, false};
+  return {{part(face.x), part(face.v), true, face.sharpness}, static_cast<std::size_t>(corner) + 1};
 }
 
 }  // namespace
@@ -26,10 +26,10 @@ bool is_warped(const MovingFace& face, double flat) {
 }
 
 Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
-  if (is_whole) return shares;
+  if (number == 0) return shares;
   Eigen::Vector4d of_face = Eigen::Vector4d::Constant(0.25 * shares[2]);
-  of_face[corners[0]] += shares[0];
-  of_face[corners[1]] += shares[1];
+  of_face[static_cast<Eigen::Index>(number - 1)] += shares[0];
+  of_face[static_cast<Eigen::Index>(number % 4)] += shares[1];
   return of_face;
 }
 

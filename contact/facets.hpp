@@ -10,9 +10,10 @@ namespace contactsim {
 
 /// A face, or of a warped quadrilateral the triangle between two of its corners and the mean of all.
 struct Facet {
+  static constexpr std::size_t n_numbers = 5;
+
   MovingFace face;
-  std::array<Eigen::Index, 2> corners{};  ///< of the quadrilateral
-  bool is_whole = true;
+  std::size_t number = 0;  ///< from 1 in a quadrilateral; 0 of a whole face
 
   /// The shares that the corners of the face have of those of the facet's [1].
   Eigen::Vector4d to_face(const Eigen::Vector4d& shares) const;
