@@ -38,10 +38,6 @@ void add(const Eigen::Vector3d& x, Box& box) {
   }
 }
 
-bool is_solid(const Mesh& mesh, ElementSide side) {
-  return topology(mesh.blocks()[mesh.block_of(side.element())].shape).family == Family::solid;
-}
-
 }  // namespace
 
 DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts)
@@ -90,12 +86,15 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
                                                              std::span<const Box> boxes) const {
   std::vector<Volume> near;
   Volume volume;
+  // Most bodies of a mesh have nothing near: they cost no corners.
+  const auto may_be_near = [&](std::uint32_t body) {
+    const std::uint32_t number = number_of_body_[body];
+    return number != none && boxes[number].lo[0] <= boxes[number].hi[0];
+  };
   const auto add_if_near = [&](std::size_t n_corners) {
-    const std::uint32_t body = number_of_body_[volume.body];
-    if (body == none) return;
     Box own = empty_box();
     for (std::size_t k = 0; k < n_corners; ++k) add(volume.corners.col(static_cast<Eigen::Index>(k)), own);
-    if (do_overlap(own, boxes[body])) near.push_back(volume);
+    if (do_overlap(own, boxes[number_of_body_[volume.body]])) near.push_back(volume);
   };
   for (const ElementBlock& block : mesh_.blocks()) {
     if (topology(block.shape).family != Family::solid) continue;
@@ -104,6 +103,7 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
     for (std::uint32_t e = 0; e < block.n_elements; ++e) {
       const auto nodes = block.element_nodes(e);
       volume.body = bodies_[nodes[0].value];
+      if (!may_be_near(volume.body)) continue;
       for (std::size_t k = 0; k < n_corners; ++k)
         volume.corners.col(static_cast<Eigen::Index>(k)) = coordinates.col(nodes[k].value);
       add_if_near(n_corners);
@@ -114,6 +114,7 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
     const std::size_t n = is_triangle ? 3 : 4;
     volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
     volume.body = bodies_[faces().mesh_nodes[loft[0]]];
+    if (!may_be_near(volume.body)) continue;
     for (std::size_t k = 0; k < n; ++k) {
       volume.corners.col(static_cast<Eigen::Index>(k)) = surface.x(loft[k]);
       volume.corners.col(static_cast<Eigen::Index>(k + n)) = surface.x(loft[k + 4]);

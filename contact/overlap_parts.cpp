@@ -11,10 +11,6 @@ namespace contactsim {
 
 namespace {
 
-bool is_solid(const Mesh& mesh, ElementSide side) {
-  return topology(mesh.blocks()[mesh.block_of(side.element())].shape).family == Family::solid;
-}
-
 std::vector<OverlapFace> measure_faces(const MovingSurface& start, const Mesh& mesh) {
   std::vector<OverlapFace> measured;
   for (const ContactFace& face : start.faces().faces) {
@@ -45,6 +41,10 @@ std::vector<OverlapNode> measure_nodes(const MovingSurface& start, std::span<con
 }
 
 }  // namespace
+
+bool is_solid(const Mesh& mesh, ElementSide side) {
+  return topology(mesh.blocks()[mesh.block_of(side.element())].shape).family == Family::solid;
+}
 
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
                                 const Mesh& mesh) {

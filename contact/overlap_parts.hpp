@@ -35,6 +35,9 @@ struct OverlapParts {
   }
 };
 
+/// Whether the element of a side is a solid.
+bool is_solid(const Mesh& mesh, ElementSide side);
+
 /// Gathers the parts of a mesh.
 ///   definition  of the model
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
