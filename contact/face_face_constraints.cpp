@@ -13,8 +13,8 @@ namespace {
 /// has none, over that face's area.
 constexpr double large = 0.5, negligible = 1e-6;
 
-/// Points of one overlap at most.
-constexpr std::size_t most_parts = 4;
+/// Numbers of the points of one overlap: corners of the first face, of the second, all of it.
+constexpr std::uint8_t first_corners = 0, second_corners = 4, whole_overlap = 8, n_parts = 9;
 
 /// The shape functions of a face's corners.
 std::span<const FaceFunction> shape_functions(bool is_triangle) {
@@ -41,7 +41,7 @@ OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, co
     add_moments(f, batch.xi_2, batch.eta_2, on_second);
   }
   return {on_first[0], pair.plane.normal, corner_shares(on_first, pair.map_1.is_triangle) / on_first[0],
-          corner_shares(on_second, pair.map_2.is_triangle) / on_first[0], 0};
+          corner_shares(on_second, pair.map_2.is_triangle) / on_first[0], whole_overlap};
 }
 
 /// The points of two faces whose heights over the plane are, or count as, linear between their corners.
@@ -71,7 +71,7 @@ void add_points(const MovingFace& first, const MovingFace& second, const Constra
   const auto shapes = shape_functions(is_of_first ? first.is_triangle : second.is_triangle);
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     OverlapShare share = share_of(pair, points, &shapes[k], is_of_first);
-    share.part = static_cast<std::uint8_t>(k);
+    share.part = static_cast<std::uint8_t>((is_of_first ? first_corners : second_corners) + k);
     if (share.area > negligible * points.area) found.add(share);
   }
 }
@@ -90,7 +90,7 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
   const Facets facets_1(first, reach.flat), facets_2(second, reach.flat);
   for (const Facet& a : facets_1.all()) {
     for (const Facet& b : facets_2.all()) {
-      const std::size_t part = most_parts * (Facet::n_numbers * a.number + b.number);
+      const std::size_t part = n_parts * (Facet::n_numbers * a.number + b.number);
       auto facets = project_pair(a.face, b.face, reach.ahead);
       if (!facets || !is_near(*facets, std::max(reach.near, reach.margin), reach.depth)) continue;
       const std::size_t n_before = found.n;

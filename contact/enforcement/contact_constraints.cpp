@@ -414,6 +414,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   point.force += force;
   ContactMemory::Entry entry{force / point.area};
   const double left = -(row.start + point.normal.dot(changed));
+  entry.area = point.area;
   entry.left = std::clamp(left, 0.0, most_made_up * force * row.softness);
   if (row.grip != none) {
     Grip& grip = grips_[row.grip];

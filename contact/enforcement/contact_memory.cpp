@@ -25,16 +25,26 @@ bool ContactMemory::recall(const ContactRecord& point, Entry& found) {
     found = entries_[cursor_];
     return true;
   }
-  const auto is_of_place = [&](const Place& place) {
+  const auto is_of_first = [&](const Place& place) {
     return place.kind == wanted.kind && place.first == wanted.first;
   };
+  const auto is_of_pair = [&](const Place& place) {
+    return is_of_first(place) && place.second == wanted.second;
+  };
+  return find_mean(is_of_pair, found) || find_mean(is_of_first, found);
+}
+
+/// The mean over area of the entries about the cursor that are of a place.
+template <class IsOfPlace>
+bool ContactMemory::find_mean(const IsOfPlace& is_of_place, Entry& found) const {
   std::size_t begin = cursor_, end = cursor_;
   while (begin > 0 && is_of_place(entries_[begin - 1])) --begin;
   while (end < entries_.size() && is_of_place(entries_[end])) ++end;
   if (begin == end) return false;
   found = {};
-  const double share = 1.0 / static_cast<double>(end - begin);
+  for (std::size_t i = begin; i < end; ++i) found.area += entries_[i].area;
   for (std::size_t i = begin; i < end; ++i) {
+    const double share = entries_[i].area / found.area;
     found.pressure += share * entries_[i].pressure;
     found.traction += share * entries_[i].traction;
     found.held += share * entries_[i].held;
@@ -68,7 +78,7 @@ void ContactMemory::renumber(const ContactRenumbering& places) {
 void ContactMemory::archive(StateArchive& saved) {
   saved.rows("contact/points", entries_, [](PlacedEntry& known, RowNumbers& row) {
     row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held,
-        known.left);
+        known.left, known.area);
   });
   cursor_ = 0;
 }

@@ -21,10 +21,12 @@ class ContactMemory {
     Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< tangential force over area
     Eigen::Vector3d held = Eigen::Vector3d::Zero();      ///< slip that friction holds [length]
     double left = 0.0;                                   ///< penetration that the passes have left [length]
+    double area = 0.0;                                   ///< [length^2]
   };
 
-  /// What is known of a contact point. A new one takes over the mean of what its first place is known by.
-  /// Quick where points are asked for in ascending order. Returns false when nothing is known.
+  /// What is known of a contact point. A new one takes over the mean over area of what is known of its pair
+  /// of places, or else of its first place. Quick where points are asked for in ascending order. Returns
+  /// false when nothing is known.
   bool recall(const ContactRecord& point, Entry& found);
 
   /// Forgets all, and remembers the points that follow.
@@ -47,6 +49,8 @@ class ContactMemory {
   struct PlacedEntry : Place, Entry {};
 
   static Place place_of(const ContactRecord& point);
+  template <class IsOfPlace>
+  bool find_mean(const IsOfPlace& is_of_place, Entry& found) const;
 
   std::vector<PlacedEntry> entries_;  // ascending by key
   std::size_t cursor_ = 0;            // first one that is not before what was asked for last

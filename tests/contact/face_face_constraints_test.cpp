@@ -3,6 +3,7 @@
 #include "contact/face_face.hpp"
 
 #include <cmath>
+#include <set>
 
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"
@@ -43,6 +44,21 @@ TEST_CASE("flat faces have a point for each corner of the smaller one", "[contac
     CHECK((point.normal - Vector3d(0, 0, 1)).norm() < 1e-14);
   }
   CHECK(area == Approx(0.25));
+}
+
+TEST_CASE("points of one overlap have numbers of their own, whichever face is the smaller one",
+          "[contact][face_face]") {
+  const MovingFace large = make_square(0.0, 0.0, true), small = make_square(0.25, -0.01, false, 0.5);
+  const MovingFace aside = make_square(0.9, -0.01, false, 0.5);
+  const FaceFaceConstraints of_first = points_of(small, large), of_second = points_of(large, small),
+                            whole = points_of(aside, large);
+  REQUIRE(of_first.n == 4);
+  REQUIRE(of_second.n == 4);
+  REQUIRE(whole.n == 1);
+  std::set<int> numbers{whole.points[0].part};
+  for (const OverlapShare& point : of_first.all()) numbers.insert(point.part);
+  for (const OverlapShare& point : of_second.all()) numbers.insert(point.part);
+  CHECK(numbers.size() == 9);
 }
 
 TEST_CASE("what rises from a warped face between the corners of another one is found",

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/contact_memory.hpp"
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+using Eigen::Vector3d;
+
+namespace {
+
+/// A contact point of two faces.
+ContactRecord point(std::uint32_t first, std::uint32_t second, std::uint8_t part) {
+  ContactRecord record;
+  record.first_place = first;
+  record.second_place = second;
+  record.part = part;
+  record.first.nodes = {0, 1, 2, 3};
+  record.second.weights = Eigen::Vector4d::Constant(0.25);
+  return record;
+}
+
+/// Two points of faces 0 and 5, one of faces 0 and 7, one of faces 1 and 5.
+ContactMemory some_points() {
+  ContactMemory memory;
+  memory.begin();
+  memory.remember(point(0, 5, 0), {10.0, Vector3d(1, 0, 0), Vector3d(0, 1, 0), 0.1, 3.0});
+  memory.remember(point(0, 5, 1), {20.0, Vector3d(2, 0, 0), Vector3d(0, 2, 0), 0.2, 1.0});
+  memory.remember(point(0, 7, 0), {100.0, Vector3d::Zero(), Vector3d::Zero(), 0.0, 4.0});
+  memory.remember(point(1, 5, 0), {7.0, Vector3d::Zero(), Vector3d::Zero(), 0.0, 1.0});
+  memory.end();
+  return memory;
+}
+
+}  // namespace
+
+TEST_CASE("a contact point is known by its own number", "[contact][enforcement]") {
+  ContactMemory memory = some_points();
+  ContactMemory::Entry found;
+  REQUIRE(memory.recall(point(0, 5, 1), found));
+  CHECK(found.pressure == 20.0);
+  CHECK(found.traction == Vector3d(2, 0, 0));
+  CHECK(found.held == Vector3d(0, 2, 0));
+  CHECK(found.left == 0.2);
+}
+
+TEST_CASE("a new contact point takes over the mean over area of its pair, else of its first face",
+          "[contact][enforcement]") {
+  ContactMemory memory = some_points();
+  ContactMemory::Entry found;
+  REQUIRE(memory.recall(point(0, 5, 8), found));
+  CHECK(found.pressure == Approx((3.0 * 10.0 + 1.0 * 20.0) / 4.0));
+  CHECK(found.traction.x() == Approx(1.25));
+  CHECK(found.held.y() == Approx(1.25));
+  CHECK(found.left == Approx(0.125));
+  // Asked for out of order, and of a pair that was not there: 3, 1 and 4 of area.
+  REQUIRE(memory.recall(point(0, 6, 0), found));
+  CHECK(found.pressure == Approx((3.0 * 10.0 + 1.0 * 20.0 + 4.0 * 100.0) / 8.0));
+  CHECK_FALSE(memory.recall(point(2, 5, 0), found));
+}
