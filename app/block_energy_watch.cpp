@@ -65,13 +65,14 @@ std::vector<NegativeEnergy> BlockEnergyWatch::look(const State& state) {
   if (!(largest > energy_of_round_off(model_, state.dt))) return found;
   for (std::size_t i = 0; i < model_.blocks.size(); ++i) {
     const ModelBlock& block = model_.blocks[i];
-    if (blocks_[i].is_told || !has_stress(block)) continue;
-    const double of_stress = stress_work(block, state.blocks[i]);
-    const double of_hourglasses = state.blocks[i].hourglass_work;
-    const bool is_of_hourglasses = of_hourglasses < -worrying_share * largest;
-    if (!is_of_hourglasses && of_stress >= -blocks_[i].reserve - worrying_share * largest) continue;
-    blocks_[i].is_told = true;
-    found.push_back({block.mesh_block, is_of_hourglasses ? of_hourglasses : of_stress, is_of_hourglasses});
+    if (blocks_[i].is_reported || !has_stress(block)) continue;
+    const double stress_energy = stress_work(block, state.blocks[i]);
+    const double hourglass_energy = state.blocks[i].hourglass_work;
+    const bool is_of_hourglasses = hourglass_energy < -worrying_share * largest;
+    if (!is_of_hourglasses && stress_energy >= -blocks_[i].reserve - worrying_share * largest) continue;
+    blocks_[i].is_reported = true;
+    found.push_back(
+        {block.mesh_block, is_of_hourglasses ? hourglass_energy : stress_energy, is_of_hourglasses});
   }
   return found;
 }

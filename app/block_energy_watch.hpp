@@ -35,7 +35,7 @@ class BlockEnergyWatch {
  private:
   struct Watched {
     double reserve;  ///< that stresses may give out beyond the work done on them [energy]
-    bool is_told = false;
+    bool is_reported = false;
   };
 
   const Model& model_;

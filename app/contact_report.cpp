@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "app/counted.hpp"
+#include "app/pluralize.hpp"
 #include "contact/friction_words.hpp"
 
 namespace contactsim {
@@ -99,8 +99,9 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     if (!holds_at_start(contact.pairs[i].law)) continue;
-    text += fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(contact.pairs[i].law),
-                        names_of(contact.pairs[i], contact), counted(areas[i].n_ties, "tie"), areas[i].area);
+    text +=
+        fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(contact.pairs[i].law),
+                    names_of(contact.pairs[i], contact), pluralize(areas[i].n_ties, "tie"), areas[i].area);
   }
   const auto& faces = force.faces().faces;
   if (faces.empty()) return text;
@@ -152,11 +153,11 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
 }
 
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
-  std::set<std::string> told;
+  std::set<std::string> reported;
   for (const SurfacePair& pair : contact.pairs) {
     if (pair.enforcement == Enforcement::penalty) continue;
     if (pair.penalty_scale == 1.0 && pair.damping_fraction == 0.0) continue;
-    if (!told.insert(to_string(pair.location)).second) continue;
+    if (!reported.insert(to_string(pair.location)).second) continue;
     const bool is_scale = pair.penalty_scale != 1.0;
     warnings.add_warning("penalty-without-effect", pair.location,
                          fmt::format("{} has no effect where momentum is balanced",
@@ -193,11 +194,11 @@ std::string format_contact(const ContactForce& contact) {
   const ContactSearch& search = contact.search();
   const BroadPhaseCounts &faces = search.face_counts(), &nodes = search.node_counts();
   std::string text = "\nContact search\n";
-  text +=
-      fmt::format("  {}, {}, {}\n", counted(contact.faces().faces.size(), "contact face"),
-                  counted(contact.faces().n_nodes(), "contact node"), counted(contact.held().size(), "tie"));
+  text += fmt::format("  {}, {}, {}\n", pluralize(contact.faces().faces.size(), "contact face"),
+                      pluralize(contact.faces().n_nodes(), "contact node"),
+                      pluralize(contact.held().size(), "tie"));
   text += fmt::format("  {}: trees built {} and refitted {} times, {:.6g} candidates in all, {} at the end\n",
-                      counted(search.n_searches(), "global search", "global searches"),
+                      pluralize(search.n_searches(), "global search", "global searches"),
                       faces.builds + nodes.builds, faces.refits + nodes.refits,
                       static_cast<double>(faces.candidates + nodes.candidates), contact.n_candidates());
   text += fmt::format("  contact lowers the stable time step by {:.3g} % at most",

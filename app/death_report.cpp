@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "app/counted.hpp"
+#include "app/pluralize.hpp"
 #include "app/surface_report.hpp"
 
 namespace contactsim {
@@ -18,8 +18,8 @@ std::string format_counts(const DeathTally& tally) {
     sum.faces_gained += change.faces_gained;
     sum.faces_lost += change.faces_lost;
   }
-  return fmt::format("; contact gains {}, loses {}, has {}\n", counted(sum.faces_gained, "face"),
-                     counted(sum.faces_lost, "face"), counted(tally.n_free, "free node"));
+  return fmt::format("; contact gains {}, loses {}, has {}\n", pluralize(sum.faces_gained, "face"),
+                     pluralize(sum.faces_lost, "face"), pluralize(tally.n_free, "free node"));
 }
 
 std::string format_changes(const DeathTally& tally, const ContactModel& contact) {
@@ -40,7 +40,7 @@ std::string format_changes(const DeathTally& tally, const ContactModel& contact)
 std::string format_deaths(const DeathTally& tally, const State& state, DeathLog detail,
                           const ContactModel* contact, const Mesh& mesh) {
   std::string text = fmt::format("Element death at step {}, time {:.6e}: {} died, {} dead", state.step,
-                                 state.time, counted(tally.n_died, "element"), tally.n_dead);
+                                 state.time, pluralize(tally.n_died, "element"), tally.n_dead);
   if (tally.n_dying > 0) text += fmt::format(", {} dying", tally.n_dying);
   if (contact == nullptr) return text + "\n";
   text += format_counts(tally);
@@ -51,7 +51,7 @@ std::string format_deaths(const DeathTally& tally, const State& state, DeathLog 
 
 std::string format_death_total(const DeathTally& tally, std::size_t n_may_die) {
   return fmt::format("\nElement death\n  {} of {} that may die are dead, {} dying\n",
-                     counted(tally.n_dead, "element"), n_may_die, tally.n_dying);
+                     pluralize(tally.n_dead, "element"), n_may_die, tally.n_dying);
 }
 
 }  // namespace contactsim

@@ -12,7 +12,7 @@
 
 namespace contactsim {
 
-/// What has died since the log told of deaths last.
+/// What has died since the log last reported deaths.
 struct DeathTally {
   std::size_t n_died = 0;              ///< elements
   std::size_t n_dead = 0;              ///< elements since the start

@@ -9,20 +9,20 @@
 namespace contactsim {
 
 ExitCode guard_exit(const std::function<ExitCode()>& work,
-                    const std::function<void(const std::string&)>& tell) {
+                    const std::function<void(const std::string&)>& write_line) {
   try {
     return work();
   } catch (const FileError& error) {
-    tell(fmt::format("error: {}", error.what()));
+    write_line(fmt::format("error: {}", error.what()));
     return ExitCode::file;
   } catch (const SolveError& error) {
-    tell(fmt::format("error: {}", error.what()));
+    write_line(fmt::format("error: {}", error.what()));
     return ExitCode::solve;
   } catch (const std::bad_alloc&) {
-    tell("error: out of memory");
+    write_line("error: out of memory");
     return ExitCode::file;
   } catch (const std::exception& error) {
-    tell(fmt::format("contactsim: a bug in the program: {}", error.what()));
+    write_line(fmt::format("contactsim: a bug in the program: {}", error.what()));
     return ExitCode::our_bug;
   }
 }

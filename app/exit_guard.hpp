@@ -8,11 +8,11 @@
 
 namespace contactsim {
 
-/// Runs some work; what it throws is told in one line and becomes an exit code: a file error and lack of
+/// Runs some work; what it throws is written in one line and becomes an exit code: a file error and lack of
 /// memory are the user's to mend (3), a motion that cannot go on is 4, anything else a bug of ours (1). Deck
-/// errors have more to tell than a line, so the work catches them itself.
-///   tell  takes the line, without its end
+/// errors have more to say than a line, so the work catches them itself.
+///   write_line  takes the line, without its end
 ExitCode guard_exit(const std::function<ExitCode()>& work,
-                    const std::function<void(const std::string&)>& tell);
+                    const std::function<void(const std::string&)>& write_line);
 
 }  // namespace contactsim

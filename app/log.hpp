@@ -16,8 +16,8 @@ class Log {
   /// Touches nothing that the file holds. Throws FileError when it cannot be written.
   explicit Log(const std::string& path);
 
-  /// Until then what goes to the file is held. A file that is there is written over, or kept for a run that
-  /// goes on: then what is new follows it. Throws FileError.
+  /// Until then what goes to the file is held. A file that is there is written over, or kept for a
+  /// run that resumes: then what is new follows it. Throws FileError.
   void begin(bool keeps_earlier);
   void write(std::string_view text);
   /// Problems, sorted and grouped; as pictures when standard error is a terminal.

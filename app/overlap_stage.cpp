@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "app/counted.hpp"
+#include "app/pluralize.hpp"
 #include "contact/body_parting.hpp"
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 #include "core/errors.hpp"
 
 namespace contactsim {
@@ -23,27 +23,27 @@ constexpr double worrying_depth = 1e-4;
 
 /// [n_nodes] held_fully for the nodes that conditions hold or drive in all directions at the start,
 /// held_in_part for those that they do in some; empty when there are none, or when the conditions are wrong,
-/// which the run tells.
+/// which the run reports.
 std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
   if (!input.procedure.time_control) return {};
-  Diagnostics unheard;
-  const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
-                             unheard};
-  const Kinematics kinematics = make_kinematics(scope);
-  if (unheard.has_errors() || kinematics.nodes().empty()) return {};
+  Diagnostics discarded;
+  const ConditionScope scope{input.definition, input.region,
+                             input.procedure.time_control->time_stepping_blocks, input.mesh, discarded};
+  const KinematicConstraints kinematic_constraints = make_kinematic_constraints(scope);
+  if (discarded.has_errors() || kinematic_constraints.nodes().empty()) return {};
   const Eigen::Index n = input.mesh.coordinates().cols();
   const Eigen::Matrix3Xd rest = Eigen::Matrix3Xd::Zero(3, n);
   const BetweenSteps start{scope.start_time(), 0.0, 1.0, input.mesh.coordinates(), rest};
   // Two accelerations that differ in a direction that no deck has come out equal where nothing is free.
   Eigen::Matrix3Xd one = rest, other = rest.colwise() + Eigen::Vector3d(1.0, std::sqrt(2.0), std::exp(1.0));
   try {
-    kinematics.constrain(start, one);
-    kinematics.constrain(start, other);
+    kinematic_constraints.constrain(start, one);
+    kinematic_constraints.constrain(start, other);
   } catch (const SolveError&) {
     return {};
   }
   std::vector<std::uint8_t> is_held(static_cast<std::size_t>(n), 0);
-  for (const NodeIndex node : kinematics.nodes()) {
+  for (const NodeIndex node : kinematic_constraints.nodes()) {
     const double difference = (one.col(node.value) - other.col(node.value)).norm();
     is_held[node.value] = difference < 1e-12 ? held_fully : held_in_part;
   }
@@ -76,13 +76,15 @@ void stop_at_turned(const OverlapRemoved& removed, const RunInput& input) {
   const TurnedElement& first = removed.turned.front();
   const Mesh& mesh = input.mesh;
   const auto& control = input.procedure.time_control;
-  const double time = control && !control->blocks.empty() ? control->blocks.front().start_time : 0.0;
+  const double time = control && !control->time_stepping_blocks.empty()
+                          ? control->time_stepping_blocks.front().start_time
+                          : 0.0;
   throw SolveError(
       time,
       fmt::format("overlap removal between {} would turn {} inside out, the first of them element {} of "
                   "{}; no node has been moved. Move the bodies apart in the mesh, refine it less there, "
                   "or set a smaller OVERLAP NORMAL TOLERANCE",
-                  names_of(*input.contact, first.pair), counted(removed.turned.size(), "element"),
+                  names_of(*input.contact, first.pair), pluralize(removed.turned.size(), "element"),
                   mesh.element_id(first.element),
                   mesh.name({EntityKind::block, mesh.block_of(first.element)})));
 }
@@ -90,13 +92,13 @@ void stop_at_turned(const OverlapRemoved& removed, const RunInput& input) {
 std::string describe(const StartOverlap& overlap, const ContactModel& model, const Mesh& mesh) {
   std::string text = fmt::format(
       "{} overlap at the start: {} behind {}, deepest by {:.4g} at node {}", names_of(model, overlap.pair),
-      counted(overlap.n_nodes, "node"),
-      overlap.n_faces > 0 ? counted(overlap.n_faces, "face or edge", "faces and edges") : "a plane",
+      pluralize(overlap.n_nodes, "node"),
+      overlap.n_faces > 0 ? pluralize(overlap.n_faces, "face or edge", "faces and edges") : "a plane",
       overlap.deepest, mesh.node_id(overlap.node));
   if (overlap.other) text += fmt::format(", beside node {} of the other side", mesh.node_id(*overlap.other));
   if (overlap.n_deep > 0)
     text += fmt::format("; {} deeper than half an element or sheet, where contact takes no notice",
-                        counted(overlap.n_deep, "node lies", "nodes lie"));
+                        pluralize(overlap.n_deep, "node lies", "nodes lie"));
   return text;
 }
 
@@ -145,7 +147,7 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
 std::string format_overlap(const OverlapRemoved& removed, const ContactModel& model, const Mesh& mesh) {
   constexpr const char* row = "{:>4}  {:<28} {:<28} {:>11} {:>15} {:>13} {:>10} {:>13}\n";
   if (removed.moves.empty()) return "\nOverlap removal: no surfaces overlap\n";
-  const auto passes = [](std::int64_t n) { return counted(static_cast<std::size_t>(n), "pass", "passes"); };
+  const auto passes = [](std::int64_t n) { return pluralize(static_cast<std::size_t>(n), "pass", "passes"); };
   std::string text = fmt::format("\nOverlap removal in {}\n", passes(removed.n_passes));
   if (removed.n_body_passes > 0)
     text += fmt::format("  before, in {}, bodies that lay deep in others went apart as wholes\n",

@@ -15,13 +15,13 @@
 
 namespace contactsim {
 
-/// Removes the overlap of contact surfaces, if the deck asks for it, and tells the log. Returns the mesh with
-/// the nodes moved, which is free of stress; nothing when no node moves.
+/// Removes the overlap of contact surfaces, if the deck asks for it, and writes to the log. Returns the mesh
+/// with the nodes moved, which is free of stress; nothing when no node moves.
 ///   warnings  gains what overlap is left: "overlap-left"
 /// Throws SolveError naming pair and element when elements would be turned inside out.
 std::optional<Mesh> remove_initial_overlap(const RunInput& input, Log& log, Diagnostics& warnings);
 
-/// Finds what overlaps as the run starts, and tells the log.
+/// Finds what overlaps as the run starts, and writes to the log.
 std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log);
 
 /// Warns of every pair that overlaps at the start, unless it is tied or overlap removal has been asked for:

@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "app/counted.hpp"
+#include "app/pluralize.hpp"
 #include "contact/friction_words.hpp"
 
 namespace contactsim {
@@ -17,7 +17,7 @@ namespace contactsim {
 namespace {
 
 /// General contact of a thousand blocks makes half a million pairs, which nobody reads.
-constexpr std::size_t most_rows = 1000;
+constexpr std::size_t max_rows = 1000;
 
 constexpr const char* start_format =
     "{:>4}  {:<28} {:<28} {:<22} {:>6}  {:<16} {:<19} {:>9} {:>9} {:>9} {:>9} {:>13} {:>9}\n";
@@ -41,21 +41,21 @@ std::string formulation_of(const SurfacePair& pair) {
   return pair.is_one_sided ? "node_face one-sided" : "node_face";
 }
 
-/// Writes the rows of the pairs that are chosen, up to most_rows; the others are counted.
+/// Writes the rows of the pairs that are chosen, up to max_rows; the others are counted.
 std::string format_chosen(const ContactModel& model, const std::function<bool(std::size_t)>& is_chosen,
                           const std::function<std::string(std::size_t)>& format_row) {
   std::string text;
   std::size_t n_rows = 0, n_more = 0;
   for (std::size_t i = 0; i < model.pairs.size(); ++i) {
     if (!is_chosen(i)) continue;
-    if (n_rows < most_rows) {
+    if (n_rows < max_rows) {
       text += format_row(i);
       ++n_rows;
     } else {
       ++n_more;
     }
   }
-  if (n_more > 0) text += fmt::format("      and {}\n", counted(n_more, "more pair"));
+  if (n_more > 0) text += fmt::format("      and {}\n", pluralize(n_more, "more pair"));
   return text;
 }
 
@@ -76,9 +76,9 @@ std::string format_settings(const ContactModel& model) {
                                  "overlap", "capture", "penalty", "penalty", "damping");
   text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance",
                       "tolerance", "normal", "tangential", "tolerance", "scale", "stiffness", "fraction");
-  std::set<std::pair<std::string, std::string>> told;
+  std::set<std::pair<std::string, std::string>> reported;
   for (const SurfacePair& pair : model.pairs) {
-    if (!told.insert({pair.interaction, to_string(pair.location)}).second) continue;
+    if (!reported.insert({pair.interaction, to_string(pair.location)}).second) continue;
     const bool is_fixed = pair.behavior == InteractionBehavior::infinitesimal_sliding;
     text += fmt::format(
         settings_format, pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
@@ -120,7 +120,7 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
   for (std::size_t i = 0; i < model.pairs.size(); ++i) n_far += is_far(i) ? 1 : 0;
   if (n_far > 0) {
     text +=
-        fmt::format("      {} of general or self contact with nothing in reach\n", counted(n_far, "pair"));
+        fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
   }
   return text + "\nSettings of interactions\n" + format_settings(model);
 }

@@ -7,12 +7,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/counted.hpp"
 #include "app/exit_guard.hpp"
 #include "app/explain_variables.hpp"
 #include "app/file_clashes.hpp"
 #include "app/log.hpp"
 #include "app/options.hpp"
+#include "app/pluralize.hpp"
 #include "app/simulation.hpp"
 #include "core/errors.hpp"
 #include "parser/explain.hpp"
@@ -24,7 +24,7 @@ namespace {
 /// Warnings once more at the end, where they are seen.
 void write_summary(const Diagnostics& warnings, Log& log) {
   if (warnings.empty()) return;
-  log.write(fmt::format("\n{}\n", counted(warnings.all().size(), "warning")));
+  log.write(fmt::format("\n{}\n", pluralize(warnings.all().size(), "warning")));
   log.write(warnings);
 }
 
@@ -37,7 +37,7 @@ ExitCode run(const Options& options, Log& log) {
       return code;
     } catch (const DeckError& error) {
       log.write(error.diagnostics());
-      log.write_error("contactsim: " + counted(error.diagnostics().error_count(), "error"));
+      log.write_error("contactsim: " + pluralize(error.diagnostics().error_count(), "error"));
       return ExitCode::deck;
     }
   };

@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "app/contact_report.hpp"
-#include "app/counted.hpp"
 #include "app/energy_watch.hpp"
 #include "app/overlap_stage.hpp"
 #include "app/pair_report.hpp"
+#include "app/pluralize.hpp"
 #include "contact/surface_drawing.hpp"
 #include "core/state_motion.hpp"
 #include "io/surface_writer.hpp"
@@ -52,8 +52,8 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       model_(model),
       mesh_(input.mesh),
       contact_(*input.contact),
-      force_(ContactSetup{*input.region.contact, contact_, model, input.procedure.time_control->blocks,
-                          input.definition.functions}),
+      force_(ContactSetup{*input.region.contact, contact_, model,
+                          input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
       output_(force_, contact_, model),
       debug_(contact_debug_files(input.definition, input.region.contact->debug)) {}
 
@@ -76,8 +76,8 @@ void RunContact::add_to(OutputSettings& settings) {
 void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes,
                                bool makes_new_edges) {
   makes_new_edges_ = makes_new_edges;
-  Diagnostics told;  // when the model was made
-  ClaimRules rules(find_surface_requests(input_.definition, input_.region, mesh_, told), mesh_,
+  Diagnostics discarded;  // reported when the model was made
+  ClaimRules rules(find_surface_requests(input_.definition, input_.region, mesh_, discarded), mesh_,
                    input_.region.contact->subdomain);
   living_.emplace(std::move(rules), faces, std::span<const std::uint8_t>{}, contact_.surfaces, erodes);
   free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
@@ -88,8 +88,8 @@ std::vector<SurfaceChange> RunContact::bury(const State& state, std::span<const 
   std::vector<SurfaceChange> changes = living_->bury(dead, contact_.surfaces);
   const auto has_lost_lofts = [](const SurfaceChange& change) { return change.lofted_lost > 0; };
   if (std::ranges::any_of(changes, has_lost_lofts)) {
-    Diagnostics told;
-    make_lofts(input_.definition, input_.region, mesh_, contact_, told);
+    Diagnostics discarded;
+    make_lofts(input_.definition, input_.region, mesh_, contact_, discarded);
   }
   free_nodes_->add(dead, alive);
   force_.take_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
@@ -166,7 +166,7 @@ void RunContact::warn_of_lost(Diagnostics& warnings) const {
             "contact of {} and {} ended at time {:.6g} at node {}, {:.3g} deep: one side has got past "
             "the other ({} in the run)",
             name(pair.first), name(pair.second), history.lost_time, mesh_.node_id(node), history.lost_depth,
-            counted(history.n_lost, "place")));
+            pluralize(history.n_lost, "place")));
   }
 }
 

@@ -43,14 +43,14 @@ void add(const std::vector<SurfaceChange>& changes, std::vector<SurfaceChange>& 
 }  // namespace
 
 RunDeath::RunDeath(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
-                   const RunVariables& variables, const DeathParts& parts)
+                   const OutputVariables& variables, const DeathParts& parts)
     : definitions_(scope.region.element_deaths),
       parts_(parts),
       mesh_(scope.mesh),
       node_elements_(scope.mesh),
       faces_(scope.mesh, node_elements_),
       deaths_(scope, sets, variables, faces_),
-      told_at_(scope.start_time()),
+      reported_at_(scope.start_time()),
       n_may_die_(count_members(scope.mesh, sets)) {
   for (const ElementDeath& death : definitions_) detail_ = std::max(detail_, death.log);
   const bool makes_new_edges = std::ranges::all_of(definitions_, &ElementDeath::makes_new_edges);
@@ -84,7 +84,7 @@ void RunDeath::step(State& state) {
   tally_.n_died += dead.size();
   tally_.n_dead = deaths_.n_dead();
   tally_.n_dying = state.death.dying.size();
-  if (tally_.n_died > 0 && is_report_due(state)) parts_.log.write(tell(state));
+  if (tally_.n_died > 0 && is_report_due(state)) parts_.log.write(take_report(state));
   seconds_ += clock_seconds() - begun;
 }
 
@@ -94,22 +94,22 @@ bool RunDeath::is_report_due(const State& state) const {
   for (const ElementDeath& death : definitions_) {
     has_interval |= death.summary_step_interval.has_value() || death.summary_time_interval.has_value();
     if (death.summary_step_interval) is_due |= state.step % *death.summary_step_interval == 0;
-    if (death.summary_time_interval) is_due |= state.time - told_at_ >= *death.summary_time_interval;
+    if (death.summary_time_interval) is_due |= state.time - reported_at_ >= *death.summary_time_interval;
   }
   return is_due || !has_interval;
 }
 
-std::string RunDeath::tell(const State& state) {
+std::string RunDeath::take_report(const State& state) {
   const ContactModel* contact = parts_.contact != nullptr ? &parts_.contact->model() : nullptr;
   const std::string text = format_deaths(tally_, state, detail_, contact, mesh_);
-  told_at_ = state.time;
+  reported_at_ = state.time;
   tally_.n_died = 0;
   std::ranges::fill(tally_.changes, SurfaceChange{});
   return text;
 }
 
 std::string RunDeath::report(const State& state) {
-  const std::string last = tally_.n_died > 0 ? tell(state) : "";
+  const std::string last = tally_.n_died > 0 ? take_report(state) : "";
   return last + format_death_total(tally_, n_may_die_);
 }
 

@@ -25,14 +25,14 @@ class RunDeath {
   /// All must outlive this. Errors: as ElementDeaths.
   ///   sets  of find_death_sets
   RunDeath(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
-           const RunVariables& variables, const DeathParts& parts);
+           const OutputVariables& variables, const DeathParts& parts);
 
   /// Gives the state room for deaths; takes over those that it has.
   void begin(State& state);
   /// To be called once for the state of the start and that after every step: who has died is taken out of
-  /// loads and contact, and the log tells when it is due.
+  /// loads and contact, and the log reports them when it is due.
   void step(State& state);
-  /// What is left to tell at the end, and how many died.
+  /// What is left to report at the end, and how many died.
   std::string report(const State& state);
   /// Time that all this has taken, of the clock.
   double seconds() const { return seconds_; }
@@ -40,7 +40,7 @@ class RunDeath {
  private:
   void bury(const State& state, std::span<const ElementIndex> dead);
   bool is_report_due(const State& state) const;
-  std::string tell(const State& state);
+  std::string take_report(const State& state);
 
   std::span<const ElementDeath> definitions_;
   DeathParts parts_;
@@ -50,7 +50,7 @@ class RunDeath {
   ElementDeaths deaths_;
   DeathLog detail_ = DeathLog::minimal;
   DeathTally tally_;
-  double told_at_;  // when the log told of deaths last [time]
+  double reported_at_;  // when the log reported deaths last [time]
   std::size_t n_may_die_ = 0;
   double seconds_ = 0.0;
 };

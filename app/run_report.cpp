@@ -30,7 +30,8 @@ std::string format_model(const Model& model, const StepReport& at_start) {
                         topology(block.element->shape).name, block.element->formulation, block.material,
                         fmt::format("{:.6g}", mass_of(block)));
   }
-  text += fmt::format("  mass {:.6g}, {} nodes held or driven\n", mass, model.kinematics.nodes().size());
+  text += fmt::format("  mass {:.6g}, {} nodes held or driven\n", mass,
+                      model.kinematic_constraints.nodes().size());
   text += fmt::format("  stable time step {:.6g}", at_start.stable_step);
   if (at_start.critical_element) {
     const ElementIndex element = *at_start.critical_element;
@@ -64,14 +65,14 @@ std::string format_energy_balance(const Energies& energies, double stored_at_sta
     text += fmt::format("  {:<30} {:>13.5e}\n", name, energy);
   };
   const double impact = energies.impact + given_out_by_overlaps;
-  const double of_overlaps = stored_at_start + given_out_by_overlaps;
+  const double overlap_energy = stored_at_start + given_out_by_overlaps;
   const double lost = energies.friction + energies.contact_damping + impact;
   add("start, between half steps", energies.start);
-  add("put in by the start, overlaps", of_overlaps);
+  add("put in by the start, overlaps", overlap_energy);
   add("work of loads and motion", energies.external);
   add("kinetic", energies.kinetic);
   add("internal", energies.internal);
-  add("held by contact", of_overlaps + energies.contact - lost);
+  add("held by contact", overlap_energy + energies.contact - lost);
   add("lost to friction", energies.friction);
   add("lost to contact damping", energies.contact_damping);
   add("lost where sides met", impact);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/counted.hpp"
+#include "app/pluralize.hpp"
 #include "app/timed_force.hpp"
 
 namespace contactsim {
@@ -24,10 +24,10 @@ OutputSchedule wall_schedule(const std::vector<WallTimePhase>& phases) {
 
 RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
     : time_(input.definition.restart.time),
-      goes_on_(input.definition.restart.is_automatic || input.definition.restart.time) {
+      resumes_(input.definition.restart.is_automatic || input.definition.restart.time) {
   const std::vector<RestartData>& blocks = input.region.restart_data;
   if (blocks.empty()) {
-    if (!goes_on_) return;
+    if (!resumes_) return;
     diagnostics.add_error(input.region.name.location, "RESTART needs a BEGIN RESTART DATA in the region",
                           "its DATABASE NAME says where the states are");
     return;
@@ -44,7 +44,7 @@ RunRestart::RunRestart(const RunInput& input, Diagnostics& diagnostics)
   is_optional_ = restart.is_optional;
   overwrites_ = restart.overwrites;
   shifts_ = restart.shifts_to_start_time;
-  goes_on_ = goes_on_ || restart.is_automatic || restart.restart_time;
+  resumes_ = resumes_ || restart.is_automatic || restart.restart_time;
   if (restart.restart_time) time_ = restart.restart_time;
   slots_ = RestartSlots(restart.overlay_count.value_or(0),
                         restart.file_cycle_count ? restart.file_cycle_count : restart.cycle_count);
@@ -76,7 +76,7 @@ void RunRestart::check_overwriting() const {
 }
 
 void RunRestart::find_state(const std::vector<std::string>& outputs, Log& log, Diagnostics& warnings) {
-  if (!goes_on_) return check_overwriting();
+  if (!resumes_) return check_overwriting();
   const std::vector<StoredState> states = stored_states(warnings);
   for (const StoredState& state : states) {
     try {
@@ -128,12 +128,12 @@ bool RunRestart::is_due(const State& state, bool is_last) {
   return wall_times_->is_due({state.step, clock_seconds() - clock_begun_, false}) || by_time;
 }
 
-bool RunRestart::store(const RunMemory& memory, bool is_last, bool is_wanted) {
-  const State& state = memory.state;
+bool RunRestart::store(const Checkpoint& checkpoint, bool is_last, bool is_wanted) {
+  const State& state = checkpoint.state;
   if (!times_ || (!is_due(state, is_last) && !is_wanted) || last_step_ == state.step) return false;
   last_path_ = restart_path(output_, run_, slots_.take());
   StateArchive saved;
-  archive(memory, saved);
+  archive(checkpoint, saved);
   write_restart_file(last_path_, {begun_, run_, state.step, state.time}, saved.take());
   last_step_ = state.step;
   ++n_written_;
@@ -143,7 +143,7 @@ bool RunRestart::store(const RunMemory& memory, bool is_last, bool is_wanted) {
 std::string RunRestart::report() const {
   if (!last_step_) return "";
   return fmt::format("\nRestart: {} stored, the last one of step {} in {}\n",
-                     counted(static_cast<std::size_t>(n_written_), "state"), *last_step_, last_path_);
+                     pluralize(static_cast<std::size_t>(n_written_), "state"), *last_step_, last_path_);
 }
 
 }  // namespace contactsim

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/checkpoint.hpp"
 #include "app/log.hpp"
-#include "app/run_memory.hpp"
 #include "app/transient.hpp"
 #include "core/output/output_times.hpp"
 #include "core/saved_state.hpp"
@@ -16,19 +16,19 @@
 
 namespace contactsim {
 
-/// BEGIN RESTART DATA and the lines on restart at Sierra scope: the state that a run goes on from, and those
+/// BEGIN RESTART DATA and the lines on restart at Sierra scope: the state that a run resumes from, and those
 /// that it stores. Source: Sierra/SM 5.22, 9.9.
 class RunRestart {
  public:
   /// What cannot be done is an error.
   RunRestart(const RunInput& input, Diagnostics& diagnostics);
 
-  /// Finds the state that the deck asks for, says which one it is, and from then on is a run that goes on. A
+  /// Finds the state that the deck asks for, says which one it is, and from then on is a run that resumes. A
   /// damaged file is passed over for the next older one with a warning.
   ///   outputs  that the run is to write, whose files of earlier runs must be kept
   /// Throws FileError when there is none and the deck does not allow that.
   void find_state(const std::vector<std::string>& outputs, Log& log, Diagnostics& warnings);
-  /// The state to go on from; null when the run begins at its start.
+  /// The state to resume from; null when the run begins at its start.
   const SavedState* earlier() const { return earlier_ ? &*earlier_ : nullptr; }
   /// Whether its time becomes the start time of the run: SHIFT TO START TIME.
   bool shifts() const { return shifts_; }
@@ -44,7 +44,7 @@ class RunRestart {
   /// Writes a state when it is due, or wanted, and was not written yet. Returns whether it did. Throws
   /// FileError.
   ///   is_last  the run ends with it
-  bool store(const RunMemory& memory, bool is_last, bool is_wanted);
+  bool store(const Checkpoint& checkpoint, bool is_last, bool is_wanted);
   bool stores() const { return times_.has_value(); }
   /// What was written, for the log; "" when there was nothing to write.
   std::string report() const;
@@ -56,8 +56,8 @@ class RunRestart {
   void choose_run(const std::vector<std::string>& outputs);
 
   std::string input_, output_;                     // databases
-  std::optional<double> time_;                     // of the state to go on from [time]
-  bool goes_on_ = false;                           // if there is a state
+  std::optional<double> time_;                     // of the state to resume from [time]
+  bool resumes_ = false;                           // if there is a state
   bool is_optional_ = false;                       // that there is one
   bool shifts_ = false;                            // SHIFT TO START TIME
   bool overwrites_ = true;                         // states of other runs from the start

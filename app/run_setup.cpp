@@ -40,13 +40,14 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   Model model = make_model(input.definition, input.region, input.mesh, diagnostics);
   StoredVariables stored;
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
-  const ConditionScope scope{input.definition,  input.region, input.procedure.time_control->blocks,
-                             input.mesh,        diagnostics,  &stored,
-                             &model.rigid.nodes};
-  model.kinematics = make_kinematics(scope);
-  model.rotation_kinematics = make_rotation_kinematics(scope, model.inertia);
-  model.rigid.kinematics = make_body_kinematics(scope);
-  model.rigid.rotation_kinematics = make_body_rotation_kinematics(scope);
+  const ConditionScope scope{
+      input.definition,  input.region, input.procedure.time_control->time_stepping_blocks,
+      input.mesh,        diagnostics,  &stored,
+      &model.rigid.nodes};
+  model.kinematic_constraints = make_kinematic_constraints(scope);
+  model.rotation_constraints = make_rotation_constraints(scope, model.inertia);
+  model.rigid.kinematic_constraints = make_body_constraints(scope);
+  model.rigid.rotation_constraints = make_body_rotation_constraints(scope);
   set_discrete_steps(model);
   ExternalForce external = make_external_force(scope, model.mass, model.inertia);
   TimeStepControl control = make_time_step_control(input.procedure, input.region);

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "app/counted.hpp"
 #include "app/file_clashes.hpp"
 #include "app/overlap_stage.hpp"
+#include "app/pluralize.hpp"
 #include "app/run_mesh.hpp"
 #include "app/surface_stage.hpp"
 #include "app/transient.hpp"
@@ -33,19 +33,19 @@ ParseOptions parse_options(const Options& options) {
 }
 
 std::string describe(const SimulationDefinition& definition) {
-  return fmt::format("  {}, {}, {}, {}, {} with contact\n", counted(definition.materials.size(), "material"),
-                     counted(definition.sections.size(), "section"),
-                     counted(definition.functions.size(), "function"),
-                     counted(definition.procedures.size(), "procedure"),
-                     counted(regions_with_contact(definition).size(), "region"));
+  return fmt::format(
+      "  {}, {}, {}, {}, {} with contact\n", pluralize(definition.materials.size(), "material"),
+      pluralize(definition.sections.size(), "section"), pluralize(definition.functions.size(), "function"),
+      pluralize(definition.procedures.size(), "procedure"),
+      pluralize(regions_with_contact(definition).size(), "region"));
 }
 
 std::string describe(const Mesh& mesh) {
-  std::string text =
-      fmt::format("  {}, {}, {}, {}, {}, {}\n", counted(mesh.n_nodes(), "node"),
-                  counted(mesh.n_elements(), "element"), counted(mesh.blocks().size(), "block"),
-                  counted(mesh.side_sets().size(), "side set"), counted(mesh.node_sets().size(), "node set"),
-                  counted(mesh.assemblies().size(), "assembly", "assemblies"));
+  std::string text = fmt::format(
+      "  {}, {}, {}, {}, {}, {}\n", pluralize(mesh.n_nodes(), "node"),
+      pluralize(mesh.n_elements(), "element"), pluralize(mesh.blocks().size(), "block"),
+      pluralize(mesh.side_sets().size(), "side set"), pluralize(mesh.node_sets().size(), "node set"),
+      pluralize(mesh.assemblies().size(), "assembly", "assemblies"));
   for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
     const ElementBlock& block = mesh.blocks()[i];
     const std::string type = block.shape == Shape::unknown ? fmt::format("'{}'", block.type_name)
@@ -87,8 +87,8 @@ ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& 
   return chosen != nullptr ? ChosenRegion{*of, *chosen} : ChosenRegion{};
 }
 
-/// Whether a run may go on from where an earlier one was.
-bool asks_to_go_on(const SimulationDefinition& definition) {
+/// Whether a run may resume from where an earlier one was.
+bool asks_to_resume(const SimulationDefinition& definition) {
   if (definition.restart.is_automatic || definition.restart.time) return true;
   for (const Procedure& procedure : definition.procedures) {
     for (const Region& region : procedure.regions) {
@@ -103,18 +103,18 @@ bool asks_to_go_on(const SimulationDefinition& definition) {
 
 /// A deck with errors goes no further, but wrong names of surfaces are found all the same.
 void add_name_errors(const Options& options, const SimulationDefinition& definition, Diagnostics& errors) {
-  Diagnostics unheard, found;
-  const Region region = choose_region(definition, unheard).region;
+  Diagnostics discarded, found;
+  const Region region = choose_region(definition, discarded).region;
   add_surface_name_errors(definition, region, run_mesh_path(options, definition, region), found);
-  // What the deck alone shows to be wrong has been told.
-  const auto is_told = [known = errors.all()](const Diagnostic& error) {
+  // What the deck alone shows to be wrong has been reported.
+  const auto is_reported = [known = errors.all()](const Diagnostic& error) {
     return std::ranges::any_of(known, [&](const Diagnostic& other) {
       return other.severity == Severity::error && error.severity == Severity::error &&
              to_string(other.location) == to_string(error.location);
     });
   };
   for (const Diagnostic& error : found.all()) {
-    if (!is_told(error)) errors.add(error);
+    if (!is_reported(error)) errors.add(error);
   }
 }
 
@@ -129,7 +129,7 @@ void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
 
 ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
   const SimulationDefinition definition = parse_deck(options.deck, parse_options(options), warnings);
-  log.begin(asks_to_go_on(definition));
+  log.begin(asks_to_resume(definition));
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
     throw DeckError(warnings);

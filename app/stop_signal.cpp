@@ -37,7 +37,7 @@ StopSignals::~StopSignals() {
   for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) set_handler(signal, SIG_DFL, 0);
 }
 
-std::optional<std::string> StopSignals::find_end() const {
+std::optional<std::string> StopSignals::find_stop() const {
   if (signal_to_end == 0) return std::nullopt;
   return signal_to_end == SIGINT ? "SIGINT" : "SIGTERM";
 }

@@ -18,7 +18,7 @@ class StopSignals {
   StopSignals& operator=(const StopSignals&) = delete;
 
   /// The name of the signal that ends the run, if one came.
-  std::optional<std::string> find_end() const;
+  std::optional<std::string> find_stop() const;
   /// Whether a restart file was asked for since the last call.
   bool take_restart_wish();
 };

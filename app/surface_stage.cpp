@@ -81,9 +81,9 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
 void add_surface_name_errors(const SimulationDefinition& definition, const Region& region,
                              const std::string& mesh_path, Diagnostics& errors) {
   if (!region.contact) return;
-  Diagnostics of_the_mesh;
+  Diagnostics discarded;
   try {
-    const Mesh mesh = read_mesh(mesh_path, of_the_mesh);
+    const Mesh mesh = read_mesh(mesh_path, discarded);
     find_name_errors(definition, region, mesh, errors);
   } catch (const FileError&) {
     return;

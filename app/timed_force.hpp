@@ -7,7 +7,7 @@
 
 namespace contactsim {
 
-/// Seconds of the clock since some moment that does not change.
+/// Seconds of the clock since some time that does not change.
 inline double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -58,11 +58,11 @@ class Run {
     state_.forces.contact = Eigen::Matrix3Xd::Zero(3, model_.mesh->n_nodes());
   }
 
-  ExitCode go() {
+  ExitCode run() {
     ExitCode code = ExitCode::done;
     try {
       if (restart_.earlier() != nullptr) {
-        go_on(*restart_.earlier());
+        resume(*restart_.earlier());
       } else {
         begin();
       }
@@ -71,7 +71,7 @@ class Run {
     } catch (const SolveError& error) {
       progress_.wipe();
       log_.write_error(fmt::format("error: step {}, {}", state_.step, error.what()));
-      tell(true);
+      write_output(true);
       code = ExitCode::solve;
     }
     if (stopped_by_) code = ExitCode::stopped;
@@ -96,7 +96,7 @@ class Run {
   ForceTerms terms() {
     return {timed_internal_, timed_external_, timed_contact_ ? &*timed_contact_ : nullptr};
   }
-  RunMemory memory() {
+  Checkpoint checkpoint() {
     const bool shifts = restart_.shifts();
     return {model_, state_,   contact_,
             death_, outputs_, shifts ? std::optional(control_.start_time()) : std::nullopt};
@@ -105,20 +105,20 @@ class Run {
 
   void begin() {
     const StepReport at_start = start(model_, terms(), control_, state_);
-    const std::string of_contact = contact_ != nullptr ? contact_->start_report(warnings_) : "";
-    log_.write(format_model(model_, at_start) + of_contact + format_paths(outputs_.paths()) + step_heading());
+    const std::string report = contact_ != nullptr ? contact_->start_report(warnings_) : "";
+    log_.write(format_model(model_, at_start) + report + format_paths(outputs_.paths()) + step_heading());
     warn_of_user_step(at_start);
     block_watch_.begin(state_);
     end_step();
     restart_.begin(state_);
   }
 
-  void go_on(const SavedState& earlier) {
+  void resume(const SavedState& earlier) {
     StateArchive saved(earlier);
-    archive(memory(), saved);
+    archive(checkpoint(), saved);
     restart_.forget_earlier();
     block_watch_.begin(state_);
-    outputs_.go_on(state_);
+    outputs_.resume(state_);
     restart_.begin(state_);
     log_.write(format_paths(outputs_.paths()) + step_heading());
   }
@@ -134,37 +134,37 @@ class Run {
 
   /// Whoever looks at a state, once each.
   void end_step() {
-    look_for_end();
+    check_termination();
     if (death_ != nullptr) death_->step(state_);
-    stopped_by_ = signals_.find_end();
-    tell(false);
+    stopped_by_ = signals_.find_stop();
+    write_output(false);
   }
 
   void finish() {
     warn_of_negative_energy();
-    // A run that goes on from here must not know that this one ended: the state comes first.
+    // A run that resumes from here must not know that this one ended: the state comes first.
     store(true);
-    tell(true);
+    write_output(true);
     if (end_) log_.write(fmt::format("The run ends here: {}\n", *end_));
     if (stopped_by_) log_.write_error(fmt::format("stopped by {} after step {}", *stopped_by_, state_.step));
   }
 
   void store(bool is_last) {
     const double begun = clock_seconds();
-    if (restart_.store(memory(), is_last, stopped_by_.has_value() || signals_.take_restart_wish()))
+    if (restart_.store(checkpoint(), is_last, stopped_by_.has_value() || signals_.take_restart_wish()))
       outputs_.write_at_restart(state_);
     restart_seconds_ += clock_seconds() - begun;
   }
 
-  void look_for_end() {
+  void check_termination() {
     const double begun = clock_seconds();
-    end_ = outputs_.find_end(state_);
+    end_ = outputs_.check_termination(state_);
     if (is_for_overlap_only_) end_ = "OVERLAP REMOVAL ONLY";
     output_seconds_ += clock_seconds() - begun;
   }
 
   /// Files and a line of the log, when they are due.
-  void tell(bool is_last) {
+  void write_output(bool is_last) {
     const double begun = clock_seconds();
     outputs_.write(state_, is_last);
     const auto& parameters = control_.periods()[control_.period_at(state_.time)].parameters;
@@ -267,34 +267,34 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   refuse_what_is_missing(input.procedure, input.region, warnings);
   if (input.contact != nullptr) {
     const LawScope laws{input.region.contact->friction_models, input.definition.functions,
-                        input.procedure.time_control->blocks};
+                        input.procedure.time_control->time_stepping_blocks};
     refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, laws, warnings);
   }
   stop_on_errors(warnings);
   Setup setup = set_up(input, warnings);
   stop_on_errors(warnings);
-  const ConditionScope scope{input.definition, input.region, input.procedure.time_control->blocks, input.mesh,
-                             warnings};
+  const ConditionScope scope{input.definition, input.region,
+                             input.procedure.time_control->time_stepping_blocks, input.mesh, warnings};
   std::optional<RunContact> contact;
   if (input.contact != nullptr) contact.emplace(input, setup.model);
-  RunContact* const of_run = contact ? &*contact : nullptr;
-  Outputs outputs(scope, setup.model, output_settings(input, of_run, log));
+  RunContact* const run_contact = contact ? &*contact : nullptr;
+  Outputs outputs(scope, setup.model, output_settings(input, run_contact, log));
   std::optional<RunDeath> death;
   if (!input.region.element_deaths.empty())
-    death.emplace(scope, setup.death_sets, outputs.variables(), DeathParts{setup.external, of_run, log});
+    death.emplace(scope, setup.death_sets, outputs.variables(), DeathParts{setup.external, run_contact, log});
   RunRestart restart(input, warnings);
   stop_on_errors(warnings);
   restart.find_state(outputs.paths(), log, warnings);
   outputs.add_suffix(restart.suffix());
-  if (of_run != nullptr) of_run->add_suffix(restart.suffix());
+  if (run_contact != nullptr) run_contact->add_suffix(restart.suffix());
   std::vector<std::string> paths = outputs.paths();
-  if (of_run != nullptr) std::ranges::copy(of_run->paths(), std::back_inserter(paths));
+  if (run_contact != nullptr) std::ranges::copy(run_contact->paths(), std::back_inserter(paths));
   check_output_paths(input, paths);
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
   if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
-  return Run(input, setup, {setup.external, of_run, death ? &*death : nullptr, outputs, restart}, log,
+  return Run(input, setup, {setup.external, run_contact, death ? &*death : nullptr, outputs, restart}, log,
              warnings)
-      .go();
+      .run();
 }
 
 }  // namespace contactsim

@@ -175,7 +175,7 @@ void add_backing(const Model& model, ContactFaces& faces) {
   for (std::size_t i = 0; i < faces.n_nodes(); ++i) {
     const auto node = static_cast<Eigen::Index>(faces.mesh_nodes[i]);
     double mass = model.mass(0, node);
-    const bool turns = model.inertia.cols() > 0 && model.inertia(0, node) > least_mass;
+    const bool turns = model.inertia.cols() > 0 && model.inertia(0, node) > minimum_nodal_mass;
     if (i >= faces.n_mesh_points() && turns) {
       const double arm = faces.loft.distance(i - faces.n_mesh_points());
       mass = 1.0 / (1.0 / mass + arm * arm / model.inertia(0, node));

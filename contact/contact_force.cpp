@@ -12,7 +12,7 @@
 #include "contact/sharp_edges.hpp"
 #include "contact/start_depths.hpp"
 #include "core/errors.hpp"
-#include "core/least_mass.hpp"
+#include "core/minimum_nodal_mass.hpp"
 #include "core/threads.hpp"
 
 namespace contactsim {
@@ -22,7 +22,7 @@ namespace {
 std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
   std::vector<ActiveTimes> times;
   for (const SurfacePair& pair : setup.contact.pairs)
-    times.push_back(make_active_times(pair.periods, setup.blocks));
+    times.push_back(make_active_times(pair.periods, setup.time_stepping_blocks));
   return times;
 }
 
@@ -30,8 +30,9 @@ std::vector<ActiveTimes> active_times(const ContactSetup& setup) {
 PairRules make_rules(const ContactSetup& setup) {
   PairRules rules(setup.contact.pairs, active_times(setup), setup.contact.surfaces.surfaces.size());
   Diagnostics told;
-  auto laws = make_pair_laws(setup.contact.pairs,
-                             {setup.definition.friction_models, setup.functions, setup.blocks}, told);
+  auto laws =
+      make_pair_laws(setup.contact.pairs,
+                     {setup.definition.friction_models, setup.functions, setup.time_stepping_blocks}, told);
   if (told.has_errors()) throw DeckError(told);
   rules.set_laws(std::move(laws));
   return rules;
@@ -42,7 +43,7 @@ PairRules make_rules(const ContactSetup& setup) {
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
       faces_(make_faces({})),
-      times_(make_active_times(setup.definition.periods, setup.blocks)),
+      times_(make_active_times(setup.definition.periods, setup.time_stepping_blocks)),
       rules_(make_rules(setup)),
       surface_(faces_),
       mobility_(setup.model),
@@ -292,7 +293,7 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
   visit_moments([&](std::uint32_t node, const Eigen::Vector3d& moment) {
     const std::uint32_t spin = spins.find(node);
     // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
-    if (!(setup_.model.inertia(0, node) > least_mass)) return;
+    if (!(setup_.model.inertia(0, node) > minimum_nodal_mass)) return;
     moments.col(node) += spin == LoftSpins::none ? moment : spins.own_share(spin, moment);
   });
 }

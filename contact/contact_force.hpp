@@ -29,8 +29,8 @@ struct ContactSetup {
   const ContactDefinition& definition;
   const ContactModel& contact;
   const Model& model;
-  std::span<const TimeSteppingBlock> blocks;           ///< the periods of the procedure
-  std::span<const FunctionDefinition> functions = {};  ///< that friction models name
+  std::span<const TimeSteppingBlock> time_stepping_blocks;  ///< the periods of the procedure
+  std::span<const FunctionDefinition> functions = {};       ///< that friction models name
 };
 
 /// How much contact lowers the stable step.

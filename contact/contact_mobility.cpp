@@ -2,7 +2,7 @@
 #include "contact/contact_mobility.hpp"
 
 #include <Eigen/Eigenvalues>
-#include "core/least_mass.hpp"
+#include "core/minimum_nodal_mass.hpp"
 
 namespace contactsim {
 
@@ -37,7 +37,7 @@ double ContactMobility::mobility(const MovingSurface& surface, std::uint32_t nod
   const double mobility = share / model_.mass(0, mesh_node.value);
   const Eigen::Vector3d beside = arm(surface, node);
   const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
-  if (beside.isZero(0.0) || !(inertia > least_mass)) return mobility;
+  if (beside.isZero(0.0) || !(inertia > minimum_nodal_mass)) return mobility;
   if (free_share(free_.of_turns(mesh_node.value), nullptr) == 0.0) return mobility;
   const double lever = normal != nullptr ? beside.cross(*normal).squaredNorm() : beside.squaredNorm();
   return mobility + lever / inertia;

@@ -83,15 +83,15 @@ void ContactOutput::begin() {
   nodes_.resize(faces.n_nodes());
 }
 
-std::vector<RunVariable> ContactOutput::variables() {
-  std::vector<RunVariable> made;
+std::vector<OutputVariable> ContactOutput::variables() {
+  std::vector<OutputVariable> made;
   for (const ContactNodeRow& row : contact_node_rows()) {
     const auto size = static_cast<std::size_t>(component_count(row.shape));
-    RunVariable variable{
+    OutputVariable variable{
         std::string(row.name), FieldLocation::node, row.shape, component_count(row.shape), false, {}, {}};
-    variable.fill = [this, &row, size](const OutputMoment& moment, const EntityRange& range,
+    variable.fill = [this, &row, size](const OutputContext& context, const EntityRange& range,
                                        std::span<double> values) {
-      look_at(moment.state);
+      evaluate(context.state);
       for (std::size_t i = 0; i < range.count; ++i) {
         const std::size_t node = range.first + i;
         NodeContact at_rest;
@@ -113,8 +113,9 @@ std::vector<RunVariable> ContactOutput::variables() {
       made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
     }
   }
-  RunVariable deepest{"contact_penetration_max", FieldLocation::global, FieldShape::scalar, 1, false, {}, {}};
-  deepest.fill = [this](const OutputMoment&, const EntityRange&, std::span<double> values) {
+  OutputVariable deepest{
+      "contact_penetration_max", FieldLocation::global, FieldShape::scalar, 1, false, {}, {}};
+  deepest.fill = [this](const OutputContext&, const EntityRange&, std::span<double> values) {
     values[0] = 0.0;
     for (const PairHistory& history : force_.histories()) values[0] = std::max(values[0], history.deepest);
   };
@@ -122,24 +123,24 @@ std::vector<RunVariable> ContactOutput::variables() {
   return made;
 }
 
-RunVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
-                                      std::size_t index) {
-  RunVariable variable{fold(std::string(row.name) + "_" + name),
-                       FieldLocation::global,
-                       row.shape,
-                       component_count(row.shape),
-                       false,
-                       {},
-                       {}};
-  variable.fill = [this, &row, is_pair, index](const OutputMoment& moment, const EntityRange&,
+OutputVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
+                                         std::size_t index) {
+  OutputVariable variable{fold(std::string(row.name) + "_" + name),
+                          FieldLocation::global,
+                          row.shape,
+                          component_count(row.shape),
+                          false,
+                          {},
+                          {}};
+  variable.fill = [this, &row, is_pair, index](const OutputContext& context, const EntityRange&,
                                                std::span<double> values) {
-    look_at(moment.state);
+    evaluate(context.state);
     row.fill(is_pair ? pairs_[index] : surfaces_[index], values.data());
   };
   return variable;
 }
 
-void ContactOutput::look_at(const State& state) {
+void ContactOutput::evaluate(const State& state) {
   const std::lock_guard guard(lock_);
   if (state.step == step_) return;
   if (step_ < 0) begin();

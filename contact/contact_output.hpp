@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/contact_force.hpp"
-#include "core/output/run_variables.hpp"
+#include "core/output/output_variables.hpp"
 
 namespace contactsim {
 
@@ -64,7 +64,7 @@ class ContactOutput {
   ContactOutput(ContactForce& force, const ContactModel& contact, const Model& model);
 
   /// All variables, to be added to those of the run; this must outlive them.
-  std::vector<RunVariable> variables();
+  std::vector<OutputVariable> variables();
 
   /// To be called after the force has gone over to other surfaces.
   void renew() { step_ = -1; }
@@ -72,15 +72,15 @@ class ContactOutput {
  private:
   void begin();
   /// Brings everything to the state. Whoever asks first does the work.
-  void look_at(const State& state);
+  void evaluate(const State& state);
   void add_place(const ContactRecord& record);
   void add_tie(const HeldPlace& tie, const TieForces& forces);
   void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
   void add_to_nodes(const ContactRecord& record, const RecordSide& side, double sign);
   /// The share of each corner of a tie's side in its area.
   static double tie_share(const HeldPlace& tie, bool is_first);
-  RunVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
-                         std::size_t index);
+  OutputVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
+                            std::size_t index);
 
   ContactForce& force_;
   const ContactModel& contact_;

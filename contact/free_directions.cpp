@@ -6,11 +6,11 @@
 
 namespace contactsim {
 
-bool ModelFreeDirections::Directions::update(const Kinematics& kinematics, double time) {
-  std::vector<std::uint8_t> now = kinematics.find_active(time);
+bool ModelFreeDirections::Directions::update(const KinematicConstraints& kinematic_constraints, double time) {
+  std::vector<std::uint8_t> now = kinematic_constraints.find_active(time);
   if (now == active) return false;
   active = std::move(now);
-  held = kinematics.find_free_directions(time);
+  held = kinematic_constraints.find_free_directions(time);
   return true;
 }
 
@@ -20,10 +20,10 @@ const Eigen::Matrix3d* ModelFreeDirections::Directions::find(std::uint32_t node)
 }
 
 bool ModelFreeDirections::update(const Model& model, double time) {
-  const bool nodes = nodes_.update(model.kinematics, time),
-             turns = turns_.update(model.rotation_kinematics, time),
-             bodies = bodies_.update(model.rigid.kinematics, time),
-             body_turns = body_turns_.update(model.rigid.rotation_kinematics, time);
+  const bool nodes = nodes_.update(model.kinematic_constraints, time),
+             turns = turns_.update(model.rotation_constraints, time),
+             bodies = bodies_.update(model.rigid.kinematic_constraints, time),
+             body_turns = body_turns_.update(model.rigid.rotation_constraints, time);
   return nodes || turns || bodies || body_turns;
 }
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 #include "core/model.hpp"
 
 namespace contactsim {
@@ -31,7 +31,7 @@ class ModelFreeDirections {
     std::vector<std::uint8_t> active;  // [n_conditions]
     std::vector<FreeDirections> held;  // ascending
 
-    bool update(const Kinematics& kinematics, double time);
+    bool update(const KinematicConstraints& kinematic_constraints, double time);
     const Eigen::Matrix3d* find(std::uint32_t node) const;
   };
 

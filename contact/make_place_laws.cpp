@@ -157,7 +157,8 @@ PairLaw make_pair_law(const FrictionLaw& law, const LawScope& scope, PlaceLawMak
   } else if (const auto* variant = std::get_if<TimeVariantFriction>(&law)) {
     for (const PeriodModel& model : variant->models) {
       const ActivePeriods periods{model.periods, {}};
-      made.periods.push_back({make_active_times(periods, scope.blocks), maker.named(model.model)});
+      made.periods.push_back(
+          {make_active_times(periods, scope.time_stepping_blocks), maker.named(model.model)});
     }
     made.law = maker.named(std::nullopt);
   } else {

@@ -13,7 +13,7 @@ namespace contactsim {
 struct LawScope {
   std::span<const FrictionModel> models;
   std::span<const FunctionDefinition> functions;
-  std::span<const TimeSteppingBlock> blocks;
+  std::span<const TimeSteppingBlock> time_stepping_blocks;
 };
 
 /// The friction models of pairs, ready for the loops. Errors: functions that are not piecewise linear where

@@ -13,8 +13,8 @@ Eigen::Matrix3d CoordinateSystem::directions_at(const Eigen::Vector3d& place) co
   if (kind == CoordinateSystemKind::rectangular) return axes;
   const Eigen::Vector3d way = place - origin, along = axes.col(2);
   const Eigen::Vector3d out = way - way.dot(along) * along;
-  constexpr double least = 1e-9;  // of the way
-  if (out.norm() <= least * way.norm()) return axes;
+  constexpr double tolerance = 1e-9;  // of the way
+  if (out.norm() <= tolerance * way.norm()) return axes;
   Eigen::Matrix3d directions;
   directions.col(0) = out.normalized();
   directions.col(1) = along.cross(directions.col(0));
@@ -41,8 +41,8 @@ std::optional<CoordinateSystem> find_coordinate_system(const DeckName& name,
   const Eigen::Vector3d z = (on_z->coordinates - origin->coordinates).stableNormalized();
   const Eigen::Vector3d towards = (in_xz->coordinates - origin->coordinates).stableNormalized();
   const Eigen::Vector3d y = z.cross(towards);
-  constexpr double least = 1e-9;  // sine of the angle between the two ways
-  if (!(y.norm() > least))
+  constexpr double tolerance = 1e-9;  // sine of the angle between the two ways
+  if (!(y.norm() > tolerance))
     return fail(fmt::format("the three points of the coordinate system '{}' lie on one line", name.text));
   CoordinateSystem system{found->kind, origin->coordinates, {}};
   system.axes.col(1) = y.normalized();

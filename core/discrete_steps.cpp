@@ -14,8 +14,8 @@ namespace {
 class Ends {
  public:
   explicit Ends(const Model& model)
-      : model_(model), is_driven_(model.mesh->n_nodes(), 0), sums_(n_movers(model), 0.0) {
-    for (const NodeIndex node : model.kinematics.never_free()) is_driven_[node.value] = 1;
+      : model_(model), is_prescribed_(model.mesh->n_nodes(), 0), sums_(n_movers(model), 0.0) {
+    for (const NodeIndex node : model.kinematic_constraints.never_free()) is_prescribed_[node.value] = 1;
     for (const RigidBody& body : model.rigid.bodies) {
       per_inertia_.push_back(
           Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(body.flexible, Eigen::EigenvaluesOnly)
@@ -52,7 +52,7 @@ class Ends {
     const std::int32_t index = body_of(node);
     if (index == RigidNodes::free) {
       const double mass = model_.mass(0, node.value);
-      return mass > least_mass && is_driven_[node.value] == 0 ? 1.0 / mass : 0.0;
+      return mass > minimum_nodal_mass && is_prescribed_[node.value] == 0 ? 1.0 / mass : 0.0;
     }
     const RigidBody& body = model_.rigid.bodies[static_cast<std::size_t>(index)];
     const double arm = (model_.mesh->coordinates().col(node.value) - body.centre).norm();
@@ -60,9 +60,9 @@ class Ends {
   }
 
   const Model& model_;
-  std::vector<std::uint8_t> is_driven_;  ///< [n_nodes]
-  std::vector<double> per_inertia_;      ///< [n_bodies] the largest [1/(mass length^2)]
-  std::vector<double> sums_;             ///< [n_nodes + n_bodies]
+  std::vector<std::uint8_t> is_prescribed_;  ///< [n_nodes]
+  std::vector<double> per_inertia_;          ///< [n_bodies] the largest [1/(mass length^2)]
+  std::vector<double> sums_;                 ///< [n_nodes + n_bodies]
 };
 
 /// Calls act(block, element, its nodes) for all elements of a rule.

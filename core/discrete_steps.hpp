@@ -8,8 +8,8 @@ namespace contactsim {
 /// Sets the steps that springs and dampers allow, from the masses that their ends move: those of nodes, or of
 /// the rigid bodies that nodes belong to. Each is 2 / omega, or 2 / lambda of dampers, with a bound by
 /// Gershgorin's circles of k_e |g_e . g_f|, g the rows of elongation by the root of the mass: all springs at
-/// an end count. Ends without mass and those that are driven all the time do not move freely.
-///   model  its masses, rigid bodies and kinematics are known
+/// an end count. Ends without mass and those that are prescribed all the time do not move freely.
+///   model  its masses, rigid bodies and kinematic constraints are known
 void set_discrete_steps(Model& model);
 
 /// The step that is stable with elements of a material, springs and dampers together: that of

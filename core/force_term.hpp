@@ -55,7 +55,7 @@ class ForceTerm {
   /// Adds the forces that depend on the motion which all other forces would give: those of constraints.
   /// Called once per step, after set_forces of all terms, when the size of the next step is known. Returns
   /// nothing when the term has no such forces; else set_moments is called again.
-  ///   state   its accelerations are those of the forces so far, held and driven nodes and rigid bodies
+  ///   state   its accelerations are those of the forces so far, fixed and prescribed nodes and rigid bodies
   ///           included; its velocities those half a step before
   ///   forces  [3 x n_nodes] of set_forces, added to [force]
   virtual std::optional<ForceReport> balance(const State& /*state*/, Eigen::Matrix3Xd& /*forces*/) {

@@ -8,8 +8,8 @@
 #include <limits>
 #include <span>
 
+#include "core/energy_balance.hpp"
 #include "core/errors.hpp"
-#include "core/node_work.hpp"
 #include "core/rigid/rigid_motion.hpp"
 #include "core/state_motion.hpp"
 #include "core/threads.hpp"
@@ -88,7 +88,7 @@ void move(State& state) {
   if (rotations.exist()) move(state.dt, rotations.acceleration, rotations.velocity, rotations.angle);
 }
 
-/// A moment between steps as the conditions of rotations see it.
+/// A time between steps as the conditions of rotations see it.
 BetweenSteps between_turns(const State& state, double dt_before, double dt_after) {
   const NodalRotations& rotations = state.rotations;
   return {state.time, dt_before, dt_after, state.coordinates, rotations.velocity, &rotations.angle};
@@ -98,14 +98,14 @@ BetweenSteps between_turns(const State& state, double dt_before, double dt_after
 [[noreturn]] void stop_at_non_finite(const Model& model, const State& state) {
   for (std::uint32_t node = 0; node < model.mesh->n_nodes(); ++node) {
     const auto acceleration = state.acceleration.col(node);
-    const bool is_massless = model.mass(0, node) <= least_mass && !acceleration.isZero(0.0);
+    const bool is_massless = model.mass(0, node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
     if (acceleration.allFinite() && state.velocity.col(node).allFinite() && !is_massless) continue;
     const char* cause = is_massless ? "has no mass but is pushed" : "moves without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
   }
   for (std::uint32_t node = 0; node < state.rotations.velocity.cols(); ++node) {
     const auto acceleration = state.rotations.acceleration.col(node);
-    const bool is_massless = model.inertia(0, node) <= least_mass && !acceleration.isZero(0.0);
+    const bool is_massless = model.inertia(0, node) <= minimum_nodal_mass && !acceleration.isZero(0.0);
     if (acceleration.allFinite() && state.rotations.velocity.col(node).allFinite() && !is_massless) continue;
     const char* cause = is_massless ? "has no rotations but is turned by a moment" : "turns without bound";
     throw SolveError(state.time, fmt::format("node {} {}", model.mesh->node_id({node}), cause));
@@ -130,17 +130,17 @@ void check_step(const Model& model, const State& state, const StepReport& report
   throw SolveError(state.time, cause);
 }
 
-void add_work(const NodeWork& work, State& state) {
+void update_energies(const EnergyBalance& balance, State& state) {
   Energies& energies = state.energies;
-  energies.kinetic = work.kinetic;
-  if (state.step == 0) energies.unseen = work.unseen;
-  energies.internal -= state.begun.internal + work.ended.internal + (work.unseen - energies.unseen);
-  energies.unseen = work.unseen;
-  energies.external += state.begun.external + work.ended.external;
-  energies.contact -= state.begun.contact + work.ended.contact;
-  state.begun = work.begun;
-  state.momentum = work.momentum;
-  const double seen = work.conserved + work.unseen;
+  energies.kinetic = balance.kinetic;
+  if (state.step == 0) energies.unseen = balance.unseen;
+  energies.internal -= state.begun.internal + balance.ended.internal + (balance.unseen - energies.unseen);
+  energies.unseen = balance.unseen;
+  energies.external += state.begun.external + balance.ended.external;
+  energies.contact -= state.begun.contact + balance.ended.contact;
+  state.begun = balance.begun;
+  state.momentum = balance.momentum;
+  const double seen = balance.conserved + balance.unseen;
   if (state.step == 0) energies.start = seen + energies.contact;
   energies.error = seen + energies.internal + energies.contact - energies.external - energies.start;
   for (const double term : {energies.kinetic, energies.internal, energies.external, energies.contact})
@@ -149,17 +149,17 @@ void add_work(const NodeWork& work, State& state) {
 
 /// Holds and drives what conditions say, and rigid bodies.
 void constrain(const Model& model, State& state) {
-  model.kinematics.constrain({state.time, state.dt, state.next_dt, state.coordinates, state.velocity},
-                             state.acceleration);
+  model.kinematic_constraints.constrain(
+      {state.time, state.dt, state.next_dt, state.coordinates, state.velocity}, state.acceleration);
   NodalRotations& rotations = state.rotations;
   if (rotations.exist()) {
-    model.rotation_kinematics.constrain(between_turns(state, state.dt, state.next_dt),
-                                        rotations.acceleration);
+    model.rotation_constraints.constrain(between_turns(state, state.dt, state.next_dt),
+                                         rotations.acceleration);
   }
   if (!model.rigid.empty()) drive_rigid_bodies(model, state);
 }
 
-/// The accelerations that the forces give, held and driven nodes and rigid bodies included.
+/// The accelerations that the forces give, fixed and prescribed nodes and rigid bodies included.
 void find_accelerations(const Model& model, State& state) {
   accelerate(model.mass, state.forces, state.acceleration);
   NodalRotations& rotations = state.rotations;
@@ -189,15 +189,15 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
 double energy_at_start(const Model& model, const State& state) {
   const double half = 0.5 * state.next_dt;
   const NodalRotations& rotations = state.rotations;
-  NodeWork of_bodies;
-  if (!model.rigid.empty()) add_rigid_work(model, state, of_bodies);
+  EnergyBalance bodies;
+  if (!model.rigid.empty()) add_rigid_balance(model, state, bodies);
   double changed = 0.0;
   for (std::uint32_t i = 0; i < model.mesh->n_nodes(); ++i) {
     if (!model.rigid.nodes.is_free({i})) continue;
     changed += model.mass(0, i) * state.acceleration.col(i).squaredNorm();
     if (rotations.exist()) changed += model.inertia(0, i) * rotations.acceleration.col(i).squaredNorm();
   }
-  return of_bodies.conserved - 0.5 * half * half * changed;
+  return bodies.conserved - 0.5 * half * half * changed;
 }
 
 /// Chooses the next step, constrains the accelerations and completes velocities, energies and momentum.
@@ -210,10 +210,10 @@ void complete(const Model& model, ForceTerms terms, const TimeStepControl& contr
   const double free = state.step == 0 ? energy_at_start(model, state) : 0.0;
   balance_contact(model, terms, state);
   if (state.step == 0) state.energies.contact = free - energy_at_start(model, state);
-  NodeWork work = complete_velocities(model, state);
-  if (!model.rigid.empty()) add_rigid_work(model, state, work);
-  if (!std::isfinite(work.kinetic + work.conserved)) stop_at_non_finite(model, state);
-  add_work(work, state);
+  EnergyBalance balance = complete_velocities(model, state);
+  if (!model.rigid.empty()) add_rigid_balance(model, state, balance);
+  if (!std::isfinite(balance.kinetic + balance.conserved)) stop_at_non_finite(model, state);
+  update_energies(balance, state);
 }
 
 }  // namespace
@@ -223,10 +223,10 @@ StepReport start(const Model& model, ForceTerms forces, const TimeStepControl& c
   const Motion motion = motion_of(state, 0.0);
   StepReport report = set_forces(forces, motion, state);
   const double dt = control.step_after(state.time, 0.0, report.stable_step);
-  model.kinematics.constrain_velocity({state.time, 0.0, dt, state.coordinates, state.velocity},
-                                      state.velocity);
+  model.kinematic_constraints.constrain_velocity({state.time, 0.0, dt, state.coordinates, state.velocity},
+                                                 state.velocity);
   if (state.rotations.exist())
-    model.rotation_kinematics.constrain_velocity(between_turns(state, 0.0, dt), state.rotations.velocity);
+    model.rotation_constraints.constrain_velocity(between_turns(state, 0.0, dt), state.rotations.velocity);
   report = set_forces(forces, motion, state);  // bulk viscosity depends on the velocities
   complete(model, forces, control, report, state);
   return report;

@@ -62,9 +62,9 @@ double find_step_of_particles(const Model& model) {
 
 InternalForce::InternalForce(const Model& model, State& state)
     : model_(model), state_(state), idle_step_(find_step_at_rest(model, true)) {
-  std::size_t most = 0;
-  for (const ModelBlock& block : model.blocks) most = std::max(most, block.chunks.size());
-  chunks_.resize(most);
+  std::size_t max_chunks = 0;
+  for (const ModelBlock& block : model.blocks) max_chunks = std::max(max_chunks, block.chunks.size());
+  chunks_.resize(max_chunks);
 }
 
 void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
@@ -95,7 +95,7 @@ struct StableSteps {
     if (rule == StepRule::stiffness) return stiffness;
     return rule == StepRule::damping ? damping : material;
   }
-  double least() const { return std::min({material, stiffness, damping}); }
+  double min() const { return std::min({material, stiffness, damping}); }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 };
@@ -111,8 +111,8 @@ ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
     if (block.is_rigid) continue;
     advance_chunks(index, motion);
     for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
-      if (!(chunk.least_volume > 0.0)) stop_at_inverted(block, motion);
-      if (chunk.stable_step < steps.least()) {
+      if (!(chunk.min_volume > 0.0)) stop_at_inverted(block, motion);
+      if (chunk.stable_step < steps.min()) {
         report.critical_element = {block.first_element.value +
                                    static_cast<std::uint32_t>(chunk.critical_element)};
       }

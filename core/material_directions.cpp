@@ -20,8 +20,8 @@ Eigen::Matrix3d matrix_of(const AxisRotation& rotation) {
 std::optional<Eigen::Matrix3d> laid_into(const Eigen::Matrix3d& frame, const Eigen::Matrix3d& directions) {
   const Eigen::Vector3d first = frame * directions.col(0);
   const double length = first.head<2>().norm();
-  constexpr double least = 1e-6;  // sine of the angle to the normal
-  if (!(length > least)) return std::nullopt;
+  constexpr double tolerance = 1e-6;  // sine of the angle to the normal
+  if (!(length > tolerance)) return std::nullopt;
   const double c = first.x() / length, s = first.y() / length;
   return Eigen::Matrix3d{{c, -s, 0.0}, {s, c, 0.0}, {0.0, 0.0, 1.0}};
 }

@@ -13,15 +13,15 @@ namespace contactsim {
 namespace {
 
 /// An element gives each of its nodes an equal share of what it has.
-///   of_elements  [n_batches]
-void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> of_elements,
+///   element_values  [n_batches]
+void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> element_values,
                 Eigen::Matrix3Xd& sums) {
   const ElementBlock& source = mesh.blocks()[block.mesh_block];
   for (std::uint32_t element = 0; element < source.n_elements; ++element) {
-    const double of_element = of_elements[element / n_lanes](element % n_lanes);
+    const double element_value = element_values[element / n_lanes](element % n_lanes);
     const auto nodes = source.element_nodes(element);
     for (const NodeIndex node : nodes)
-      sums.col(node.value).array() += of_element / static_cast<double>(nodes.size());
+      sums.col(node.value).array() += element_value / static_cast<double>(nodes.size());
   }
 }
 
@@ -30,7 +30,7 @@ void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes
 Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks) {
   Eigen::Matrix3Xd mass = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
   for (const ModelBlock& block : blocks) add_shares(block, mesh, block.mass, mass);
-  return mass.cwiseMax(least_mass);
+  return mass.cwiseMax(minimum_nodal_mass);
 }
 
 Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks) {
@@ -40,7 +40,7 @@ Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> bl
   for (const ModelBlock& block : blocks) {
     if (turns(block)) add_shares(block, mesh, block.inertia, inertia);
   }
-  return inertia.cwiseMax(least_mass);
+  return inertia.cwiseMax(minimum_nodal_mass);
 }
 
 Model make_model(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,

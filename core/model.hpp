@@ -4,27 +4,28 @@
 #include <span>
 #include <vector>
 
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/elements/model_block.hpp"
-#include "core/least_mass.hpp"
 #include "core/mesh/mesh.hpp"
+#include "core/minimum_nodal_mass.hpp"
 #include "core/rigid/rigid_bodies.hpp"
 #include "core/state.hpp"
 
 namespace contactsim {
 
-/// What a region makes of a mesh: elements with their materials, masses, held and driven nodes. Const after
-/// set-up; the mesh must outlive it.
+/// What a region makes of a mesh: elements with their materials, masses, fixed and prescribed nodes. Const
+/// after set-up; the mesh must outlive it.
 struct Model {
   const Mesh* mesh = nullptr;
   std::vector<ModelBlock> blocks;  ///< in the order of the mesh, blocks of no elements left out
-  Eigen::Matrix3Xd mass;  ///< [3 x n_nodes] lumped, the same in every row; least_mass without elements [mass]
+  /// [3 x n_nodes] lumped, the same in every row; minimum_nodal_mass without elements [mass]
+  Eigen::Matrix3Xd mass;
   Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0);  ///< [3 x n_nodes] lumped, about any axis, as mass;
                                                       ///< 3 x 0 when no node turns [mass length^2]
-  Kinematics kinematics;
-  Kinematics rotation_kinematics;  ///< of the nodes' rotations
+  KinematicConstraints kinematic_constraints;
+  KinematicConstraints rotation_constraints;  ///< of the nodes' rotations
   RigidBodies rigid;
 };
 

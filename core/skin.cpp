@@ -204,7 +204,7 @@ class FaceMatcher {
 
 }  // namespace
 
-std::span<const ElementSide> Skin::of_block(const ElementBlock& block) const {
+std::span<const ElementSide> Skin::sides_of_block(const ElementBlock& block) const {
   const std::uint32_t end = block.first_element.value + block.n_elements;
   const auto first = std::lower_bound(exterior.begin(), exterior.end(), ElementSide(block.first_element, 1));
   const auto last = std::lower_bound(first, exterior.end(), ElementSide({end}, 1));
@@ -227,8 +227,8 @@ Skin make_skin(const Mesh& mesh, std::span<const std::uint8_t> present) {
     std::transform(skin.in_between.begin(), skin.in_between.end(), matcher.in_between().begin(),
                    skin.in_between.begin(), std::plus<>());
   }
-  for (const auto& of_range : exterior) {
-    skin.exterior.insert(skin.exterior.end(), of_range.begin(), of_range.end());
+  for (const auto& range_sides : exterior) {
+    skin.exterior.insert(skin.exterior.end(), range_sides.begin(), range_sides.end());
   }
   std::sort(skin.exterior.begin(), skin.exterior.end());
   return skin;

@@ -17,7 +17,7 @@ struct Skin {
   std::vector<std::uint32_t> in_between;
 
   /// The exterior faces of one block, a part of `exterior`.
-  std::span<const ElementSide> of_block(const ElementBlock& block) const;
+  std::span<const ElementSide> sides_of_block(const ElementBlock& block) const;
 };
 
 /// Finds the exterior faces of the present elements: a face of a solid is exterior unless another present

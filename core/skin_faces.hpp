@@ -67,9 +67,9 @@ inline std::uint32_t smallest(const Corners& c) {
 ///   element_at  (std::uint32_t i) -> position in the mesh of the i-th of n elements
 template <const auto& sides, std::size_t n_faces = sides.size(), class ElementAt, class Visit>
 void visit_faces_of(const ElementBlock& block, std::uint32_t n, const ElementAt& element_at, Visit& visit) {
-  const auto nodes_of = [&block, of_first = block.element_nodes(0).data()](std::uint32_t element) {
+  const auto nodes_of = [&block, first_nodes = block.element_nodes(0).data()](std::uint32_t element) {
     const std::size_t in_block = element - block.first_element.value;
-    return of_first + in_block * static_cast<std::size_t>(block.nodes_per_element);
+    return first_nodes + in_block * static_cast<std::size_t>(block.nodes_per_element);
   };
   constexpr std::uint32_t ahead = 12;  // hides the way to memory when elements stand in no order
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -8,7 +8,7 @@
 
 namespace contactsim {
 
-double HeldStableStep::least_with(double stable) {
+double HeldStableStep::min_with(double stable) {
   if (count == n_steps) *this = {.before = now};
   now = std::min(now, stable);
   ++count;
@@ -20,9 +20,9 @@ double HeldStableStep::take(double stable) {
     const double next = recovery * returning;
     if (stable > next) return returning = next;
     *this = {};
-    return least_with(stable);
+    return min_with(stable);
   }
-  const double last = std::min(now, before), held = least_with(stable);
+  const double last = std::min(now, before), held = min_with(stable);
   if (!(held > recovery * last)) return held;
   *this = {.returning = recovery * last};
   return returning;
@@ -66,7 +66,7 @@ bool TimeStepControl::is_over(double time, double step) const {
 TimeStepControl make_time_step_control(const Procedure& procedure, const Region& region) {
   std::vector<TimePeriod> periods;
   const TimeControl& control = *procedure.time_control;
-  for (const TimeSteppingBlock& block : control.blocks) {
+  for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
     TimePeriod period{block.name.text, block.start_time, {}};
     const auto is_ours = [&](const ExplicitTimeParameters& p) { return p.name == region.name; };
     const auto found =

@@ -46,7 +46,7 @@ struct HeldStableStep {
   double take(double stable);
 
  private:
-  double least_with(double stable);
+  double min_with(double stable);
 };
 
 /// How long the run is and how large its steps are. Source: Sierra/SM 5.22, 3.1.

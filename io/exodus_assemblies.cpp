@@ -132,9 +132,9 @@ std::vector<Assembly> read_assemblies(const NetcdfFile& file, const MeshParts& p
   for (std::size_t a = 0; a < assemblies.size(); ++a) {
     for (std::int64_t id : all_stored[a].member_ids) {
       const EntityKind kind = *assemblies[a].member_kind;
-      const auto& of_kind = index[static_cast<std::size_t>(kind)];
-      const auto member = of_kind.find(id);
-      if (member == of_kind.end()) {
+      const auto& kind_index = index[static_cast<std::size_t>(kind)];
+      const auto member = kind_index.find(id);
+      if (member == kind_index.end()) {
         file.fail(
             fmt::format("{}: its member {} {} does not exist", describe(assemblies[a]), to_string(kind), id));
       }

@@ -39,8 +39,8 @@ HeartbeatStyle heartbeat_style(const HeartbeatOutput& definition) {
     style.separator = "\t";
     style.timestamp_format = "[%H:%M:%S]";
   }
-  constexpr std::int64_t most_digits = 17;
-  if (definition.precision) style.n_digits = static_cast<int>(std::min(*definition.precision, most_digits));
+  constexpr std::int64_t max_digits = 17;
+  if (definition.precision) style.n_digits = static_cast<int>(std::min(*definition.precision, max_digits));
   // Programs read SPYHIS by its form, which nothing else may change.
   if (style.format == Format::spyhis) return style;
   if (definition.has_labels) style.has_labels = *definition.has_labels;

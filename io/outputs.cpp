@@ -197,20 +197,20 @@ void Outputs::open_files() {
   for (ExodusJob& job : exodus_) open(job);
   for (HeartbeatJob& job : heartbeats_) {
     std::error_code ignored;
-    const bool goes_on = job.appends && std::filesystem::file_size(job.path, ignored) > 0 && !ignored;
-    if (goes_on && job.style.format != HeartbeatOutput::Format::spyhis) job.style.has_legend = false;
+    const bool continues = job.appends && std::filesystem::file_size(job.path, ignored) > 0 && !ignored;
+    if (continues && job.style.format != HeartbeatOutput::Format::spyhis) job.style.has_legend = false;
     job.writer.emplace(job.path.empty() ? settings_.log : make_file_sink(job.path, job.appends), job.style,
                        value_names(job.values), settings_.clock);
   }
 }
 
-std::optional<std::string> Outputs::find_end(const State& state) {
-  const OutputMoment moment{model_, state};
-  user_outputs_.compute(moment, !terminations_.is_empty() || settings_.always_computes);
-  return terminations_.find_reason(moment);
+std::optional<std::string> Outputs::check_termination(const State& state) {
+  const OutputContext context{model_, state};
+  user_outputs_.compute(context, !terminations_.is_empty() || settings_.always_computes);
+  return terminations_.find_reason(context);
 }
 
-bool Outputs::find_due(const RunMoment& now) {
+bool Outputs::find_due(const OutputTime& now) {
   bool has_results = false, has_history = false, is_any = false;
   for (ExodusJob& job : exodus_) {
     job.is_due = job.times.is_due(now);
@@ -227,34 +227,34 @@ bool Outputs::find_due(const RunMoment& now) {
   return is_any;
 }
 
-void Outputs::HeartbeatJob::write(const State& state, const OutputMoment& moment) {
-  writer->write(state.time, evaluate_all(values, moment));
+void Outputs::HeartbeatJob::write(const State& state, const OutputContext& context) {
+  writer->write(state.time, evaluate_all(values, context));
   last_step = state.step;
 }
 
 void Outputs::write(const State& state, bool is_last) {
   if (!std::exchange(is_open_, true)) open_files();
-  const OutputMoment moment{model_, state};
+  const OutputContext context{model_, state};
   const bool is_any_due = find_due({state.step, state.time, is_last});
-  user_outputs_.compute(moment, is_any_due);
+  user_outputs_.compute(context, is_any_due);
   for (ExodusJob& job : exodus_) {
     if (!job.is_due) continue;
     job.writer->write_step(state.time, [&](std::size_t field) {
-      return rigid_part_.extended(job.defined[field], job.fields.evaluate(field, moment), state);
+      return rigid_part_.extended(job.defined[field], job.fields.evaluate(field, context), state);
     });
   }
   for (HeartbeatJob& job : heartbeats_) {
     if (!job.is_due) continue;
-    job.write(state, moment);
+    job.write(state, context);
   }
 }
 
 void Outputs::write_at_restart(const State& state) {
   for (HeartbeatJob& job : heartbeats_) {
     if (job.monitored != HeartbeatOutput::Monitored::restart || job.last_step == state.step) continue;
-    const OutputMoment moment{model_, state};
-    user_outputs_.compute(moment, true);
-    job.write(state, moment);
+    const OutputContext context{model_, state};
+    user_outputs_.compute(context, true);
+    job.write(state, context);
   }
 }
 

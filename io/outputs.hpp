@@ -23,11 +23,11 @@ namespace contactsim {
 struct OutputSettings {
   std::optional<std::string> results_path;  ///< in place of the deck's first results file
   std::string command_line;
-  std::vector<std::string> deck_lines;  ///< after Aprepro
-  TextSink log;                         ///< for heartbeats to cout, cerr, log, ...
-  std::vector<RunVariable> variables;   ///< of contact, besides those of every run
-  std::vector<SideSet> side_sets;       ///< that results files hold besides those of the mesh
-  bool always_computes = false;         ///< someone reads what the deck computes after every step
+  std::vector<std::string> deck_lines;    ///< after Aprepro
+  TextSink log;                           ///< for heartbeats to cout, cerr, log, ...
+  std::vector<OutputVariable> variables;  ///< of contact, besides those of every run
+  std::vector<SideSet> side_sets;         ///< that results files hold besides those of the mesh
+  bool always_computes = false;           ///< someone reads what the deck computes after every step
   std::function<std::time_t()> clock = [] { return std::time(nullptr); };
 };
 
@@ -44,7 +44,7 @@ class Outputs {
   /// Brings what the deck computes to the state, and says whether a SOLUTION TERMINATION ends the run with
   /// it: why, in words. To be called once for the state of the start and that after every step, before
   /// write().
-  std::optional<std::string> find_end(const State& state);
+  std::optional<std::string> check_termination(const State& state);
 
   /// Writes what is due.
   ///   is_last  the run ends with this state
@@ -60,11 +60,11 @@ class Outputs {
   /// Gives the names of all files an end; heartbeats that append go on with theirs. Precedes write().
   void add_suffix(const std::string& suffix);
   /// Passes over what an earlier run has written up to a state.
-  void go_on(const State& state) { find_due({state.step, state.time, false}); }
+  void resume(const State& state) { find_due({state.step, state.time, false}); }
   /// Saves or restores what user variables hold.
   void archive(StateArchive& saved) { user_outputs_.archive(saved); }
   /// All that can be written, for who reads variables too.
-  const RunVariables& variables() const { return variables_; }
+  const OutputVariables& variables() const { return variables_; }
 
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;
@@ -93,7 +93,7 @@ class Outputs {
     bool is_due = false;
     std::optional<std::int64_t> last_step = std::nullopt;  ///< that was written
 
-    void write(const State& state, const OutputMoment& moment);
+    void write(const State& state, const OutputContext& context);
   };
 
   void add_results(const ConditionScope& scope, const ResultsOutput& output, std::optional<std::string> path);
@@ -101,11 +101,11 @@ class Outputs {
   void add_heartbeat(const ConditionScope& scope, const HeartbeatOutput& output);
   void open_files();
   ResultsText make_text(const std::string& title) const;
-  bool find_due(const RunMoment& now);
+  bool find_due(const OutputTime& now);
 
   const Model& model_;
   RigidPart rigid_part_;
-  RunVariables variables_;
+  OutputVariables variables_;
   UserOutputs user_outputs_;
   Terminations terminations_;
   OutputSettings settings_;

@@ -82,12 +82,12 @@ std::span<const double> RigidPart::extended(const OutputField& field, std::span<
   if (field.location != FieldLocation::node || !exists()) return values;
   values_.assign(values.begin(), values.end());
   for (std::size_t i = 0; i < model_.rigid.bodies.size(); ++i) {
-    std::vector<double> of_body(static_cast<std::size_t>(field.n_components), 0.0);
+    std::vector<double> body_values(static_cast<std::size_t>(field.n_components), 0.0);
     if (field.shape == FieldShape::vector && i < state.rigid.size()) {
       const Eigen::Vector3d value = value_of(field.name, model_.rigid.bodies[i], state.rigid[i]);
-      std::copy(value.begin(), value.end(), of_body.begin());
+      std::copy(value.begin(), value.end(), body_values.begin());
     }
-    values_.insert(values_.end(), of_body.begin(), of_body.end());
+    values_.insert(values_.end(), body_values.begin(), body_values.end());
   }
   return values_;
 }

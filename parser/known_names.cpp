@@ -6,8 +6,8 @@
 namespace contactsim {
 
 std::string KnownNames::name_for_message(const DeckName& name) const {
-  const std::string of_owner = owner_.empty() ? "" : " of " + owner_;
-  return fmt::format("{} '{}'{}", kind_, name.text, of_owner);
+  const std::string owner_text = owner_.empty() ? "" : " of " + owner_;
+  return fmt::format("{} '{}'{}", kind_, name.text, owner_text);
 }
 
 void KnownNames::define(const DeckName& name, Diagnostics& diagnostics) {

@@ -107,9 +107,9 @@ class NameResolution {
   }
 
   void use(const TimeControl& control, KnownNames& regions) {
-    define(control.blocks, outside_.periods);
+    define(control.time_stepping_blocks, outside_.periods);
     check_time_control(control, diagnostics_);
-    for (const TimeSteppingBlock& block : control.blocks) {
+    for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
       for (const auto& parameters : block.explicit_parameters) regions.use(parameters.name, diagnostics_);
       for (const auto& parameters : block.implicit_parameters) {
         regions.use(parameters.name, diagnostics_);

@@ -145,10 +145,10 @@ class RepeatedLines {
 
 }  // namespace
 
-RowPhrases::RowPhrases(const std::vector<RowText>& rows, bool of_blocks) {
+RowPhrases::RowPhrases(const std::vector<RowText>& rows, bool is_for_blocks) {
   std::vector<std::string> phrases;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].is_block != of_blocks || rows[i].matches != RowText::Matches::phrase) continue;
+    if (rows[i].is_block != is_for_blocks || rows[i].matches != RowText::Matches::phrase) continue;
     phrases.push_back(rows[i].phrase);
     phrases.insert(phrases.end(), rows[i].spellings.begin(), rows[i].spellings.end());
     rows_.resize(phrases.size(), i);

@@ -53,7 +53,7 @@ struct RowText {
 /// The phrases of the commands of a block, or of its inner blocks, and the rows that they belong to.
 class RowPhrases {
  public:
-  RowPhrases(const std::vector<RowText>& rows, bool of_blocks);
+  RowPhrases(const std::vector<RowText>& rows, bool is_for_blocks);
   /// The row with the longest phrase that the words begin with.
   std::optional<MatchedItem> find(std::span<const Word> words) const;
   /// The known phrase nearest to the beginning of the words; "" when none is near.

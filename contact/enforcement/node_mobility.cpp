@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/least_mass.hpp"
+#include "core/minimum_nodal_mass.hpp"
 
 namespace contactsim {
 
@@ -17,7 +17,7 @@ double largest_stretch(const Eigen::Matrix3d& symmetric) {
   return std::min(symmetric.trace(), symmetric.cwiseAbs().rowwise().sum().maxCoeff());
 }
 
-bool is_positive(double mass) { return mass > least_mass; }
+bool is_positive(double mass) { return mass > minimum_nodal_mass; }
 
 }  // namespace
 

@@ -30,14 +30,15 @@ bool ActiveTimes::overlaps(const ActiveTimes& other) const {
   });
 }
 
-ActiveTimes make_active_times(const ActivePeriods& periods, std::span<const TimeSteppingBlock> blocks) {
+ActiveTimes make_active_times(const ActivePeriods& periods,
+                              std::span<const TimeSteppingBlock> time_stepping_blocks) {
   if (periods.active.empty() && periods.inactive.empty()) return {};
   std::vector<ActiveTimes::Interval> intervals;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (!is_active(periods, blocks[i].name)) continue;
+  for (std::size_t i = 0; i < time_stepping_blocks.size(); ++i) {
+    if (!is_active(periods, time_stepping_blocks[i].name)) continue;
     ActiveTimes::Interval interval;
-    if (i > 0) interval.begin = blocks[i].start_time;
-    if (i + 1 < blocks.size()) interval.end = blocks[i + 1].start_time;
+    if (i > 0) interval.begin = time_stepping_blocks[i].start_time;
+    if (i + 1 < time_stepping_blocks.size()) interval.end = time_stepping_blocks[i + 1].start_time;
     const bool continues = !intervals.empty() && intervals.back().end == interval.begin;
     if (continues) {
       intervals.back().end = interval.end;

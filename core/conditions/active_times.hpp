@@ -37,8 +37,9 @@ class ActiveTimes {
 
 /// The times that ACTIVE PERIODS and INACTIVE PERIODS leave. The first period reaches back to the beginning,
 /// the last goes on for ever. Without periods a condition always acts.
-///   blocks  the periods, start times rise
+///   time_stepping_blocks  the periods, start times rise
 /// Source: Sierra/SM 5.22, 3.1: time stepping blocks are the periods.
-ActiveTimes make_active_times(const ActivePeriods& periods, std::span<const TimeSteppingBlock> blocks);
+ActiveTimes make_active_times(const ActivePeriods& periods,
+                              std::span<const TimeSteppingBlock> time_stepping_blocks);
 
 }  // namespace contactsim

@@ -16,14 +16,17 @@ namespace contactsim {
 struct ConditionScope {
   const SimulationDefinition& definition;
   const Region& region;
-  std::span<const TimeSteppingBlock> blocks;  ///< of the region's procedure: the periods; may be empty
+  /// Of the region's procedure: the periods; may be empty.
+  std::span<const TimeSteppingBlock> time_stepping_blocks;
   const Mesh& mesh;
   Diagnostics& diagnostics;
   const StoredVariables* stored = nullptr;  ///< results of the mesh file, for READ VARIABLE; null: none
   const RigidNodes* rigid = nullptr;        ///< of the model; null: no rigid bodies
 
   /// Of the run [time].
-  double start_time() const { return blocks.empty() ? 0.0 : blocks.front().start_time; }
+  double start_time() const {
+    return time_stepping_blocks.empty() ? 0.0 : time_stepping_blocks.front().start_time;
+  }
 };
 
 /// A condition block as messages call it.

@@ -56,7 +56,7 @@ void FaceFinder::add_block(const NamedEntity& part) {
   const ElementBlock& block = scope_.mesh.blocks()[part.entity.index];
   if (topology(block.shape).family == Family::shell) return add_shells(part);
   if (!skin_) skin_ = make_skin(scope_.mesh, std::vector<std::uint8_t>(scope_.mesh.n_elements(), 1));
-  const auto faces = skin_->of_block(block);
+  const auto faces = skin_->sides_of_block(block);
   faces_.insert(faces_.end(), faces.begin(), faces.end());
 }
 

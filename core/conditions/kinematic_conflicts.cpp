@@ -19,9 +19,11 @@ bool have_right_angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 /// An axis drives the plane at right angles to it.
-bool drives_plane(const DrivenNodes& driven) { return std::holds_alternative<Axis>(driven.direction); }
+bool constrains_plane(const PrescribedMotion& motion) {
+  return std::holds_alternative<Axis>(motion.direction);
+}
 
-bool are_apart(const Axis& axis, const DrivenNodes& other) {
+bool are_apart(const Axis& axis, const PrescribedMotion& other) {
   const auto units = unit_vectors(other.direction);
   return std::all_of(units.begin(), units.end(), [&](const Eigen::Vector3d& unit) {
     return axis.direction.cross(unit).norm() <= tolerance;
@@ -29,10 +31,10 @@ bool are_apart(const Axis& axis, const DrivenNodes& other) {
 }
 
 /// Whether all that one drives is at right angles to all that the other drives.
-bool are_apart(const DrivenNodes& a, const DrivenNodes& b) {
-  if (drives_plane(a) && drives_plane(b)) return false;
-  if (drives_plane(a)) return are_apart(std::get<Axis>(a.direction), b);
-  if (drives_plane(b)) return are_apart(std::get<Axis>(b.direction), a);
+bool are_apart(const PrescribedMotion& a, const PrescribedMotion& b) {
+  if (constrains_plane(a) && constrains_plane(b)) return false;
+  if (constrains_plane(a)) return are_apart(std::get<Axis>(a.direction), b);
+  if (constrains_plane(b)) return are_apart(std::get<Axis>(b.direction), a);
   const auto units_a = unit_vectors(a.direction), units_b = unit_vectors(b.direction);
   return std::all_of(units_a.begin(), units_a.end(), [&](const Eigen::Vector3d& unit) {
     return std::all_of(units_b.begin(), units_b.end(),
@@ -41,13 +43,13 @@ bool are_apart(const DrivenNodes& a, const DrivenNodes& b) {
 }
 
 /// Holds in slanted directions are made one when they act at the same times.
-bool may_share_nodes(const DrivenNodes& a, const DrivenNodes& b) {
+bool may_share_nodes(const PrescribedMotion& a, const PrescribedMotion& b) {
   if (!a.times.overlaps(b.times) || are_apart(a, b)) return true;
-  const bool both_hold = a.drive == Drive::hold && b.drive == Drive::hold;
-  return both_hold && (!are_oblique(a, b) || a.times == b.times);
+  const bool both_fixed = a.type == MotionType::fixed && b.type == MotionType::fixed;
+  return both_fixed && (!are_oblique(a, b) || a.times == b.times);
 }
 
-void report(const DrivenNodes& first, const DrivenNodes& second, std::span<const NodeIndex> shared,
+void report(const PrescribedMotion& first, const PrescribedMotion& second, std::span<const NodeIndex> shared,
             const Mesh& mesh, Diagnostics& diagnostics) {
   const std::string more = shared.size() > 1 ? fmt::format(" and {} more", shared.size() - 1) : std::string();
   diagnostics.add_error(
@@ -59,14 +61,14 @@ void report(const DrivenNodes& first, const DrivenNodes& second, std::span<const
 
 }  // namespace
 
-std::vector<NodeIndex> shared_nodes(const DrivenNodes& a, const DrivenNodes& b) {
+std::vector<NodeIndex> shared_nodes(const PrescribedMotion& a, const PrescribedMotion& b) {
   std::vector<NodeIndex> shared;
   std::set_intersection(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
                         std::back_inserter(shared));
   return shared;
 }
 
-bool are_oblique(const DrivenNodes& a, const DrivenNodes& b) {
+bool are_oblique(const PrescribedMotion& a, const PrescribedMotion& b) {
   for (const Eigen::Vector3d& unit : unit_vectors(a.direction)) {
     for (const Eigen::Vector3d& other : unit_vectors(b.direction)) {
       const bool is_parallel = unit.cross(other).norm() <= tolerance;
@@ -76,12 +78,12 @@ bool are_oblique(const DrivenNodes& a, const DrivenNodes& b) {
   return false;
 }
 
-void check_conflicts(std::span<const DrivenNodes> driven, const Mesh& mesh, Diagnostics& diagnostics) {
-  for (std::size_t second = 1; second < driven.size(); ++second) {
+void check_conflicts(std::span<const PrescribedMotion> motions, const Mesh& mesh, Diagnostics& diagnostics) {
+  for (std::size_t second = 1; second < motions.size(); ++second) {
     for (std::size_t first = 0; first < second; ++first) {
-      if (may_share_nodes(driven[first], driven[second])) continue;
-      const auto shared = shared_nodes(driven[first], driven[second]);
-      if (!shared.empty()) report(driven[first], driven[second], shared, mesh, diagnostics);
+      if (may_share_nodes(motions[first], motions[second])) continue;
+      const auto shared = shared_nodes(motions[first], motions[second]);
+      if (!shared.empty()) report(motions[first], motions[second], shared, mesh, diagnostics);
     }
   }
 }

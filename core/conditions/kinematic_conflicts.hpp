@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/conditions/driven_nodes.hpp"
+#include "core/conditions/prescribed_motion.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -11,12 +11,12 @@ namespace contactsim {
 
 /// Reports every two conditions that drive one node at one time in directions that are not at right angles,
 /// at the later of them, with the first such node. Two that hold a node do not disturb each other.
-void check_conflicts(std::span<const DrivenNodes> driven, const Mesh& mesh, Diagnostics& diagnostics);
+void check_conflicts(std::span<const PrescribedMotion> motions, const Mesh& mesh, Diagnostics& diagnostics);
 
 /// The nodes of both, ascending.
-std::vector<NodeIndex> shared_nodes(const DrivenNodes& a, const DrivenNodes& b);
+std::vector<NodeIndex> shared_nodes(const PrescribedMotion& a, const PrescribedMotion& b);
 
 /// Whether some unit vectors of the two are neither parallel nor at right angles. Precondition: no axis.
-bool are_oblique(const DrivenNodes& a, const DrivenNodes& b);
+bool are_oblique(const PrescribedMotion& a, const PrescribedMotion& b);
 
 }  // namespace contactsim

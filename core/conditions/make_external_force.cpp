@@ -9,7 +9,7 @@
 #include "core/conditions/entity_nodes.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/stored_values.hpp"
-#include "core/least_mass.hpp"
+#include "core/minimum_nodal_mass.hpp"
 
 namespace contactsim {
 
@@ -69,7 +69,7 @@ void ExternalForceMaker::add(const Gravity& gravity) {
   if (!value || !direction) return;
   load.value = std::move(*value);
   load.direction = *direction;
-  load.times = make_active_times(gravity.periods, scope_.blocks);
+  load.times = make_active_times(gravity.periods, scope_.time_stepping_blocks);
   for (const NodeIndex node : load.nodes) load.masses.push_back(mass_(0, node.value));
   made_.add(std::move(load));
 }
@@ -77,7 +77,7 @@ void ExternalForceMaker::add(const Gravity& gravity) {
 /// Whether all nodes of a moment have rotations that it can act on.
 bool ExternalForceMaker::check_turn(std::span<const NodeIndex> nodes, const ConditionLabel& label) const {
   const auto turns = [&](NodeIndex node) {
-    return inertia_.cols() > 0 && inertia_(0, node.value) > least_mass;
+    return inertia_.cols() > 0 && inertia_(0, node.value) > minimum_nodal_mass;
   };
   const auto still = std::find_if_not(nodes.begin(), nodes.end(), turns);
   if (still == nodes.end()) return true;
@@ -98,7 +98,7 @@ void ExternalForceMaker::add(const NodalLoad& nodal) {
   NodeLoad load;
   load.nodes = find_nodes(nodal.set, label, scope_);
   if (nodal.is_moment && !check_turn(load.nodes, label)) return;
-  load.times = make_active_times(nodal.periods, scope_.blocks);
+  load.times = make_active_times(nodal.periods, scope_.time_stepping_blocks);
   const auto direction = find_direction(nodal.direction, scope_);
   const auto values = find_condition_values(nodal.function, nodal.variable,
                                             {nodal.direction.components, load.nodes, label}, scope_);
@@ -142,7 +142,7 @@ void ExternalForceMaker::add(const Pressure& pressure) {
   if (!check_lines(pressure, label)) return;
   FaceLoad load;
   load.damping = pressure.velocity_damping_coefficient;
-  load.times = make_active_times(pressure.periods, scope_.blocks);
+  load.times = make_active_times(pressure.periods, scope_.time_stepping_blocks);
   find_faces_of(pressure.set, label, load);
   MeshVariable variable = pressure.variable;
   if (!variable.object) variable.object = MeshVariable::Object::face;
@@ -158,7 +158,7 @@ void ExternalForceMaker::add(const Traction& traction) {
   const ConditionLabel label{"the traction", traction.name.location};
   FaceLoad load;
   load.direction = find_vector(traction.direction);
-  load.times = make_active_times(traction.periods, scope_.blocks);
+  load.times = make_active_times(traction.periods, scope_.time_stepping_blocks);
   auto value = make_condition_function(traction.function, label, scope_);
   find_faces_of(traction.set, label, load);
   if (!value || !load.direction) return;

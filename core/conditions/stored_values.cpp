@@ -14,7 +14,7 @@ namespace contactsim {
 namespace {
 
 /// Numbers that a condition may hold at most: one gigabyte.
-constexpr std::size_t most_values = std::size_t{1} << 27;
+constexpr std::size_t max_values = std::size_t{1} << 27;
 
 std::vector<double> read_at(const StoredVariableKind& kind, std::size_t variable, const StoredTime& time) {
   std::vector<double> values = kind.read(variable, time.first);
@@ -110,7 +110,7 @@ std::optional<std::vector<ConditionFunction>> read_functions(double factor, cons
   if (!variables) return fail_unknown(name, "nodal", 1, scope);
   const bool all_times = wanted.time == MeshVariable::Time::run_time;
   const std::size_t n_rows = (all_times ? scope.stored->times.size() : 1) * variables->size();
-  if (n_rows * target.nodes.size() > most_values) {
+  if (n_rows * target.nodes.size() > max_values) {
     return fail(name,
                 fmt::format("'{}' has {} stored values for {} nodes, which is too much to hold", name.text,
                             n_rows, target.nodes.size()),

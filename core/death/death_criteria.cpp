@@ -55,18 +55,18 @@ void reduce_nodes(Reduction reduction, std::span<const NodeIndex> nodes, std::sp
 
 /// Calls take(place in the range, values) for every element of a range, at one point or at the mean of all.
 template <class Take>
-void visit_elements(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
-                    const Take& take) {
-  const std::size_t n = pick.n_components();
+void visit_elements(const VariableSelection& selection, const OutputContext& context,
+                    const EntityRange& range, const Take& take) {
+  const std::size_t n = selection.n_components();
   std::vector<double> values(range.count * n);
-  fill(pick, moment, range, values);
+  fill(selection, context, range, values);
   for (std::size_t i = 0; i < range.count; ++i) take(i, std::span<const double>(values).subspan(i * n, n));
 }
 
 }  // namespace
 
 DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
-                             const RunVariables& variables, Diagnostics& diagnostics)
+                             const OutputVariables& variables, Diagnostics& diagnostics)
     : elements_(elements), model_(variables.model()) {
   for (const DeathCriterion& definition : without_material(death, diagnostics)) {
     VariableLocation location{};
@@ -74,16 +74,16 @@ DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementI
     Criterion criterion{definition, {}, {}};
     if (test != nullptr) {
       Diagnostics problems;
-      const auto pick = find_pick(variables, location, test->variable, problems);
+      const auto selection = find_selection(variables, location, test->variable, problems);
       // A criterion that is left out would change what dies.
       for (Diagnostic problem : problems.all()) {
         problem.severity = Severity::error;
         problem.id.clear();
         diagnostics.add(std::move(problem));
       }
-      if (!pick) continue;
-      criterion.pick = *pick;
-      if (location == VariableLocation::element) criterion.ranges = ranges_of(*pick);
+      if (!selection) continue;
+      criterion.selection = *selection;
+      if (location == VariableLocation::element) criterion.ranges = ranges_of(*selection);
       if (location == VariableLocation::element && criterion.ranges.empty() && !elements.empty())
         diagnostics.add_error(test->variable.name.location,
                               fmt::format("no element of the set has {}", test->variable.name.text));
@@ -120,21 +120,21 @@ std::vector<DeathCriterion> DeathCriteria::without_material(const ElementDeath& 
   return criteria;
 }
 
-std::vector<EntityRange> DeathCriteria::ranges_of(const VariablePick& pick) const {
-  constexpr std::size_t most = 1u << 14;  // of values at a time
+std::vector<EntityRange> DeathCriteria::ranges_of(const VariableSelection& selection) const {
+  constexpr std::size_t max_count = 1u << 14;  // of values at a time
   std::vector<EntityRange> ranges;
   std::uint32_t last = 0;
   for (const ElementIndex element : elements_) {
     const std::size_t b = find_model_block(model_, element);
-    if (!pick.is_in_block(model_, b)) continue;
+    if (!selection.is_in_block(model_, b)) continue;
     const std::size_t first = element.value - model_.blocks[b].first_element.value;
     const bool goes_on = !ranges.empty() && ranges.back().block == b && element.value == last + 1 &&
-                         ranges.back().count < most;
+                         ranges.back().count < max_count;
     last = element.value;
     if (goes_on) {
       ++ranges.back().count;
     } else {
-      ranges.push_back({b, first, 1, pick.point});
+      ranges.push_back({b, first, 1, selection.point});
     }
   }
   return ranges;
@@ -145,36 +145,36 @@ void DeathCriteria::mark_all(std::vector<std::uint8_t>& marks) const {
 }
 
 void DeathCriteria::mark_by_nodes(const Criterion& criterion, const NodalCriterion& nodal,
-                                  const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
-  const std::size_t n = criterion.pick.n_components();
-  std::vector<double> values(model_.mesh->n_nodes() * n), of_element(n);
-  fill(criterion.pick, moment, {0, 0, model_.mesh->n_nodes(), {}}, values);
+                                  const OutputContext& context, std::vector<std::uint8_t>& marks) const {
+  const std::size_t n = criterion.selection.n_components();
+  std::vector<double> values(model_.mesh->n_nodes() * n), element_values(n);
+  fill(criterion.selection, context, {0, 0, model_.mesh->n_nodes(), {}}, values);
   for (const ElementIndex element : elements_) {
-    reduce_nodes(nodal.reduction, model_.mesh->element_nodes(element), values, of_element);
-    if (any_holds(nodal.test, of_element)) marks[element.value] = 1;
+    reduce_nodes(nodal.reduction, model_.mesh->element_nodes(element), values, element_values);
+    if (any_holds(nodal.test, element_values)) marks[element.value] = 1;
   }
 }
 
 void DeathCriteria::mark_by_elements(const Criterion& criterion, const ElementCriterion& element,
-                                     const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
+                                     const OutputContext& context, std::vector<std::uint8_t>& marks) const {
   std::vector<std::size_t> n_meeting;
   for (const EntityRange& range : criterion.ranges) {
     const ModelBlock& block = model_.blocks[range.block];
     const std::size_t first = block.first_element.value + range.first;
-    const bool has_points = criterion.pick.variable->is_at_points && !criterion.pick.point;
+    const bool has_points = criterion.selection.variable->is_at_points && !criterion.selection.point;
     if (!element.remaining_points || !has_points) {
-      visit_elements(criterion.pick, moment, range, [&](std::size_t i, std::span<const double> values) {
+      visit_elements(criterion.selection, context, range, [&](std::size_t i, std::span<const double> values) {
         if (any_holds(element.test, values)) marks[first + i] = 1;
       });
       continue;
     }
     n_meeting.assign(range.count, 0);
     for (std::size_t point = 0; point < block.layout.n_points; ++point) {
-      VariablePick at_point = criterion.pick;
+      VariableSelection at_point = criterion.selection;
       at_point.point = point;
-      EntityRange of_point = range;
-      of_point.point = point;
-      visit_elements(at_point, moment, of_point, [&](std::size_t i, std::span<const double> values) {
+      EntityRange point_range = range;
+      point_range.point = point;
+      visit_elements(at_point, context, point_range, [&](std::size_t i, std::span<const double> values) {
         if (any_holds(element.test, values)) ++n_meeting[i];
       });
     }
@@ -185,15 +185,15 @@ void DeathCriteria::mark_by_elements(const Criterion& criterion, const ElementCr
   }
 }
 
-void DeathCriteria::mark(const OutputMoment& moment, std::vector<std::uint8_t>& marks) const {
+void DeathCriteria::mark(const OutputContext& context, std::vector<std::uint8_t>& marks) const {
   for (const Criterion& criterion : criteria_) {
     if (const auto* nodal = std::get_if<NodalCriterion>(&criterion.definition)) {
-      mark_by_nodes(criterion, *nodal, moment, marks);
+      mark_by_nodes(criterion, *nodal, context, marks);
     } else if (const auto* element = std::get_if<ElementCriterion>(&criterion.definition)) {
-      mark_by_elements(criterion, *element, moment, marks);
+      mark_by_elements(criterion, *element, context, marks);
     } else if (const auto* global = std::get_if<GlobalCriterion>(&criterion.definition)) {
-      std::vector<double> values(criterion.pick.n_components());
-      fill(criterion.pick, moment, {}, values);
+      std::vector<double> values(criterion.selection.n_components());
+      fill(criterion.selection, context, {}, values);
       if (any_holds(global->test, values)) mark_all(marks);
     } else {
       mark_all(marks);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/definition/death.hpp"
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 
 namespace contactsim {
 
@@ -19,27 +19,27 @@ class DeathCriteria {
   /// outlive it.
   ///   elements  of the set, ascending
   DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
-                const RunVariables& variables, Diagnostics& diagnostics);
+                const OutputVariables& variables, Diagnostics& diagnostics);
 
   /// Marks the elements of the set that meet a criterion. Of element values the mean over the integration
   /// points counts, unless the deck says how many points have to remain. Any component of a variable will do.
   ///   marks  [n_elements]
-  void mark(const OutputMoment& moment, std::vector<std::uint8_t>& marks) const;
+  void mark(const OutputContext& context, std::vector<std::uint8_t>& marks) const;
 
  private:
   struct Criterion {
     DeathCriterion definition;
-    VariablePick pick;                ///< none of ALWAYS TRUE
+    VariableSelection selection;      ///< none of ALWAYS TRUE
     std::vector<EntityRange> ranges;  ///< of element values: the parts of the set that have the variable
   };
 
   std::vector<DeathCriterion> without_material(const ElementDeath& death, Diagnostics& diagnostics) const;
-  std::vector<EntityRange> ranges_of(const VariablePick& pick) const;
+  std::vector<EntityRange> ranges_of(const VariableSelection& selection) const;
   void mark_all(std::vector<std::uint8_t>& marks) const;
-  void mark_by_nodes(const Criterion& criterion, const NodalCriterion& nodal, const OutputMoment& moment,
+  void mark_by_nodes(const Criterion& criterion, const NodalCriterion& nodal, const OutputContext& context,
                      std::vector<std::uint8_t>& marks) const;
   void mark_by_elements(const Criterion& criterion, const ElementCriterion& element,
-                        const OutputMoment& moment, std::vector<std::uint8_t>& marks) const;
+                        const OutputContext& context, std::vector<std::uint8_t>& marks) const;
 
   std::span<const ElementIndex> elements_;
   const Model& model_;

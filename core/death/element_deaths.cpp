@@ -9,7 +9,7 @@
 namespace contactsim {
 
 ElementDeaths::ElementDeaths(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
-                             const RunVariables& variables, const FaceGroups& faces)
+                             const OutputVariables& variables, const FaceGroups& faces)
     : deaths_(scope.region.element_deaths),
       sets_(sets),
       model_(variables.model()),
@@ -63,7 +63,7 @@ void ElementDeaths::begin_to_die(ElementIndex element, std::int64_t n_steps, Sta
   }
 }
 
-void ElementDeaths::fade(State& state) {
+void ElementDeaths::degrade(State& state) {
   for (DyingElement& dying : state.death.dying) {
     double& life = life_of(dying.element, state);
     if (life == 0.0) {
@@ -155,7 +155,7 @@ void ElementDeaths::clean_up(State& state) {
 
 std::span<const ElementIndex> ElementDeaths::step(State& state, std::span<const ElementIndex> ill_defined) {
   dead_.clear();
-  fade(state);
+  degrade(state);
   find_inverted(state);
   for (std::size_t i = 0; i < deaths_.size(); ++i) {
     if (is_due(i, state)) check(i, state, ill_defined);

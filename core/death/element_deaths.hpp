@@ -20,13 +20,13 @@ class ElementDeaths {
   /// Errors: as DeathCriteria. All must outlive it.
   ///   sets  of find_death_sets
   ElementDeaths(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
-                const RunVariables& variables, const FaceGroups& faces);
+                const OutputVariables& variables, const FaceGroups& faces);
 
   /// Gives a state room for deaths. One that has it already, of a restart, is taken as it is.
   void begin(State& state);
 
-  /// Ends a step: what fades fades on, criteria are looked at when they are due. To be called once for the
-  /// state of the start and that after every step.
+  /// Ends a step: what is degraded is degraded further, criteria are looked at when they are due. To be
+  /// called once for the state of the start and that after every step.
   ///   ill_defined  elements whose contact faces have lost their shape
   /// Returns the elements that are dead from now on, ascending; good until the next call.
   std::span<const ElementIndex> step(State& state, std::span<const ElementIndex> ill_defined);
@@ -39,7 +39,7 @@ class ElementDeaths {
   std::size_t n_dead() const { return n_dead_; }
 
  private:
-  void fade(State& state);
+  void degrade(State& state);
   bool is_due(std::size_t death, const State& state) const;
   void check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined);
   void begin_to_die(ElementIndex element, std::int64_t n_steps, State& state);

@@ -12,7 +12,7 @@
 /// contact: a node, or a pair of faces.
 namespace contactsim {
 
-/// What a weld does once it fails: the force of that moment fades along a straight line, while another model
+/// What a weld does once it fails: the force at that time fades along a straight line, while another model
 /// acts already.
 struct WeldFailure {
   std::int64_t decay_cycles = 1;         ///< steps until the force of the failure is gone, >= 1

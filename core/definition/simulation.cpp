@@ -35,13 +35,13 @@ const FiniteElementModel* find_finite_element_model(const SimulationDefinition& 
 
 const BlockParameters* find_block_parameters(const FiniteElementModel& model,
                                              std::span<const std::string> names) {
-  const BlockParameters* of_all_blocks = nullptr;
+  const BlockParameters* general_parameters = nullptr;
   for (const BlockParameters& parameters : model.block_parameters) {
     if (holds_any(parameters.removed_blocks, names)) continue;
     if (holds_any(parameters.names, names)) return &parameters;
-    if (parameters.includes_all_blocks && of_all_blocks == nullptr) of_all_blocks = &parameters;
+    if (parameters.includes_all_blocks && general_parameters == nullptr) general_parameters = &parameters;
   }
-  return of_all_blocks;
+  return general_parameters;
 }
 
 const BlockParameters* find_block_parameters(const FiniteElementModel& model, const std::string& name) {

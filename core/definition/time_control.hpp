@@ -39,7 +39,7 @@ struct TimeSteppingBlock {
 /// BEGIN TIME CONTROL. Source: Sierra/SM 5.22, 3.1.
 struct TimeControl {
   DeckName name;
-  std::vector<TimeSteppingBlock> blocks;                               ///< in deck order, start times rise
+  std::vector<TimeSteppingBlock> time_stepping_blocks;                 ///< in deck order, start times rise
   double termination_time = std::numeric_limits<double>::quiet_NaN();  ///< [time]
 };
 

@@ -39,9 +39,9 @@ VectorLanes first_t(const Eigen::Vector3d& wish, const VectorLanes& axis) {
   VectorLanes t;
   for (Eigen::Index lane = 0; lane < n_lanes; ++lane) {
     const Eigen::Vector3d along(axis[0](lane), axis[1](lane), axis[2](lane));
-    constexpr double least = 1e-6;
+    constexpr double tolerance = 1e-6;
     Eigen::Vector3d across = wish - wish.dot(along) * along;
-    if (across.norm() <= least * wish.norm()) {
+    if (across.norm() <= tolerance * wish.norm()) {
       Eigen::Index smallest = 0;
       along.cwiseAbs().minCoeff(&smallest);
       across = Eigen::Vector3d::Unit(smallest) - along(smallest) * along;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/elements/chunk_life.hpp"
+#include "core/elements/element_death_mask.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/solid_kernel.hpp"
 
@@ -47,18 +47,18 @@ inline void add_extremes(const Lanes& stable_step, const Lanes& volumes, std::si
     sums.critical_element = first_element + static_cast<std::size_t>(lane);
   }
   const double volume = volumes.head(n_used).minCoeff();
-  if (!(volume >= sums.least_volume)) sums.least_volume = volume;
+  if (!(volume >= sums.min_volume)) sums.min_volume = volume;
 }
 
 /// Takes off what the dead and the dying do not give.
 template <std::size_t n>
-void fade(ChunkLife& life, std::span<Lanes> values, SolidStep<n>& step) {
-  life.settle(step.volume, values);
-  life.limit(step.stable_step);
-  life.fade(step.force);
-  life.fade(step.stress_work);
-  life.fade(step.hourglass_work);
-  life.fade(step.viscous_work);
+void apply_mask(ElementDeathMask& mask, std::span<Lanes> values, SolidStep<n>& step) {
+  mask.apply(step.volume, values);
+  mask.limit(step.stable_step);
+  mask.scale(step.force);
+  mask.scale(step.stress_work);
+  mask.scale(step.hourglass_work);
+  mask.scale(step.viscous_work);
 }
 
 /// What the lanes in use add.
@@ -87,19 +87,19 @@ ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
-  ChunkLife life(block, state);
+  ElementDeathMask mask(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
-    if (!life.begin(i)) continue;
+    if (!mask.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
     SolidMotion<n> solid_motion{gather<n>(nodes, x.data()), gather<n>(nodes, v.data()), block.mass[i],
                                 motion.dt};
-    life.place(solid_motion.x);
-    life.stop(solid_motion.v);
+    mask.place(solid_motion.x);
+    mask.stop(solid_motion.v);
     const std::span<Lanes> values = state.batch(block.layout, i);
-    life.keep(values);
+    mask.keep(values);
     SolidStep<n> step;
     Element::advance(block.properties, solid_motion, values.first(block.layout.energy()), step);
-    fade(life, values, step);
+    apply_mask(mask, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);

@@ -16,7 +16,7 @@ namespace contactsim {
 struct ChunkStep {
   double stable_step;            ///< the least [time]
   std::size_t critical_element;  ///< position in the block of the first that has it
-  double least_volume;           ///< [length^3]; NaN when one is
+  double min_volume;             ///< [length^3]; NaN when one is
   double hourglass_work;         ///< [energy]
   double viscous_work;           ///< [energy]
 };

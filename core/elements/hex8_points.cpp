@@ -25,7 +25,7 @@ struct FullQuadrature {
 struct SelectiveDeviatoric {
   static constexpr std::string_view formulation = "selective_deviatoric";
   static constexpr bool has_mean_dilatation = true;
-  static constexpr std::size_t n_own = 3 * HexGeometry::n_patterns;
+  static constexpr std::size_t n_own = 3 * HexGeometry::n_modes;
 };
 
 /// What the points of eight elements give together.
@@ -117,12 +117,12 @@ struct PointHex {
   ///   state  [n_points x (6 + material) + n_own]
   static void advance(const ElementProperties& properties, const SolidMotion<8>& motion,
                       std::span<Lanes> state, SolidStep<8>& step) {
-    const MiddleOfStep<HexGeometry> middle(motion);
+    const MidpointKinematics<HexGeometry> midpoint(motion);
     const std::span<Lanes> points = state.first(state.size() - n_own), own = state.subspan(points.size());
-    const PointSums sums = update_points(properties, motion, middle, points);
+    const PointSums sums = update_points(properties, motion, midpoint, points);
     step.stress_work = sums.work;
-    const Lanes viscous_stress = damp(properties, motion, middle, sums, step);
-    const auto hourglass = resist_hourglass(properties, motion, middle, own);
+    const Lanes viscous_stress = damp(properties, motion, midpoint, sums, step);
+    const auto hourglass = resist_hourglass(properties, motion, midpoint, own);
     step.hourglass_work = hourglass.work;
     PointForces forces = split_stresses(properties, motion.x, points);
     for (std::size_t i = 0; i < 3; ++i) forces.uniform[i] += viscous_stress;
@@ -138,15 +138,15 @@ struct PointHex {
   }
 
   static PointSums update_points(const ElementProperties& properties, const SolidMotion<8>& motion,
-                                 const MiddleOfStep<HexGeometry>& middle, std::span<Lanes> points) {
-    const VectorSlopes x = vector_slopes(middle.x), v = vector_slopes(motion.v);
+                                 const MidpointKinematics<HexGeometry>& midpoint, std::span<Lanes> points) {
+    const VectorSlopes x = vector_slopes(midpoint.x), v = vector_slopes(motion.v);
     const std::size_t size = points.size() / n_points;
     PointSums sums;
     for (std::size_t p = 0; p < n_points; ++p) {
       const PointMap map = point_map(x, p);
       TensorLanes gradient = gradient_at(map, slopes_at(v, p));
       if constexpr (Quadrature::has_mean_dilatation)
-        gradient = mixed(gradient, middle.velocity_gradient, properties.deviatoric_parameter);
+        gradient = mixed(gradient, midpoint.velocity_gradient, properties.deviatoric_parameter);
       const PointStep at_point =
           update_point(properties.law, split_motion(gradient, motion.dt), points.subspan(p * size, size));
       sums.work += at_point.work * map.volume;
@@ -155,31 +155,33 @@ struct PointHex {
     return sums;
   }
 
-  static double pattern_modulus(const ElementProperties& properties) {
+  static double hourglass_modulus(const ElementProperties& properties) {
     return (1.0 - share_of(properties)) * properties.hourglass_stiffness * moduli_of(properties.law).shear;
   }
 
   /// Sets stable step and work of bulk viscosity; returns its stress [force/length^2].
   static Lanes damp(const ElementProperties& properties, const SolidMotion<8>& motion,
-                    const MiddleOfStep<HexGeometry>& middle, const PointSums& sums, SolidStep<8>& step) {
-    const Lanes per_mass = 1.0 / motion.mass, mean_norm = middle.gradient_norm * middle.per_volume;
+                    const MidpointKinematics<HexGeometry>& midpoint, const PointSums& sums,
+                    SolidStep<8>& step) {
+    const Lanes per_mass = 1.0 / motion.mass, mean_norm = midpoint.gradient_norm * midpoint.per_volume;
     const Lanes& dilatation_norm = Quadrature::has_mean_dilatation ? mean_norm : sums.squared_gradient;
-    const Lanes patterns = pattern_modulus(properties) * middle.pattern_bound * mean_norm;
+    const Lanes hourglass_term = hourglass_modulus(properties) * midpoint.mode_bound * mean_norm;
     const Lanes frequency_squared =
-        8.0 * per_mass * (sums.lambda * dilatation_norm + patterns + 2.0 * sums.shear * sums.squared_stretch);
-    const Lanes wave_speed = ((sums.lambda + 2.0 * sums.shear) * middle.volume * per_mass).sqrt();
-    const BulkViscosity viscosity(properties, 2.0 / frequency_squared.sqrt(), middle.dilatation(),
-                                  motion.mass * middle.per_volume, wave_speed);
+        8.0 * per_mass *
+        (sums.lambda * dilatation_norm + hourglass_term + 2.0 * sums.shear * sums.squared_stretch);
+    const Lanes wave_speed = ((sums.lambda + 2.0 * sums.shear) * midpoint.volume * per_mass).sqrt();
+    const BulkViscosity viscosity(properties, 2.0 / frequency_squared.sqrt(), midpoint.dilatation(),
+                                  motion.mass * midpoint.per_volume, wave_speed);
     step.stable_step = viscosity.stable_step;
-    step.viscous_work = viscosity.stress * middle.dilatation() * middle.volume * motion.dt;
+    step.viscous_work = viscosity.stress * midpoint.dilatation() * midpoint.volume * motion.dt;
     return viscosity.stress;
   }
 
   static HourglassStep<HexGeometry> resist_hourglass(const ElementProperties& properties,
                                                      const SolidMotion<8>& motion,
-                                                     const MiddleOfStep<HexGeometry>& middle,
+                                                     const MidpointKinematics<HexGeometry>& midpoint,
                                                      std::span<Lanes> own) {
-    const double modulus = pattern_modulus(properties);
+    const double modulus = hourglass_modulus(properties);
     if (n_own == 0 || modulus == 0.0) {
       HourglassStep<HexGeometry> none;
       for (auto& component : none.force) {
@@ -187,10 +189,10 @@ struct PointHex {
       }
       return none;
     }
-    const Lanes stiffness = modulus * middle.gradient_norm * middle.per_volume;
+    const Lanes stiffness = modulus * midpoint.gradient_norm * midpoint.per_volume;
     const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
-    const TensorLanes rotation = split_motion(middle.velocity_gradient, motion.dt).rotation;
-    return update_hourglass<HexGeometry>(motion, middle, stiffness, damping, rotation, own);
+    const TensorLanes rotation = split_motion(midpoint.velocity_gradient, motion.dt).rotation;
+    return update_hourglass<HexGeometry>(motion, midpoint, stiffness, damping, rotation, own);
   }
 
   static PointForces split_stresses(const ElementProperties& properties, const NodeVectors<8>& x,
@@ -198,7 +200,7 @@ struct PointHex {
     const VectorSlopes slopes = vector_slopes(x);
     const std::size_t size = points.size() / n_points;
     PointForces forces;
-    Lanes volume = Lanes::Zero(), least = Lanes::Constant(std::numeric_limits<double>::infinity());
+    Lanes volume = Lanes::Zero(), min_volume = Lanes::Constant(std::numeric_limits<double>::infinity());
     for (std::size_t p = 0; p < n_points; ++p) {
       const PointMap map = point_map(slopes, p);
       SymmetricLanes stress;
@@ -213,10 +215,10 @@ struct PointHex {
       }
       add_natural_stress(stress, map, p, forces.amounts);
       volume += map.volume;
-      least = least.min(map.volume);
+      min_volume = min_volume.min(map.volume);
     }
     for (Lanes& component : forces.uniform.components) component /= volume;
-    forces.volume = (least > 0.0).select(volume, least);
+    forces.volume = (min_volume > 0.0).select(volume, min_volume);
     return forces;
   }
 

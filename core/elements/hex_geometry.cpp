@@ -42,17 +42,17 @@ NodeVectors<8> HexGeometry::volume_gradient(const NodeVectors<8>& x) {
   return gradient;
 }
 
-// The patterns are products of the signs of the natural coordinates, so that sums and differences of pairs
-// are shared: first along zeta (nodes 0..3 below 4..7), then within the two quadrilaterals.
-std::array<Lanes, 4> HexGeometry::pattern_sums(const std::array<Lanes, 8>& v) {
+// The hourglass modes are products of the signs of the natural coordinates, so that sums and differences of
+// pairs are shared: first along zeta (nodes 0..3 below 4..7), then within the two quadrilaterals.
+std::array<Lanes, 4> HexGeometry::mode_sums(const std::array<Lanes, 8>& v) {
   const Lanes s0 = v[0] + v[4], s1 = v[1] + v[5], s2 = v[2] + v[6], s3 = v[3] + v[7];
   const Lanes d0 = v[4] - v[0], d1 = v[5] - v[1], d2 = v[6] - v[2], d3 = v[7] - v[3];
   return {d2 + d3 - d0 - d1, d1 + d2 - d0 - d3, s0 - s1 + s2 - s3, d0 - d1 + d2 - d3};
 }
 
-void HexGeometry::add_patterns(const std::array<Lanes, 4>& a, std::array<Lanes, 8>& v) {
+void HexGeometry::add_modes(const std::array<Lanes, 4>& a, std::array<Lanes, 8>& v) {
   const Lanes sum = a[0] + a[1], difference = a[0] - a[1];
-  const Lanes even = a[2] + a[3], odd = a[2] - a[3];  // of the pattern xi eta, above and below
+  const Lanes even = a[2] + a[3], odd = a[2] - a[3];  // of the mode xi eta, above and below
   v[0] += sum + odd;
   v[1] += difference - odd;
   v[2] += odd - sum;

@@ -92,13 +92,13 @@ PointMap point_map(const VectorSlopes& coordinates, std::size_t point) {
 }
 
 Lanes volume_of_points(const VectorSlopes& coordinates) {
-  Lanes least = point_map(coordinates, 0).volume, sum = least;
+  Lanes min_volume = point_map(coordinates, 0).volume, sum = min_volume;
   for (std::size_t point = 1; point < n_hex_points; ++point) {
     const Lanes volume = point_map(coordinates, point).volume;
     sum += volume;
-    least = least.min(volume);
+    min_volume = min_volume.min(volume);
   }
-  return (least > 0.0).select(sum, least);
+  return (min_volume > 0.0).select(sum, min_volume);
 }
 
 }  // namespace contactsim

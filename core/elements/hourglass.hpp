@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/elements/middle_of_step.hpp"
+#include "core/elements/midpoint_kinematics.hpp"
 
 /// Resistance to the motions of uniform-gradient elements that have no mean gradient.
 /// Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706.
 namespace contactsim {
 
-/// Rates of the patterns: what is left of the velocities without their linear part [length/time].
+/// Rates of the hourglass modes: what is left of the velocities without their linear part [length/time].
 template <class Geometry>
-PatternVectors<Geometry> hourglass_rates(const NodeVectors<Geometry::n_nodes>& v,
-                                         const MiddleOfStep<Geometry>& middle) {
-  const PatternVectors<Geometry>& x = middle.x_patterns;
-  PatternVectors<Geometry> rates = pattern_sums<Geometry>(v);
+ModeVectors<Geometry> hourglass_rates(const NodeVectors<Geometry::n_nodes>& v,
+                                      const MidpointKinematics<Geometry>& midpoint) {
+  const ModeVectors<Geometry>& x = midpoint.x_modes;
+  ModeVectors<Geometry> rates = mode_sums<Geometry>(v);
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto& row = middle.velocity_gradient[i];
-    for (std::size_t k = 0; k < Geometry::n_patterns; ++k) {
+    const auto& row = midpoint.velocity_gradient[i];
+    for (std::size_t k = 0; k < Geometry::n_modes; ++k) {
       rates[i][k] = (rates[i][k] - row[0] * x[0][k] - row[1] * x[1][k] - row[2] * x[2][k]) *
-                    (1.0 / Geometry::pattern_length);
+                    (1.0 / Geometry::mode_norm);
     }
   }
   return rates;
@@ -26,7 +26,7 @@ PatternVectors<Geometry> hourglass_rates(const NodeVectors<Geometry::n_nodes>& v
 /// The work that hourglass forces take up in a step [energy], and the forces at its end [force].
 template <class Geometry>
 struct HourglassStep {
-  PatternVectors<Geometry> force;
+  ModeVectors<Geometry> force;
   Lanes work = Lanes::Zero();
 };
 
@@ -45,15 +45,15 @@ inline void turn_vectors(const TensorLanes& rotation, std::span<Lanes> v) {
 ///   stiffness  [force/length]
 ///   viscosity  [force time/length]
 ///   rotation   of the step
-///   elastic    [3 x n_patterns]
+///   elastic    [3 x n_modes]
 template <class Geometry>
 HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_nodes>& motion,
-                                         const MiddleOfStep<Geometry>& middle, const Lanes& stiffness,
+                                         const MidpointKinematics<Geometry>& midpoint, const Lanes& stiffness,
                                          const Lanes& viscosity, const TensorLanes& rotation,
                                          std::span<Lanes> elastic) {
-  constexpr std::size_t n = Geometry::n_patterns;
+  constexpr std::size_t n = Geometry::n_modes;
   HourglassStep<Geometry> step;
-  const PatternVectors<Geometry> rates = hourglass_rates(motion.v, middle);
+  const ModeVectors<Geometry> rates = hourglass_rates(motion.v, midpoint);
   const Lanes half = 0.5 * motion.dt * stiffness;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < n; ++k) {
@@ -62,17 +62,17 @@ HourglassStep<Geometry> update_hourglass(const SolidMotion<Geometry::n_nodes>& m
     }
   }
   turn_vectors(rotation, elastic);
-  Lanes of_end = Lanes::Zero();
+  Lanes end_power = Lanes::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < n; ++k) {
       const Lanes rate = rates[i][k], damping = viscosity * rate;
       Lanes& force = elastic[i * n + k];
       force += half * rate;
-      of_end += rate * (force + 2.0 * damping);
+      end_power += rate * (force + 2.0 * damping);
       step.force[i][k] = force + damping;
     }
   }
-  step.work = 0.5 * motion.dt * (step.work + of_end);
+  step.work = 0.5 * motion.dt * (step.work + end_power);
   return step;
 }
 

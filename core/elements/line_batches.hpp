@@ -67,15 +67,15 @@ inline void line_volumes(const ModelBlock& block, const BatchChunk& chunk,
 }
 
 /// Takes off what the dead and the dying do not give.
-inline void fade(bool has_rotations, ChunkLife& life, std::span<Lanes> values, LineStep& step) {
-  life.settle(step.volume, values);
-  life.limit(step.stable_step);
-  life.fade(step.stress_work);
+inline void apply_mask(bool has_rotations, ElementDeathMask& mask, std::span<Lanes> values, LineStep& step) {
+  mask.apply(step.volume, values);
+  mask.limit(step.stable_step);
+  mask.scale(step.stress_work);
   for (std::size_t k = 0; k < 3; ++k) {
-    life.fade(step.pull[k]);
+    mask.scale(step.pull[k]);
     if (!has_rotations) continue;
-    life.fade(step.bend[k]);
-    life.fade(step.mean_moment[k]);
+    mask.scale(step.bend[k]);
+    mask.scale(step.mean_moment[k]);
   }
 }
 
@@ -90,9 +90,9 @@ ChunkStep advance_lines(const ModelBlock& block, const BatchChunk& chunk, const 
   if (Line::has_rotations)
     std::fill_n(state.moments.data() + chunk.first_node, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
-  ChunkLife life(block, state);
+  ElementDeathMask mask(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
-    if (!life.begin(i)) continue;
+    if (!mask.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * 2 * n_lanes;
     const Lanes inertia = Line::has_rotations ? block.inertia[i] : Lanes::Zero();
     LineMotion line_motion{gather<2>(nodes, x.data()),
@@ -102,14 +102,14 @@ ChunkStep advance_lines(const ModelBlock& block, const BatchChunk& chunk, const 
                            inertia,
                            motion.dt,
                            motion.time};
-    life.place(line_motion.x);
-    life.stop(line_motion.v);
-    life.stop(line_motion.w);
+    mask.place(line_motion.x);
+    mask.stop(line_motion.v);
+    mask.stop(line_motion.w);
     const std::span<Lanes> values = state.batch(block.layout, i);
-    life.keep(values);
+    mask.keep(values);
     LineStep step;
     Line::advance(block, i, line_motion, values.first(block.layout.energy()), step);
-    fade(Line::has_rotations, life, values, step);
+    apply_mask(Line::has_rotations, mask, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     NodeVectors<2> at_nodes;

@@ -6,19 +6,19 @@
 namespace contactsim {
 
 /// A surface of shells as one of membranes, for the same kernel: nodes do not turn, and neither curvature nor
-/// transverse shear is resisted. Of the patterns those of the membrane stay, which shells list first.
+/// transverse shear is resisted. Of the hourglass modes those of the membrane stay, which shells list first.
 template <class Shell>
 class MembraneSurface {
  public:
   static constexpr std::size_t n_nodes = Shell::n_nodes;
-  static constexpr std::size_t n_patterns = Shell::n_membrane_patterns;
+  static constexpr std::size_t n_modes = Shell::n_membrane_modes;
   static constexpr bool has_rotations = false;
   static constexpr auto kinds = [] {
-    std::array<PatternKind, n_patterns> kinds{};
-    kinds.fill(PatternKind::membrane);
+    std::array<HourglassKind, n_modes> kinds{};
+    kinds.fill(HourglassKind::membrane);
     return kinds;
   }();
-  using Rates = ShellRates<n_patterns>;
+  using Rates = ShellRates<n_modes>;
 
   ///   x  coordinates of the nodes [length]
   explicit MembraneSurface(const NodeVectors<n_nodes>& x) : shell_(x) {}
@@ -29,24 +29,24 @@ class MembraneSurface {
 
   /// As Shell::rates of nodes that do not turn, the membrane's alone.
   Rates rates(const NodeVectors<n_nodes>& v, const NodeVectors<n_nodes>& /*w*/) const {
-    const auto of_shell = shell_.rates(v, zero());
-    Rates rates{of_shell.membrane, none<3>(), none<2>(), {}};
-    for (std::size_t k = 0; k < n_patterns; ++k) rates.patterns[k] = of_shell.patterns[k];
+    const auto shell_values = shell_.rates(v, zero());
+    Rates rates{shell_values.membrane, none<3>(), none<2>(), {}};
+    for (std::size_t k = 0; k < n_modes; ++k) rates.hourglass[k] = shell_values.hourglass[k];
     return rates;
   }
 
   /// As Shell::set_forces; sets no moments.
   void set_forces(const Rates& resistance, NodeVectors<n_nodes>& force, NodeVectors<n_nodes>& moment) const {
-    typename Shell::Rates of_shell{resistance.membrane, none<3>(), none<2>(), none<Shell::n_patterns>()};
-    for (std::size_t k = 0; k < n_patterns; ++k) of_shell.patterns[k] = resistance.patterns[k];
-    shell_.set_forces(of_shell, force, moment);
+    typename Shell::Rates shell_values{resistance.membrane, none<3>(), none<2>(), none<Shell::n_modes>()};
+    for (std::size_t k = 0; k < n_modes; ++k) shell_values.hourglass[k] = resistance.hourglass[k];
+    shell_.set_forces(shell_values, force, moment);
   }
 
   ShellSizes sizes() const { return shell_.sizes(); }
-  std::array<PatternSizes, n_patterns> pattern_sizes() const {
-    const auto of_shell = shell_.pattern_sizes();
-    std::array<PatternSizes, n_patterns> sizes;
-    for (std::size_t k = 0; k < n_patterns; ++k) sizes[k] = of_shell[k];
+  std::array<HourglassSizes, n_modes> hourglass_sizes() const {
+    const auto shell_values = shell_.hourglass_sizes();
+    std::array<HourglassSizes, n_modes> sizes;
+    for (std::size_t k = 0; k < n_modes; ++k) sizes[k] = shell_values[k];
     return sizes;
   }
 

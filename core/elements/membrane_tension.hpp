@@ -6,11 +6,11 @@
 /// What tension does to the warp of four-node membranes, which one point does not see.
 namespace contactsim::shells {
 
-/// The warp of a surface: the nodes' heights over the plane, summed with the pattern.
+/// The warp of a surface: the nodes' heights over the plane, summed with the hourglass mode.
 struct SurfaceWarp {
-  Lanes height;                  ///< [length]
-  std::array<Lanes, 4> pattern;  ///< without linear motions; at right angles to the surface [1]
-  std::array<Lanes, 3> slopes;   ///< of natural coordinates, squared: xx, yy, xy [1/length^2]
+  Lanes height;                 ///< [length]
+  std::array<Lanes, 4> mode;    ///< without linear motions; at right angles to the surface [1]
+  std::array<Lanes, 3> slopes;  ///< of natural coordinates, squared: xx, yy, xy [1/length^2]
 };
 
 /// Stiffness of the warp, by the tension integrated over the surface; compression has none.
@@ -36,9 +36,9 @@ WarpStep warp_step(const Geometry& geometry, const ShellMotion<4>& motion,
   const SurfaceWarp warp = geometry.warp();
   const Lanes stiffness = warp_stiffness(warp, tension, geometry.area() * motion.thickness);
   Lanes rate = Lanes::Zero();
-  for (std::size_t i = 0; i < 3; ++i) rate += geometry.frame()[2][i] * dot(warp.pattern, motion.v[i]);
+  for (std::size_t i = 0; i < 3; ++i) rate += geometry.frame()[2][i] * dot(warp.mode, motion.v[i]);
   return {motion.dt * stiffness * warp.height * rate,
-          4.0 * stiffness * dot(warp.pattern, warp.pattern) / motion.mass};
+          4.0 * stiffness * dot(warp.mode, warp.mode) / motion.mass};
 }
 
 /// Adds what flattens the surface at the end of a step. It neither moves nor turns it as a whole.
@@ -48,7 +48,7 @@ void add_warp_forces(const Geometry& geometry, const std::array<Lanes, 3>& tensi
   const SurfaceWarp warp = geometry.warp();
   const Lanes amount = warp_stiffness(warp, tension, volume) * warp.height;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t a = 0; a < 4; ++a) force[i][a] -= amount * geometry.frame()[2][i] * warp.pattern[a];
+    for (std::size_t a = 0; a < 4; ++a) force[i][a] -= amount * geometry.frame()[2][i] * warp.mode[a];
   }
 }
 

@@ -9,20 +9,18 @@ namespace contactsim {
 
 namespace {
 
-/// Mean quadrature of five-node pyramids; see uniform_gradient.hpp. The pattern is the hourglass of the base,
+/// Mean quadrature of five-node pyramids; see uniform_gradient.hpp. The hourglass mode is that of the base,
 /// orthogonal to linear fields when that is a parallelogram. Source: Belytschko and others, Comput. Meth.
 /// Appl. Mech. Eng. 43 (1984) 251-276, for the quadrilateral.
 struct PyramidGeometry {
-  static constexpr std::size_t n_nodes = 5, n_patterns = 1;
-  static constexpr double pattern_length = 2.0;
+  static constexpr std::size_t n_nodes = 5, n_modes = 1;
+  static constexpr double mode_norm = 2.0;
 
   static NodeVectors<5> volume_gradient(const NodeVectors<5>& x) {
     return face_volume_gradient<side_tables::pyramid_sides>(x);
   }
-  static std::array<Lanes, 1> pattern_sums(const std::array<Lanes, 5>& v) {
-    return {v[0] - v[1] + v[2] - v[3]};
-  }
-  static void add_patterns(const std::array<Lanes, 1>& amounts, std::array<Lanes, 5>& v) {
+  static std::array<Lanes, 1> mode_sums(const std::array<Lanes, 5>& v) { return {v[0] - v[1] + v[2] - v[3]}; }
+  static void add_modes(const std::array<Lanes, 1>& amounts, std::array<Lanes, 5>& v) {
     v[0] += amounts[0];
     v[1] -= amounts[0];
     v[2] += amounts[0];

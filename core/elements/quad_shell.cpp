@@ -92,12 +92,12 @@ QuadShell::Rates QuadShell::rates(const NodeVectors<4>& velocities,
     }
     const Lanes slope = 0.25 * (xi_[i] * va[2] + eta_[i] * vb[2]);
     rates.shear[i] = slope + 0.25 * psi[i] + 0.0625 * (xi_[i] * c_psi_b + eta_[i] * c_psi_a);
-    rates.patterns[i] = vc[i] - c_[0] * gradient[i][0] - c_[1] * gradient[i][1] + 4.0 * z_ * slope;
-    rates.patterns[2 + i] = psi_c[i] - c_[0] * bending[i][0] - c_[1] * bending[i][1];
+    rates.hourglass[i] = vc[i] - c_[0] * gradient[i][0] - c_[1] * gradient[i][1] + 4.0 * z_ * slope;
+    rates.hourglass[2 + i] = psi_c[i] - c_[0] * bending[i][0] - c_[1] * bending[i][1];
   }
   const Lanes c_psi = dot(c_, psi);
-  rates.patterns[4] = -vc[2] - 0.25 * (c_psi + dot(a_, psi_b));
-  rates.patterns[5] = vc[2] + 0.25 * (c_psi + dot(b_, psi_a));
+  rates.hourglass[4] = -vc[2] - 0.25 * (c_psi + dot(a_, psi_b));
+  rates.hourglass[5] = vc[2] + 0.25 * (c_psi + dot(b_, psi_a));
   rates.membrane = {gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]};
   for (std::size_t j = 0; j < 2; ++j) {
     for (std::size_t i = 0; i < 2; ++i)
@@ -129,31 +129,31 @@ void QuadShell::set_forces(const Rates& r, NodeVectors<4>& force, NodeVectors<4>
   Pair on_slope;
   Lanes about_normal = Lanes::Zero(), about_normal_c = Lanes::Zero();
   const Lanes across_xi = 0.0625 * dot(xi_, r.shear), across_eta = 0.0625 * dot(eta_, r.shear);
-  const Lanes on_edges = 0.25 * (r.patterns[5] - r.patterns[4]);
+  const Lanes on_edges = 0.25 * (r.hourglass[5] - r.hourglass[4]);
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
-      on_gradient[i][j] = r.membrane[at(i, j)] - r.patterns[i] * c_[j] +
+      on_gradient[i][j] = r.membrane[at(i, j)] - r.hourglass[i] * c_[j] +
                           r.curvature[at(i, 0)] * bend_[at(j, 0)] + r.curvature[at(i, 1)] * bend_[at(j, 1)];
-      on_bending[i][j] = r.curvature[at(i, j)] - r.patterns[2 + i] * c_[j];
+      on_bending[i][j] = r.curvature[at(i, j)] - r.hourglass[2 + i] * c_[j];
     }
     about_normal += r.curvature[at(0, i)] * bend_[at(i, 1)] - r.curvature[at(1, i)] * bend_[at(i, 0)];
     about_normal_c += r.curvature[at(0, i)] * slant_[at(i, 1)] - r.curvature[at(1, i)] * slant_[at(i, 0)];
-    on_slope[i] = r.shear[i] + 4.0 * z_ * r.patterns[i];
+    on_slope[i] = r.shear[i] + 4.0 * z_ * r.hourglass[i];
   }
   for (std::size_t i = 0; i < 2; ++i) {
     fa[i] = -0.25 * (on_gradient[i][0] * xi_[0] + on_gradient[i][1] * xi_[1]);
     fb[i] = -0.25 * (on_gradient[i][0] * eta_[0] + on_gradient[i][1] * eta_[1]);
-    fc[i] = -r.patterns[i];
+    fc[i] = -r.hourglass[i];
     on_psi[i] = -0.25 * r.shear[i] - on_edges * c_[i];
-    on_psi_a[i] = -0.25 * (on_bending[i][0] * xi_[0] + on_bending[i][1] * xi_[1] + r.patterns[5] * b_[i]) -
+    on_psi_a[i] = -0.25 * (on_bending[i][0] * xi_[0] + on_bending[i][1] * xi_[1] + r.hourglass[5] * b_[i]) -
                   across_eta * c_[i];
-    on_psi_b[i] = -0.25 * (on_bending[i][0] * eta_[0] + on_bending[i][1] * eta_[1] - r.patterns[4] * a_[i]) -
+    on_psi_b[i] = -0.25 * (on_bending[i][0] * eta_[0] + on_bending[i][1] * eta_[1] - r.hourglass[4] * a_[i]) -
                   across_xi * c_[i];
-    on_psi_c[i] = -r.patterns[2 + i];
+    on_psi_c[i] = -r.hourglass[2 + i];
   }
   fa[2] = -0.25 * dot(on_slope, xi_);
   fb[2] = -0.25 * dot(on_slope, eta_);
-  fc[2] = r.patterns[4] - r.patterns[5];
+  fc[2] = r.hourglass[4] - r.hourglass[5];
   for (Lanes& component : none) component.setZero();
   spread(none, to_global(frame_, fa), to_global(frame_, fb), to_global(frame_, fc), force);
   const Lanes zero = Lanes::Zero();
@@ -176,7 +176,7 @@ shells::SurfaceWarp QuadShell::warp() const {
   warp.height = 4.0 * z_;
   const auto rows = gradients();
   for (std::size_t a = 0; a < 4; ++a)
-    warp.pattern[a] = (a % 2 == 0 ? 1.0 : -1.0) - c_[0] * rows[0][a] - c_[1] * rows[1][a];
+    warp.mode[a] = (a % 2 == 0 ? 1.0 : -1.0) - c_[0] * rows[0][a] - c_[1] * rows[1][a];
   warp.slopes = {xi_[0] * xi_[0] + eta_[0] * eta_[0], xi_[1] * xi_[1] + eta_[1] * eta_[1],
                  xi_[0] * xi_[1] + eta_[0] * eta_[1]};
   return warp;
@@ -195,13 +195,13 @@ ShellSizes QuadShell::sizes() const {
   return sizes;
 }
 
-std::array<PatternSizes, QuadShell::n_patterns> QuadShell::pattern_sizes() const {
-  const ShellSizes of_shell = sizes();
+std::array<HourglassSizes, QuadShell::n_modes> QuadShell::hourglass_sizes() const {
+  const ShellSizes shell_sizes = sizes();
   const Lanes zero = Lanes::Zero(), four = Lanes::Constant(4.0), cc = dot(c_, c_);
-  const Lanes norm = 4.0 + c_[0] * c_[0] * of_shell.gram[0] + c_[1] * c_[1] * of_shell.gram[1] +
-                     2.0 * c_[0] * c_[1] * of_shell.gram[2];
+  const Lanes norm = 4.0 + c_[0] * c_[0] * shell_sizes.gram[0] + c_[1] * c_[1] * shell_sizes.gram[1] +
+                     2.0 * c_[0] * c_[1] * shell_sizes.gram[2];
   const Lanes per_norm = 1.0 / norm;
-  const Lanes moving = norm + 16.0 * z_ * z_ * of_shell.gram_eigenvalue();
+  const Lanes moving = norm + 16.0 * z_ * z_ * shell_sizes.gram_eigenvalue();
   return {{{moving, zero, per_norm},
            {zero, zero, per_norm},
            {zero, norm, per_norm},

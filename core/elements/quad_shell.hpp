@@ -7,7 +7,7 @@
 
 namespace contactsim {
 
-/// Four-node shells with one point of integration in their surface, at some moment. With xi and eta the
+/// Four-node shells with one point of integration in their surface, at some time. With xi and eta the
 /// natural coordinates, a node's coordinates are those of the middle + (xi a + eta b + xi eta c) / 4: in the
 /// frame a and b have no z, and c has what the surface is warped.
 ///
@@ -18,12 +18,12 @@ namespace contactsim {
 /// shear: Bathe and Dvorkin, Int. J. Numer. Meth. Eng. 21 (1985) 367-383.
 class QuadShell {
  public:
-  static constexpr std::size_t n_nodes = 4, n_patterns = 6, n_membrane_patterns = 2;
+  static constexpr std::size_t n_nodes = 4, n_modes = 6, n_membrane_modes = 2;
   static constexpr bool has_rotations = true;
-  static constexpr std::array<PatternKind, n_patterns> kinds{PatternKind::membrane, PatternKind::membrane,
-                                                             PatternKind::bending,  PatternKind::bending,
-                                                             PatternKind::shear,    PatternKind::shear};
-  using Rates = ShellRates<n_patterns>;
+  static constexpr std::array<HourglassKind, n_modes> kinds{HourglassKind::membrane, HourglassKind::membrane,
+                                                            HourglassKind::bending,  HourglassKind::bending,
+                                                            HourglassKind::shear,    HourglassKind::shear};
+  using Rates = ShellRates<n_modes>;
 
   ///   x  coordinates of the nodes [length]
   explicit QuadShell(const NodeVectors<4>& x);
@@ -43,7 +43,7 @@ class QuadShell {
 
   shells::SurfaceWarp warp() const;
   ShellSizes sizes() const;
-  std::array<PatternSizes, n_patterns> pattern_sizes() const;
+  std::array<HourglassSizes, n_modes> hourglass_sizes() const;
 
  private:
   TensorLanes frame_;

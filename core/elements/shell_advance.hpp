@@ -38,7 +38,7 @@ constexpr bool is_flattened = !Geometry::has_rotations && requires(const Geometr
 /// Sets the forces at the end of the step.
 ///   sums        bulk viscosity included
 ///   thickness   at the end [length]
-///   resistance  its patterns are set
+///   resistance  its hourglass modes are set
 template <class Geometry>
 void set_end_forces(const ShellMotion<Geometry::n_nodes>& motion, const Resultants& sums,
                     const Lanes& thickness, typename Geometry::Rates& resistance,
@@ -57,8 +57,8 @@ void set_end_forces(const ShellMotion<Geometry::n_nodes>& motion, const Resultan
 }  // namespace shells
 
 /// Brings eight shells to the end of a step: strains from the rates in the middle of the step, stresses in a
-/// frame that turns with the shells, elastic resistance to the patterns and to drilling, bulk viscosity. The
-/// thickness follows the strain along the normal, its mean over the layers. The stable step is
+/// frame that turns with the shells, elastic resistance to the hourglass modes and to drilling, bulk
+/// viscosity. The thickness follows the strain along the normal, its mean over the layers. The stable step is
 /// 2 / omega (sqrt(1 + z^2) - z) with a bound omega for the element's frequencies and z the viscosity's share
 /// in critical damping.
 ///   state  as ShellMemory
@@ -74,24 +74,23 @@ void advance_shell(const ElementProperties& properties, const ShellSettings& set
   const auto rates = geometry.rates(motion.v, motion.w);
   const ShellSizes sizes = geometry.sizes();
   const shells::ShellModuli moduli(properties.law);
-  const shells::ShellMemory memory(state, Geometry::n_patterns,
-                                   settings.drilling > 0.0 ? Geometry::n_nodes : 0);
+  const shells::ShellMemory memory(state, Geometry::n_modes, settings.drilling > 0.0 ? Geometry::n_nodes : 0);
   shells::Resultants sums = shells::update_layers(
       properties.law,
-      shells::LayerStep<Geometry::n_patterns>{settings, rates, motion.thickness, motion.dt, moduli.bulk},
+      shells::LayerStep<Geometry::n_modes>{settings, rates, motion.thickness, motion.dt, moduli.bulk},
       memory.layers);
   const shells::ThicknessStep thickness(motion.thickness, sums.thickening, memory.growth);
   step.stress_work = sums.work * sizes.area * thickness.middle;
 
   Lanes frequency_squared = sums.stiffening * shells::strain_frequency(motion, settings, moduli, sizes);
   typename Geometry::Rates resistance;
-  step.hourglass_work =
-      shells::resist_beyond_strain(shells::PatternStep<Geometry>{geometry, settings, moduli, sizes, motion},
-                                   rates, memory, resistance, frequency_squared);
+  step.hourglass_work = shells::resist_beyond_strain(
+      shells::ShellHourglassStep<Geometry>{geometry, settings, moduli, sizes, motion}, rates, memory,
+      resistance, frequency_squared);
   if constexpr (shells::is_flattened<Geometry>) {
-    const auto of_warp = shells::warp_step(geometry, motion, sums.membrane);
-    step.hourglass_work += of_warp.work;
-    frequency_squared += of_warp.frequency_squared;
+    const auto warping = shells::warp_step(geometry, motion, sums.membrane);
+    step.hourglass_work += warping.work;
+    frequency_squared += warping.frequency_squared;
   }
   const Lanes dilatation = rates.membrane[0] + rates.membrane[1];
   const shells::SurfaceViscosity viscosity(properties, moduli, 2.0 / frequency_squared.sqrt(), dilatation);

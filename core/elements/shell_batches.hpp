@@ -22,14 +22,14 @@ void shell_volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen
 
 /// Takes off what the dead and the dying do not give.
 template <std::size_t n>
-void fade(ChunkLife& life, std::span<Lanes> values, ShellStep<n>& step) {
-  life.settle(step.volume, values);
-  life.limit(step.stable_step);
-  life.fade(step.force);
-  life.fade(step.moment);
-  life.fade(step.stress_work);
-  life.fade(step.hourglass_work);
-  life.fade(step.viscous_work);
+void apply_mask(ElementDeathMask& mask, std::span<Lanes> values, ShellStep<n>& step) {
+  mask.apply(step.volume, values);
+  mask.limit(step.stable_step);
+  mask.scale(step.force);
+  mask.scale(step.moment);
+  mask.scale(step.stress_work);
+  mask.scale(step.hourglass_work);
+  mask.scale(step.viscous_work);
 }
 
 /// What the lanes in use add.
@@ -59,9 +59,9 @@ ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   if (Geometry::has_rotations) std::fill_n(moments, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
-  ChunkLife life(block, state);
+  ElementDeathMask mask(block, state);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
-    if (!life.begin(i)) continue;
+    if (!mask.begin(i)) continue;
     const ChunkNode* nodes = block.nodes.data() + i * n * n_lanes;
     const std::span<Lanes> values = state.batch(block.layout, i);
     ShellMotion<n> shell_motion{gather<n>(nodes, x.data()),
@@ -71,14 +71,14 @@ ChunkStep advance_shells(const ModelBlock& block, const BatchChunk& chunk, const
                                 inertia_of_shells<Geometry>(block, i),
                                 block.thickness[i] * (1.0 + values[block.thickness_growth()]),
                                 motion.dt};
-    life.place(shell_motion.x);
-    life.stop(shell_motion.v);
-    life.stop(shell_motion.w);
-    life.keep(values);
+    mask.place(shell_motion.x);
+    mask.stop(shell_motion.v);
+    mask.stop(shell_motion.w);
+    mask.keep(values);
     ShellStep<n> step;
     advance_shell<Geometry>(block.properties, block.shell, shell_motion, values.first(block.layout.energy()),
                             step);
-    fade(life, values, step);
+    apply_mask(mask, values, step);
     values.back() += step.stress_work;
     const auto n_used = std::min<std::size_t>(n_lanes, block.n_elements - i * n_lanes);
     scatter_add(step.force, nodes, n_used, forces);
@@ -114,7 +114,7 @@ constexpr ElementFormulation shell_element(Shape shape, std::string_view formula
           formulation,
           Geometry::n_nodes,
           0,
-          Geometry::n_patterns + 1,
+          Geometry::n_modes + 1,
           &batches::shell_volumes<Geometry>,
           &batches::advance_shells<Geometry>,
           Geometry::has_rotations,

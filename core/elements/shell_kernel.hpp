@@ -34,13 +34,13 @@ struct ShellStep {
 };
 
 /// How fast shells deform, in their frame; or the forces against it, such that the products of both sum to a
-/// power. `patterns` are nodal motions that the other rates do not see.
-template <std::size_t n_patterns>
+/// power. `hourglass` are those of the hourglass modes, nodal motions that the other rates do not see.
+template <std::size_t n_modes>
 struct ShellRates {
   std::array<Lanes, 3> membrane;   ///< xx, yy and the angle xy
   std::array<Lanes, 3> curvature;  ///< the same of the change along the normal
   std::array<Lanes, 2> shear;      ///< the angles zx and yz
-  std::array<Lanes, n_patterns> patterns;
+  std::array<Lanes, n_modes> hourglass;
 };
 
 /// What bounds the frequencies of shells. With B the gradients of the shape functions, rows are what a rate
@@ -59,12 +59,12 @@ struct ShellSizes {
   }
 };
 
-/// What resists a pattern.
-enum class PatternKind : std::uint8_t { membrane, bending, shear };
+/// What resists an hourglass mode.
+enum class HourglassKind : std::uint8_t { membrane, bending, shear };
 
-/// The squared norms of a pattern's rows; of patterns at right angles to one another the first has all and
-/// the others have none.
-struct PatternSizes {
+/// The squared norms of an hourglass mode's rows; of modes at right angles to one another the first has all
+/// and the others have none.
+struct HourglassSizes {
   Lanes by_moving, by_turning;
   Lanes scale;  ///< of the stiffness: as kernels of shells say
 };

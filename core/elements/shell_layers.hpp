@@ -38,13 +38,13 @@ Lanes thinning_of(const Law& law, std::span<const Lanes> material) {
 }
 
 /// What moves the layers.
-template <std::size_t n_patterns>
+template <std::size_t n_modes>
 struct LayerStep {
   const ShellSettings& settings;
-  const ShellRates<n_patterns>& rates;  ///< in the middle of the step [1/time], [1/(length time)]
-  const Lanes& thickness;               ///< [length]
-  double dt;                            ///< [time]
-  double bulk;                          ///< modulus of the material [force/length^2]
+  const ShellRates<n_modes>& rates;  ///< in the middle of the step [1/time], [1/(length time)]
+  const Lanes& thickness;            ///< [length]
+  double dt;                         ///< [time]
+  double bulk;                       ///< modulus of the material [force/length^2]
 
   /// How a layer at some height over the nodes deforms.
   PlaneStep at_height(const Lanes& height) const {

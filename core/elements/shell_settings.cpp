@@ -102,8 +102,8 @@ std::span<const std::string_view> layer_rules() {
 }
 
 std::vector<ShellLayer> make_layers(std::string_view rule, std::int64_t n_points) {
-  constexpr std::int64_t most = 100;
-  if (n_points < 1 || n_points > most) return {};
+  constexpr std::int64_t max_layers = 100;
+  if (n_points < 1 || n_points > max_layers) return {};
   const std::string wanted = fold(rule);
   if (wanted == "gauss") return gauss(n_points);
   if (wanted == "lobatto") return lobatto(n_points);

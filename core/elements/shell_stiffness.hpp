@@ -6,7 +6,7 @@
 #include "core/elements/shell_kernel.hpp"
 #include "core/materials/material_law.hpp"
 
-/// How stiff shells are, for their stable step and their resistance to patterns.
+/// How stiff shells are, for their stable step and their resistance to hourglass modes.
 namespace contactsim::shells {
 
 /// Moduli that bound a shell's stiffness: a rate D of strain in the surface meets a power of the stress rate
@@ -26,17 +26,17 @@ struct ShellModuli {
   }
 };
 
-/// The stiffness of a kind of patterns, times their scale.
-inline Lanes pattern_stiffness(PatternKind kind, const ShellSettings& settings, const ShellModuli& moduli,
-                               const ShellSizes& sizes, const Lanes& thickness) {
+/// The stiffness of a kind of hourglass modes, times their scale.
+inline Lanes mode_stiffness(HourglassKind kind, const ShellSettings& settings, const ShellModuli& moduli,
+                            const ShellSizes& sizes, const Lanes& thickness) {
   const Lanes volume = sizes.area * thickness;
   switch (kind) {
-    case PatternKind::membrane:
+    case HourglassKind::membrane:
       return settings.membrane_hourglass * 0.5 * moduli.youngs * volume * sizes.gram_trace();
-    case PatternKind::bending:
+    case HourglassKind::bending:
       return settings.bending_hourglass / 48.0 * moduli.youngs * volume * thickness * thickness *
              sizes.gram_trace();
-    case PatternKind::shear:
+    case HourglassKind::shear:
       break;
   }
   return settings.shear_hourglass * shear_correction / 48.0 * moduli.across * volume;

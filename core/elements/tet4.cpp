@@ -7,16 +7,16 @@ namespace contactsim {
 
 namespace {
 
-/// Four-node tetrahedra; see uniform_gradient.hpp. Their gradients are uniform: there are no patterns.
+/// Four-node tetrahedra; see uniform_gradient.hpp. Their gradients are uniform: there are no hourglass modes.
 struct TetGeometry {
-  static constexpr std::size_t n_nodes = 4, n_patterns = 0;
-  static constexpr double pattern_length = 1.0;  ///< of none
+  static constexpr std::size_t n_nodes = 4, n_modes = 0;
+  static constexpr double mode_norm = 1.0;  ///< of none
 
   static NodeVectors<4> volume_gradient(const NodeVectors<4>& x) {
     return {component(x[1], x[2]), component(x[2], x[0]), component(x[0], x[1])};
   }
-  static std::array<Lanes, 0> pattern_sums(const std::array<Lanes, 4>&) { return {}; }
-  static void add_patterns(const std::array<Lanes, 0>&, std::array<Lanes, 4>&) {}
+  static std::array<Lanes, 0> mode_sums(const std::array<Lanes, 4>&) { return {}; }
+  static void add_modes(const std::array<Lanes, 0>&, std::array<Lanes, 4>&) {}
 
  private:
   /// A sixth of the cross products of the edges from node 0; node 0 balances the others.

@@ -76,7 +76,7 @@ TriangleShell::Rates TriangleShell::rates(const NodeVectors<3>& v, const NodeVec
     for (std::size_t j = 0; j < 2; ++j)
       rates.shear[i] += rows.first[i][j] * psi_a[j] + rows.second[i][j] * psi_b[j];
   }
-  rates.patterns[0] = 0.5 * (dot(b_, psi_a) - dot(a_, psi_b));
+  rates.hourglass[0] = 0.5 * (dot(b_, psi_a) - dot(a_, psi_b));
   return rates;
 }
 
@@ -91,10 +91,10 @@ void TriangleShell::set_forces(const Rates& r, NodeVectors<3>& force, NodeVector
     on_psi[i] = (-1.0 / 3.0) * r.shear[i];
     on_psi_a[i] =
         -(r.curvature[at[i][0]] * xi_[0] + r.curvature[at[i][1]] * xi_[1] + rows.first[0][i] * r.shear[0] +
-          rows.first[1][i] * r.shear[1] + 0.5 * r.patterns[0] * b_[i]);
+          rows.first[1][i] * r.shear[1] + 0.5 * r.hourglass[0] * b_[i]);
     on_psi_b[i] =
         -(r.curvature[at[i][0]] * eta_[0] + r.curvature[at[i][1]] * eta_[1] + rows.second[0][i] * r.shear[0] +
-          rows.second[1][i] * r.shear[1] - 0.5 * r.patterns[0] * a_[i]);
+          rows.second[1][i] * r.shear[1] - 0.5 * r.hourglass[0] * a_[i]);
   }
   fa[2] = -(r.shear[0] * xi_[0] + r.shear[1] * xi_[1]);
   fb[2] = -(r.shear[0] * eta_[0] + r.shear[1] * eta_[1]);
@@ -127,7 +127,7 @@ ShellSizes TriangleShell::sizes() const {
   return sizes;
 }
 
-std::array<PatternSizes, TriangleShell::n_patterns> TriangleShell::pattern_sizes() const {
+std::array<HourglassSizes, TriangleShell::n_modes> TriangleShell::hourglass_sizes() const {
   const Pair c = a_ - b_;
   return {
       {{Lanes::Zero(), 0.25 * (dot(a_, a_) + dot(b_, b_) + dot(c, c)), 4.0 / 3.0 * sizes().gram_trace()}}};

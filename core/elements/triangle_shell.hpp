@@ -6,16 +6,16 @@
 
 namespace contactsim {
 
-/// Three-node shells at some moment: uniform strain and curvature, transverse shear from that along the
+/// Three-node shells at some time: uniform strain and curvature, transverse shear from that along the
 /// edges, of which a uniform curvature has none. The edges' shear has a part that no uniform shear fits; it
-/// is a pattern. x lies along the first edge. Source: Kennedy, Belytschko and Lin, Nucl. Eng. Des. 97 (1986)
-/// 1-24; shear: Lee and Bathe, Computers and Structures 82 (2004) 945-962.
+/// is an hourglass mode. x lies along the first edge. Source: Kennedy, Belytschko and Lin, Nucl. Eng. Des. 97
+/// (1986) 1-24; shear: Lee and Bathe, Computers and Structures 82 (2004) 945-962.
 class TriangleShell {
  public:
-  static constexpr std::size_t n_nodes = 3, n_patterns = 1, n_membrane_patterns = 0;
+  static constexpr std::size_t n_nodes = 3, n_modes = 1, n_membrane_modes = 0;
   static constexpr bool has_rotations = true;
-  static constexpr std::array<PatternKind, n_patterns> kinds{PatternKind::shear};
-  using Rates = ShellRates<n_patterns>;
+  static constexpr std::array<HourglassKind, n_modes> kinds{HourglassKind::shear};
+  using Rates = ShellRates<n_modes>;
 
   ///   x  coordinates of the nodes [length]
   explicit TriangleShell(const NodeVectors<3>& x);
@@ -34,7 +34,7 @@ class TriangleShell {
   std::array<std::array<Lanes, 3>, 2> gradients() const;
 
   ShellSizes sizes() const;
-  std::array<PatternSizes, n_patterns> pattern_sizes() const;
+  std::array<HourglassSizes, n_modes> hourglass_sizes() const;
 
  private:
   /// Rows of shear, beyond the mean, by the differences of fibres along the edges: [rate][component].

@@ -34,7 +34,7 @@ struct LinearHardening {
     const Lanes value = yield_stress + isotropic_modulus * (eqps + increment);
     return {value.max(0.0), (value > 0.0).select(Lanes::Constant(isotropic_modulus), 0.0)};
   }
-  double least_slope() const { return isotropic_modulus; }
+  double min_slope() const { return isotropic_modulus; }
 };
 
 /// Flow stress that grows with a power of the plastic strain beyond the Lueders strain.
@@ -49,7 +49,7 @@ struct PowerHardening {
   static constexpr double kinematic_modulus = 0.0;
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
-  double least_slope() const { return 0.0; }
+  double min_slope() const { return 0.0; }
 };
 
 /// Flow stress that grows towards an end. Source: Voce, J. Inst. Metals 74 (1948) 537-562; Sierra/SM,
@@ -63,7 +63,7 @@ struct VoceHardening {
   static constexpr double kinematic_modulus = 0.0;
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
-  double least_slope() const { return 0.0; }
+  double min_slope() const { return 0.0; }
 };
 
 /// Flow stress that grows with a power of the plastic strain and the logarithm of its rate; rates below the
@@ -78,7 +78,7 @@ struct JohnsonCookHardening {
   static constexpr double kinematic_modulus = 0.0;
 
   FlowStress at(const Lanes& eqps, const Lanes& increment, double dt) const;
-  double least_slope() const { return 0.0; }
+  double min_slope() const { return 0.0; }
 };
 
 /// Flow stress along a curve, of whose growth a back stress takes a part.

@@ -39,7 +39,7 @@ struct Consistency {
     constexpr int max_iterations = 100;
     const FlowStress start = hardening.at(eqps, Lanes::Zero(), dt);
     const Lanes excess = (trial - start.value).max(0.0);
-    Lanes low = Lanes::Zero(), high = excess / (stiffness + hardening.least_slope());
+    Lanes low = Lanes::Zero(), high = excess / (stiffness + hardening.min_slope());
     Lanes x = high;
     for (int i = 0; i < max_iterations; ++i) {
       const FlowStress flow = hardening.at(eqps, x, dt);

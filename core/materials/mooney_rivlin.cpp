@@ -28,20 +28,20 @@ hyperelastic::Response MooneyRivlinLaw::at(const SymmetricLanes& b) const {
   const Lanes squared = hyperelastic::determinant(b), volume = squared.sqrt(), per_volume = 1.0 / volume;
   const Lanes scale = (-1.0 / 3.0 * squared.log()).exp();  // J^(-2/3)
   const Lanes first = 2.0 * c10() * scale, second = 2.0 * c01 * scale * scale;
-  SymmetricLanes stress, of_first = deviator(b), of_second = deviator(c);
+  SymmetricLanes stress, first_term = deviator(b), second_term = deviator(c);
   for (std::size_t i = 0; i < 6; ++i) {
-    of_first[i] *= first;
-    of_second[i] *= second;
-    stress[i] = (of_first[i] + of_second[i]) * per_volume;
+    first_term[i] *= first;
+    second_term[i] *= second;
+    stress[i] = (first_term[i] + second_term[i]) * per_volume;
   }
   const Lanes pressure = 0.5 * moduli.bulk * (volume - per_volume);
   for (std::size_t i = 0; i < 3; ++i) stress[i] += pressure;
 
   const Lanes mean = ((first * trace(b) + 0.5 * second * trace(c)) / 3.0).max(0.0);
-  const Lanes of_c01 = contract(of_second, of_second).sqrt();
-  const Lanes deviation = contract(of_first, of_first).sqrt() + of_c01;
+  const Lanes c01_norm = contract(second_term, second_term).sqrt();
+  const Lanes deviation = contract(first_term, first_term).sqrt() + c01_norm;
   LaneModuli bounds = hyperelastic::tangent_bounds(moduli.bulk, volume, mean, deviation);
-  const Lanes more = hyperelastic::largest_share * of_c01 * per_volume;
+  const Lanes more = hyperelastic::largest_share * c01_norm * per_volume;
   bounds.shear += more;
   bounds.bulk += 2.0 / 3.0 * more;
   return {stress, bounds, mean * per_volume};

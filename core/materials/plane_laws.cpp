@@ -38,9 +38,9 @@ struct PlaneConsistency {
   /// the largest plastic strain that an endless flow would give.
   Lanes upper_bound(const Lanes& trial, const Lanes& start) const {
     constexpr double smallest = 1e-12;  // of the trial stress, the accuracy of the solution
-    const Lanes most = 2.0 / 3.0 * (sum_part / (a * a) + difference_part / (b * b)).sqrt();
-    const Lanes least_flow = (start + std::min(0.0, hardening.least_slope()) * most).max(smallest * trial);
-    return ((trial / least_flow - 1.0) / std::min(a, b)).max(0.0);
+    const Lanes max_strain = 2.0 / 3.0 * (sum_part / (a * a) + difference_part / (b * b)).sqrt();
+    const Lanes min_flow = (start + std::min(0.0, hardening.min_slope()) * max_strain).max(smallest * trial);
+    return ((trial / min_flow - 1.0) / std::min(a, b)).max(0.0);
   }
 
   /// Zero where the step is elastic; nothing where all of it is.

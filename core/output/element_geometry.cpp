@@ -68,12 +68,12 @@ ElementVectors volume_gradient(const Topology& topology, const ElementVectors& x
 ElementVectors surface_gradient(const Topology& topology, const ElementVectors& x) {
   const SurfaceTangents tangents(topology, x);
   const Eigen::Vector3d normal = tangents.along_r.cross(tangents.along_s);
-  const Eigen::Vector3d of_r = tangents.along_s.cross(normal) / normal.squaredNorm();
-  const Eigen::Vector3d of_s = normal.cross(tangents.along_r) / normal.squaredNorm();
+  const Eigen::Vector3d dual_r = tangents.along_s.cross(normal) / normal.squaredNorm();
+  const Eigen::Vector3d dual_s = normal.cross(tangents.along_r) / normal.squaredNorm();
   ElementVectors gradient = ElementVectors::Zero(3, x.cols());
   for (int a = 0; a < topology.n_corners; ++a)
-    gradient.col(a) = tangents.slopes_r[static_cast<std::size_t>(a)] * of_r +
-                      tangents.slopes_s[static_cast<std::size_t>(a)] * of_s;
+    gradient.col(a) = tangents.slopes_r[static_cast<std::size_t>(a)] * dual_r +
+                      tangents.slopes_s[static_cast<std::size_t>(a)] * dual_s;
   return gradient;
 }
 

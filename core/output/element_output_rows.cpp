@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "core/elements/element_table.hpp"
-#include "core/output/element_moment.hpp"
+#include "core/output/element_view.hpp"
 #include "core/output/output_table.hpp"
 #include "core/output/strain_measures.hpp"
 
@@ -24,10 +24,10 @@ void put(const std::array<double, n>& value, double* to) {
 
 // Fills a range with value(element), a number, vector or array. It is a type, so that a row needs no object.
 template <class Value>
-void fill_range(const OutputMoment& moment, const EntityRange& range, Values values) {
+void fill_range(const OutputContext& context, const EntityRange& range, Values values) {
   const std::size_t n_components = values.size() / range.count;
   for (std::size_t i = 0; i < range.count; ++i)
-    put(Value{}(ElementMoment{moment, range, i}), values.data() + i * n_components);
+    put(Value{}(ElementView{context, range, i}), values.data() + i * n_components);
 }
 
 template <class Value>
@@ -43,7 +43,7 @@ constexpr OutputRow point_row(std::string_view name, FieldShape shape, Value val
   return row;
 }
 
-using E = ElementMoment;
+using E = ElementView;
 
 Eigen::Matrix3d unrotated_stress(const E& e) {
   if (e.life() == 0.0) return Eigen::Matrix3d::Zero();  // its nodes may be anywhere
@@ -144,20 +144,20 @@ Eigen::Matrix3d membrane_stress(const E& e) {
   for (std::size_t point = 0; point < layers.size(); ++point) {
     EntityRange at_point = e.range;
     at_point.point = point;
-    sum += layers[point].weight * stress_of(e.moment, at_point, e.i);
+    sum += layers[point].weight * stress_of(e.context, at_point, e.i);
   }
   return sum;
 }
 
-constexpr OutputRow of_shells(OutputRow row) {
+constexpr OutputRow shells_only(OutputRow row) {
   row.is_of_shells = true;
   return row;
 }
 
 constexpr std::array shell_rows{
-    of_shells(make_row(
+    shells_only(make_row(
         "element_thickness", scalar, [](const E& e) { return e.thickness(); }, "Of shells [length]")),
-    of_shells(make_row(
+    shells_only(make_row(
         "memb_stress", symmetric_tensor,
         [](const E& e) { return components_of_symmetric(membrane_stress(e)); },
         "Mean of a shell's Cauchy stress over its thickness, along the global axes [force/length^2]")),

@@ -35,23 +35,23 @@ void warn(Diagnostics& diagnostics, const DeckName& at, std::string text) {
 }
 
 // The one number that an input reads at a location.
-std::optional<VariablePick> find_input(const FunctionInput& input, FieldLocation location,
-                                       const RunVariables& variables, Diagnostics& diagnostics) {
+std::optional<VariableSelection> find_input(const FunctionInput& input, FieldLocation location,
+                                            const OutputVariables& variables, Diagnostics& diagnostics) {
   VariableReference reference = split_reference(input.variable);
   if (!input.component.empty()) reference.component = input.component;
-  const auto pick = find_pick(variables, location_of(input.source), reference, diagnostics);
-  if (!pick) return std::nullopt;
-  if (pick->variable->location != location && pick->variable->location != FieldLocation::global) {
+  const auto selection = find_selection(variables, location_of(input.source), reference, diagnostics);
+  if (!selection) return std::nullopt;
+  if (selection->variable->location != location && selection->variable->location != FieldLocation::global) {
     warn(diagnostics, input.variable,
          fmt::format("a {} value cannot be made from the {} variable {}", to_string(location),
-                     to_string(pick->variable->location), input.variable.text));
+                     to_string(selection->variable->location), input.variable.text));
     return std::nullopt;
   }
-  if (pick->n_components() != 1) {
+  if (selection->n_components() != 1) {
     warn(diagnostics, input.variable, fmt::format("{} is not one number", input.variable.text));
     return std::nullopt;
   }
-  return pick;
+  return selection;
 }
 
 }  // namespace
@@ -73,17 +73,17 @@ VariableReference split_reference(const DeckName& word) {
   return reference;
 }
 
-void VariableFunction::evaluate(const OutputMoment& moment, const EntityRange& range,
+void VariableFunction::evaluate(const OutputContext& context, const EntityRange& range,
                                 std::span<double> values) const {
   if (inputs_.empty()) {
-    for (double& value : values) value = function_.evaluate(moment.state.time);
+    for (double& value : values) value = function_.evaluate(context.state.time);
     return;
   }
   std::vector<std::vector<double>> columns;
-  for (const VariablePick& input : inputs_) {
+  for (const VariableSelection& input : inputs_) {
     const bool is_global = input.variable->location == FieldLocation::global;
     const EntityRange own = is_global ? EntityRange{} : range;
-    fill(input, moment, own, columns.emplace_back(own.count));
+    fill(input, context, own, columns.emplace_back(own.count));
     if (is_global) columns.back().resize(range.count, columns.back()[0]);
   }
   std::vector<double> row(inputs_.size());
@@ -94,13 +94,13 @@ void VariableFunction::evaluate(const OutputMoment& moment, const EntityRange& r
 }
 
 std::optional<VariableFunction> make_variable_function(Function function, FieldLocation location,
-                                                       const RunVariables& variables,
+                                                       const OutputVariables& variables,
                                                        Diagnostics& diagnostics) {
-  std::vector<VariablePick> inputs;
+  std::vector<VariableSelection> inputs;
   for (const FunctionInput& input : function.inputs()) {
-    const auto pick = find_input(input, location, variables, diagnostics);
-    if (!pick) return std::nullopt;
-    inputs.push_back(*pick);
+    const auto selection = find_input(input, location, variables, diagnostics);
+    if (!selection) return std::nullopt;
+    inputs.push_back(*selection);
   }
   return VariableFunction(std::move(function), std::move(inputs));
 }

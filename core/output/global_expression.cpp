@@ -22,30 +22,31 @@ std::vector<std::string> names_in(std::string_view expression) {
 }
 
 // The global number of a name: a scalar, or the component that the name's ending tells.
-std::optional<VariablePick> find_global_number(const RunVariables& variables, const std::string& name) {
-  const RunVariable* whole = variables.find(FieldLocation::global, canonical_variable_name(name));
-  if (whole != nullptr && whole->n_components == 1) return VariablePick{whole, {}, {}};
+std::optional<VariableSelection> find_global_number(const OutputVariables& variables,
+                                                    const std::string& name) {
+  const OutputVariable* whole = variables.find(FieldLocation::global, canonical_variable_name(name));
+  if (whole != nullptr && whole->n_components == 1) return VariableSelection{whole, {}, {}};
   return find_by_ending(variables, FieldLocation::global, name);
 }
 
 }  // namespace
 
-GlobalExpression::GlobalExpression(std::string_view text, const RunVariables& variables) {
+GlobalExpression::GlobalExpression(std::string_view text, const OutputVariables& variables) {
   std::vector<std::string> names;
   for (std::string& name : names_in(text)) {
     // Others are constants, names that the expression sets, or unknown to the compiler too.
-    const auto pick = find_global_number(variables, name);
-    if (!pick) continue;
-    inputs_.push_back(*pick);
+    const auto selection = find_global_number(variables, name);
+    if (!selection) continue;
+    inputs_.push_back(*selection);
     names.push_back(std::move(name));
   }
   expression_ = compile_expression(text, names);
 }
 
-double GlobalExpression::evaluate(const OutputMoment& moment) const {
+double GlobalExpression::evaluate(const OutputContext& context) const {
   std::vector<double> numbers(inputs_.size());
   for (std::size_t i = 0; i < inputs_.size(); ++i)
-    fill(inputs_[i], moment, EntityRange{}, std::span(numbers).subspan(i, 1));
+    fill(inputs_[i], context, EntityRange{}, std::span(numbers).subspan(i, 1));
   return expression_.evaluate(numbers);
 }
 

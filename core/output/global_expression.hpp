@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/functions/expression.hpp"
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 
 namespace contactsim {
 
@@ -14,12 +14,12 @@ namespace contactsim {
 class GlobalExpression {
  public:
   /// Throws ExpressionError. The variables must outlive it.
-  GlobalExpression(std::string_view text, const RunVariables& variables);
+  GlobalExpression(std::string_view text, const OutputVariables& variables);
 
-  double evaluate(const OutputMoment& moment) const;
+  double evaluate(const OutputContext& context) const;
 
  private:
-  std::vector<VariablePick> inputs_;
+  std::vector<VariableSelection> inputs_;
   Expression expression_;
 };
 

@@ -13,42 +13,43 @@ using Values = std::span<double>;
 // A row that copies one of the energies.
 template <double Energies::*energy>
 constexpr OutputRow energy_row(std::string_view name, std::string_view help) {
-  return {
-      name,
-      FieldLocation::global,
-      FieldShape::scalar,
-      false,
-      [](const OutputMoment& m, const EntityRange&, Values values) { values[0] = m.state.energies.*energy; },
-      help};
+  return {name,
+          FieldLocation::global,
+          FieldShape::scalar,
+          false,
+          [](const OutputContext& context, const EntityRange&, Values values) {
+            values[0] = context.state.energies.*energy;
+          },
+          help};
 }
 
-void fill_strain_energy(const OutputMoment& m, const EntityRange&, Values values) {
+void fill_strain_energy(const OutputContext& context, const EntityRange&, Values values) {
   double sum = 0.0;
-  for (std::size_t b = 0; b < m.model.blocks.size(); ++b) {
-    const ModelBlock& block = m.model.blocks[b];
+  for (std::size_t b = 0; b < context.model.blocks.size(); ++b) {
+    const ModelBlock& block = context.model.blocks[b];
     for (std::size_t e = 0; e < block.n_elements; ++e)
-      sum += m.state.blocks[b].at(block.layout, e, block.layout.energy());
+      sum += context.state.blocks[b].at(block.layout, e, block.layout.energy());
   }
   values[0] = sum;
 }
 
-void fill_momentum(const OutputMoment& m, const EntityRange&, Values values) {
-  for (std::size_t i = 0; i < 3; ++i) values[i] = m.state.momentum[static_cast<Eigen::Index>(i)];
+void fill_momentum(const OutputContext& context, const EntityRange&, Values values) {
+  for (std::size_t i = 0; i < 3; ++i) values[i] = context.state.momentum[static_cast<Eigen::Index>(i)];
 }
 
-void fill_angular_momentum(const OutputMoment& m, const EntityRange&, Values values) {
-  const RigidBodies& rigid = m.model.rigid;
-  const Eigen::Matrix3Xd& mass = rigid.empty() ? m.model.mass : rigid.free_mass;
-  const Eigen::Matrix3Xd& inertia = rigid.empty() ? m.model.inertia : rigid.free_inertia;
+void fill_angular_momentum(const OutputContext& context, const EntityRange&, Values values) {
+  const RigidBodies& rigid = context.model.rigid;
+  const Eigen::Matrix3Xd& mass = rigid.empty() ? context.model.mass : rigid.free_mass;
+  const Eigen::Matrix3Xd& inertia = rigid.empty() ? context.model.inertia : rigid.free_inertia;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (Eigen::Index n = 0; n < m.state.coordinates.cols(); ++n) {
-    const Eigen::Vector3d x = m.state.coordinates.col(n), v = m.state.velocity.col(n);
+  for (Eigen::Index n = 0; n < context.state.coordinates.cols(); ++n) {
+    const Eigen::Vector3d x = context.state.coordinates.col(n), v = context.state.velocity.col(n);
     sum += mass(0, n) * x.cross(v);
   }
-  const Eigen::Matrix3Xd& turning = m.state.rotations.velocity;
+  const Eigen::Matrix3Xd& turning = context.state.rotations.velocity;
   for (Eigen::Index n = 0; n < turning.cols(); ++n) sum += inertia(0, n) * turning.col(n);
-  for (std::size_t i = 0; i < m.state.rigid.size(); ++i) {
-    const RigidBodyState& body = m.state.rigid[i];
+  for (std::size_t i = 0; i < context.state.rigid.size(); ++i) {
+    const RigidBodyState& body = context.state.rigid[i];
     sum += body.now.spin + rigid.bodies[i].mass * body.position.cross(body.now.velocity);
   }
   for (std::size_t i = 0; i < 3; ++i) values[i] = sum[static_cast<Eigen::Index>(i)];
@@ -61,16 +62,16 @@ std::span<const OutputRow> global_output_rows() {
   using S = FieldShape;
   static constexpr std::array rows{
       OutputRow{"time", L::global, S::scalar, false,
-                [](const OutputMoment& m, const EntityRange&, Values v) { v[0] = m.state.time; },
+                [](const OutputContext& context, const EntityRange&, Values v) { v[0] = context.state.time; },
                 "Time [time]"},
       OutputRow{"timestep", L::global, S::scalar, false,
-                [](const OutputMoment& m, const EntityRange&, Values v) {
-                  v[0] = m.state.dt > 0.0 ? m.state.dt : m.state.next_dt;
+                [](const OutputContext& context, const EntityRange&, Values v) {
+                  v[0] = context.state.dt > 0.0 ? context.state.dt : context.state.next_dt;
                 },
                 "Size of the step that ended; at the start of the one to come [time]"},
       OutputRow{"step", L::global, S::scalar, false,
-                [](const OutputMoment& m, const EntityRange&, Values v) {
-                  v[0] = static_cast<double>(m.state.step);
+                [](const OutputContext& context, const EntityRange&, Values v) {
+                  v[0] = static_cast<double>(context.state.step);
                 },
                 "Number of steps so far [1]"},
       energy_row<&Energies::kinetic>("kinetic_energy", "Kinetic energy [energy]"),

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/node_work.hpp"
+#include "core/energy_balance.hpp"
 #include "core/output/output_table.hpp"
 
 namespace contactsim {
@@ -20,8 +20,8 @@ void fill_vectors(const EntityRange& range, Values values, Value value) {
 }
 
 template <Eigen::Matrix3Xd State::*vectors>
-void fill_from_state(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return (m.state.*vectors).col(n); });
+void fill_from_state(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_vectors(range, values, [&](Eigen::Index n) { return (context.state.*vectors).col(n); });
 }
 
 // Without contact there is an array of no columns.
@@ -37,111 +37,111 @@ Eigen::Vector3d acting_force(const State& state, Eigen::Index node) {
 // Nodes without elements have next to no mass, which counts as none.
 double mass_of(const Model& model, Eigen::Index node) {
   const double mass = model.mass(0, node);
-  return mass > least_mass ? mass : 0.0;
+  return mass > minimum_nodal_mass ? mass : 0.0;
 }
 
-Eigen::Vector3d inertial_force(const OutputMoment& m, Eigen::Index node) {
-  return mass_of(m.model, node) * m.state.acceleration.col(node);
+Eigen::Vector3d inertial_force(const OutputContext& context, Eigen::Index node) {
+  return mass_of(context.model, node) * context.state.acceleration.col(node);
 }
 
 bool is_held(const Model& model, Eigen::Index node) {
-  const auto nodes = model.kinematics.nodes();
+  const auto nodes = model.kinematic_constraints.nodes();
   return std::binary_search(nodes.begin(), nodes.end(), NodeIndex{static_cast<std::uint32_t>(node)});
 }
 
 // Nodes of a model that nothing turns in have no rotations.
 template <class Value>
-void fill_rotations(const OutputMoment& m, const EntityRange& range, Values values, Value value) {
+void fill_rotations(const OutputContext& context, const EntityRange& range, Values values, Value value) {
   fill_vectors(range, values, [&](Eigen::Index n) -> Eigen::Vector3d {
-    if (!m.state.rotations.exist()) return Eigen::Vector3d::Zero();
-    return value(m.state.rotations, n);
+    if (!context.state.rotations.exist()) return Eigen::Vector3d::Zero();
+    return value(context.state.rotations, n);
   });
 }
 
 template <Eigen::Matrix3Xd NodalRotations::*vectors>
-void fill_from_rotations(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+void fill_from_rotations(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_rotations(context, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
     return (r.*vectors).col(n);
   });
 }
 
-void fill_moment_external(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+void fill_moment_external(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_rotations(context, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
     return r.moments.external.col(n);
   });
 }
 
-void fill_moment_internal(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+void fill_moment_internal(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_rotations(context, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
     return -r.moments.internal.col(n);
   });
 }
 
-void fill_moment_contact(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_rotations(m, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
+void fill_moment_contact(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_rotations(context, range, values, [](const NodalRotations& r, Eigen::Index n) -> Eigen::Vector3d {
     if (n >= r.moments.contact.cols()) return Eigen::Vector3d::Zero();
     return r.moments.contact.col(n);
   });
 }
 
-void fill_reaction_moment(const OutputMoment& m, const EntityRange& range, Values values) {
-  const auto held = m.model.rotation_kinematics.nodes();
-  fill_rotations(m, range, values, [&](const NodalRotations&, Eigen::Index n) -> Eigen::Vector3d {
+void fill_reaction_moment(const OutputContext& context, const EntityRange& range, Values values) {
+  const auto held = context.model.rotation_constraints.nodes();
+  fill_rotations(context, range, values, [&](const NodalRotations&, Eigen::Index n) -> Eigen::Vector3d {
     const NodeIndex node{static_cast<std::uint32_t>(n)};
     if (!std::binary_search(held.begin(), held.end(), node)) return Eigen::Vector3d::Zero();
-    return reaction_moment_at(m.model, m.state, node);
+    return reaction_moment_at(context.model, context.state, node);
   });
 }
 
-void fill_rotational_mass(const OutputMoment& m, const EntityRange& range, Values values) {
+void fill_rotational_mass(const OutputContext& context, const EntityRange& range, Values values) {
   for (std::size_t i = 0; i < range.count; ++i) {
     const auto n = static_cast<Eigen::Index>(range.first + i);
-    const double inertia = n < m.model.inertia.cols() ? m.model.inertia(0, n) : 0.0;
-    values[i] = inertia > least_mass ? inertia : 0.0;
+    const double inertia = n < context.model.inertia.cols() ? context.model.inertia(0, n) : 0.0;
+    values[i] = inertia > minimum_nodal_mass ? inertia : 0.0;
   }
 }
 
-void fill_displacement(const OutputMoment& m, const EntityRange& range, Values values) {
+void fill_displacement(const OutputContext& context, const EntityRange& range, Values values) {
   fill_vectors(range, values, [&](Eigen::Index n) {
-    return Eigen::Vector3d(m.state.coordinates.col(n) - m.model.mesh->coordinates().col(n));
+    return Eigen::Vector3d(context.state.coordinates.col(n) - context.model.mesh->coordinates().col(n));
   });
 }
 
-void fill_model_coordinates(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return m.model.mesh->coordinates().col(n); });
+void fill_model_coordinates(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_vectors(range, values, [&](Eigen::Index n) { return context.model.mesh->coordinates().col(n); });
 }
 
-void fill_mass(const OutputMoment& m, const EntityRange& range, Values values) {
+void fill_mass(const OutputContext& context, const EntityRange& range, Values values) {
   for (std::size_t i = 0; i < range.count; ++i)
-    values[i] = mass_of(m.model, static_cast<Eigen::Index>(range.first + i));
+    values[i] = mass_of(context.model, static_cast<Eigen::Index>(range.first + i));
 }
 
-void fill_residual(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return acting_force(m.state, n); });
+void fill_residual(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_vectors(range, values, [&](Eigen::Index n) { return acting_force(context.state, n); });
 }
 
-void fill_reaction(const OutputMoment& m, const EntityRange& range, Values values) {
+void fill_reaction(const OutputContext& context, const EntityRange& range, Values values) {
   fill_vectors(range, values, [&](Eigen::Index n) -> Eigen::Vector3d {
-    if (!is_held(m.model, n)) return Eigen::Vector3d::Zero();
-    return inertial_force(m, n) - acting_force(m.state, n);
+    if (!is_held(context.model, n)) return Eigen::Vector3d::Zero();
+    return inertial_force(context, n) - acting_force(context.state, n);
   });
 }
 
-void fill_inertial(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return inertial_force(m, n); });
+void fill_inertial(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_vectors(range, values, [&](Eigen::Index n) { return inertial_force(context, n); });
 }
 
-void fill_external(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return m.state.forces.external.col(n); });
+void fill_external(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_vectors(range, values, [&](Eigen::Index n) { return context.state.forces.external.col(n); });
 }
 
-void fill_internal(const OutputMoment& m, const EntityRange& range, Values values) {
+void fill_internal(const OutputContext& context, const EntityRange& range, Values values) {
   fill_vectors(range, values,
-               [&](Eigen::Index n) { return Eigen::Vector3d(-m.state.forces.internal.col(n)); });
+               [&](Eigen::Index n) { return Eigen::Vector3d(-context.state.forces.internal.col(n)); });
 }
 
-void fill_contact(const OutputMoment& m, const EntityRange& range, Values values) {
-  fill_vectors(range, values, [&](Eigen::Index n) { return contact_force(m.state, n); });
+void fill_contact(const OutputContext& context, const EntityRange& range, Values values) {
+  fill_vectors(range, values, [&](Eigen::Index n) { return contact_force(context.state, n); });
 }
 
 }  // namespace

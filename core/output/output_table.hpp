@@ -13,7 +13,7 @@
 namespace contactsim {
 
 /// A run between two steps, as output sees it.
-struct OutputMoment {
+struct OutputContext {
   const Model& model;
   const State& state;
 };
@@ -32,7 +32,7 @@ struct OutputRow {
   FieldShape shape = FieldShape::scalar;
   bool is_at_points = false;  ///< an element variable that each integration point has
   /// Sets the values, [count x n_components].
-  void (*fill)(const OutputMoment& moment, const EntityRange& range, std::span<double> values) = nullptr;
+  void (*fill)(const OutputContext& context, const EntityRange& range, std::span<double> values) = nullptr;
   std::string_view help;      ///< one line with the dimension
   int list_size = 1;          ///< number of components of a list
   bool is_of_shells = false;  ///< only shells have it, of element variables
@@ -47,15 +47,16 @@ std::span<const OutputRow> element_output_rows();
 
 /// The stress of an element at the range's point, element `range.first` + `i`; what is left of it when it
 /// dies [force/length^2].
-Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i);
+Eigen::Matrix3d stress_of(const OutputContext& context, const EntityRange& range, std::size_t i);
 
 /// A symmetric tensor that a material remembers, along the global axes.
 ///   place  of its first component, as below
-Eigen::Matrix3d material_tensor(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+Eigen::Matrix3d material_tensor(const OutputContext& context, const EntityRange& range, std::size_t i,
                                 std::size_t place);
 
 /// One number that a material remembers, at the range's point.
 ///   place  in the state of an integration point, after its stress
-double material_value(const OutputMoment& moment, const EntityRange& range, std::size_t i, std::size_t place);
+double material_value(const OutputContext& context, const EntityRange& range, std::size_t i,
+                      std::size_t place);
 
 }  // namespace contactsim

@@ -20,8 +20,8 @@ std::int64_t count_times(const TimePhase& phase, double end, double time) {
       std::min(time + tolerance(time, phase.increment), end - tolerance(end, phase.increment));
   if (last < phase.start) return 0;
   const double n = std::floor((last - phase.start) / phase.increment);
-  constexpr double most = 1e15;  // a double still counts them one by one
-  return 1 + static_cast<std::int64_t>(std::clamp(n, 0.0, most));
+  constexpr double max_count = 1e15;  // a double still counts them one by one
+  return 1 + static_cast<std::int64_t>(std::clamp(n, 0.0, max_count));
 }
 
 std::int64_t count_steps(const StepPhase& phase, std::int64_t end, std::int64_t step) {
@@ -84,7 +84,7 @@ OutputTimes::OutputTimes(OutputSchedule schedule, std::int64_t default_step_incr
   if (default_step_increment == 0) s.additional_steps.push_back(0);
 }
 
-bool OutputTimes::is_due(const RunMoment& now) {
+bool OutputTimes::is_due(const OutputTime& now) {
   const std::int64_t n_times = count_times(now.time), n_steps = count_steps(now.step);
   const bool is_scheduled = n_times > n_times_ || n_steps > n_steps_;
   n_times_ = n_times;

@@ -16,7 +16,7 @@ OutputSchedule resolve_schedule(const OutputSchedule& schedule, std::span<const 
                                 Diagnostics& diagnostics);
 
 /// A state between two steps, as schedules see it.
-struct RunMoment {
+struct OutputTime {
   std::int64_t step = 0;
   double time = 0.0;  ///< [time]
   bool is_last = false;
@@ -31,7 +31,7 @@ class OutputTimes {
   OutputTimes(OutputSchedule schedule, std::int64_t default_step_increment);
 
   /// Whether the state is due; asked in order of time. A step is due once, however often it is asked for.
-  bool is_due(const RunMoment& now);
+  bool is_due(const OutputTime& now);
 
   /// The next scheduled time after `time`, if steps are to be stretched to hit it: TIMESTEP ADJUSTMENT
   /// INTERVAL. Nothing when no time follows.

@@ -64,10 +64,10 @@ class Accumulator {
 
 }  // namespace
 
-std::vector<double> reduce(OutputReduction reduction, const VariablePick& pick,
-                           std::span<const EntityRange> ranges, const OutputMoment& moment) {
-  std::vector<Accumulator> components(pick.n_components());
-  visit_values(pick, ranges, moment, [&](const EntityRange&, std::span<const double> values) {
+std::vector<double> reduce(OutputReduction reduction, const VariableSelection& selection,
+                           std::span<const EntityRange> ranges, const OutputContext& context) {
+  std::vector<Accumulator> components(selection.n_components());
+  visit_values(selection, ranges, context, [&](const EntityRange&, std::span<const double> values) {
     for (std::size_t i = 0; i < values.size(); ++i) components[i % components.size()].add(values[i]);
   });
   std::vector<double> results;

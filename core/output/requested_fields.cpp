@@ -13,9 +13,9 @@ namespace contactsim {
 
 namespace {
 
-std::size_t count_entities(const VariablePick& pick, const Model& model, std::size_t block) {
-  if (pick.variable->location == FieldLocation::node) return model.mesh->n_nodes();
-  return pick.variable->location == FieldLocation::global ? 1 : model.blocks[block].n_elements;
+std::size_t count_entities(const VariableSelection& selection, const Model& model, std::size_t block) {
+  if (selection.variable->location == FieldLocation::node) return model.mesh->n_nodes();
+  return selection.variable->location == FieldLocation::global ? 1 : model.blocks[block].n_elements;
 }
 
 bool is_named(std::span<const DeckName> list, const std::vector<std::string>& block_names) {
@@ -27,7 +27,7 @@ bool is_named(std::span<const DeckName> list, const std::vector<std::string>& bl
 
 class FieldMaker {
  public:
-  FieldMaker(const RunVariables& variables, const FieldRequests& requests,
+  FieldMaker(const OutputVariables& variables, const FieldRequests& requests,
              std::span<const std::vector<std::string>> block_names, Diagnostics& diagnostics)
       : variables_(variables), requests_(requests), block_names_(block_names), diagnostics_(diagnostics) {}
 
@@ -37,10 +37,10 @@ class FieldMaker {
     for (const VariableRequest& request : requests_.variables) add_request(request);
     for (const char* name : {"kinetic_energy", "internal_energy", "external_energy", "hourglass_energy",
                              "bulk_viscosity_energy", "contact_energy", "energy_error", "momentum"}) {
-      const VariablePick pick{variables_.find(FieldLocation::global, name), {}, {}};
+      const VariableSelection selection{variables_.find(FieldLocation::global, name), {}, {}};
       const bool is_taken = names_.count({FieldLocation::global, 0, name}) != 0 ||
                             columns_.count({FieldLocation::global, 0, name}) != 0;
-      if (!is_taken) add_field(pick, {}, name);
+      if (!is_taken) add_field(selection, {}, name);
     }
     return std::move(fields_);
   }
@@ -56,7 +56,8 @@ class FieldMaker {
 
   void check_blocks(std::span<const DeckName> names) {
     std::vector<std::string> known;
-    for (const auto& of_block : block_names_) known.insert(known.end(), of_block.begin(), of_block.end());
+    for (const auto& names_of_block : block_names_)
+      known.insert(known.end(), names_of_block.begin(), names_of_block.end());
     for (const DeckName& name : names) {
       const bool is_known = std::any_of(known.begin(), known.end(),
                                         [&](const auto& own) { return fold(own) == fold(name.text); });
@@ -67,29 +68,30 @@ class FieldMaker {
   }
 
   void add_request(const VariableRequest& request) {
-    const auto pick = find_pick(variables_, request.location, request.variable, diagnostics_);
-    if (!pick) return;
-    const std::string name = field_name(request, *pick, requests_.separator);
+    const auto selection = find_selection(variables_, request.location, request.variable, diagnostics_);
+    if (!selection) return;
+    const std::string name = field_name(request, *selection, requests_.separator);
     const auto* parts = std::get_if<NamedParts>(&request.place);
-    if (pick->variable->location == FieldLocation::element) {
+    if (selection->variable->location == FieldLocation::element) {
       if (parts != nullptr) check_blocks(parts->names);
-      add_element_fields(request, *pick, name);
+      add_element_fields(request, *selection, name);
       return;
     }
     if (parts != nullptr)
       warn("output-part-whole", request.variable.name,
            fmt::format("{} is written for the whole model: parts are for element variables", name));
-    if (is_free(*pick, 0, name, request.variable.name)) add_field(*pick, {}, name);
+    if (is_free(*selection, 0, name, request.variable.name)) add_field(*selection, {}, name);
   }
 
-  void add_element_fields(const VariableRequest& request, const VariablePick& pick, const std::string& name) {
+  void add_element_fields(const VariableRequest& request, const VariableSelection& selection,
+                          const std::string& name) {
     const Model& model = variables_.model();
     bool is_anywhere = false;
     for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-      if (!pick.is_in_block(model, b) || !is_covered(request, model.blocks[b].mesh_block)) continue;
+      if (!selection.is_in_block(model, b) || !is_covered(request, model.blocks[b].mesh_block)) continue;
       is_anywhere = true;
-      if (!is_free(pick, b, name, request.variable.name)) return;
-      add_field(pick, {b, 0, 1, {}}, name);
+      if (!is_free(selection, b, name, request.variable.name)) return;
+      add_field(selection, {b, 0, 1, {}}, name);
     }
     if (!is_anywhere)
       warn("output-part-none", request.variable.name, fmt::format("no block that is asked for has {}", name));
@@ -103,20 +105,21 @@ class FieldMaker {
     return !is_named(requests_.excluded, names);
   }
 
-  bool is_free(const VariablePick& pick, std::size_t block, const std::string& name, const DeckName& at) {
-    if (names_.count({pick.variable->location, block, fold(name)}) == 0)
-      return !has_taken_component(pick, block, name, at);
+  bool is_free(const VariableSelection& selection, std::size_t block, const std::string& name,
+               const DeckName& at) {
+    if (names_.count({selection.variable->location, block, fold(name)}) == 0)
+      return !has_taken_component(selection, block, name, at);
     warn("output-name-taken", at,
          fmt::format("a {} variable {} is on the file already: this one is left out",
-                     to_string(pick.variable->location), name),
+                     to_string(selection.variable->location), name),
          "an alias gives it another name: AS <alias>");
     return false;
   }
 
   /// Whether a component would have the name of another field's: a file cannot hold both.
-  bool has_taken_component(const VariablePick& pick, std::size_t block, const std::string& name,
+  bool has_taken_component(const VariableSelection& selection, std::size_t block, const std::string& name,
                            const DeckName& at) {
-    const OutputField field = describe(pick, {block, 0, 1, {}}, name).field;
+    const OutputField field = describe(selection, {block, 0, 1, {}}, name).field;
     for (int c = 0; c < field.n_components; ++c) {
       const auto found = columns_.find({field.location, block, fold(component_name(field, c))});
       if (found == columns_.end()) continue;
@@ -130,24 +133,24 @@ class FieldMaker {
     return false;
   }
 
-  RequestedFields::Field describe(const VariablePick& pick, const EntityRange& range,
+  RequestedFields::Field describe(const VariableSelection& selection, const EntityRange& range,
                                   const std::string& name) const {
-    RequestedFields::Field made = make_field(pick, variables_.model(), range, name);
+    RequestedFields::Field made = make_field(selection, variables_.model(), range, name);
     made.field.separator = requests_.separator;
     return made;
   }
 
-  void add_field(const VariablePick& pick, EntityRange range, const std::string& name) {
+  void add_field(const VariableSelection& selection, EntityRange range, const std::string& name) {
     const Model& model = variables_.model();
-    names_.insert({pick.variable->location, range.block, fold(name)});
-    range.count = count_entities(pick, model, range.block);
-    fields_.push_back(describe(pick, range, name));
+    names_.insert({selection.variable->location, range.block, fold(name)});
+    range.count = count_entities(selection, model, range.block);
+    fields_.push_back(describe(selection, range, name));
     const OutputField& field = fields_.back().field;
     for (int c = 0; c < field.n_components; ++c)
       columns_.try_emplace({field.location, range.block, fold(component_name(field, c))}, name);
   }
 
-  const RunVariables& variables_;
+  const OutputVariables& variables_;
   const FieldRequests& requests_;
   std::span<const std::vector<std::string>> block_names_;
   Diagnostics& diagnostics_;
@@ -158,29 +161,29 @@ class FieldMaker {
 
 }  // namespace
 
-RequestedFields::Field make_field(const VariablePick& pick, const Model& model, const EntityRange& range,
-                                  const std::string& name) {
+RequestedFields::Field make_field(const VariableSelection& selection, const Model& model,
+                                  const EntityRange& range, const std::string& name) {
   RequestedFields::Field made;
-  made.pick = pick;
+  made.selection = selection;
   made.range = range;
   made.field.name = name;
-  made.field.location = pick.variable->location;
-  made.field.shape = pick.component ? FieldShape::scalar : pick.variable->shape;
-  made.field.n_components = static_cast<int>(pick.n_components());
+  made.field.location = selection.variable->location;
+  made.field.shape = selection.component ? FieldShape::scalar : selection.variable->shape;
+  made.field.n_components = static_cast<int>(selection.n_components());
   if (made.field.location == FieldLocation::element) made.field.block = model.blocks[range.block].mesh_block;
   return made;
 }
 
-std::string field_name(const VariableRequest& request, const VariablePick& pick,
+std::string field_name(const VariableRequest& request, const VariableSelection& selection,
                        const std::string& separator) {
   if (!request.alias.empty()) return request.alias;
   std::string name = request.variable.name.text;
-  if (pick.point) name += fmt::format("{}{}", separator, *pick.point + 1);
-  if (!pick.component) return name;
-  const RunVariable& variable = *pick.variable;
+  if (selection.point) name += fmt::format("{}{}", separator, *selection.point + 1);
+  if (!selection.component) return name;
+  const OutputVariable& variable = *selection.variable;
   return with_ending(
       name, separator,
-      component_ending(variable.shape, static_cast<int>(*pick.component), variable.n_components));
+      component_ending(variable.shape, static_cast<int>(*selection.component), variable.n_components));
 }
 
 std::vector<OutputField> RequestedFields::fields() const {
@@ -189,14 +192,14 @@ std::vector<OutputField> RequestedFields::fields() const {
   return fields;
 }
 
-std::span<const double> RequestedFields::evaluate(std::size_t field, const OutputMoment& moment) {
-  const auto& [pick, range, description] = fields_[field];
-  values_.resize(range.count * pick.n_components());
-  fill(pick, moment, range, values_);
+std::span<const double> RequestedFields::evaluate(std::size_t field, const OutputContext& context) {
+  const auto& [selection, range, description] = fields_[field];
+  values_.resize(range.count * selection.n_components());
+  fill(selection, context, range, values_);
   return values_;
 }
 
-RequestedFields make_requested_fields(const RunVariables& variables, const FieldRequests& requests,
+RequestedFields make_requested_fields(const OutputVariables& variables, const FieldRequests& requests,
                                       std::span<const std::vector<std::string>> block_names,
                                       Diagnostics& diagnostics) {
   return RequestedFields(FieldMaker(variables, requests, block_names, diagnostics).make());

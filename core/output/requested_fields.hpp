@@ -7,7 +7,7 @@
 
 #include "core/definition/output_variable.hpp"
 #include "core/diagnostics.hpp"
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 
 namespace contactsim {
 
@@ -24,7 +24,7 @@ class RequestedFields {
  public:
   /// A variable under its name on the file.
   struct Field {
-    VariablePick pick;
+    VariableSelection selection;
     EntityRange range;
     OutputField field;  ///< without values
   };
@@ -36,9 +36,9 @@ class RequestedFields {
   /// Names and places of all fields, without values.
   std::vector<OutputField> fields() const;
 
-  /// The values of one field at a moment, good until the next call: a run has room for one field, not for
+  /// The values of one field at a time, good until the next call: a run has room for one field, not for
   /// all. Changes nothing in the run.
-  std::span<const double> evaluate(std::size_t field, const OutputMoment& moment);
+  std::span<const double> evaluate(std::size_t field, const OutputContext& context);
 
  private:
   std::vector<Field> fields_;
@@ -47,19 +47,19 @@ class RequestedFields {
 
 /// A field of a variable for a range of its entities.
 ///   name  on the file, without components
-RequestedFields::Field make_field(const VariablePick& pick, const Model& model, const EntityRange& range,
-                                  const std::string& name);
+RequestedFields::Field make_field(const VariableSelection& selection, const Model& model,
+                                  const EntityRange& range, const std::string& name);
 
 /// The name on the file, without the components that the field will have: the alias, else the variable's
 /// name with the one component and the integration point that are asked for.
-std::string field_name(const VariableRequest& request, const VariablePick& pick,
+std::string field_name(const VariableRequest& request, const VariableSelection& selection,
                        const std::string& separator);
 
 /// The fields of a results file: what the deck asks for, then the energies and the momentum, which every file
 /// has. What is not known or cannot be is left out with a warning. The variables must outlive the fields.
 ///   block_names  [n mesh blocks] all that the deck may call each
 /// Source: Sierra/SM 5.22, 9.1; 5.20, global energy reporting.
-RequestedFields make_requested_fields(const RunVariables& variables, const FieldRequests& requests,
+RequestedFields make_requested_fields(const OutputVariables& variables, const FieldRequests& requests,
                                       std::span<const std::vector<std::string>> block_names,
                                       Diagnostics& diagnostics);
 

@@ -38,21 +38,22 @@ double quaternion_part(const RigidBody&, const RigidBodyState& state, Eigen::Ind
   return component == 0 ? state.orientation.w() : state.orientation.vec()(component - 1);
 }
 
-// At the moment of output the state may not have bodies yet: before the run has started.
-RunVariable make_variable(std::string name, std::size_t body, Value value, Eigen::Index component) {
-  RunVariable variable;
+// At the time of output the state may not have bodies yet: before the run has started.
+OutputVariable make_variable(std::string name, std::size_t body, Value value, Eigen::Index component) {
+  OutputVariable variable;
   variable.name = std::move(name);
-  variable.fill = [=](const OutputMoment& moment, const EntityRange&, std::span<double> values) {
-    const bool is_known = body < moment.state.rigid.size();
-    values[0] = is_known ? value(moment.model.rigid.bodies[body], moment.state.rigid[body], component) : 0.0;
+  variable.fill = [=](const OutputContext& context, const EntityRange&, std::span<double> values) {
+    const bool is_known = body < context.state.rigid.size();
+    values[0] =
+        is_known ? value(context.model.rigid.bodies[body], context.state.rigid[body], component) : 0.0;
   };
   return variable;
 }
 
 }  // namespace
 
-std::vector<RunVariable> rigid_variables(const Model& model) {
-  std::vector<RunVariable> variables;
+std::vector<OutputVariable> rigid_variables(const Model& model) {
+  std::vector<OutputVariable> variables;
   for (std::size_t body = 0; body < model.rigid.bodies.size(); ++body) {
     const std::string name = fold(model.rigid.bodies[body].name);
     for (const Row& row : rows) {

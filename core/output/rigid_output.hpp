@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/output/run_variables.hpp"
+#include "core/output/output_variables.hpp"
 
 namespace contactsim {
 
@@ -11,6 +11,6 @@ namespace contactsim {
 /// centre; rotdx_, rotvx_, rotax_ of the rotation; reactx_ and rreactx_ of what holds or drives it; fextx_
 /// and mextx_ of the forces on its nodes; the same along y and z; qvec1_ to qvec4_, the quaternion of its
 /// orientation, scalar first. Source: Sierra/SM, rigid body output.
-std::vector<RunVariable> rigid_variables(const Model& model);
+std::vector<OutputVariable> rigid_variables(const Model& model);
 
 }  // namespace contactsim

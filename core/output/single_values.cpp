@@ -21,11 +21,11 @@ struct Place {
 template <class Point>
 std::optional<std::size_t> find_nearest_of(std::size_t n, const Eigen::Vector3d& to, Point point) {
   std::optional<std::size_t> nearest;
-  double least = std::numeric_limits<double>::infinity();
+  double min_distance = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < n; ++i) {
     const double distance = (point(i) - to).squaredNorm();
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= min_distance) continue;
+    min_distance = distance;
     nearest = i;
   }
   return nearest;
@@ -33,7 +33,7 @@ std::optional<std::size_t> find_nearest_of(std::size_t n, const Eigen::Vector3d&
 
 class ValueMaker {
  public:
-  ValueMaker(const RunVariables& variables, const std::string& separator, Diagnostics& diagnostics)
+  ValueMaker(const OutputVariables& variables, const std::string& separator, Diagnostics& diagnostics)
       : variables_(variables),
         model_(variables.model()),
         mesh_(*model_.mesh),
@@ -41,11 +41,11 @@ class ValueMaker {
         diagnostics_(diagnostics) {}
 
   void add(const VariableRequest& request) {
-    const auto pick = find_pick(variables_, request.location, request.variable, diagnostics_);
-    if (!pick) return;
-    const auto place = find_place(request, *pick);
+    const auto selection = find_selection(variables_, request.location, request.variable, diagnostics_);
+    if (!selection) return;
+    const auto place = find_place(request, *selection);
     if (!place) return;
-    std::string name = field_name(request, *pick, separator_);
+    std::string name = field_name(request, *selection, separator_);
     if (!names_.insert(fold(name)).second) {
       name += separator_ + place->ending;
       if (place->ending.empty() || !names_.insert(fold(name)).second) {
@@ -54,7 +54,7 @@ class ValueMaker {
         return;
       }
     }
-    fields_.push_back(make_field(*pick, model_, place->range, name));
+    fields_.push_back(make_field(*selection, model_, place->range, name));
     fields_.back().field.location = FieldLocation::global;
     fields_.back().field.block = 0;
     fields_.back().field.separator = separator_;
@@ -69,13 +69,14 @@ class ValueMaker {
                              static_cast<int>(at.text.size()));
   }
 
-  std::optional<Place> find_place(const VariableRequest& request, const VariablePick& pick) {
-    if (pick.variable->location == FieldLocation::global) return Place{};
-    const bool is_nodal = pick.variable->location == FieldLocation::node;
+  std::optional<Place> find_place(const VariableRequest& request, const VariableSelection& selection) {
+    if (selection.variable->location == FieldLocation::global) return Place{};
+    const bool is_nodal = selection.variable->location == FieldLocation::node;
     if (const auto* single = std::get_if<SingleEntity>(&request.place))
-      return is_nodal ? find_node(*single) : find_element(request, pick, *single);
+      return is_nodal ? find_node(*single) : find_element(request, selection, *single);
     if (const auto* nearest = std::get_if<NearestEntity>(&request.place))
-      return is_nodal ? find_nearest_node(nearest->point) : find_nearest_element(request, pick, *nearest);
+      return is_nodal ? find_nearest_node(nearest->point)
+                      : find_nearest_element(request, selection, *nearest);
     warn(request, fmt::format("{} is asked for without a place", output_name(request)),
          is_nodal ? "AT NODE <id> or NEAREST LOCATION <x> <y> <z>"
                   : "AT ELEMENT <id> or NEAREST LOCATION <x> <y> <z>");
@@ -100,7 +101,7 @@ class ValueMaker {
     return at_node(static_cast<std::uint32_t>(*nearest));
   }
 
-  std::optional<Place> find_element(const VariableRequest& request, const VariablePick& pick,
+  std::optional<Place> find_element(const VariableRequest& request, const VariableSelection& selection,
                                     const SingleEntity& single) {
     const auto element = mesh_.find_element(single.id);
     if (!element) {
@@ -111,7 +112,7 @@ class ValueMaker {
       const ModelBlock& block = model_.blocks[b];
       const std::uint32_t first = block.first_element.value;
       if (element->value < first || element->value - first >= block.n_elements) continue;
-      if (pick.is_in_block(model_, b)) return at_element(b, element->value - first);
+      if (selection.is_in_block(model_, b)) return at_element(b, element->value - first);
     }
     warn(request, fmt::format("element {} has no {}", single.id, output_name(request)));
     return std::nullopt;
@@ -130,25 +131,26 @@ class ValueMaker {
     return sum / static_cast<double>(nodes.size());
   }
 
-  std::optional<Place> find_nearest_element(const VariableRequest& request, const VariablePick& pick,
+  std::optional<Place> find_nearest_element(const VariableRequest& request,
+                                            const VariableSelection& selection,
                                             const NearestEntity& nearest) {
     std::optional<Place> found;
-    double least = std::numeric_limits<double>::infinity();
+    double min_distance = std::numeric_limits<double>::infinity();
     for (std::size_t b = 0; b < model_.blocks.size(); ++b) {
-      if (!pick.is_in_block(model_, b)) continue;
+      if (!selection.is_in_block(model_, b)) continue;
       const auto own = find_nearest_of(model_.blocks[b].n_elements, nearest.point,
                                        [&](std::size_t e) { return centroid(b, e); });
       if (!own) continue;
       const double distance = (centroid(b, *own) - nearest.point).squaredNorm();
-      if (distance >= least) continue;
-      least = distance;
+      if (distance >= min_distance) continue;
+      min_distance = distance;
       found = at_element(b, *own);
     }
     if (!found) warn(request, fmt::format("no element has {}", output_name(request)));
     return found;
   }
 
-  const RunVariables& variables_;
+  const OutputVariables& variables_;
   const Model& model_;
   const Mesh& mesh_;
   const std::string& separator_;
@@ -159,8 +161,9 @@ class ValueMaker {
 
 }  // namespace
 
-RequestedFields make_single_values(const RunVariables& variables, std::span<const VariableRequest> requests,
-                                   const std::string& separator, Diagnostics& diagnostics) {
+RequestedFields make_single_values(const OutputVariables& variables,
+                                   std::span<const VariableRequest> requests, const std::string& separator,
+                                   Diagnostics& diagnostics) {
   ValueMaker maker(variables, separator, diagnostics);
   for (const VariableRequest& request : requests) maker.add(request);
   return RequestedFields(maker.take());
@@ -174,10 +177,10 @@ std::vector<std::string> value_names(const RequestedFields& fields) {
   return names;
 }
 
-std::vector<double> evaluate_all(RequestedFields& fields, const OutputMoment& moment) {
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context) {
   std::vector<double> all;
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::span<const double> values = fields.evaluate(i, moment);
+    const std::span<const double> values = fields.evaluate(i, context);
     all.insert(all.end(), values.begin(), values.end());
   }
   return all;

@@ -13,13 +13,14 @@ namespace contactsim {
 /// with a warning; an id that the mesh does not have is an error. The variables must outlive the fields.
 ///   separator  between the names of variables and components
 /// Source: Sierra/SM 5.22, 9.7 and 9.8.
-RequestedFields make_single_values(const RunVariables& variables, std::span<const VariableRequest> requests,
-                                   const std::string& separator, Diagnostics& diagnostics);
+RequestedFields make_single_values(const OutputVariables& variables,
+                                   std::span<const VariableRequest> requests, const std::string& separator,
+                                   Diagnostics& diagnostics);
 
 /// The names of all values, component by component, in the order of evaluate_all().
 std::vector<std::string> value_names(const RequestedFields& fields);
 
-/// All values at a moment, field by field.
-std::vector<double> evaluate_all(RequestedFields& fields, const OutputMoment& moment);
+/// All values at one time, field by field.
+std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context);
 
 }  // namespace contactsim

@@ -44,12 +44,12 @@ void StoredValues::archive(const std::string& name, StateArchive& saved) {
   }
 }
 
-const RunVariable& add_stored_variable(RunVariables& variables, RunVariable variable,
-                                       std::shared_ptr<const StoredValues> values) {
+const OutputVariable& add_stored_variable(OutputVariables& variables, OutputVariable variable,
+                                          std::shared_ptr<const StoredValues> values) {
   variable.n_components = static_cast<int>(values->n_components());
   if (variable.location == FieldLocation::element && variable.in_blocks.empty())
     variable.in_blocks.assign(variables.model().blocks.size(), 1);
-  variable.fill = [values = std::move(values)](const OutputMoment&, const EntityRange& range,
+  variable.fill = [values = std::move(values)](const OutputContext&, const EntityRange& range,
                                                std::span<double> to) {
     const std::span<const double> from = values->at(range);
     std::copy(from.begin(), from.end(), to.begin());

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/output/run_variables.hpp"
+#include "core/output/output_variables.hpp"
 
 namespace contactsim {
 
@@ -31,8 +31,8 @@ class StoredValues {
 };
 
 /// Adds a variable that gives the stored values.
-///   in_blocks  as RunVariable
-const RunVariable& add_stored_variable(RunVariables& variables, RunVariable variable,
-                                       std::shared_ptr<const StoredValues> values);
+///   in_blocks  as OutputVariable
+const OutputVariable& add_stored_variable(OutputVariables& variables, OutputVariable variable,
+                                          std::shared_ptr<const StoredValues> values);
 
 }  // namespace contactsim

@@ -18,9 +18,9 @@ OutputReduction reduction_of(NodalCriterion::Reduction reduction) {
                                                          : OutputReduction::minimum;
 }
 
-std::vector<EntityRange> all_entities(const VariablePick& pick, const Model& model) {
-  if (pick.variable->location == FieldLocation::global) return {{0, 0, 1, {}}};
-  if (pick.variable->location == FieldLocation::node) return {{0, 0, model.mesh->n_nodes(), {}}};
+std::vector<EntityRange> all_entities(const VariableSelection& selection, const Model& model) {
+  if (selection.variable->location == FieldLocation::global) return {{0, 0, 1, {}}};
+  if (selection.variable->location == FieldLocation::node) return {{0, 0, model.mesh->n_nodes(), {}}};
   std::vector<EntityRange> ranges;
   for (std::size_t b = 0; b < model.blocks.size(); ++b)
     ranges.push_back({b, 0, model.blocks[b].n_elements, {}});
@@ -29,26 +29,28 @@ std::vector<EntityRange> all_entities(const VariablePick& pick, const Model& mod
 
 }  // namespace
 
-Terminations::Terminations(std::span<const SolutionTermination> definitions, const RunVariables& variables,
+Terminations::Terminations(std::span<const SolutionTermination> definitions, const OutputVariables& variables,
                            Diagnostics& diagnostics) {
   for (const SolutionTermination& definition : definitions) {
     Block& block = blocks_.emplace_back();
     block.skipped_times = definition.skipped_times;
     for (const TerminationCriterion& criterion : definition.criteria) {
       Diagnostics problems;
-      const auto pick = find_pick(variables, criterion.location, criterion.test.variable, problems);
+      const auto selection = find_selection(variables, criterion.location, criterion.test.variable, problems);
       // A criterion that is left out would change when the run ends.
       for (Diagnostic problem : problems.all()) {
         problem.severity = Severity::error;
         problem.id.clear();
         diagnostics.add(std::move(problem));
       }
-      if (pick) block.criteria.push_back({*pick, criterion, all_entities(*pick, variables.model())});
+      if (selection)
+        block.criteria.push_back({*selection, criterion, all_entities(*selection, variables.model())});
     }
   }
 }
 
-std::optional<double> Terminations::find_fulfilling(const Criterion& criterion, const OutputMoment& moment) {
+std::optional<double> Terminations::find_fulfilling(const Criterion& criterion,
+                                                    const OutputContext& context) {
   const VariableTest& test = criterion.definition.test;
   std::optional<double> found;
   const auto look = [&](std::span<const double> values) {
@@ -57,22 +59,23 @@ std::optional<double> Terminations::find_fulfilling(const Criterion& criterion, 
     }
   };
   if (criterion.definition.reduction) {
-    look(reduce(reduction_of(*criterion.definition.reduction), criterion.pick, criterion.ranges, moment));
+    look(reduce(reduction_of(*criterion.definition.reduction), criterion.selection, criterion.ranges,
+                context));
   } else {
-    visit_values(criterion.pick, criterion.ranges, moment,
+    visit_values(criterion.selection, criterion.ranges, context,
                  [&](const EntityRange&, std::span<const double> values) { look(values); });
   }
   return found;
 }
 
-std::optional<std::string> Terminations::find_reason(const OutputMoment& moment) const {
-  const double time = moment.state.time;
+std::optional<std::string> Terminations::find_reason(const OutputContext& context) const {
+  const double time = context.state.time;
   for (const Block& block : blocks_) {
     const bool is_skipped = std::any_of(block.skipped_times.begin(), block.skipped_times.end(),
                                         [&](const TimeRange& r) { return r.from <= time && time <= r.to; });
     if (is_skipped) continue;
     for (const Criterion& criterion : block.criteria) {
-      const auto found = find_fulfilling(criterion, moment);
+      const auto found = find_fulfilling(criterion, context);
       if (!found) continue;
       const VariableTest& test = criterion.definition.test;
       return fmt::format("{} is {:.6g} {} {:.6g}", test.variable.name.text, *found, symbol(test.comparison),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/definition/region_parts.hpp"
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 
 namespace contactsim {
 
@@ -16,23 +16,23 @@ namespace contactsim {
 class Terminations {
  public:
   /// A variable that is not known is an error. The variables must outlive it.
-  Terminations(std::span<const SolutionTermination> definitions, const RunVariables& variables,
+  Terminations(std::span<const SolutionTermination> definitions, const OutputVariables& variables,
                Diagnostics& diagnostics);
 
-  /// Why the run ends at a moment, in words; nothing when it goes on. A value that is not a number fulfils no
-  /// criterion.
-  std::optional<std::string> find_reason(const OutputMoment& moment) const;
+  /// Why the run ends with a state, in words; nothing when it goes on. A value that is not a number fulfils
+  /// no criterion.
+  std::optional<std::string> find_reason(const OutputContext& context) const;
 
   bool is_empty() const { return blocks_.empty(); }
 
  private:
   struct Criterion {
-    VariablePick pick;
+    VariableSelection selection;
     TerminationCriterion definition;
     std::vector<EntityRange> ranges;  ///< all of the model
   };
   /// The first value that fulfils a criterion.
-  static std::optional<double> find_fulfilling(const Criterion& criterion, const OutputMoment& moment);
+  static std::optional<double> find_fulfilling(const Criterion& criterion, const OutputContext& context);
 
   struct Block {
     std::vector<TimeRange> skipped_times;

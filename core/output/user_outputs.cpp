@@ -34,23 +34,25 @@ FieldShape field_shape(const UserVariable& variable) {
 }
 
 // A variable of the whole model's nodes from those of elements, weighted by their volumes now.
-void extrapolate(const VariablePick& pick, std::span<const EntityRange> ranges, const OutputMoment& moment,
-                 std::span<double> values) {
-  const std::size_t n = pick.n_components();
-  std::vector<double> weights(moment.model.mesh->n_nodes(), 0.0);
+void extrapolate(const VariableSelection& selection, std::span<const EntityRange> ranges,
+                 const OutputContext& context, std::span<double> values) {
+  const std::size_t n = selection.n_components();
+  std::vector<double> weights(context.model.mesh->n_nodes(), 0.0);
   std::fill(values.begin(), values.end(), 0.0);
-  visit_values(pick, ranges, moment, [&](const EntityRange& part, std::span<const double> of_elements) {
-    const ElementBlock& block = moment.model.mesh->blocks()[moment.model.blocks[part.block].mesh_block];
-    for (std::size_t i = 0; i < part.count; ++i) {
-      const auto nodes = block.element_nodes(static_cast<std::uint32_t>(part.first + i));
-      const ElementVectors x = gather(nodes, moment.state.coordinates);
-      const double volume = solid_volume(x, volume_gradient(topology(block.shape), x));
-      for (const NodeIndex node : nodes) {
-        weights[node.value] += volume;
-        for (std::size_t c = 0; c < n; ++c) values[node.value * n + c] += volume * of_elements[i * n + c];
-      }
-    }
-  });
+  visit_values(
+      selection, ranges, context, [&](const EntityRange& part, std::span<const double> element_values) {
+        const ElementBlock& block = context.model.mesh->blocks()[context.model.blocks[part.block].mesh_block];
+        for (std::size_t i = 0; i < part.count; ++i) {
+          const auto nodes = block.element_nodes(static_cast<std::uint32_t>(part.first + i));
+          const ElementVectors x = gather(nodes, context.state.coordinates);
+          const double volume = solid_volume(x, volume_gradient(topology(block.shape), x));
+          for (const NodeIndex node : nodes) {
+            weights[node.value] += volume;
+            for (std::size_t c = 0; c < n; ++c)
+              values[node.value * n + c] += volume * element_values[i * n + c];
+          }
+        }
+      });
   for (std::size_t v = 0; v < values.size(); ++v) {
     if (weights[v / n] != 0.0) values[v] /= weights[v / n];
   }
@@ -61,7 +63,7 @@ void extrapolate(const VariablePick& pick, std::span<const EntityRange> ranges, 
 /// Makes the variables and computations of one region.
 class UserOutputMaker {
  public:
-  UserOutputMaker(const ConditionScope& scope, RunVariables& variables, UserOutputs& outputs)
+  UserOutputMaker(const ConditionScope& scope, OutputVariables& variables, UserOutputs& outputs)
       : scope_(scope), variables_(variables), outputs_(outputs) {}
 
   void make() {
@@ -86,7 +88,7 @@ class UserOutputMaker {
     return find_element_ranges(output_->set, label_, scope_, variables_.model());
   }
 
-  void compute(std::function<void(const OutputMoment&)> run) {
+  void compute(std::function<void(const OutputContext&)> run) {
     outputs_.computations_.push_back({output_->is_every_step, std::move(run)});
   }
 
@@ -101,7 +103,7 @@ class UserOutputMaker {
       return nullptr;
     }
     storage = std::make_shared<StoredValues>(variables_.model(), location, std::move(initial));
-    RunVariable variable;
+    OutputVariable variable;
     variable.name = canonical_variable_name(name.text);
     variable.location = location;
     variable.shape = shape;
@@ -110,9 +112,9 @@ class UserOutputMaker {
     return storage;
   }
 
-  Storage store_like(const DeckName& name, FieldLocation location, const VariablePick& pick) {
-    const FieldShape shape = pick.component ? FieldShape::scalar : pick.variable->shape;
-    return store(name, location, shape, std::vector<double>(pick.n_components(), 0.0));
+  Storage store_like(const DeckName& name, FieldLocation location, const VariableSelection& selection) {
+    const FieldShape shape = selection.component ? FieldShape::scalar : selection.variable->shape;
+    return store(name, location, shape, std::vector<double>(selection.n_components(), 0.0));
   }
 
   void add(const UserVariable& variable) {
@@ -144,16 +146,17 @@ class UserOutputMaker {
   }
 
   void add(const ReducedVariable& reduced) {
-    const auto pick = find_pick(variables_, reduced.source_location, reduced.source, scope_.diagnostics);
-    if (!pick) return;
-    if (pick->variable->location == FieldLocation::global)
+    const auto selection =
+        find_selection(variables_, reduced.source_location, reduced.source, scope_.diagnostics);
+    if (!selection) return;
+    if (selection->variable->location == FieldLocation::global)
       return warn(reduced.source.name, fmt::format("{} is one value already", reduced.source.name.text));
-    auto ranges = find_ranges(pick->variable->location);
-    const Storage values = store_like(reduced.name, FieldLocation::global, *pick);
+    auto ranges = find_ranges(selection->variable->location);
+    const Storage values = store_like(reduced.name, FieldLocation::global, *selection);
     if (values == nullptr) return;
-    compute([pick = *pick, ranges = std::move(ranges), values,
-             reduction = reduced.reduction](const OutputMoment& moment) {
-      const std::vector<double> results = reduce(reduction, pick, ranges, moment);
+    compute([selection = *selection, ranges = std::move(ranges), values,
+             reduction = reduced.reduction](const OutputContext& context) {
+      const std::vector<double> results = reduce(reduction, selection, ranges, context);
       std::copy(results.begin(), results.end(), values->at(EntityRange{}).begin());
     });
   }
@@ -167,8 +170,8 @@ class UserOutputMaker {
     const Storage values = store(computed.name, location, FieldShape::scalar, {0.0});
     auto made = make_variable_function(std::move(*function), location, variables_, scope_.diagnostics);
     if (!made || values == nullptr) return;
-    compute([made = std::move(*made), ranges = std::move(ranges), values](const OutputMoment& moment) {
-      for (const EntityRange& range : ranges) made.evaluate(moment, range, values->at(range));
+    compute([made = std::move(*made), ranges = std::move(ranges), values](const OutputContext& context) {
+      for (const EntityRange& range : ranges) made.evaluate(context, range, values->at(range));
     });
   }
 
@@ -177,8 +180,8 @@ class UserOutputMaker {
     if (values == nullptr) return;
     try {
       const auto expression = std::make_shared<GlobalExpression>(computed.text, variables_);
-      compute([expression, values](const OutputMoment& moment) {
-        values->at(EntityRange{})[0] = expression->evaluate(moment);
+      compute([expression, values](const OutputContext& context) {
+        values->at(EntityRange{})[0] = expression->evaluate(context);
       });
     } catch (const ExpressionError& error) {
       scope_.diagnostics.add_error(computed.name.location,
@@ -188,39 +191,40 @@ class UserOutputMaker {
   }
 
   void add(const VolumeAverage& average) {
-    const auto pick = find_pick(variables_, VariableLocation::element, average.source, scope_.diagnostics);
-    if (!pick) return;
+    const auto selection =
+        find_selection(variables_, VariableLocation::element, average.source, scope_.diagnostics);
+    if (!selection) return;
     auto ranges = find_ranges(FieldLocation::element);
-    const Storage values = store_like(average.name, FieldLocation::element, *pick);
+    const Storage values = store_like(average.name, FieldLocation::element, *selection);
     if (values == nullptr) return;
     // The points of an element share its volume equally: their average is the mean that a variable gives.
-    compute([pick = *pick, ranges = std::move(ranges), values](const OutputMoment& moment) {
-      visit_values(pick, ranges, moment, [&](const EntityRange& part, std::span<const double> found) {
+    compute([selection = *selection, ranges = std::move(ranges), values](const OutputContext& context) {
+      visit_values(selection, ranges, context, [&](const EntityRange& part, std::span<const double> found) {
         std::copy(found.begin(), found.end(), values->at(part).begin());
       });
     });
   }
 
   void add(const NodalExtrapolation& extrapolation) {
-    const auto pick =
-        find_pick(variables_, VariableLocation::element, extrapolation.source, scope_.diagnostics);
-    if (!pick) return;
+    const auto selection =
+        find_selection(variables_, VariableLocation::element, extrapolation.source, scope_.diagnostics);
+    if (!selection) return;
     auto ranges = find_ranges(FieldLocation::element);
-    const Storage values = store_like(extrapolation.name, FieldLocation::node, *pick);
+    const Storage values = store_like(extrapolation.name, FieldLocation::node, *selection);
     if (values == nullptr) return;
-    compute([pick = *pick, ranges = std::move(ranges), values](const OutputMoment& moment) {
-      extrapolate(pick, ranges, moment, values->at({0, 0, moment.model.mesh->n_nodes(), {}}));
+    compute([selection = *selection, ranges = std::move(ranges), values](const OutputContext& context) {
+      extrapolate(selection, ranges, context, values->at({0, 0, context.model.mesh->n_nodes(), {}}));
     });
   }
 
   const ConditionScope& scope_;
-  RunVariables& variables_;
+  OutputVariables& variables_;
   UserOutputs& outputs_;
   const UserOutput* output_ = nullptr;
   ConditionLabel label_;
 };
 
-UserOutputs::UserOutputs(const ConditionScope& scope, RunVariables& variables) {
+UserOutputs::UserOutputs(const ConditionScope& scope, OutputVariables& variables) {
   UserOutputMaker(scope, variables, *this).make();
 }
 
@@ -230,11 +234,11 @@ void UserOutputs::archive(StateArchive& saved) {
   }
 }
 
-void UserOutputs::compute(const OutputMoment& moment, bool are_needed) {
-  const std::int64_t step = moment.state.step;
+void UserOutputs::compute(const OutputContext& context, bool are_needed) {
+  const std::int64_t step = context.state.step;
   const bool is_new = last_step_ != step, is_newly_needed = are_needed && last_needed_step_ != step;
   for (const Computation& computation : computations_) {
-    if (computation.is_every_step ? is_new : is_newly_needed) computation.run(moment);
+    if (computation.is_every_step ? is_new : is_newly_needed) computation.run(context);
   }
   last_step_ = step;
   if (are_needed) last_needed_step_ = step;

@@ -21,11 +21,11 @@ class UserOutputs {
  public:
   /// Adds the variables to those of the run. What cannot be computed is left out with a warning; functions
   /// and parts of the mesh that do not exist are errors. The variables must outlive it.
-  UserOutputs(const ConditionScope& scope, RunVariables& variables);
+  UserOutputs(const ConditionScope& scope, OutputVariables& variables);
 
   /// Computes the variables in the order of the deck: those of COMPUTE AT EVERY STEP, and when the values are
   /// needed the others. Each is computed once a step, however often it is asked for.
-  void compute(const OutputMoment& moment, bool are_needed);
+  void compute(const OutputContext& context, bool are_needed);
 
   /// Saves or restores the values, whether the deck says USE WITH RESTART or not.
   void archive(StateArchive& saved);
@@ -34,7 +34,7 @@ class UserOutputs {
   friend class UserOutputMaker;
   struct Computation {
     bool is_every_step = false;
-    std::function<void(const OutputMoment&)> run;
+    std::function<void(const OutputContext&)> run;
   };
   std::vector<Computation> computations_;
   std::map<std::string, std::shared_ptr<StoredValues>> stored_;  // by location and name

@@ -105,7 +105,7 @@ bool RigidBodyMaker::set_mass(const RigidBodyDefinition& definition, std::span<c
     body.mass += model_.mass(0, node.value);
     body.centre += model_.mass(0, node.value) * mesh_.coordinates().col(node.value);
   }
-  if (!(body.mass > static_cast<double>(body.nodes.size()) * 2.0 * least_mass)) {
+  if (!(body.mass > static_cast<double>(body.nodes.size()) * 2.0 * minimum_nodal_mass)) {
     diagnostics_.add_error(definition.name.location,
                            fmt::format("the rigid body '{}' has no elements with mass", body.name));
     return false;

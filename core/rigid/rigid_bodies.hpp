@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 #include "core/rigid/rigid_body.hpp"
 #include "core/rigid/rigid_nodes.hpp"
 
@@ -14,10 +14,10 @@ namespace contactsim {
 struct RigidBodies {
   std::vector<RigidBody> bodies;
   RigidNodes nodes;
-  Eigen::Matrix3Xd free_mass;      ///< as Model::mass, but 0 of nodes that are not free; 3 x 0 without bodies
-  Eigen::Matrix3Xd free_inertia;   ///< as Model::inertia in the same way
-  Kinematics kinematics;           ///< its nodes are the bodies
-  Kinematics rotation_kinematics;  ///< the same
+  Eigen::Matrix3Xd free_mass;     ///< as Model::mass, but 0 of nodes that are not free; 3 x 0 without bodies
+  Eigen::Matrix3Xd free_inertia;  ///< as Model::inertia in the same way
+  KinematicConstraints kinematic_constraints;  ///< its nodes are the bodies
+  KinematicConstraints rotation_constraints;   ///< the same
 
   bool empty() const { return bodies.empty(); }
 };

@@ -64,9 +64,9 @@ Eigen::Vector3d turning_of(const RigidBody& body, const RigidBodyState& state, c
                            double dt, const Eigen::Vector3d& given, const Eigen::Matrix3d& free) {
   const auto next = [&](const Eigen::Vector3d& turning) -> Eigen::Vector3d {
     const Eigen::Matrix3d inertia = inertia_amid(body, state.orientation, turning, dt);
-    const Eigen::Matrix3d of_free = free * inertia * free;
+    const Eigen::Matrix3d free_inertia = free * inertia * free;
     const Eigen::Vector3d left = free * (spin - inertia * given);
-    return given + free * inverse_where_it_is(of_free) * left;
+    return given + free * inverse_where_it_is(free_inertia) * left;
   };
   return settle(next(given), next);
 }

@@ -64,7 +64,7 @@ Eigen::Vector3d turning_of(const RigidBody& body, const Eigen::Quaterniond& orie
 
 /// The same when motion along some directions is given: turning = given + free part, of which only what is
 /// free follows the momentum.
-///   given  what is driven, at right angles to what is free [1/time]
+///   given  what is prescribed, at right angles to what is free [1/time]
 ///   free   projection on the directions that are free
 Eigen::Vector3d turning_of(const RigidBody& body, const RigidBodyState& state, const Eigen::Vector3d& spin,
                            double dt, const Eigen::Vector3d& given, const Eigen::Matrix3d& free);

@@ -56,20 +56,21 @@ struct BodyArrays {
   }
 };
 
-/// How conditions change angular accelerations: constrained = free acceleration + driven.
+/// How conditions change angular accelerations: constrained = free acceleration + prescribed.
 struct TurningConstraint {
   std::vector<Eigen::Matrix3d> free;  ///< projections
-  Eigen::Matrix3Xd driven;
+  Eigen::Matrix3Xd prescribed;
 
-  TurningConstraint(const Kinematics& kinematics, const BetweenSteps& now, Eigen::Index n)
-      : free(static_cast<std::size_t>(n)), driven(Eigen::Matrix3Xd::Zero(3, n)) {
-    kinematics.constrain(now, driven);
+  TurningConstraint(const KinematicConstraints& kinematic_constraints, const BetweenSteps& now,
+                    Eigen::Index n)
+      : free(static_cast<std::size_t>(n)), prescribed(Eigen::Matrix3Xd::Zero(3, n)) {
+    kinematic_constraints.constrain(now, prescribed);
     for (Eigen::Index c = 0; c < 3; ++c) {
       Eigen::Matrix3Xd unit = Eigen::Matrix3Xd::Zero(3, n);
       unit.row(c).setOnes();
-      kinematics.constrain(now, unit);
+      kinematic_constraints.constrain(now, unit);
       for (Eigen::Index i = 0; i < n; ++i)
-        free[static_cast<std::size_t>(i)].col(c) = unit.col(i) - driven.col(i);
+        free[static_cast<std::size_t>(i)].col(c) = unit.col(i) - prescribed.col(i);
     }
   }
 };
@@ -81,7 +82,7 @@ void drive_places(const Model& model, State& state) {
   for (std::size_t i = 0; i < state.rigid.size(); ++i)
     state.rigid[i].acceleration = state.rigid[i].force / model.rigid.bodies[i].mass;
   BodyArrays arrays(state.rigid);
-  model.rigid.kinematics.constrain(arrays.moves(state), arrays.acceleration);
+  model.rigid.kinematic_constraints.constrain(arrays.moves(state), arrays.acceleration);
   for (std::size_t i = 0; i < state.rigid.size(); ++i) {
     RigidBodyState& body = state.rigid[i];
     body.acceleration = arrays.acceleration.col(static_cast<Eigen::Index>(i));
@@ -95,7 +96,7 @@ void drive_places(const Model& model, State& state) {
 void drive_turns(const Model& model, State& state) {
   const double half = half_steps(state);
   const BodyArrays arrays(state.rigid);
-  const TurningConstraint constraint(model.rigid.rotation_kinematics, arrays.turns(state),
+  const TurningConstraint constraint(model.rigid.rotation_constraints, arrays.turns(state),
                                      arrays.position.cols());
   for (std::size_t i = 0; i < state.rigid.size(); ++i) {
     RigidBodyState& body = state.rigid[i];
@@ -107,7 +108,7 @@ void drive_turns(const Model& model, State& state) {
       body.after.turning = turning_of(fixed, body.orientation, spin, state.next_dt);
     } else {
       const Eigen::Vector3d given = (Eigen::Matrix3d::Identity() - free) * body.before.turning +
-                                    half * constraint.driven.col(static_cast<Eigen::Index>(i));
+                                    half * constraint.prescribed.col(static_cast<Eigen::Index>(i));
       body.after.turning = turning_of(fixed, body, spin, state.next_dt, given, free);
       body.after.spin =
           inertia_amid(fixed, body.orientation, body.after.turning, state.next_dt) * body.after.turning;
@@ -150,8 +151,8 @@ void set_velocities(const RigidBody& body, const RigidBodyState& moving, State& 
 /// Conditions that give velocities at the start.
 void drive_start(const Model& model, State& state) {
   BodyArrays arrays(state.rigid);
-  model.rigid.kinematics.constrain_velocity(arrays.moves(state), arrays.velocity);
-  model.rigid.rotation_kinematics.constrain_velocity(arrays.turns(state), arrays.turning);
+  model.rigid.kinematic_constraints.constrain_velocity(arrays.moves(state), arrays.velocity);
+  model.rigid.rotation_constraints.constrain_velocity(arrays.turns(state), arrays.turning);
   for (std::size_t i = 0; i < state.rigid.size(); ++i) {
     RigidBodyState& body = state.rigid[i];
     const auto column = static_cast<Eigen::Index>(i);
@@ -179,12 +180,12 @@ void start_rigid_bodies(const Model& model, State& state) {
     double mass = 0.0;
     for (std::size_t k = 0; k < body.nodes.size(); ++k) {
       const auto node = static_cast<Eigen::Index>(body.nodes[k].value);
-      const double of_node = model.mass(0, node);
+      const double node_mass = model.mass(0, node);
       const Eigen::Vector3d arm = body.arms.col(static_cast<Eigen::Index>(k)), v = state.velocity.col(node);
-      mass += of_node;
-      momentum += of_node * v;
-      spin += of_node * arm.cross(v);
-      second += of_node * arm * arm.transpose();
+      mass += node_mass;
+      momentum += node_mass * v;
+      spin += node_mass * arm.cross(v);
+      second += node_mass * arm * arm.transpose();
     }
     const Eigen::Matrix3d inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
     moving.before.velocity = momentum / mass;
@@ -219,7 +220,7 @@ void drive_rigid_bodies(const Model& model, State& state) {
     accelerate_nodes(model.rigid.bodies[i], state.rigid[i], state);
 }
 
-void add_rigid_work(const Model& model, const State& state, NodeWork& work) {
+void add_rigid_balance(const Model& model, const State& state, EnergyBalance& balance) {
   const double half_before = 0.5 * state.dt, half_after = 0.5 * state.next_dt;
   for (std::size_t i = 0; i < state.rigid.size(); ++i) {
     const RigidBodyState& body = state.rigid[i];
@@ -230,14 +231,14 @@ void add_rigid_work(const Model& model, const State& state, NodeWork& work) {
       behind = {2.0 * body.now.velocity - body.after.velocity, 2.0 * body.now.turning - body.after.turning,
                 2.0 * body.now.spin - body.after.spin};
     }
-    work.kinetic += 0.5 * (mass * body.now.velocity.squaredNorm() + body.now.spin.dot(body.now.turning));
-    work.conserved +=
+    balance.kinetic += 0.5 * (mass * body.now.velocity.squaredNorm() + body.now.spin.dot(body.now.turning));
+    balance.conserved +=
         0.5 * (mass * body.after.velocity.dot(behind.velocity) +
                0.5 * (body.after.spin.dot(behind.turning) + behind.spin.dot(body.after.turning)));
-    work.momentum += mass * body.now.velocity;
-    work.ended.external += half_before * (body.reaction.dot(body.before.velocity) +
-                                          body.reaction_moment.dot(body.before.turning));
-    work.begun.external +=
+    balance.momentum += mass * body.now.velocity;
+    balance.ended.external += half_before * (body.reaction.dot(body.before.velocity) +
+                                             body.reaction_moment.dot(body.before.turning));
+    balance.begun.external +=
         half_after * (body.reaction.dot(body.after.velocity) + body.reaction_moment.dot(body.after.turning));
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/energy_balance.hpp"
 #include "core/model.hpp"
-#include "core/node_work.hpp"
 #include "core/state.hpp"
 
 /// Rigid bodies in the steps of the integrator. Between steps a body takes the forces of its nodes; the nodes
@@ -22,6 +22,6 @@ void drive_rigid_bodies(const Model& model, State& state);
 
 /// Adds the bodies' energies, momentum and the work of what drives them. The nodes themselves must not have
 /// been counted but for the work of the forces on them.
-void add_rigid_work(const Model& model, const State& state, NodeWork& work);
+void add_rigid_balance(const Model& model, const State& state, EnergyBalance& balance);
 
 }  // namespace contactsim

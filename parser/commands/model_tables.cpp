@@ -20,7 +20,7 @@ void read_poissons_ratio(Arguments& arguments, ElasticConstants& elastic) {
 
 std::vector<Row<MultilinearModel>> multilinear_rows() {
   using M = MultilinearModel;
-  const auto of_temperature = [](std::string_view phrase) {
+  const auto temperature_function = [](std::string_view phrase) {
     return ignored<M>(phrase, "= <function>", "temperature has no effect on materials");
   };
   return with_elastic_rows<M>({
@@ -29,9 +29,9 @@ std::vector<Row<MultilinearModel>> multilinear_rows() {
       row("hardening function", read::name, &M::hardening_function,
           "Flow stress, or what is added to the yield stress, over the plastic strain; piecewise linear",
           "required"),
-      of_temperature("youngs modulus function"),
-      of_temperature("poissons ratio function"),
-      of_temperature("yield stress function"),
+      temperature_function("youngs modulus function"),
+      temperature_function("poissons ratio function"),
+      temperature_function("yield stress function"),
   });
 }
 

@@ -112,15 +112,15 @@ void read_shape(Arguments& arguments, UserVariable& variable) {
   }
   if (arguments.at_end()) return;
   static const std::string shapes[] = {"vector", "sym tensor", "full tensor"};
-  static constexpr S of_word[] = {S::vector, S::sym_tensor, S::full_tensor};
-  variable.shape = of_word[arguments.choice(shapes)];
+  static constexpr S meanings[] = {S::vector, S::sym_tensor, S::full_tensor};
+  variable.shape = meanings[arguments.choice(shapes)];
 }
 
 void read_type(Arguments& arguments, UserVariable& variable) {
   using P = UserVariable::Place;
   static const std::string places[] = {"node", "nodal", "element", "global"};
-  static constexpr P of_word[] = {P::node, P::node, P::element, P::global};
-  variable.place = of_word[arguments.choice(places)];
+  static constexpr P meanings[] = {P::node, P::node, P::element, P::global};
+  variable.place = meanings[arguments.choice(places)];
   read_shape(arguments, variable);
 }
 

@@ -69,7 +69,7 @@ const Table<P>& procedure_table() {
 /// The first PARAMETERS FOR ADAGIO REGION of the time control.
 std::optional<ImplicitCause> find_implicit_parameters(const P& procedure) {
   if (!procedure.time_control) return std::nullopt;
-  for (const TimeSteppingBlock& block : procedure.time_control->blocks) {
+  for (const TimeSteppingBlock& block : procedure.time_control->time_stepping_blocks) {
     if (block.implicit_parameters.empty()) continue;
     const DeckName& region = block.implicit_parameters.front().name;
     return ImplicitCause{fmt::format("parameters for adagio region '{}'", region.text), region.location};

@@ -65,10 +65,10 @@ const Table<MassScaling>& mass_scaling_table() {
 void read_termination(Arguments& arguments, SolutionTermination& termination) {
   using R = NodalCriterion::Reduction;
   static const std::string locations[] = {"global", "nodal", "node", "element"};
-  static constexpr VariableLocation of_word[] = {VariableLocation::global, VariableLocation::nodal,
-                                                 VariableLocation::nodal, VariableLocation::element};
+  static constexpr VariableLocation meanings[] = {VariableLocation::global, VariableLocation::nodal,
+                                                  VariableLocation::nodal, VariableLocation::element};
   TerminationCriterion criterion;
-  criterion.location = of_word[arguments.choice(locations)];
+  criterion.location = meanings[arguments.choice(locations)];
   if (criterion.location != VariableLocation::global) {
     if (arguments.accept("avg")) criterion.reduction = R::average;
     if (arguments.accept("max")) criterion.reduction = R::maximum;

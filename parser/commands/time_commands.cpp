@@ -60,7 +60,7 @@ void add_at(Diagnostics& diagnostics, const DeckName& name, std::string text, st
 const Table<TimeControl>& time_control_table() {
   using C = TimeControl;
   static const Table<C> table({
-      block("time stepping block", Naming::required, time_stepping_block_table, &C::blocks,
+      block("time stepping block", Naming::required, time_stepping_block_table, &C::time_stepping_blocks,
             "A period: from its start time to that of the next such block"),
       row("termination time", read::real, &C::termination_time, "When the procedure ends [time]"),
   });
@@ -68,14 +68,14 @@ const Table<TimeControl>& time_control_table() {
 }
 
 void check_time_control(const TimeControl& control, Diagnostics& diagnostics) {
-  if (control.blocks.empty()) {
+  if (control.time_stepping_blocks.empty()) {
     add_at(diagnostics, control.name, "the TIME CONTROL has no TIME STEPPING BLOCK");
   }
   if (std::isnan(control.termination_time)) {
     add_at(diagnostics, control.name, "the TIME CONTROL has no TERMINATION TIME");
   }
   const TimeSteppingBlock* last = nullptr;
-  for (const TimeSteppingBlock& block : control.blocks) {
+  for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
     if (std::isnan(block.start_time)) {
       add_at(diagnostics, block.name,
              fmt::format("the time stepping block '{}' has no START TIME", block.name.text));

@@ -76,7 +76,7 @@ Mesh rod_on_block() {
       .build();
 }
 
-std::string told(const Mesh& mesh, const std::string& contact) {
+std::string warnings_of(const Mesh& mesh, const std::string& contact) {
   const auto [code, out, err] = LawDeck(mesh, contact).run({"a.i"});
   CHECK(code == 0);
   return err;
@@ -86,30 +86,30 @@ std::string told(const Mesh& mesh, const std::string& contact) {
 
 TEST_CASE("rods that meet under a law that acts on faces alone are told", "[app][edges]") {
   CHECK_THAT(
-      told(crossed_rods(), general("tied")),
+      warnings_of(crossed_rods(), general("tied")),
       Contains("where beams or trusses meet each other the law 'tied' does not act: they are neither tied "
                "nor kept apart") &&
           Contains("[edges-without-law]"));
   CHECK_THAT(
-      told(crossed_rods(), adhesive + general("sticky")),
+      warnings_of(crossed_rods(), adhesive + general("sticky")),
       Contains("they only push each other apart, with its friction") && Contains("[edges-without-law]"));
 }
 
 TEST_CASE("laws that act between rods, and rods without edge contact, are nothing to tell", "[app][edges]") {
   const std::string no_edges = "skin all blocks = on\nbegin surface options\nedge contact = off\nend\n";
-  CHECK_THAT(told(crossed_rods(), general("frictionless")), !Contains("edges-without-law"));
-  CHECK_THAT(told(crossed_rods(), hybrid + "end\n" + general("half")), !Contains("edges-without-law"));
-  CHECK_THAT(told(crossed_rods(), general("tied", no_edges)), !Contains("edges-without-law"));
+  CHECK_THAT(warnings_of(crossed_rods(), general("frictionless")), !Contains("edges-without-law"));
+  CHECK_THAT(warnings_of(crossed_rods(), hybrid + "end\n" + general("half")), !Contains("edges-without-law"));
+  CHECK_THAT(warnings_of(crossed_rods(), general("tied", no_edges)), !Contains("edges-without-law"));
 }
 
 TEST_CASE("a tied hybrid half is told of rods", "[app][edges]") {
   const std::string half_tied = "begin hybrid model half\ninitially close = tied\nend\n";
-  CHECK_THAT(told(crossed_rods(), half_tied + general("half")), Contains("where it ties"));
+  CHECK_THAT(warnings_of(crossed_rods(), half_tied + general("half")), Contains("where it ties"));
 }
 
 TEST_CASE("tied solids, and a rod tied to a solid, are nothing to tell", "[app][edges]") {
-  CHECK_THAT(told(block_on_block(), general("tied")), !Contains("edges-without-law"));
-  CHECK_THAT(told(rod_on_block(), general("tied")), !Contains("edges-without-law"));
+  CHECK_THAT(warnings_of(block_on_block(), general("tied")), !Contains("edges-without-law"));
+  CHECK_THAT(warnings_of(rod_on_block(), general("tied")), !Contains("edges-without-law"));
 }
 
 TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][ties]") {
@@ -129,9 +129,9 @@ TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][t
         .build();
   };
   const std::string surfaces = "contact surface a contains top\ncontact surface b contains bottom\n";
-  CHECK_THAT(told(sides(1.0), general("tied", surfaces)),
+  CHECK_THAT(warnings_of(sides(1.0), general("tied", surfaces)),
              Contains("2 of the 4 faces of '") && Contains("are not tied") && Contains("[tie-partial]"));
-  CHECK_THAT(told(sides(0.0), general("tied", surfaces)), !Contains("tie-partial"));
+  CHECK_THAT(warnings_of(sides(0.0), general("tied", surfaces)), !Contains("tie-partial"));
 }
 
 TEST_CASE("a contact surface with the name of a side set of the mesh gets another one in results",

@@ -19,10 +19,10 @@ struct TwoCubes {
     model.mass = Eigen::Matrix3Xd::Constant(3, 16, 0.5);
   }
   void hold(std::vector<NodeIndex> nodes, const Direction& direction) {
-    DrivenNodes held;
+    PrescribedMotion held;
     held.nodes = std::move(nodes);
     held.direction = direction;
-    model.kinematics = Kinematics(parts.mesh, {held});
+    model.kinematic_constraints = KinematicConstraints(parts.mesh, {held});
   }
   /// The second cube is a body of mass 8 and moments of inertia 4, 4 and 2.
   void make_rigid() {

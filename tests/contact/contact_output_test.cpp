@@ -36,7 +36,7 @@ struct Watched : ContactBodies {
         state(make_state(x, model.blocks, 0.0)) {}
 
   ContactOutput output;
-  std::vector<RunVariable> variables;
+  std::vector<OutputVariable> variables;
   State state;
 
   /// Brings the state to the bodies, as after a step.
@@ -47,21 +47,21 @@ struct Watched : ContactBodies {
     state.coordinates = x;
     state.velocity = v;
   }
-  const RunVariable& variable(const std::string& name) const {
-    for (const RunVariable& found : variables) {
+  const OutputVariable& variable(const std::string& name) const {
+    for (const OutputVariable& found : variables) {
       if (found.name == name) return found;
     }
     throw std::logic_error("there is no variable " + name);
   }
   Vector3d global(const std::string& name) const {
     Vector3d values = Vector3d::Zero();
-    const RunVariable& found = variable(name);
+    const OutputVariable& found = variable(name);
     found.fill({model, state}, {}, std::span(values.data(), static_cast<std::size_t>(found.n_components)));
     return values;
   }
   /// [n_nodes] values of a nodal variable as columns of three.
   Eigen::Matrix3Xd nodal(const std::string& name) const {
-    const RunVariable& found = variable(name);
+    const OutputVariable& found = variable(name);
     const auto n = static_cast<std::size_t>(found.n_components);
     std::vector<double> values(n * mesh.n_nodes(), std::nan(""));
     found.fill({model, state}, {0, 0, mesh.n_nodes(), {}}, values);
@@ -83,7 +83,7 @@ TEST_CASE("contact variables are there before the first step", "[contact][contac
   const Eigen::Matrix3Xd status = bodies.nodal("contact_status");
   CHECK(status.row(0).leftCols(40).isConstant(0.5));
   CHECK(status.row(0).rightCols(8).isZero());
-  for (const RunVariable& variable : bodies.variables) {
+  for (const OutputVariable& variable : bodies.variables) {
     if (variable.location == FieldLocation::node) CHECK(bodies.nodal(variable.name).allFinite());
   }
   CHECK(bodies.global("contact_force_low").norm() == 0.0);

@@ -79,10 +79,10 @@ TEST_CASE("nodal forces add up to the totals of surfaces and pairs within round-
                              line_function("zone", "0 0\n0.5 10\n1 0\n"),
                          two_periods());
     ContactOutput output(bodies.contact, bodies.definition, bodies.model);
-    const std::vector<RunVariable> variables = output.variables();
+    const std::vector<OutputVariable> variables = output.variables();
     State state = make_state(bodies.x, bodies.model.blocks, 0.0);
     const auto total = [&](const std::string& of) {
-      const auto found = std::ranges::find(variables, "contact_force_" + of, &RunVariable::name);
+      const auto found = std::ranges::find(variables, "contact_force_" + of, &OutputVariable::name);
       REQUIRE(found != variables.end());
       Vector3d force = Vector3d::Zero();
       found->fill({bodies.model, state}, {}, std::span(force.data(), 3));

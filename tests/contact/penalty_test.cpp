@@ -124,14 +124,14 @@ TEST_CASE("faces that are held along their normal, or rigid, have no limit and a
   Model model;
   model.mesh = &parts.mesh;
   model.mass = Eigen::Matrix3Xd::Constant(3, 8, 1e-3);
-  DrivenNodes held;
+  PrescribedMotion held;
   held.direction = Components{{false, false, true}};
   for (std::uint32_t node = 0; node < 8; ++node) held.nodes.push_back({node});
   const bool is_rigid = GENERATE(false, true);
   if (is_rigid) {
     model.rigid.nodes.body_of.assign(8, 0);
   } else {
-    model.kinematics = Kinematics(parts.mesh, {held});
+    model.kinematic_constraints = KinematicConstraints(parts.mesh, {held});
   }
   ContactMobility mobility(model);
   mobility.update(0.0);

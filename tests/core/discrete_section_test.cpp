@@ -62,7 +62,7 @@ TEST_CASE("a spring pulls by the change of its length, along its ends", "[core][
   LoneShell spring = lone(SpringSection{{}, 100.0, {}, {}});
   Matrix3Xd there(3, 2);
   there << 0, 0, 0, 2.5, 0, 0;  // turned and longer by a quarter
-  CHECK(spring.move_to(there, none).least_volume == Approx(2.5));
+  CHECK(spring.move_to(there, none).min_volume == Approx(2.5));
   CHECK((spring.forces().col(0) - Vector3d(0, 50, 0)).norm() < 1e-12);
   CHECK((spring.forces().col(1) + Vector3d(0, 50, 0)).norm() < 1e-12);
   CHECK(spring.stress_work() == Approx(0.5 * 100 * 0.25).epsilon(1e-12));

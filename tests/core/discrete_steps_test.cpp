@@ -42,7 +42,7 @@ struct Chain {
 TEST_CASE("the step of a lone spring is that of its frequency", "[core][springs]") {
   CHECK(Chain(bar2_spring, {2.0, 3.0}, 10.0).step() ==
         Approx(2.0 / std::sqrt(10.0 * (1.0 / 2.0 + 1.0 / 3.0))));
-  CHECK(Chain(bar2_spring, {least_mass, 4.0}, 100.0).step() == Approx(2.0 / 5.0));  // on a support
+  CHECK(Chain(bar2_spring, {minimum_nodal_mass, 4.0}, 100.0).step() == Approx(2.0 / 5.0));  // on a support
   CHECK(Chain(bar2_damper, {2.0, 2.0}, 10.0).step() == Approx(2.0 / 10.0));
 }
 

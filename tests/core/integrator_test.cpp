@@ -45,7 +45,7 @@ class Push final : public ForceTerm {
   Eigen::Vector3d force_;
 };
 
-/// A stable step that is smaller for a moment.
+/// A stable step that is smaller for a while.
 class Hit final : public ForceTerm {
  public:
   ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override {
@@ -160,7 +160,7 @@ TEST_CASE("a free fall follows its parabola, and gravity's work becomes kinetic 
 
 TEST_CASE("a node without mass that is pushed stops the run with its id", "[core][integrator]") {
   Cube cube;
-  cube.model.mass.col(5).setConstant(least_mass);
+  cube.model.mass.col(5).setConstant(minimum_nodal_mass);
   Springs none(cube.mesh.coordinates(), 0.0);
   Push push(Eigen::Vector3d::UnitX());
   CHECK_THROWS_WITH(start(cube.model, {none, push}, fixed_step(0.1), cube.state),

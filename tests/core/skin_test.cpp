@@ -68,8 +68,8 @@ TEST_CASE("faces between present blocks are interior and counted, those to absen
   b.add_hexes({.id = 2, .cells = {3, 2, 2}, .origin = {2, 0, 0}, .size = {3, 2, 2}});
   const Mesh mesh = b.build();
   const Skin both = make_skin(mesh, all_present(mesh));
-  CHECK(both.of_block(mesh.blocks()[0]).size() == 20);  // 24 less 4 at the joint
-  CHECK(both.of_block(mesh.blocks()[1]).size() == 28);  // 32 less 4
+  CHECK(both.sides_of_block(mesh.blocks()[0]).size() == 20);  // 24 less 4 at the joint
+  CHECK(both.sides_of_block(mesh.blocks()[1]).size() == 28);  // 32 less 4
   CHECK(both.in_between == std::vector<std::uint32_t>{4, 4});
   auto present = all_present(mesh);
   std::fill(present.begin() + 8, present.end(), std::uint8_t{0});
@@ -108,9 +108,9 @@ TEST_CASE("a hexahedron that is degenerate to a wedge meets a wedge and a hexahe
   REQUIRE(mesh.blocks()[1].has_repeated_nodes);
   const auto present = all_present(mesh);
   const Skin skin = make_skin(mesh, present);
-  CHECK(skin.of_block(mesh.blocks()[0]).size() == 5);
-  CHECK(skin.of_block(mesh.blocks()[1]).size() == 3);  // two triangles and one quadrilateral
-  CHECK(skin.of_block(mesh.blocks()[2]).size() == 4);
+  CHECK(skin.sides_of_block(mesh.blocks()[0]).size() == 5);
+  CHECK(skin.sides_of_block(mesh.blocks()[1]).size() == 3);  // two triangles and one quadrilateral
+  CHECK(skin.sides_of_block(mesh.blocks()[2]).size() == 4);
   CHECK(skin.exterior == brute_force_skin(mesh, present));
 }
 

@@ -28,7 +28,7 @@ class OutputRun {
   }
 
   /// Runs to a step. Returns the messages of the set-up.
-  Names go(int n_steps) {
+  Names advance(int n_steps) {
     Diagnostics diagnostics;
     const ConditionScope scope{definition, region, {}, run.mesh, diagnostics};
     Outputs outputs(scope, run.model, settings);
@@ -37,7 +37,7 @@ class OutputRun {
       run.state.step = step;
       run.state.time = step;
       run.deform((1.0 + step) * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero());
-      end = outputs.find_end(run.state);
+      end = outputs.check_termination(run.state);
       outputs.write(run.state, end || step == n_steps);
       if (end) break;
     }
@@ -82,7 +82,7 @@ VariableRequest at_node(VariableRequest request, std::int64_t id) {
 
 TEST_CASE("a region without output writes nothing", "[io][outputs]") {
   OutputRun run;
-  CHECK(run.go(2).empty());
+  CHECK(run.advance(2).empty());
   CHECK(run.paths.empty());
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("results hold the scheduled states and the last", "[io][outputs]") {
   run.definition.title = "a plate";
   run.settings.deck_lines = {"begin sierra", "end"};
   run.region.results_outputs = {results_of(2.0, {request(L::nodal, "displacement", "", "displ")})};
-  CHECK(run.go(5).empty());
+  CHECK(run.advance(5).empty());
   CHECK(run.paths == Names{run.path("deck.e")});
   const NetcdfFile file(run.path("deck.e"));
   CHECK(read_times(file) == std::vector<double>{0, 2, 4, 5});
@@ -111,13 +111,13 @@ TEST_CASE("results hold the scheduled states and the last", "[io][outputs]") {
 TEST_CASE("the command line's results file goes before the deck's, and can do without", "[io][outputs]") {
   OutputRun run;
   run.settings.results_path = run.path("mine.e");
-  CHECK(run.go(2).front() ==
+  CHECK(run.advance(2).front() ==
         "output-schedule-missing: only the first and the last state are written to " + run.path("mine.e"));
   CHECK(read_times(NetcdfFile(run.path("mine.e"))) == std::vector<double>{0, 2});
   run.settings.results_path = run.path("other.e");
   run.region.results_outputs = {results_of(1.0, {}), results_of(1.0, {})};
   run.region.results_outputs[1].database.name = DeckName{"%B_second.e", {}};
-  run.go(1);
+  run.advance(1);
   CHECK(run.paths == Names{run.path("other.e"), run.path("deck_second.e")});
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("history is an Exodus file of globals", "[io][outputs]") {
   HistoryOutput history;
   history.variables = {at_node(request(L::nodal, "displacement", "", "tip"), 1010)};
   run.region.history_outputs = {history};
-  CHECK(run.go(2).empty());
+  CHECK(run.advance(2).empty());
   const NetcdfFile file(run.path("deck.h"));
   CHECK(read_times(file) == std::vector<double>{0, 1, 2});
   CHECK(file.read_texts(*file.find_variable("name_glo_var")) == Names{"tip_x", "tip_y", "tip_z"});
@@ -149,7 +149,7 @@ TEST_CASE("a heartbeat has a line for each step, or for each output that it watc
   run.settings.log = [&](std::string_view text) { log += text; };
   run.region.results_outputs = {results_of(2.0, {})};
   run.region.heartbeat_outputs = {all, watching};
-  CHECK(run.go(2).empty());
+  CHECK(run.advance(2).empty());
   CHECK(run.paths == Names{run.path("deck.e"), run.path("deck.csv")});
   CHECK(read_bytes(run.path("deck.csv")) == "Time, step\n0e+00, 0e+00\n1e+00, 1e+00\n2e+00, 2e+00\n");
   CHECK(log == "Time, step\nTime=0e+00, step=0e+00\nTime=2e+00, step=2e+00\n");
@@ -161,8 +161,8 @@ TEST_CASE("a heartbeat that is continued keeps its lines and its legend", "[io][
   heartbeat.appends = true;
   heartbeat.precision = 1;
   run.region.heartbeat_outputs = {heartbeat};
-  run.go(0);
-  run.go(0);
+  run.advance(0);
+  run.advance(0);
   CHECK(read_bytes(run.path("deck.csv")) == "Time\n0e+00\n0e+00\n");
 }
 
@@ -171,9 +171,9 @@ TEST_CASE("what outputs cannot do is said before anything is written", "[io][out
   ResultsOutput output = results_of(1.0, {request(L::element, "memb_stress")});
   output.mesh = ResultsOutput::OutputMesh::exposed_surface;
   run.region.results_outputs = {output, results_of(1.0, {})};
-  CHECK(run.go(0) == Names{"output-mesh-whole: the file holds the whole mesh as it was read",
-                           "output-variable-unknown: no element variable 'memb_stress' is known here",
-                           "error: two outputs would write " + run.path("deck.e")});
+  CHECK(run.advance(0) == Names{"output-mesh-whole: the file holds the whole mesh as it was read",
+                                "output-variable-unknown: no element variable 'memb_stress' is known here",
+                                "error: two outputs would write " + run.path("deck.e")});
   CHECK_FALSE(std::filesystem::exists(run.path("deck.e")));
 }
 
@@ -188,7 +188,7 @@ TEST_CASE("a termination ends the run, and its last state is written", "[io][out
   sum.variables = {
       ReducedVariable{{"volume_sum", {}}, OutputReduction::sum, L::element, {{"volume", {}}, "", {}}}};
   run.region.user_outputs = {sum};
-  CHECK(run.go(10).empty());
+  CHECK(run.advance(10).empty());
   // 11 elements of (1 + t)^3: 297 at time 2.
   CHECK(run.end == "volume_sum is 297 > 200");
   CHECK(read_times(NetcdfFile(run.path("deck.e"))) == std::vector<double>{0, 2});
@@ -198,21 +198,21 @@ TEST_CASE("OVERWRITE = OFF keeps an older file", "[io][outputs]") {
   OutputRun run;
   run.region.results_outputs = {results_of(1.0, {})};
   run.region.results_outputs[0].database.overwrites = false;
-  run.go(0);
-  CHECK_THROWS_WITH(run.go(0), run.path("deck.e") + ": exists, and the deck says OVERWRITE = OFF");
+  run.advance(0);
+  CHECK_THROWS_WITH(run.advance(0), run.path("deck.e") + ": exists, and the deck says OVERWRITE = OFF");
 }
 
 TEST_CASE("output does not touch the state", "[io][outputs]") {
   OutputRun run;
   std::vector<VariableRequest> everything;
-  const RunVariables variables(run.run.model);
+  const OutputVariables variables(run.run.model);
   for (const auto& [field, location] : {std::pair{FieldLocation::node, L::nodal},
                                         {FieldLocation::element, L::element},
                                         {FieldLocation::global, L::global}}) {
     for (const std::string& name : variables.names(field)) everything.push_back(request(location, name));
   }
   run.region.results_outputs = {results_of(1.0, everything)};
-  CHECK(run.go(0).empty());
+  CHECK(run.advance(0).empty());
   const SampleRun fresh;
   CHECK(run.run.state.coordinates == fresh.state.coordinates);
   CHECK(run.run.state.velocity == fresh.state.velocity);
@@ -234,5 +234,5 @@ TEST_CASE("output of a run for VTK to read", "[.][vtk]") {
                        request(L::element, "stress"), request(L::element, "log_strain"),
                        request(L::element, "eqps"), request(L::element, "principal_stresses")})};
   run.run.set_point_value(0, 0, 3, 7.0);
-  run.go(3);
+  run.advance(3);
 }

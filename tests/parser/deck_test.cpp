@@ -61,7 +61,8 @@ TEST_CASE("a full deck is bound into the definition tree", "[parser][deck]") {
   CHECK_FALSE(procedure.implicit_by);
   REQUIRE(procedure.time_control);
   CHECK(procedure.time_control->termination_time == 1e-3);
-  CHECK(procedure.time_control->blocks.at(0).explicit_parameters.at(0).time_step_scale_factor == 0.8);
+  CHECK(procedure.time_control->time_stepping_blocks.at(0).explicit_parameters.at(0).time_step_scale_factor ==
+        0.8);
   REQUIRE(regions_with_contact(simulation).size() == 1);
   const Region& region = *regions_with_contact(simulation)[0];
   CHECK(region.contact->surface_commands.size() == 2);

@@ -29,7 +29,7 @@ class ConditionDeck {
 
  private:
   const std::vector<TimeSteppingBlock>& time_blocks() const {
-    return definition_.procedures.front().time_control->blocks;
+    return definition_.procedures.front().time_control->time_stepping_blocks;
   }
 
   const Mesh& mesh_;

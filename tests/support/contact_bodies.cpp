@@ -47,7 +47,7 @@ ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, co
     : mesh(builder.build()),
       region(given),
       functions(parse_definitions(defined).functions),
-      blocks(std::move(periods)),
+      time_stepping_blocks(std::move(periods)),
       definition(checked(test::make_model(mesh, region))),
       model(make_model_of(mesh)),
       x(mesh.coordinates()),
@@ -55,7 +55,7 @@ ContactBodies::ContactBodies(const MeshBuilder& builder, const Region& given, co
       forces(Eigen::Matrix3Xd::Zero(3, x.cols())),
       turning(v),
       moments(model.inertia),
-      contact({*region.contact, definition, model, blocks, functions}) {}
+      contact({*region.contact, definition, model, time_stepping_blocks, functions}) {}
 
 Region ContactBodies::with_contact(const std::string& lines) {
   Region region;

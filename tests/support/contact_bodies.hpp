@@ -32,7 +32,7 @@ class ContactBodies {
   Mesh mesh;
   Region region;
   std::vector<FunctionDefinition> functions;
-  std::vector<TimeSteppingBlock> blocks;
+  std::vector<TimeSteppingBlock> time_stepping_blocks;
   Modelled definition;
   Model model;
   Eigen::Matrix3Xd x, v, forces;  ///< forces: those asked for last

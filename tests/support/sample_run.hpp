@@ -24,7 +24,7 @@ class SampleRun {
   Model model;
   State state;
 
-  OutputMoment moment() const { return {model, state}; }
+  OutputContext context() const { return {model, state}; }
 
   /// Moves all nodes: x = f X, v = l x.
   void deform(const Eigen::Matrix3d& f, const Eigen::Matrix3d& l);

@@ -2,7 +2,7 @@
 #include "core/conditions/stored_values.hpp"
 
 #include "core/conditions/external_force.hpp"
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/mesh_builder.hpp"
@@ -42,11 +42,11 @@ struct Driven {
     const StoredVariables stored = results();
     ConditionDeck deck(cube(), "begin prescribed velocity\n" + lines + "end\n", 0.0,
                        has_results ? &stored : nullptr);
-    const Kinematics kinematics = make_kinematics(deck.scope());
+    const KinematicConstraints kinematic_constraints = make_kinematic_constraints(deck.scope());
     messages = deck.messages();
     const Eigen::Matrix3Xd rest = Eigen::Matrix3Xd::Zero(3, 8);
     acceleration = rest;
-    kinematics.constrain({1.0, 1.5, 0.5, cube().coordinates(), rest}, acceleration);
+    kinematic_constraints.constrain({1.0, 1.5, 0.5, cube().coordinates(), rest}, acceleration);
   }
   Eigen::Matrix3Xd acceleration;  ///< equals the velocity: half of both steps is 1 [time]
   std::string messages;

@@ -57,7 +57,7 @@ class DyingRunOf {
   Sample run;
   ConditionDeck deck;
   std::vector<std::vector<ElementIndex>> sets;
-  RunVariables variables;
+  OutputVariables variables;
   NodeElements elements;
   FaceGroups faces;
   ElementDeaths deaths;
@@ -122,8 +122,8 @@ TEST_CASE("criteria are looked at in the steps and at the times that the deck sa
 TEST_CASE("a dying element fades over DEATH STEPS, whatever the criterion says meanwhile", "[core][death]") {
   DyingRun dying("element = 104\ncriterion is element value of von_mises > 20\ndeath steps = 3\n");
   dying.run.set_point_value(0, 3, 0, 30.0);
-  const OutputMoment moment = dying.run.moment();
-  const auto stress = [&] { return stress_of(moment, {0, 3, 1, {}}, 0)(0, 0); };
+  const OutputContext context = dying.run.context();
+  const auto stress = [&] { return stress_of(context, {0, 3, 1, {}}, 0)(0, 0); };
   CHECK(dying.step() == "");
   CHECK(dying.life(3) == Approx(2.0 / 3.0));
   CHECK(stress() == Approx(20.0));

@@ -260,7 +260,7 @@ TEST_CASE("the stable step of flat and warped elements is below that of the high
       properties.deviatoric_parameter = seed % 2 == 0 ? 0.0 : 0.5;
       LoneElement element(row, properties, flat_and_warped(row.shape, seed));
       const ChunkStep step = element.stay();
-      REQUIRE(step.least_volume > 0.0);
+      REQUIRE(step.min_volume > 0.0);
       CHECK(step.stable_step <= (1.0 + 1e-6) * stable_limit(element));
     }
   });

@@ -4,7 +4,7 @@
 #include <random>
 #include <vector>
 
-#include "core/elements/middle_of_step.hpp"
+#include "core/elements/midpoint_kinematics.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "support/catch.hpp"
 
@@ -40,7 +40,7 @@ double volume_of(const NodeVectors<8>& x, int lane) {
   return solid_volume(coordinates, nodes, topology(Shape::hex8));
 }
 
-double pattern(std::size_t alpha, std::size_t node) {
+double mode(std::size_t alpha, std::size_t node) {
   const double xi = natural[node][0], eta = natural[node][1], zeta = natural[node][2];
   const double values[] = {eta * zeta, xi * zeta, xi * eta, xi * eta * zeta};
   return values[alpha];
@@ -84,18 +84,18 @@ TEST_CASE("gradients of a linear field are exact whatever the shape", "[core][el
 
 TEST_CASE("hourglass sums and their transpose are the products with the patterns", "[core][elements]") {
   const std::array<Lanes, 8> values = distorted_cubes()[0];
-  const std::array<Lanes, 4> sums = HexGeometry::pattern_sums(values);
+  const std::array<Lanes, 4> sums = HexGeometry::mode_sums(values);
   for (std::size_t alpha = 0; alpha < 4; ++alpha) {
     Lanes expected = Lanes::Zero();
-    for (std::size_t node = 0; node < 8; ++node) expected += pattern(alpha, node) * values[node];
+    for (std::size_t node = 0; node < 8; ++node) expected += mode(alpha, node) * values[node];
     CHECK((sums[alpha] - expected).abs().maxCoeff() < 1e-15);
   }
   std::array<Lanes, 8> added;
   for (Lanes& value : added) value.setZero();
-  HexGeometry::add_patterns(sums, added);
+  HexGeometry::add_modes(sums, added);
   for (std::size_t node = 0; node < 8; ++node) {
     Lanes expected = Lanes::Zero();
-    for (std::size_t alpha = 0; alpha < 4; ++alpha) expected += pattern(alpha, node) * sums[alpha];
+    for (std::size_t alpha = 0; alpha < 4; ++alpha) expected += mode(alpha, node) * sums[alpha];
     CHECK((added[node] - expected).abs().maxCoeff() < 1e-15);
   }
 }

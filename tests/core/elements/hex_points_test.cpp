@@ -5,7 +5,7 @@
 #include <random>
 
 #include "core/elements/hex_geometry.hpp"
-#include "core/elements/middle_of_step.hpp"
+#include "core/elements/midpoint_kinematics.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;

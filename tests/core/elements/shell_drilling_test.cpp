@@ -51,7 +51,7 @@ TEST_CASE("one node that turns feels its share of the shear stiffness", "[core][
     Matrix3Xd turns = Matrix3Xd::Zero(3, x.cols());
     turns(2, 0) = 0.01;
     const ChunkStep step = shell.move_to(x, turns);
-    const double volume = step.least_volume,
+    const double volume = step.min_volume,
                  moment = 0.01 * 0.1 * 80e9 * volume / static_cast<double>(x.cols());
     CHECK(shell.moments()(2, 0) == Approx(-moment));
     CHECK(shell.moments().rightCols(x.cols() - 1).norm() < 1e-9 * moment);

@@ -62,20 +62,20 @@ struct SpinningCube {
     const TimeStepControl control({{"all", 0.0, {}}}, turns * 2.0 * pi / speed);
     start(model, {internal, nothing}, control, state);
     const double whole = state.energies.kinetic;
-    double least = 0.0, greatest = 0.0, least_internal = 0.0, greatest_internal = 0.0;
+    double least = 0.0, greatest = 0.0, min_internal = 0.0, max_internal = 0.0;
     while (!control.is_over(state.time, state.dt)) {
       advance(model, {internal, nothing}, control, state);
       const Energies& e = state.energies;
       least = std::min(least, e.kinetic + e.internal - whole);
       greatest = std::max(greatest, e.kinetic + e.internal - whole);
-      least_internal = std::min(least_internal, e.internal);
-      greatest_internal = std::max(greatest_internal, e.internal);
+      min_internal = std::min(min_internal, e.internal);
+      max_internal = std::max(max_internal, e.internal);
     }
     CHECK(least > -1e-3 * whole);
     CHECK(greatest < 1e-3 * whole);
-    CHECK(least_internal > -1e-3 * whole);
-    CHECK(greatest_internal > 1e-4 * whole);  // there is something that could grow
-    CHECK(greatest_internal < 0.03 * whole);
+    CHECK(min_internal > -1e-3 * whole);
+    CHECK(max_internal > 1e-4 * whole);  // there is something that could grow
+    CHECK(max_internal < 0.03 * whole);
   }
 };
 

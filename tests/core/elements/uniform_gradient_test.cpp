@@ -46,11 +46,11 @@ TEST_CASE("an hourglass motion is resisted, and a linear one is not taken for it
   for (unsigned seed = 1; seed <= 4; ++seed) {
     LoneElement bent = distorted_hex(seed), stretched = bent;
     const Eigen::Matrix3Xd x = bent.coordinates;
-    Eigen::Matrix3Xd pattern = Eigen::Matrix3Xd::Zero(3, 8);
-    for (Eigen::Index node = 0; node < 8; ++node) pattern(0, node) = natural[node][1] * natural[node][2];
-    const ChunkStep resisted = bent.move_to(x + 1e-6 * pattern, 1e-6);
+    Eigen::Matrix3Xd mode = Eigen::Matrix3Xd::Zero(3, 8);
+    for (Eigen::Index node = 0; node < 8; ++node) mode(0, node) = natural[node][1] * natural[node][2];
+    const ChunkStep resisted = bent.move_to(x + 1e-6 * mode, 1e-6);
     CHECK(resisted.hourglass_work > 0.0);
-    CHECK(bent.forces().cwiseProduct(pattern).sum() < 0.0);
+    CHECK(bent.forces().cwiseProduct(mode).sum() < 0.0);
     const Eigen::Matrix3d strain = 1e-6 * Eigen::Vector3d(1.0, -2.0, 3.0).asDiagonal();
     const ChunkStep linear = stretched.move_to(x + strain * x, 1e-6);
     CHECK(std::abs(linear.hourglass_work) < 1e-12 * stretched.stress_work());
@@ -123,16 +123,16 @@ TEST_CASE("a thin slice of a ball far from its pole is integrated in steps below
 }
 
 TEST_CASE("the patterns of wedges and pyramids strain nothing and are resisted", "[core][elements]") {
-  const auto check = [](Shape shape, const Eigen::RowVectorXd& pattern) {
+  const auto check = [](Shape shape, const Eigen::RowVectorXd& mode) {
     LoneElement element(*find_solid_element(shape, "mean_quadrature"), undamped_elastic(),
                         regular_element(shape));
     for (Eigen::Index i = 0; i < 3; ++i) {
       LoneElement bent = element;
       Eigen::Matrix3Xd there = bent.coordinates;
-      there.row(i) += 1e-7 * pattern;
+      there.row(i) += 1e-7 * mode;
       CHECK(bent.move_to(there).hourglass_work > 0.0);
       CHECK(bent.stress().norm() < 1e-4 * 1e-7 * 1e11);  // of second order in the motion
-      CHECK(bent.forces().row(i).dot(pattern) < 0.0);
+      CHECK(bent.forces().row(i).dot(mode) < 0.0);
     }
   };
   check(Shape::wedge6, Eigen::RowVectorXd{{1, -1, 0, -1, 1, 0}});

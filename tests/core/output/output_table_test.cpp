@@ -23,7 +23,7 @@ std::vector<OutputRow> all_rows() {
 
 std::vector<double> values_of(const SampleRun& run, const OutputRow& row, const EntityRange& range) {
   std::vector<double> values(range.count * static_cast<std::size_t>(row.n_components()), std::nan(""));
-  row.fill(run.moment(), range, values);
+  row.fill(run.context(), range, values);
   return values;
 }
 
@@ -146,9 +146,9 @@ TEST_CASE("nodal variables by hand", "[core][output]") {
 
 TEST_CASE("what holds a node is the reaction", "[core][output]") {
   SampleRun run;
-  DrivenNodes held;
+  PrescribedMotion held;
   held.nodes = {{0}};
-  run.model.kinematics = Kinematics(run.mesh, {held});
+  run.model.kinematic_constraints = KinematicConstraints(run.mesh, {held});
   for (const Eigen::Index n : {0, 1}) {
     run.state.acceleration.col(n) << 4, 0, 0;
     run.state.forces.internal.col(n) << 3, 1, 0;
@@ -159,7 +159,7 @@ TEST_CASE("what holds a node is the reaction", "[core][output]") {
 
 TEST_CASE("a node without elements has no mass", "[core][output]") {
   SampleRun run;
-  run.model.mass.col(3).setConstant(least_mass);
+  run.model.mass.col(3).setConstant(minimum_nodal_mass);
   CHECK(nodal(run, "mass", 3) == Values{0});
 }
 
@@ -226,7 +226,7 @@ TEST_CASE("an element of several integration points has their mean, or one of th
   run.model.blocks[1].layout.point_size = 1;
   run.set_point_value(1, 0, 0, 1.0);
   run.set_point_value(1, 0, 1, 3.0);
-  CHECK(stress_of(run.moment(), {1, 0, 1, {}}, 0)(0, 0) == 2.0);
-  CHECK(stress_of(run.moment(), {1, 0, 1, 0}, 0)(0, 0) == 1.0);
-  CHECK(stress_of(run.moment(), {1, 0, 1, 1}, 0)(0, 0) == 3.0);
+  CHECK(stress_of(run.context(), {1, 0, 1, {}}, 0)(0, 0) == 2.0);
+  CHECK(stress_of(run.context(), {1, 0, 1, 0}, 0)(0, 0) == 1.0);
+  CHECK(stress_of(run.context(), {1, 0, 1, 1}, 0)(0, 0) == 3.0);
 }

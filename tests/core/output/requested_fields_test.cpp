@@ -17,7 +17,7 @@ using Names = std::vector<std::string>;
 
 /// What a results file gets for some requests.
 struct Outcome {
-  std::shared_ptr<const RunVariables> variables;
+  std::shared_ptr<const OutputVariables> variables;
   RequestedFields fields;
   Names warnings;
 
@@ -42,7 +42,7 @@ struct Outcome {
 };
 
 Outcome ask(const SampleRun& run, const std::vector<VariableRequest>& requests, FieldRequests further = {}) {
-  const auto variables = std::make_shared<const RunVariables>(run.model);
+  const auto variables = std::make_shared<const OutputVariables>(run.model);
   Diagnostics diagnostics;
   further.variables = requests;
   Outcome outcome{
@@ -125,11 +125,11 @@ TEST_CASE("fields have the values of the moment", "[core][output]") {
   Outcome found = ask(run, {request(L::nodal, "displacement", "x"), request(L::element, "volume")});
   run.deform(3.0 * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero());
   const Eigen::Matrix3Xd before = run.state.coordinates;
-  const std::span<const double> x = found.fields.evaluate(0, run.moment());
+  const std::span<const double> x = found.fields.evaluate(0, run.context());
   REQUIRE(x.size() == run.mesh.n_nodes());
   for (std::size_t n = 0; n < x.size(); ++n)
     CHECK(x[n] == Approx(2.0 * run.mesh.coordinates()(0, static_cast<Eigen::Index>(n))));
-  CHECK(found.fields.evaluate(1, run.moment()).size() == 9);
-  CHECK(found.fields.evaluate(2, run.moment())[1] == Approx(27.0));
+  CHECK(found.fields.evaluate(1, run.context()).size() == 9);
+  CHECK(found.fields.evaluate(2, run.context())[1] == Approx(27.0));
   CHECK(run.state.coordinates == before);
 }

@@ -24,11 +24,11 @@ TerminationCriterion criterion(L location, const std::string& name, Comparison c
 
 /// Why a run ends, "" when it does not.
 std::string reason(const SampleRun& run, const SolutionTermination& definition) {
-  const RunVariables variables(run.model);
+  const OutputVariables variables(run.model);
   Diagnostics diagnostics;
   const Terminations terminations({&definition, 1}, variables, diagnostics);
   CHECK(diagnostics.empty());
-  return terminations.find_reason(run.moment()).value_or("");
+  return terminations.find_reason(run.context()).value_or("");
 }
 
 std::string reason(const SampleRun& run, const TerminationCriterion& one) {
@@ -92,7 +92,7 @@ TEST_CASE("what is not a number ends no run", "[core][output]") {
 
 TEST_CASE("a criterion of an unknown variable is an error", "[core][output]") {
   const SampleRun run;
-  const RunVariables variables(run.model);
+  const OutputVariables variables(run.model);
   SolutionTermination definition;
   definition.criteria = {criterion(L::global, "kinetic_enrgy", Comparison::greater, 5.0)};
   Diagnostics diagnostics;

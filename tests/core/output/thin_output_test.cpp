@@ -5,7 +5,7 @@
 
 #include "core/elements/elements.hpp"
 #include "core/internal_force.hpp"
-#include "core/output/run_variables.hpp"
+#include "core/output/output_variables.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/lone_shell.hpp"
@@ -37,8 +37,8 @@ struct Moved {
   }
 
   std::vector<double> element(const std::string& name, std::optional<std::size_t> point = {}) const {
-    const RunVariables variables(model);
-    const RunVariable* variable = variables.find(FieldLocation::element, name);
+    const OutputVariables variables(model);
+    const OutputVariable* variable = variables.find(FieldLocation::element, name);
     if (variable == nullptr) return {};
     std::vector<double> values(static_cast<std::size_t>(variable->n_components));
     variable->fill({model, state}, {0, 0, 1, point}, values);
@@ -117,9 +117,9 @@ TEST_CASE("rigid bodies have global variables by their names in lower case", "[c
   state.rigid.resize(1);
   state.rigid[0].position = {1.0, 2.0, 0.0};
   state.rigid[0].reaction = {0.0, 0.0, 7.0};
-  const RunVariables variables(model);
+  const OutputVariables variables(model);
   const auto value_of = [&](const std::string& name) {
-    const RunVariable* variable = variables.find(FieldLocation::global, name);
+    const OutputVariable* variable = variables.find(FieldLocation::global, name);
     REQUIRE(variable != nullptr);
     double value = 0.0;
     variable->fill({model, state}, {}, {&value, 1});

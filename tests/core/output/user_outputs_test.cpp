@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 #include "support/catch.hpp"
 #include "support/parsed_deck.hpp"
 #include "support/sample_run.hpp"
@@ -48,23 +48,23 @@ class UserRun {
 
   /// The values of a variable after a computation.
   std::vector<double> values(FieldLocation location, const std::string& name, const EntityRange& range = {}) {
-    const RunVariable* variable = variables.find(location, name);
+    const OutputVariable* variable = variables.find(location, name);
     REQUIRE(variable != nullptr);
     std::vector<double> values(range.count * static_cast<std::size_t>(variable->n_components));
-    fill({variable, {}, {}}, run.moment(), range, values);
+    fill({variable, {}, {}}, run.context(), range, values);
     return values;
   }
   double global(const std::string& name) { return values(FieldLocation::global, name).at(0); }
   /// Goes on to the next step.
   void compute(bool are_needed = true) {
     ++run.state.step;
-    outputs_.compute(run.moment(), are_needed);
-    outputs_.compute(run.moment(), are_needed);
+    outputs_.compute(run.context(), are_needed);
+    outputs_.compute(run.context(), are_needed);
   }
   std::string messages() const { return contactsim::messages(diagnostics_); }
 
   SampleRun run;
-  RunVariables variables{run.model};
+  OutputVariables variables{run.model};
 
  private:
   ParsedDeck deck_;

@@ -24,7 +24,7 @@ struct Free {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
 
-  void go(int n_steps, double dt) {
+  void advance(int n_steps, double dt) {
     for (int i = 0; i < n_steps; ++i) {
       turning = turning_of(body, orientation, spin, dt);
       orientation = (turn_by(dt * turning) * orientation).normalized();
@@ -40,7 +40,7 @@ TEST_CASE("a free symmetric top goes round its angular momentum at the rate of t
   const auto error = [&](int n) {
     Free top{body_of({1.0, 1.0, 2.0}), spin};
     constexpr double time = 5.0;
-    top.go(n, time / n);
+    top.advance(n, time / n);
     const Eigen::Vector3d axis = top.orientation * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d expected = Eigen::AngleAxisd(time * spin.norm() / 1.0, spin.normalized()) *
                                      Eigen::Vector3d(Eigen::Vector3d::UnitZ());
@@ -52,12 +52,12 @@ TEST_CASE("a free symmetric top goes round its angular momentum at the rate of t
 
 TEST_CASE("a tumbling body keeps its energy over many turns", "[core][rigid]") {
   Free body{body_of({1.0, 2.0, 3.0}), {0.01, 2.0, 0.0}};  // about the middle axis, which is unstable
-  body.go(1, 0.02);
+  body.advance(1, 0.02);
   const double start = 0.5 * body.spin.dot(body.turning);
   double least = start, most = start;
   bool has_flipped = false;
   for (int i = 0; i < 50000; ++i) {
-    body.go(1, 0.02);
+    body.advance(1, 0.02);
     const double energy = 0.5 * body.spin.dot(body.turning);
     least = std::min(least, energy);
     most = std::max(most, energy);

@@ -9,6 +9,6 @@ namespace contactsim {
 
 /// A number and what is counted: "1 node", "2 nodes".
 ///   plural  in place of the singular with an s
-std::string counted(std::size_t n, std::string_view singular, std::string_view plural = "");
+std::string pluralize(std::size_t n, std::string_view singular, std::string_view plural = "");
 
 }  // namespace contactsim

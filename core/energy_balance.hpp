@@ -7,7 +7,7 @@
 namespace contactsim {
 
 /// Sums over the nodes at the end of a step.
-struct NodeWork {
+struct EnergyBalance {
   double kinetic = 0.0;      ///< of the velocities now [energy]
   double conserved = 0.0;    ///< of the velocities half a step before times those half a step behind [energy]
   double unseen = 0.0;       ///< as Energies::unseen [energy]
@@ -20,7 +20,7 @@ struct NodeWork {
 /// and energy over the nodes in a fixed order. Forces and accelerations are those of now; what
 /// mass x acceleration has beyond the forces is the reaction, whose work counts as external. Of the nodes of
 /// rigid bodies only the work of the forces counts.
-NodeWork complete_velocities(const Model& model, State& state);
+EnergyBalance complete_velocities(const Model& model, State& state);
 
 /// The moment by which conditions hold or turn a node: inertia x angular acceleration less all other moments.
 /// Precondition: the state has rotations [force length].

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/conditions/driven_nodes.hpp"
+#include "core/conditions/prescribed_motion.hpp"
 
 namespace contactsim {
 
@@ -11,6 +11,6 @@ namespace contactsim {
 /// edge where two planes of symmetry meet: there the later one holds what is left of its directions at right
 /// angles to the earlier ones. The other conditions stay as they are.
 /// Precondition: check_conflicts found nothing.
-std::vector<DrivenNodes> separate_oblique_holds(std::vector<DrivenNodes> driven);
+std::vector<PrescribedMotion> separate_skew_supports(std::vector<PrescribedMotion> motions);
 
 }  // namespace contactsim

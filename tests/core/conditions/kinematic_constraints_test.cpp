@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 
 #include <omp.h>
 
 #include <cmath>
 
 #include "core/errors.hpp"
-#include "core/least_mass.hpp"
+#include "core/minimum_nodal_mass.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/mesh_builder.hpp"
@@ -29,7 +29,7 @@ Mesh cube() {
 /// it, under the kinematic conditions of a region's lines.
 struct Run {
   explicit Run(const std::string& lines)
-      : mesh(cube()), deck(mesh, lines), kinematics(make_kinematics(deck.scope())) {
+      : mesh(cube()), deck(mesh, lines), kinematic_constraints(make_kinematic_constraints(deck.scope())) {
     if (!deck.messages().empty()) throw std::logic_error(deck.messages());
     force = Eigen::Matrix3Xd::Constant(3, 8, 0.0);
     x = mesh.coordinates();
@@ -37,12 +37,12 @@ struct Run {
   }
 
   /// Steps of dt, 3/2 dt, dt, ...
-  void go(int n_steps, double dt) {
+  void advance(int n_steps, double dt) {
     double before = 0.0, after = dt;
-    kinematics.constrain_velocity({time, 0.0, after, x, v}, v);
+    kinematic_constraints.constrain_velocity({time, 0.0, after, x, v}, v);
     for (int i = 0; i < n_steps; ++i) {
       Eigen::Matrix3Xd a = force;
-      kinematics.constrain({time, before, after, x, v}, a);
+      kinematic_constraints.constrain({time, before, after, x, v}, a);
       v += 0.5 * (before + after) * a;
       x += after * v;
       time += after;
@@ -55,17 +55,17 @@ struct Run {
 
   Mesh mesh;
   ConditionDeck deck;
-  Kinematics kinematics;
+  KinematicConstraints kinematic_constraints;
   Eigen::Matrix3Xd force, x, v;  ///< v at the middle of the last step
   double time = 0.0;
 };
 
-/// What making the kinematics of some lines says.
+/// What making the constraints of some lines says.
 std::string messages_of(const std::string& lines) {
   const Mesh mesh = cube();
   ConditionDeck deck(mesh, lines);
-  make_kinematics(deck.scope());
-  make_rotation_kinematics(deck.scope(), Eigen::Matrix3Xd(3, 0));
+  make_kinematic_constraints(deck.scope());
+  make_rotation_constraints(deck.scope(), Eigen::Matrix3Xd(3, 0));
   return deck.messages();
 }
 
@@ -79,18 +79,18 @@ TEST_CASE("a held node stays in place to the last bit, its free components move"
   Run run(block("fixed displacement", "node set = n1 n2\ncomponents = x z"));
   run.force.setConstant(0.3);
   run.v.setConstant(7.0);
-  run.go(50, 1e-3);
+  run.advance(50, 1e-3);
   CHECK(run.x(0, 0) == 1.0);
   CHECK(run.x(2, 1) == 1.0);
   CHECK(run.u(1).y() == Approx(7.0 * run.time + 0.15 * run.time * run.time).epsilon(1e-2));
   CHECK(run.u(3).x() == Approx(run.u(1).y()));
-  CHECK(run.kinematics.nodes().size() == 2);
+  CHECK(run.kinematic_constraints.nodes().size() == 2);
 }
 
 TEST_CASE("a prescribed displacement is reached at every step", "[core][conditions]") {
   Run run(
       block("prescribed displacement", "block = block_1\ncomponent = y\nfunction = ramp\nscale factor = 3"));
-  run.go(7, 0.1);
+  run.advance(7, 0.1);
   CHECK(run.u(5).y() == Approx(3.0 * run.time).epsilon(1e-14));
   CHECK(run.u(5).x() == 0.0);
 }
@@ -103,7 +103,7 @@ TEST_CASE("a node starts at its prescribed speed, without a jump", "[core][condi
       block("fixed displacement", "node set = n4\ncomponent = z") +
       block("prescribed velocity", "node set = n5\ncylindrical axis = spin\nfunction = one"));
   run.v.setConstant(1.0);
-  run.kinematics.constrain_velocity({0.0, 0.0, 0.25, run.x, run.v}, run.v);
+  run.kinematic_constraints.constrain_velocity({0.0, 0.0, 0.25, run.x, run.v}, run.v);
   CHECK(run.v.col(0).isApprox(Eigen::Vector3d(1, 3, 1)));
   CHECK(run.v.col(1).isApprox(Eigen::Vector3d(1 + 3.6 * 0.6, 1 + 3.6 * 0.8, 1)));  // 5 - 1.4 along (3 4 0)/5
   CHECK(run.v.col(2).isApprox(Eigen::Vector3d(1, 1, 1)));
@@ -114,11 +114,11 @@ TEST_CASE("a node starts at its prescribed speed, without a jump", "[core][condi
 TEST_CASE("a velocity is that of the middle of the step, an acceleration that of now", "[core][conditions]") {
   Run run(block("prescribed velocity", "node set = n1\ncomponent = x\nfunction = ramp\nscale factor = 2") +
           block("prescribed acceleration", "node set = n2\ncomponent = x\nfunction = ramp"));
-  run.go(1, 0.5);
+  run.advance(1, 0.5);
   CHECK(run.v(0, 0) == Approx(0.5).epsilon(1e-14));
   CHECK(run.v(0, 1) == 0.0);
   Eigen::Matrix3Xd a = run.force;
-  run.kinematics.constrain({0.5, 0.5, 1.0, run.x, run.v}, a);
+  run.kinematic_constraints.constrain({0.5, 0.5, 1.0, run.x, run.v}, a);
   CHECK(a(0, 0) == Approx((2.0 - 0.5) / 0.75).epsilon(1e-14));  // to 2 x 1.0 at the middle of the step
   CHECK(a(0, 1) == 0.5);
   CHECK(a(1, 1) == 0.0);
@@ -128,7 +128,7 @@ TEST_CASE("along a direction the plane at right angles to it stays free", "[core
   Run run(block("prescribed displacement", "node set = n1\ndirection = slanted\nfunction = one") +
           block("fixed displacement", "node set = n1\ndirection = across"));
   run.force.setConstant(2.0);
-  run.go(4, 0.1);
+  run.advance(4, 0.1);
   CHECK(run.u(1).x() == Approx(0.6).epsilon(1e-13));
   CHECK(run.u(1).y() == Approx(0.8).epsilon(1e-13));
   CHECK(run.u(1).z() == Approx(run.u(2).z()).epsilon(1e-14));
@@ -142,7 +142,7 @@ TEST_CASE("about an axis nodes move on exact arcs", "[core][conditions]") {
       block("fixed displacement", "node set = n1 n2\ncomponent = z"));
   run.force.setConstant(0.5);
   run.v.row(2).setConstant(1.0);
-  run.go(40, 0.05);
+  run.advance(40, 0.05);
   const auto angle = [&](int node) { return std::atan2(run.x(1, node - 1), run.x(0, node - 1)); };
   const auto radius = [&](int node) { return run.x.col(node - 1).head<2>().norm(); };
   CHECK(radius(1) == Approx(std::sqrt(2.0)).epsilon(1e-13));
@@ -158,7 +158,7 @@ TEST_CASE("about an axis nodes move on exact arcs", "[core][conditions]") {
 TEST_CASE("an angular acceleration turns a node as it moves a free one on a line", "[core][conditions]") {
   Run run(block("prescribed acceleration", "node set = n3\ncylindrical axis = spin\nfunction = one"));
   run.force.row(0).setConstant(1.0);
-  run.go(20, 0.02);
+  run.advance(20, 0.02);
   const double angle = std::atan2(run.x(1, 2), run.x(0, 2)) - std::atan2(2.0, 1.0);
   CHECK(angle == Approx(run.u(4).x()).epsilon(1e-12));
 }
@@ -169,13 +169,13 @@ TEST_CASE("conditions act in their periods and let go after them", "[core][condi
                 "node set = n1\ncomponent = x\nfunction = one\nscale factor = 4\nactive periods = p3") +
           block("fixed displacement", "node set = n1\ncomponent = x\nactive periods = p1"));
   run.v.setConstant(2.0);
-  run.go(8, 0.1);
+  run.advance(8, 0.1);
   CHECK(run.time == Approx(1.0));
   CHECK(run.u(1).x() == 0.0);
   run.time = 1.0;
-  run.kinematics.constrain_velocity({1.0, 0.0, 0.25, run.x, run.v}, run.v);
+  run.kinematic_constraints.constrain_velocity({1.0, 0.0, 0.25, run.x, run.v}, run.v);
   CHECK(run.v(0, 0) == 1.0);
-  run.kinematics.constrain_velocity({2.0, 0.0, 0.25, run.x, run.v}, run.v);
+  run.kinematic_constraints.constrain_velocity({2.0, 0.0, 0.25, run.x, run.v}, run.v);
   CHECK(run.v(0, 0) == 4.0);
 }
 
@@ -212,7 +212,7 @@ TEST_CASE("nodes may be held twice, in slanted directions too", "[core][conditio
           block("fixed displacement", "node set = n1\ncomponents = x z"));
   run.force.setConstant(1.0);
   run.v.setConstant(3.0);
-  run.go(10, 0.1);
+  run.advance(10, 0.1);
   CHECK(run.u(1) == Eigen::Vector3d(0, 0, 0));
   CHECK(run.u(2).x() == 0.0);
   CHECK(run.u(2).y() == run.u(4).y());
@@ -249,14 +249,14 @@ TEST_CASE("rotations are held and driven as places are, about an axis by its dir
                                block("prescribed rotational velocity",
                                      "node set = n3\ncylindrical axis = spin\nfunction = one"));
   Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Ones(3, 8);
-  inertia.col(1).setConstant(least_mass);  // node 2 is one of solids alone
-  const Kinematics kinematics = make_rotation_kinematics(deck.scope(), inertia);
+  inertia.col(1).setConstant(minimum_nodal_mass);  // node 2 is one of solids alone
+  const KinematicConstraints kinematic_constraints = make_rotation_constraints(deck.scope(), inertia);
   CHECK(deck.messages().empty());
-  CHECK(kinematics.nodes().size() == 2);
+  CHECK(kinematic_constraints.nodes().size() == 2);
   const Eigen::Matrix3Xd x = mesh.coordinates(), zero = Eigen::Matrix3Xd::Zero(3, 8);
   const Eigen::Matrix3Xd angle = 0.25 * Eigen::Matrix3Xd::Ones(3, 8);
   Eigen::Matrix3Xd a = Eigen::Matrix3Xd::Ones(3, 8);
-  kinematics.constrain({0.5, 0.5, 0.5, x, zero, &angle}, a);
+  kinematic_constraints.constrain({0.5, 0.5, 0.5, x, zero, &angle}, a);
   CHECK(a.col(0) == Eigen::Vector3d(0.0, 0.0, (1.0 - 0.25) / 0.5 / 0.5));  // to the angle 1 at time 1
   CHECK(a.col(1) == Eigen::Vector3d::Ones());
   CHECK(a.col(2) == Eigen::Vector3d(1.0, 1.0, 2.0));  // a rate of 1 from rest in half a unit of time
@@ -265,7 +265,7 @@ TEST_CASE("rotations are held and driven as places are, about an axis by its dir
 TEST_CASE("a value may vary from node to node", "[core][conditions]") {
   Run run(
       block("prescribed velocity", "block = block_1\ncomponent = z\nfunction = at_x\nscale factor = 0.5"));
-  run.go(3, 0.1);
+  run.advance(3, 0.1);
   CHECK(run.v(2, 0) == Approx(1.0));
   CHECK(run.v(2, 1) == Approx(2.0));
 }
@@ -275,7 +275,7 @@ TEST_CASE("a value that is not finite ends the run at the condition", "[core][co
     Run run(block("prescribed velocity", "block = block_1\ncomponent = z\nfunction = " + function));
     Eigen::Matrix3Xd a = run.force;
     try {
-      run.kinematics.constrain({0.5, 0.0, 1.0, run.x, run.v}, a);
+      run.kinematic_constraints.constrain({0.5, 0.0, 1.0, run.x, run.v}, a);
     } catch (const SolveError& error) {
       return std::string(error.what());
     }
@@ -291,14 +291,14 @@ TEST_CASE("constraints are the same bits for any number of threads", "[core][con
   const Mesh mesh = MeshBuilder().add_hexes({.id = 1, .cells = {40, 30, 20}}).build();
   ConditionDeck deck(
       mesh, block("prescribed velocity", "block = block_1\ncylindrical axis = spin\nfunction = at_x"));
-  const Kinematics kinematics = make_kinematics(deck.scope());
+  const KinematicConstraints kinematic_constraints = make_kinematic_constraints(deck.scope());
   const Eigen::Matrix3Xd v = mesh.coordinates().array().sin().matrix();
   const int n_threads = omp_get_max_threads();
   std::vector<Eigen::Matrix3Xd> found;
   for (const int n : {1, 2, 3}) {
     omp_set_num_threads(n);
     found.push_back(mesh.coordinates());
-    kinematics.constrain({0.5, 0.1, 0.2, mesh.coordinates(), v}, found.back());
+    kinematic_constraints.constrain({0.5, 0.1, 0.2, mesh.coordinates(), v}, found.back());
   }
   omp_set_num_threads(n_threads);
   CHECK(found[0] == found[1]);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/counted.hpp"
+#include "app/pluralize.hpp"
 
 #include <fmt/format.h>
 
 namespace contactsim {
 
-std::string counted(std::size_t n, std::string_view singular, std::string_view plural) {
+std::string pluralize(std::size_t n, std::string_view singular, std::string_view plural) {
   if (n == 1) return fmt::format("1 {}", singular);
   return plural.empty() ? fmt::format("{} {}s", n, singular) : fmt::format("{} {}", n, plural);
 }

@@ -12,9 +12,9 @@ namespace contactsim {
 /// Element death as the kernels see it, batch by batch of a chunk. The dead of a batch are moved along with a
 /// living element of it at rest, so that they make no numbers that are none, and what they give counts
 /// nowhere. Without death every call does nothing.
-class ChunkLife {
+class ElementDeathMask {
  public:
-  ChunkLife(const ModelBlock& block, ModelBlockState& state)
+  ElementDeathMask(const ModelBlock& block, ModelBlockState& state)
       : block_(block), life_(state.life), is_on_(!state.life.empty()) {}
 
   /// Goes on to a batch. False when all of it is dead.
@@ -50,7 +50,7 @@ class ChunkLife {
   /// To be called first of all after a step: kills what has turned inside out and may die of it.
   ///   volume  of the elements; infinite of dead ones then [length^3]
   ///   values  as in keep()
-  void settle(Lanes& volume, std::span<Lanes> values) {
+  void apply(Lanes& volume, std::span<Lanes> values) {
     if (!is_on_) return;
     const LaneMask inverted = may_invert_ && !(volume > 0.0);
     if (inverted.any()) {
@@ -67,12 +67,12 @@ class ChunkLife {
     if (is_mixed_) values = lives_.select(values, std::numeric_limits<double>::infinity());
   }
   /// What a batch gives, times what is left of its elements.
-  void fade(Lanes& values) const {
+  void scale(Lanes& values) const {
     if (is_on_) values = lives_.select(*now_ * values, 0.0);
   }
   template <std::size_t n>
-  void fade(NodeVectors<n>& vectors) const {
-    if (is_on_) visit(vectors, [this](Lanes& values) { fade(values); });
+  void scale(NodeVectors<n>& vectors) const {
+    if (is_on_) visit(vectors, [this](Lanes& values) { scale(values); });
   }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 
 #include "support/catch.hpp"
 #include "support/sample_run.hpp"
@@ -11,15 +11,15 @@ namespace {
 
 using L = VariableLocation;
 
-std::optional<VariablePick> pick(const RunVariables& variables, const VariableRequest& request) {
+std::optional<VariableSelection> selection(const OutputVariables& variables, const VariableRequest& request) {
   Diagnostics diagnostics;
-  return find_pick(variables, request.location, request.variable, diagnostics);
+  return find_selection(variables, request.location, request.variable, diagnostics);
 }
 
 /// The warning about a variable and its hint.
-std::string warning(const RunVariables& variables, const VariableRequest& request) {
+std::string warning(const OutputVariables& variables, const VariableRequest& request) {
   Diagnostics diagnostics;
-  CHECK_FALSE(find_pick(variables, request.location, request.variable, diagnostics));
+  CHECK_FALSE(find_selection(variables, request.location, request.variable, diagnostics));
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(diagnostics.all()[0].severity == Severity::warning);
   CHECK(diagnostics.all()[0].id == "output-variable-unknown");
@@ -30,21 +30,22 @@ std::string warning(const RunVariables& variables, const VariableRequest& reques
 
 TEST_CASE("variables are found by name, older spelling, component", "[core][output]") {
   const SampleRun run;
-  const RunVariables variables(run.model);
-  CHECK(pick(variables, request(L::nodal, "Velocity"))->n_components() == 3);
-  CHECK(pick(variables, request(L::global, "kineticenergy"))->variable->name == "kinetic_energy");
-  CHECK(pick(variables, request(L::nodal, "velocity", "y"))->component == 1);
-  CHECK(pick(variables, request(L::element, "stress", "zx"))->component == 5);
-  CHECK(pick(variables, request(L::element, "stress", "xz"))->component == 5);
-  CHECK(pick(variables, request(L::element, "stress", "4"))->component == 3);
-  CHECK(pick(variables, request(L::element, "principal_stresses", "3"))->component == 2);
-  CHECK(pick(variables, request(L::any, "von_mises"))->variable->location == FieldLocation::element);
-  CHECK(pick(variables, request(L::element, "strain_energy"))->variable->location == FieldLocation::element);
+  const OutputVariables variables(run.model);
+  CHECK(selection(variables, request(L::nodal, "Velocity"))->n_components() == 3);
+  CHECK(selection(variables, request(L::global, "kineticenergy"))->variable->name == "kinetic_energy");
+  CHECK(selection(variables, request(L::nodal, "velocity", "y"))->component == 1);
+  CHECK(selection(variables, request(L::element, "stress", "zx"))->component == 5);
+  CHECK(selection(variables, request(L::element, "stress", "xz"))->component == 5);
+  CHECK(selection(variables, request(L::element, "stress", "4"))->component == 3);
+  CHECK(selection(variables, request(L::element, "principal_stresses", "3"))->component == 2);
+  CHECK(selection(variables, request(L::any, "von_mises"))->variable->location == FieldLocation::element);
+  CHECK(selection(variables, request(L::element, "strain_energy"))->variable->location ==
+        FieldLocation::element);
 }
 
 TEST_CASE("what is unknown is a warning that helps", "[core][output]") {
   const SampleRun run;
-  const RunVariables variables(run.model);
+  const OutputVariables variables(run.model);
   CHECK(warning(variables, request(L::nodal, "velocty")) ==
         "no nodal variable 'velocty' is known here; did you mean 'velocity'?");
   CHECK(warning(variables, request(L::any, "memb_stress")) ==
@@ -68,24 +69,24 @@ TEST_CASE("what is unknown is a warning that helps", "[core][output]") {
 
 TEST_CASE("materials have their variables, in their blocks alone", "[core][output]") {
   SampleRun run;
-  const RunVariables variables(run.model);
-  const auto eqps = pick(variables, request(L::element, "eqps"));
+  const OutputVariables variables(run.model);
+  const auto eqps = selection(variables, request(L::element, "eqps"));
   REQUIRE(eqps);
   CHECK_FALSE(eqps->is_in_block(run.model, 0));
   CHECK(eqps->is_in_block(run.model, 1));
   const std::size_t place = state_of(run.model.blocks[1].properties.law).n_state - 1;
   run.set_point_value(1, 1, 6 + place, 0.25);
   std::vector<double> values(2, -1.0);
-  fill(*eqps, run.moment(), {1, 0, 2, {}}, values);
+  fill(*eqps, run.context(), {1, 0, 2, {}}, values);
   CHECK(values == std::vector<double>{0.0, 0.25});
 }
 
 TEST_CASE("a material may be asked for at an integration point", "[core][output]") {
   const SampleRun run;
-  const RunVariables variables(run.model);
+  const OutputVariables variables(run.model);
   VariableRequest stress = request(L::element, "stress", "xx");
   stress.variable.integration_point = 1;
-  CHECK(pick(variables, stress)->point == 0);
+  CHECK(selection(variables, stress)->point == 0);
   stress.variable.integration_point = 9;
   CHECK(warning(variables, stress) == "stress has no integration point 9; ");
 }
@@ -95,16 +96,16 @@ TEST_CASE("long ranges are filled in pieces, one component alike", "[core][outpu
   Model model;
   model.mesh = &mesh;
   const State state;
-  const RunVariable counting{"counting",
-                             FieldLocation::node,
-                             FieldShape::vector,
-                             3,
-                             false,
-                             {},
-                             [](const OutputMoment&, const EntityRange& range, std::span<double> values) {
-                               for (std::size_t i = 0; i < values.size(); ++i)
-                                 values[i] = static_cast<double>(3 * range.first + i);
-                             }};
+  const OutputVariable counting{"counting",
+                                FieldLocation::node,
+                                FieldShape::vector,
+                                3,
+                                false,
+                                {},
+                                [](const OutputContext&, const EntityRange& range, std::span<double> values) {
+                                  for (std::size_t i = 0; i < values.size(); ++i)
+                                    values[i] = static_cast<double>(3 * range.first + i);
+                                }};
   constexpr std::size_t n = 2500;
   std::vector<double> values(3 * n);
   fill({&counting, {}, {}}, {model, state}, {0, 10, n, {}}, values);
@@ -118,8 +119,8 @@ TEST_CASE("long ranges are filled in pieces, one component alike", "[core][outpu
 
 TEST_CASE("a variable that the deck makes hides an earlier one", "[core][output]") {
   const SampleRun run;
-  RunVariables variables(run.model);
-  RunVariable own;
+  OutputVariables variables(run.model);
+  OutputVariable own;
   own.name = "momentum";
   variables.add(own);
   CHECK(variables.find(FieldLocation::global, "momentum")->shape == FieldShape::scalar);

@@ -8,13 +8,13 @@
 
 #include "core/definition/output_variable.hpp"
 #include "core/diagnostics.hpp"
-#include "core/output/run_variables.hpp"
+#include "core/output/output_variables.hpp"
 
 namespace contactsim {
 
 /// What a command of the deck means by a variable: all of it, one component, one integration point.
-struct VariablePick {
-  const RunVariable* variable = nullptr;
+struct VariableSelection {
+  const OutputVariable* variable = nullptr;
   std::optional<std::size_t> component;  ///< from 0; absent: all
   std::optional<std::size_t> point;      ///< integration point, from 0; absent: the mean of all
 
@@ -26,23 +26,23 @@ struct VariablePick {
 };
 
 /// The component that a text names, by its ending or its number from 1; nothing when there is none.
-std::optional<std::size_t> find_component(const RunVariable& variable, std::string_view text);
+std::optional<std::size_t> find_component(const OutputVariable& variable, std::string_view text);
 
 /// The component that a name tells by its ending, "stress_xx"; nothing when there is none.
-std::optional<VariablePick> find_by_ending(const RunVariables& variables, FieldLocation location,
-                                           const std::string& name);
+std::optional<VariableSelection> find_by_ending(const OutputVariables& variables, FieldLocation location,
+                                                const std::string& name);
 
 /// Where a variable lives that a command asks for; nothing when it does not say, or when nothing lives there.
 std::optional<FieldLocation> to_field_location(VariableLocation location);
 
-/// What a reference means. Nothing when it means nothing in this run: a warning is added
+/// The selection that a reference means. Nothing when it means nothing in this run: a warning is added
 /// ("output-variable-unknown") that names the nearest variable, or the location at which there is one.
-std::optional<VariablePick> find_pick(const RunVariables& variables, VariableLocation location,
-                                      const VariableReference& reference, Diagnostics& diagnostics);
+std::optional<VariableSelection> find_selection(const OutputVariables& variables, VariableLocation location,
+                                                const VariableReference& reference, Diagnostics& diagnostics);
 
 /// Sets the values of a range, [count x n_components]; threads share long ranges, with the same bits for any
 /// number of them.
-void fill(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+void fill(const VariableSelection& selection, const OutputContext& context, const EntityRange& range,
           std::span<double> values);
 
 }  // namespace contactsim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/conditions/driven_nodes.hpp"
+#include "core/conditions/prescribed_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,14 +14,14 @@ namespace {
 constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
 
 /// The time of the value that decides about the coming step.
-double value_time(Drive drive, const BetweenSteps& now) {
-  switch (drive) {
-    case Drive::displacement:
+double value_time(MotionType type, const BetweenSteps& now) {
+  switch (type) {
+    case MotionType::displacement:
       return now.time + now.dt_after;
-    case Drive::velocity:
+    case MotionType::velocity:
       return now.time + 0.5 * now.dt_after;
-    case Drive::hold:
-    case Drive::acceleration:
+    case MotionType::fixed:
+    case MotionType::acceleration:
       break;
   }
   return now.time;
@@ -30,20 +30,20 @@ double value_time(Drive drive, const BetweenSteps& now) {
 /// Calls move(node, value) for every node with the condition's value there. A value that is not finite ends
 /// the run after the sweep: nothing may be thrown out of threads.
 template <class Move>
-void for_each_node(const DrivenNodes& driven, double time, const NodalFields& fields, const Mesh& mesh,
+void for_each_node(const PrescribedMotion& motion, double time, const NodalFields& fields, const Mesh& mesh,
                    const Move& move) {
-  const bool varies = driven.value.varies_in_space();
-  const double common = varies ? 0.0 : driven.value.at(time);
-  const auto n = static_cast<std::int64_t>(driven.nodes.size());
+  const bool varies = motion.value.varies_in_space();
+  const double common = varies ? 0.0 : motion.value.at(time);
+  const auto n = static_cast<std::int64_t>(motion.nodes.size());
   std::uint32_t bad = no_node;
-#pragma omp parallel for schedule(static) num_threads(threads_for(driven.nodes.size())) reduction(min : bad)
+#pragma omp parallel for schedule(static) num_threads(threads_for(motion.nodes.size())) reduction(min : bad)
   for (std::int64_t i = 0; i < n; ++i) {
-    const NodeIndex node = driven.nodes[static_cast<std::size_t>(i)];
-    const double value = varies ? driven.value.at(time, fields, node) : common;
+    const NodeIndex node = motion.nodes[static_cast<std::size_t>(i)];
+    const double value = varies ? motion.value.at(time, fields, node) : common;
     if (!std::isfinite(value)) bad = std::min(bad, node.value);
     move(static_cast<Eigen::Index>(node.value), value);
   }
-  if (bad != no_node) driven.value.fail(time, mesh.node_id({bad}));
+  if (bad != no_node) motion.value.fail(time, mesh.node_id({bad}));
 }
 
 /// A node's motion along a unit vector.
@@ -53,22 +53,22 @@ struct Along {
 };
 
 /// Velocity that brings about the value in the coming step.
-double wanted_velocity(Drive drive, double value, double displacement, double dt_after) {
-  switch (drive) {
-    case Drive::displacement:
+double wanted_velocity(MotionType type, double value, double displacement, double dt_after) {
+  switch (type) {
+    case MotionType::displacement:
       return (value - displacement) / dt_after;
-    case Drive::velocity:
+    case MotionType::velocity:
       return value;
-    case Drive::hold:
-    case Drive::acceleration:
+    case MotionType::fixed:
+    case MotionType::acceleration:
       break;
   }
   return 0.0;
 }
 
-double wanted_acceleration(Drive drive, double value, const Along& along, const BetweenSteps& now) {
-  if (drive == Drive::acceleration) return value;
-  const double wanted = wanted_velocity(drive, value, along.displacement, now.dt_after);
+double wanted_acceleration(MotionType type, double value, const Along& along, const BetweenSteps& now) {
+  if (type == MotionType::acceleration) return value;
+  const double wanted = wanted_velocity(type, value, along.displacement, now.dt_after);
   return (wanted - along.velocity) / (0.5 * (now.dt_before + now.dt_after));
 }
 
@@ -86,18 +86,18 @@ double angular_velocity(const Axis& axis, const Eigen::Vector3d& offset, const E
 /// Moves nodes about an axis.
 class Turning {
  public:
-  Turning(const DrivenNodes& driven, const Axis& axis, const BetweenSteps& now, const Mesh& mesh)
-      : drive_(driven.drive), axis_(axis), now_(now), mesh_(mesh) {}
+  Turning(const PrescribedMotion& motion, const Axis& axis, const BetweenSteps& now, const Mesh& mesh)
+      : type_(motion.type), axis_(axis), now_(now), mesh_(mesh) {}
 
   /// Velocity at right angles to the axis that moves a node along its arc in the coming step.
   Eigen::Vector3d wanted_velocity(Eigen::Index i, double value, const Eigen::Vector3d& velocity) const {
     const Eigen::Vector3d offset = axis_.offset_of(now_.coordinates.col(i));
-    if (drive_ == Drive::displacement) {
+    if (type_ == MotionType::displacement) {
       const Eigen::Vector3d origin = axis_.offset_of(mesh_.coordinates().col(i));
       return (origin - offset + turn(origin, value)) / now_.dt_after;
     }
     double rate = value;
-    if (drive_ == Drive::acceleration) {
+    if (type_ == MotionType::acceleration) {
       rate = angular_velocity(axis_, offset, velocity, now_.dt_before) +
              0.5 * (now_.dt_before + now_.dt_after) * value;
     }
@@ -110,7 +110,7 @@ class Turning {
     return axis_.turn(offset, std::sin(angle), -2.0 * half * half);
   }
 
-  Drive drive_;
+  MotionType type_;
   const Axis& axis_;
   const BetweenSteps& now_;
   const Mesh& mesh_;
@@ -122,9 +122,9 @@ Eigen::Vector3d in_plane(const Axis& axis, const Eigen::Vector3d& vector) {
 
 }  // namespace
 
-void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
-                                   Eigen::Matrix3Xd& acceleration) const {
-  const double time = value_time(drive, now);
+void PrescribedMotion::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
+                                        Eigen::Matrix3Xd& acceleration) const {
+  const double time = value_time(type, now);
   const NodalFields fields{mesh.coordinates(), now.coordinates, now.velocity};
   const Eigen::Matrix3Xd& model = mesh.coordinates();
   if (const auto* components = std::get_if<Components>(&direction)) {
@@ -132,13 +132,13 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
       for (Eigen::Index c = 0; c < 3; ++c) {
         if (!components->is_set[static_cast<std::size_t>(c)]) continue;
         const Along along{now.displacement(model, c, i), now.velocity(c, i)};
-        acceleration(c, i) = wanted_acceleration(drive, wanted, along, now);
+        acceleration(c, i) = wanted_acceleration(type, wanted, along, now);
       }
     });
   } else if (const auto* unit = std::get_if<Eigen::Vector3d>(&direction)) {
     for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       const Along along{unit->dot(now.displacement(model, i)), unit->dot(now.velocity.col(i))};
-      const double change = wanted_acceleration(drive, wanted, along, now) - unit->dot(acceleration.col(i));
+      const double change = wanted_acceleration(type, wanted, along, now) - unit->dot(acceleration.col(i));
       acceleration.col(i) += change * *unit;
     });
   } else {
@@ -153,9 +153,10 @@ void DrivenNodes::set_acceleration(const BetweenSteps& now, const Mesh& mesh,
   }
 }
 
-void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& velocity) const {
-  if (drive == Drive::acceleration) return;
-  const double time = drive == Drive::displacement ? value_time(drive, now) : now.time;
+void PrescribedMotion::set_velocity(const BetweenSteps& now, const Mesh& mesh,
+                                    Eigen::Matrix3Xd& velocity) const {
+  if (type == MotionType::acceleration) return;
+  const double time = type == MotionType::displacement ? value_time(type, now) : now.time;
   const NodalFields fields{mesh.coordinates(), now.coordinates, now.velocity};
   const auto* axis = std::get_if<Axis>(&direction);
   if (axis == nullptr) {
@@ -163,7 +164,7 @@ void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen:
     for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
       const Eigen::Vector3d displacement = now.displacement(mesh.coordinates(), i);
       for (const Eigen::Vector3d& unit : units) {
-        const double along = wanted_velocity(drive, wanted, unit.dot(displacement), now.dt_after);
+        const double along = wanted_velocity(type, wanted, unit.dot(displacement), now.dt_after);
         velocity.col(i) += (along - unit.dot(velocity.col(i))) * unit;
       }
     });
@@ -172,7 +173,7 @@ void DrivenNodes::set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen:
   const Turning turning(*this, *axis, now, mesh);
   for_each_node(*this, time, fields, mesh, [&](Eigen::Index i, double wanted) {
     const Eigen::Vector3d turned =
-        drive == Drive::displacement
+        type == MotionType::displacement
             ? turning.wanted_velocity(i, wanted, Eigen::Vector3d::Zero())
             : Eigen::Vector3d(wanted * axis->direction.cross(axis->offset_of(now.coordinates.col(i))));
     velocity.col(i) += turned - in_plane(*axis, velocity.col(i));

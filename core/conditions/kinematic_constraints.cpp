@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/conditions/kinematics.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace contactsim {
 
 namespace {
 
-std::vector<NodeIndex> all_nodes(const Mesh& mesh, std::span<const DrivenNodes> driven) {
-  std::vector<std::uint8_t> is_driven(mesh.n_nodes(), 0);
-  for (const DrivenNodes& one : driven) {
-    for (const NodeIndex node : one.nodes) is_driven[node.value] = 1;
+std::vector<NodeIndex> all_nodes(const Mesh& mesh, std::span<const PrescribedMotion> motions) {
+  std::vector<std::uint8_t> is_constrained(mesh.n_nodes(), 0);
+  for (const PrescribedMotion& motion : motions) {
+    for (const NodeIndex node : motion.nodes) is_constrained[node.value] = 1;
   }
   std::vector<NodeIndex> nodes;
-  for (std::uint32_t i = 0; i < is_driven.size(); ++i) {
-    if (is_driven[i] != 0) nodes.push_back({i});
+  for (std::uint32_t i = 0; i < is_constrained.size(); ++i) {
+    if (is_constrained[i] != 0) nodes.push_back({i});
   }
   return nodes;
 }
@@ -47,18 +47,18 @@ Eigen::Matrix3d projection_on_free(const Eigen::Matrix3d& taken) {
 
 }  // namespace
 
-Kinematics::Kinematics(const Mesh& mesh, std::vector<DrivenNodes> driven)
-    : mesh_(&mesh), driven_(std::move(driven)), nodes_(all_nodes(mesh, driven_)) {}
+KinematicConstraints::KinematicConstraints(const Mesh& mesh, std::vector<PrescribedMotion> motions)
+    : mesh_(&mesh), motions_(std::move(motions)), nodes_(all_nodes(mesh, motions_)) {}
 
-std::vector<NodeIndex> Kinematics::never_free() const {
+std::vector<NodeIndex> KinematicConstraints::never_free() const {
   std::vector<std::uint8_t> axes(mesh_ != nullptr ? mesh_->n_nodes() : 0, 0);
-  for (const DrivenNodes& driven : driven_) {
-    const auto* components = std::get_if<Components>(&driven.direction);
-    if (components == nullptr || !(driven.times == ActiveTimes{})) continue;
+  for (const PrescribedMotion& motion : motions_) {
+    const auto* components = std::get_if<Components>(&motion.direction);
+    if (components == nullptr || !(motion.times == ActiveTimes{})) continue;
     std::uint8_t set = 0;
     for (unsigned i = 0; i < 3; ++i)
       set = static_cast<std::uint8_t>(set | (components->is_set[i] ? 1U << i : 0U));
-    for (const NodeIndex node : driven.nodes)
+    for (const NodeIndex node : motion.nodes)
       axes[node.value] = static_cast<std::uint8_t>(axes[node.value] | set);
   }
   std::vector<NodeIndex> nodes;
@@ -67,20 +67,20 @@ std::vector<NodeIndex> Kinematics::never_free() const {
   return nodes;
 }
 
-std::vector<std::uint8_t> Kinematics::find_active(double time) const {
+std::vector<std::uint8_t> KinematicConstraints::find_active(double time) const {
   std::vector<std::uint8_t> active;
-  for (const DrivenNodes& driven : driven_) active.push_back(driven.times.is_active(time) ? 1 : 0);
+  for (const PrescribedMotion& motion : motions_) active.push_back(motion.times.is_active(time) ? 1 : 0);
   return active;
 }
 
-std::vector<FreeDirections> Kinematics::find_free_directions(double time) const {
+std::vector<FreeDirections> KinematicConstraints::find_free_directions(double time) const {
   std::vector<Eigen::Matrix3d> taken(nodes_.size(), Eigen::Matrix3d::Zero());
-  for (const DrivenNodes& driven : driven_) {
-    if (!driven.times.is_active(time)) continue;
+  for (const PrescribedMotion& motion : motions_) {
+    if (!motion.times.is_active(time)) continue;
     auto place = nodes_.begin();
-    for (const NodeIndex node : driven.nodes) {
+    for (const NodeIndex node : motion.nodes) {
       place = std::lower_bound(place, nodes_.end(), node);
-      add_taken_directions(driven.direction, taken[static_cast<std::size_t>(place - nodes_.begin())]);
+      add_taken_directions(motion.direction, taken[static_cast<std::size_t>(place - nodes_.begin())]);
     }
   }
   std::vector<FreeDirections> free;
@@ -88,15 +88,15 @@ std::vector<FreeDirections> Kinematics::find_free_directions(double time) const 
   return free;
 }
 
-void Kinematics::constrain(const BetweenSteps& now, Eigen::Matrix3Xd& acceleration) const {
-  for (const DrivenNodes& driven : driven_) {
-    if (driven.times.is_active(now.time)) driven.set_acceleration(now, *mesh_, acceleration);
+void KinematicConstraints::constrain(const BetweenSteps& now, Eigen::Matrix3Xd& acceleration) const {
+  for (const PrescribedMotion& motion : motions_) {
+    if (motion.times.is_active(now.time)) motion.set_acceleration(now, *mesh_, acceleration);
   }
 }
 
-void Kinematics::constrain_velocity(const BetweenSteps& start, Eigen::Matrix3Xd& velocity) const {
-  for (const DrivenNodes& driven : driven_) {
-    if (driven.times.is_active(start.time)) driven.set_velocity(start, *mesh_, velocity);
+void KinematicConstraints::constrain_velocity(const BetweenSteps& start, Eigen::Matrix3Xd& velocity) const {
+  for (const PrescribedMotion& motion : motions_) {
+    if (motion.times.is_active(start.time)) motion.set_velocity(start, *mesh_, velocity);
   }
 }
 

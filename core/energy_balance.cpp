@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/node_work.hpp"
+#include "core/energy_balance.hpp"
 
 #include "core/threads.hpp"
 
@@ -24,20 +24,20 @@ struct GroupSums {
 
   /// Half steps are weighted with their sizes here.
   ///   half_behind  as half_before; at the start, which has none, half_after
-  NodeWork total(double half_before, double half_after, double half_behind) const {
-    NodeWork work;
-    work.kinetic = 0.5 * kinetic.sum();
-    work.conserved = 0.5 * conserved.sum();
-    work.unseen = 0.5 * half_behind * half_after * unseen.sum();
-    work.ended = {half_before * internal_ended.sum(), half_before * external_ended.sum(),
-                  half_before * contact_ended.sum()};
-    work.begun = {half_after * internal_begun.sum(), half_after * external_begun.sum(),
-                  half_after * contact_begun.sum()};
+  EnergyBalance total(double half_before, double half_after, double half_behind) const {
+    EnergyBalance balance;
+    balance.kinetic = 0.5 * kinetic.sum();
+    balance.conserved = 0.5 * conserved.sum();
+    balance.unseen = 0.5 * half_behind * half_after * unseen.sum();
+    balance.ended = {half_before * internal_ended.sum(), half_before * external_ended.sum(),
+                     half_before * contact_ended.sum()};
+    balance.begun = {half_after * internal_begun.sum(), half_after * external_begun.sum(),
+                     half_after * contact_begun.sum()};
     for (Eigen::Index i = 0; i < 3; ++i) {
-      work.momentum(i) = 0.0;
-      for (Eigen::Index k = i; k < group_size; k += 3) work.momentum(i) += momentum(k);
+      balance.momentum(i) = 0.0;
+      for (Eigen::Index k = i; k < group_size; k += 3) balance.momentum(i) += momentum(k);
     }
-    return work;
+    return balance;
   }
 };
 
@@ -70,7 +70,7 @@ class Completion {
     return (size_ + per_chunk - 1) / per_chunk;
   }
 
-  NodeWork complete_chunk(Eigen::Index chunk) {
+  EnergyBalance complete_chunk(Eigen::Index chunk) {
     GroupSums sums;
     const Eigen::Index first = chunk * groups_per_chunk * group_size;
     const Eigen::Index end = std::min(size_, first + groups_per_chunk * group_size);
@@ -124,33 +124,33 @@ Eigen::Vector3d reaction_at(const NodeMotion& nodes, NodeIndex node) {
 
 /// Work of the reactions, with the velocities already those of now.
 void add_reactions(const NodeMotion& nodes, std::span<const NodeIndex> held, const State& state,
-                   NodeWork& work) {
+                   EnergyBalance& balance) {
   const double half_before = 0.5 * state.dt, half_after = 0.5 * state.next_dt;
   for (const NodeIndex node : held) {
     const Eigen::Vector3d a = nodes.acceleration.col(node.value), v = nodes.velocity.col(node.value);
     const Eigen::Vector3d reaction = reaction_at(nodes, node);
-    work.ended.external += half_before * reaction.dot(v - half_before * a);
-    work.begun.external += half_after * reaction.dot(v + half_after * a);
+    balance.ended.external += half_before * reaction.dot(v - half_before * a);
+    balance.begun.external += half_after * reaction.dot(v + half_after * a);
   }
 }
 
-NodeWork complete_nodes(const NodeMotion& nodes, const State& state) {
+EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state) {
   Completion completion(nodes, state);
-  std::vector<NodeWork> parts(static_cast<std::size_t>(completion.n_chunks()));
+  std::vector<EnergyBalance> parts(static_cast<std::size_t>(completion.n_chunks()));
 #pragma omp parallel for schedule(static) num_threads(threads_for(nodes.velocity.size() / 3))
   for (std::int64_t i = 0; i < completion.n_chunks(); ++i)
     parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i);
-  NodeWork work;
-  work.momentum.setZero();
-  for (const NodeWork& part : parts) {
-    work.kinetic += part.kinetic;
-    work.conserved += part.conserved;
-    work.unseen += part.unseen;
-    work.momentum += part.momentum;
-    add(part.ended, work.ended);
-    add(part.begun, work.begun);
+  EnergyBalance balance;
+  balance.momentum.setZero();
+  for (const EnergyBalance& part : parts) {
+    balance.kinetic += part.kinetic;
+    balance.conserved += part.conserved;
+    balance.unseen += part.unseen;
+    balance.momentum += part.momentum;
+    add(part.ended, balance.ended);
+    add(part.begun, balance.begun);
   }
-  return work;
+  return balance;
 }
 
 NodeMotion turning_nodes(const Model& model, NodalRotations& rotations) {
@@ -170,21 +170,21 @@ Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeI
   return reaction_at({model.inertia, state.rotations.moments, state.rotations.acceleration, unused}, node);
 }
 
-NodeWork complete_velocities(const Model& model, State& state) {
+EnergyBalance complete_velocities(const Model& model, State& state) {
   const Eigen::Matrix3Xd& mass = model.rigid.empty() ? model.mass : model.rigid.free_mass;
   const NodeMotion moving{mass, state.forces, state.acceleration, state.velocity};
-  NodeWork work = complete_nodes(moving, state);
-  add_reactions(moving, model.kinematics.nodes(), state, work);
-  if (!state.rotations.exist()) return work;
+  EnergyBalance balance = complete_nodes(moving, state);
+  add_reactions(moving, model.kinematic_constraints.nodes(), state, balance);
+  if (!state.rotations.exist()) return balance;
   const NodeMotion turning = turning_nodes(model, state.rotations);
-  NodeWork of_turning = complete_nodes(turning, state);
-  add_reactions(turning, model.rotation_kinematics.nodes(), state, of_turning);
-  work.kinetic += of_turning.kinetic;
-  work.conserved += of_turning.conserved;
-  work.unseen += of_turning.unseen;
-  add(of_turning.ended, work.ended);
-  add(of_turning.begun, work.begun);
-  return work;
+  EnergyBalance rotational = complete_nodes(turning, state);
+  add_reactions(turning, model.rotation_constraints.nodes(), state, rotational);
+  balance.kinetic += rotational.kinetic;
+  balance.conserved += rotational.conserved;
+  balance.unseen += rotational.unseen;
+  add(rotational.ended, balance.ended);
+  add(rotational.begun, balance.begun);
+  return balance;
 }
 
 }  // namespace contactsim

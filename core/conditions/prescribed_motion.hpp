@@ -12,7 +12,7 @@
 
 namespace contactsim {
 
-/// A moment between two steps, as kinematic conditions see it.
+/// A time between two steps, as kinematic conditions see it.
 struct BetweenSteps {
   double time;                          ///< now [time]
   double dt_before;                     ///< of the step that ends now; 0 at the start [time]
@@ -20,7 +20,7 @@ struct BetweenSteps {
   const Eigen::Matrix3Xd& coordinates;  ///< [3 x n_nodes] now [length]
   /// [3 x n_nodes] at the middle of the step before; at the start, now [length/time].
   const Eigen::Matrix3Xd& velocity;
-  /// [3 x n_nodes] when rotations are driven: how far nodes have turned; the velocity is then angular [1]
+  /// [3 x n_nodes] when rotations are prescribed: how far nodes have turned; the velocity is then angular [1]
   const Eigen::Matrix3Xd* angle = nullptr;
 
   /// From the mesh to now [length], or how far the node has turned [1].
@@ -36,8 +36,8 @@ struct BetweenSteps {
 };
 
 /// What a kinematic condition does to its nodes.
-enum class Drive : std::uint8_t {
-  hold,          ///< keeps them where they are
+enum class MotionType : std::uint8_t {
+  fixed,         ///< keeps them where they are
   displacement,  ///< moves them to the mesh's position plus a value, about an axis turned by an angle
   velocity,      ///< about an axis: angular velocity
   acceleration   ///< about an axis: angular acceleration
@@ -46,8 +46,8 @@ enum class Drive : std::uint8_t {
 /// One kinematic condition, looked up and compiled. Along components or a unit vector the other directions
 /// stay free. About an axis nodes move on arcs: their distance from the axis is kept, motion along it is
 /// free.
-struct DrivenNodes {
-  Drive drive = Drive::hold;
+struct PrescribedMotion {
+  MotionType type = MotionType::fixed;
   Direction direction;
   /// [length], [length/time], [length/time^2]; about an axis radians for the length.
   ConditionFunction value{0.0};
@@ -55,11 +55,11 @@ struct DrivenNodes {
   std::vector<NodeIndex> nodes;  ///< ascending, each once
   ConditionLabel label;
 
-  /// Overwrites the driven parts of accelerations, such that the coming half step has the wanted velocity.
-  /// Throws SolveError when the value is not finite.
+  /// Overwrites the prescribed parts of accelerations, such that the coming half step has the wanted
+  /// velocity. Throws SolveError when the value is not finite.
   void set_acceleration(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& acceleration) const;
 
-  /// Overwrites the driven parts of velocities at the start. Accelerations drive no part of them; of
+  /// Overwrites the prescribed parts of velocities at the start. Accelerations prescribe no part of them; of
   /// displacements it is the mean over the first step. Throws SolveError when the value is not finite.
   ///   now  its velocity is not looked at
   void set_velocity(const BetweenSteps& now, const Mesh& mesh, Eigen::Matrix3Xd& velocity) const;

@@ -12,7 +12,7 @@
 namespace contactsim {
 
 /// All of a run that changes from step to step and that the next step builds on.
-struct RunMemory {
+struct Checkpoint {
   const Model& model;
   State& state;
   RunContact* contact;  ///< null without contact
@@ -23,6 +23,6 @@ struct RunMemory {
 
 /// Saves it, or restores it in a run of the same mesh, materials and contact. Throws FileError when the saved
 /// one is of another run.
-void archive(const RunMemory& memory, StateArchive& saved);
+void archive(const Checkpoint& checkpoint, StateArchive& saved);
 
 }  // namespace contactsim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/run_variables.hpp"
+#include "core/output/output_variables.hpp"
 
 #include <algorithm>
 
@@ -16,37 +16,37 @@ FieldShape shape_of(const StateVariable& variable) {
 }
 
 // Fills from the state of the materials. Each block's law keeps the variable at a place of its own.
-RunVariable::Fill fill_from_materials(std::vector<std::size_t> first_places, std::size_t n_components) {
+OutputVariable::Fill fill_from_materials(std::vector<std::size_t> first_places, std::size_t n_components) {
   return [first_places = std::move(first_places), n_components](
-             const OutputMoment& moment, const EntityRange& range, std::span<double> values) {
+             const OutputContext& context, const EntityRange& range, std::span<double> values) {
     for (std::size_t i = 0; i < range.count; ++i) {
       const std::size_t place = first_places[range.block];
       if (n_components == 6) {
-        const auto tensor = components_of_symmetric(material_tensor(moment, range, i, place));
+        const auto tensor = components_of_symmetric(material_tensor(context, range, i, place));
         std::copy(tensor.begin(), tensor.end(), values.begin() + static_cast<std::ptrdiff_t>(6 * i));
         continue;
       }
       for (std::size_t c = 0; c < n_components; ++c)
-        values[i * n_components + c] = material_value(moment, range, i, place + c);
+        values[i * n_components + c] = material_value(context, range, i, place + c);
     }
   };
 }
 
 }  // namespace
 
-RunVariables::RunVariables(const Model& model, std::vector<RunVariable> more) : model_(model) {
+OutputVariables::OutputVariables(const Model& model, std::vector<OutputVariable> more) : model_(model) {
   add_rows(global_output_rows());
   add_rows(nodal_output_rows());
   add_rows(element_output_rows());
   for (std::size_t block = 0; block < model.blocks.size(); ++block) add_material_variables(block);
-  for (RunVariable& variable : rigid_variables(model)) add(std::move(variable));
-  for (RunVariable& variable : more) add(std::move(variable));
+  for (OutputVariable& variable : rigid_variables(model)) add(std::move(variable));
+  for (OutputVariable& variable : more) add(std::move(variable));
 }
 
-void RunVariables::add_rows(std::span<const OutputRow> rows) {
+void OutputVariables::add_rows(std::span<const OutputRow> rows) {
   for (const OutputRow& row : rows) {
-    RunVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
-                         row.is_at_points,      /*in_blocks*/ {}, row.fill};
+    OutputVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
+                            row.is_at_points,      /*in_blocks*/ {}, row.fill};
     if (row.location == FieldLocation::element) {
       for (const ModelBlock& block : model_.blocks)
         variable.in_blocks.push_back(!row.is_of_shells || !block.thickness.empty() ? 1 : 0);
@@ -57,16 +57,16 @@ void RunVariables::add_rows(std::span<const OutputRow> rows) {
 }
 
 // Blocks whose materials remember the same thing share a variable, made for the first of them.
-void RunVariables::add_material_variables(std::size_t block) {
+void OutputVariables::add_material_variables(std::size_t block) {
   for (const StateVariable& own : state_of(model_.blocks[block].properties.law).variables) {
     if (find(FieldLocation::element, own.name) != nullptr) continue;
-    RunVariable variable{std::string(own.name),
-                         FieldLocation::element,
-                         shape_of(own),
-                         static_cast<int>(own.n_components),
-                         true,
-                         std::vector<std::uint8_t>(model_.blocks.size(), 0),
-                         {}};
+    OutputVariable variable{std::string(own.name),
+                            FieldLocation::element,
+                            shape_of(own),
+                            static_cast<int>(own.n_components),
+                            true,
+                            std::vector<std::uint8_t>(model_.blocks.size(), 0),
+                            {}};
     std::vector<std::size_t> first_places(model_.blocks.size(), 0);
     for (std::size_t b = block; b < model_.blocks.size(); ++b) {
       for (const StateVariable& other : state_of(model_.blocks[b].properties.law).variables) {
@@ -80,21 +80,21 @@ void RunVariables::add_material_variables(std::size_t block) {
   }
 }
 
-const RunVariable& RunVariables::add(RunVariable variable) {
+const OutputVariable& OutputVariables::add(OutputVariable variable) {
   variables_.push_back(std::move(variable));
   return variables_.back();
 }
 
-const RunVariable* RunVariables::find(FieldLocation location, std::string_view name) const {
-  const auto found = std::find_if(variables_.rbegin(), variables_.rend(), [&](const RunVariable& variable) {
-    return variable.location == location && variable.name == name;
-  });
+const OutputVariable* OutputVariables::find(FieldLocation location, std::string_view name) const {
+  const auto found = std::find_if(
+      variables_.rbegin(), variables_.rend(),
+      [&](const OutputVariable& variable) { return variable.location == location && variable.name == name; });
   return found == variables_.rend() ? nullptr : &*found;
 }
 
-std::vector<std::string> RunVariables::names(FieldLocation location) const {
+std::vector<std::string> OutputVariables::names(FieldLocation location) const {
   std::vector<std::string> names;
-  for (const RunVariable& variable : variables_) {
+  for (const OutputVariable& variable : variables_) {
     if (variable.location == location) names.push_back(variable.name);
   }
   return names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/node_work.hpp"
+#include "core/energy_balance.hpp"
 
 #include <omp.h>
 
@@ -50,21 +50,24 @@ TEST_CASE("velocities are brought to now, and work and energy are sums over the 
     Nodes nodes(n);
     const Eigen::Matrix3Xd before = nodes.state.velocity, a = nodes.state.acceleration;
     const Eigen::Matrix3Xd now = before + 0.125 * a, after = now + 0.25 * a, mass = nodes.model.mass;
-    const NodeWork work = complete_velocities(nodes.model, nodes.state);
+    const EnergyBalance balance = complete_velocities(nodes.model, nodes.state);
     CHECK(nodes.state.velocity == now);
-    CHECK(work.kinetic == Approx(0.5 * mass.cwiseProduct(now).cwiseProduct(now).sum()));
-    CHECK(work.conserved == Approx(0.5 * mass.cwiseProduct(after).cwiseProduct(before).sum()));
+    CHECK(balance.kinetic == Approx(0.5 * mass.cwiseProduct(now).cwiseProduct(now).sum()));
+    CHECK(balance.conserved == Approx(0.5 * mass.cwiseProduct(after).cwiseProduct(before).sum()));
     // Internal forces act on all; 0.5 half steps^2 mass acceleration^2.
-    CHECK(work.unseen == Approx(0.5 * 0.125 * 0.25 * mass.cwiseProduct(a).cwiseProduct(a).sum()));
-    CHECK((work.momentum - mass.cwiseProduct(now).rowwise().sum()).norm() < 1e-10 * static_cast<double>(n));
+    CHECK(balance.unseen == Approx(0.5 * 0.125 * 0.25 * mass.cwiseProduct(a).cwiseProduct(a).sum()));
+    CHECK((balance.momentum - mass.cwiseProduct(now).rowwise().sum()).norm() <
+          1e-10 * static_cast<double>(n));
     const NodalForces& forces = nodes.state.forces;
     const double margin = 1e-12 * static_cast<double>(n);  // round-off of n terms below 1
-    CHECK(work.ended.internal == Approx(0.125 * forces.internal.cwiseProduct(before).sum()).margin(margin));
-    CHECK(work.begun.internal == Approx(0.25 * forces.internal.cwiseProduct(after).sum()).margin(margin));
-    CHECK(work.ended.external == Approx(0.125 * forces.external.cwiseProduct(before).sum()).margin(margin));
-    CHECK(work.begun.external == Approx(0.25 * forces.external.cwiseProduct(after).sum()).margin(margin));
-    CHECK(work.ended.contact == Approx(0.125 * forces.contact.cwiseProduct(before).sum()).margin(margin));
-    CHECK(work.begun.contact == Approx(0.25 * forces.contact.cwiseProduct(after).sum()).margin(margin));
+    CHECK(balance.ended.internal ==
+          Approx(0.125 * forces.internal.cwiseProduct(before).sum()).margin(margin));
+    CHECK(balance.begun.internal == Approx(0.25 * forces.internal.cwiseProduct(after).sum()).margin(margin));
+    CHECK(balance.ended.external ==
+          Approx(0.125 * forces.external.cwiseProduct(before).sum()).margin(margin));
+    CHECK(balance.begun.external == Approx(0.25 * forces.external.cwiseProduct(after).sum()).margin(margin));
+    CHECK(balance.ended.contact == Approx(0.125 * forces.contact.cwiseProduct(before).sum()).margin(margin));
+    CHECK(balance.begun.contact == Approx(0.25 * forces.contact.cwiseProduct(after).sum()).margin(margin));
   }
 }
 
@@ -72,10 +75,10 @@ TEST_CASE("at the start the conserved energy is that of a step mirrored in time"
   Nodes nodes(9);
   nodes.state.dt = 0.0;
   const Eigen::Matrix3Xd now = nodes.state.velocity, a = nodes.state.acceleration;
-  const NodeWork work = complete_velocities(nodes.model, nodes.state);
+  const EnergyBalance balance = complete_velocities(nodes.model, nodes.state);
   CHECK(nodes.state.velocity == now);
   const Eigen::Matrix3Xd after = now + 0.25 * a, behind = now - 0.25 * a;
-  CHECK(work.conserved == Approx(0.5 * nodes.model.mass.cwiseProduct(after).cwiseProduct(behind).sum()));
+  CHECK(balance.conserved == Approx(0.5 * nodes.model.mass.cwiseProduct(after).cwiseProduct(behind).sum()));
 }
 
 TEST_CASE("the reaction is what mass times acceleration has beyond the forces", "[core][node_work]") {
@@ -91,10 +94,10 @@ TEST_CASE("work and energy have the same bits for any number of threads", "[core
   const int n_threads = omp_get_max_threads();
   omp_set_num_threads(1);
   Nodes alone(50000);
-  const NodeWork one = complete_velocities(alone.model, alone.state);
+  const EnergyBalance one = complete_velocities(alone.model, alone.state);
   omp_set_num_threads(3);
   Nodes many(50000);
-  const NodeWork three = complete_velocities(many.model, many.state);
+  const EnergyBalance three = complete_velocities(many.model, many.state);
   omp_set_num_threads(n_threads);
   CHECK(one.kinetic == three.kinetic);
   CHECK(one.conserved == three.conserved);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/variable_pick.hpp"
+#include "core/output/variable_selection.hpp"
 
 #include <fmt/format.h>
 
@@ -27,15 +27,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 7> foreign_v
 }};
 
 // What may have been meant by a name that is not known: "" when nothing comes to mind.
-std::string hint_at(const RunVariables& variables, const std::string& name,
+std::string hint_at(const OutputVariables& variables, const std::string& name,
                     std::span<const FieldLocation> locations) {
   for (const auto& [foreign, hint] : foreign_variables) {
     if (name == foreign) return std::string(hint);
   }
   std::vector<std::string> known;
   for (const FieldLocation location : locations) {
-    if (const auto pick = find_by_ending(variables, location, name))
-      return fmt::format("did you mean {}({})?", pick->variable->name, name.substr(name.rfind('_') + 1));
+    if (const auto selection = find_by_ending(variables, location, name))
+      return fmt::format("did you mean {}({})?", selection->variable->name, name.substr(name.rfind('_') + 1));
     const auto names = variables.names(location);
     known.insert(known.end(), names.begin(), names.end());
   }
@@ -43,9 +43,9 @@ std::string hint_at(const RunVariables& variables, const std::string& name,
 }
 
 // What is wrong with one reference.
-class PickProblem {
+class SelectionProblem {
  public:
-  PickProblem(const VariableReference& reference, Diagnostics& diagnostics)
+  SelectionProblem(const VariableReference& reference, Diagnostics& diagnostics)
       : name_(reference.name), diagnostics_(diagnostics) {}
 
   void add(std::string text, std::string hint = "") {
@@ -53,7 +53,7 @@ class PickProblem {
                              static_cast<int>(name_.text.size()));
   }
 
-  void add_unknown(const RunVariables& variables, std::optional<FieldLocation> wanted) {
+  void add_unknown(const OutputVariables& variables, std::optional<FieldLocation> wanted) {
     const std::string canonical = canonical_variable_name(name_.text);
     for (const FieldLocation location : all_locations) {
       if (!wanted || location == *wanted || variables.find(location, canonical) == nullptr) continue;
@@ -72,16 +72,16 @@ class PickProblem {
   Diagnostics& diagnostics_;
 };
 
-const RunVariable* find_variable(const RunVariables& variables, std::optional<FieldLocation> wanted,
-                                 const std::string& name) {
+const OutputVariable* find_variable(const OutputVariables& variables, std::optional<FieldLocation> wanted,
+                                    const std::string& name) {
   if (wanted) return variables.find(*wanted, name);
   for (const FieldLocation location : all_locations) {
-    if (const RunVariable* found = variables.find(location, name)) return found;
+    if (const OutputVariable* found = variables.find(location, name)) return found;
   }
   return nullptr;
 }
 
-std::string list_components(const RunVariable& variable) {
+std::string list_components(const OutputVariable& variable) {
   if (variable.shape == FieldShape::scalar) return "it has one component";
   std::string list = "its components are";
   for (int c = 0; c < variable.n_components; ++c)
@@ -89,35 +89,35 @@ std::string list_components(const RunVariable& variable) {
   return list;
 }
 
-bool has_point(const RunVariable& variable, const Model& model, std::size_t point) {
+bool has_point(const OutputVariable& variable, const Model& model, std::size_t point) {
   for (std::size_t b = 0; b < model.blocks.size(); ++b) {
-    if (VariablePick{&variable, {}, point}.is_in_block(model, b)) return true;
+    if (VariableSelection{&variable, {}, point}.is_in_block(model, b)) return true;
   }
   return false;
 }
 
 // One piece of a range, small enough for the cache.
-void fill_piece(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+void fill_piece(const VariableSelection& selection, const OutputContext& context, const EntityRange& range,
                 std::span<double> values) {
-  if (!pick.component) {
-    pick.variable->fill(moment, range, values);
+  if (!selection.component) {
+    selection.variable->fill(context, range, values);
     return;
   }
-  const auto n_components = static_cast<std::size_t>(pick.variable->n_components);
+  const auto n_components = static_cast<std::size_t>(selection.variable->n_components);
   std::vector<double> all(range.count * n_components);
-  pick.variable->fill(moment, range, all);
-  for (std::size_t i = 0; i < range.count; ++i) values[i] = all[i * n_components + *pick.component];
+  selection.variable->fill(context, range, all);
+  for (std::size_t i = 0; i < range.count; ++i) values[i] = all[i * n_components + *selection.component];
 }
 
 }  // namespace
 
-bool VariablePick::is_in_block(const Model& model, std::size_t block) const {
+bool VariableSelection::is_in_block(const Model& model, std::size_t block) const {
   if (variable->in_blocks[block] == 0) return false;
   const std::size_t n_points = variable->is_at_points ? model.blocks[block].layout.n_points : 1;
   return !point || *point < n_points;
 }
 
-std::optional<std::size_t> find_component(const RunVariable& variable, std::string_view text) {
+std::optional<std::size_t> find_component(const OutputVariable& variable, std::string_view text) {
   // The tensor is symmetric.
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> mirrored{
       {{"yx", "xy"}, {"zy", "yz"}, {"xz", "zx"}}};
@@ -136,15 +136,15 @@ std::optional<std::size_t> find_component(const RunVariable& variable, std::stri
   return static_cast<std::size_t>(number) - 1;
 }
 
-std::optional<VariablePick> find_by_ending(const RunVariables& variables, FieldLocation location,
-                                           const std::string& name) {
+std::optional<VariableSelection> find_by_ending(const OutputVariables& variables, FieldLocation location,
+                                                const std::string& name) {
   const std::size_t end = name.rfind('_');
   if (end == std::string::npos) return std::nullopt;
-  const RunVariable* whole = variables.find(location, canonical_variable_name(name.substr(0, end)));
+  const OutputVariable* whole = variables.find(location, canonical_variable_name(name.substr(0, end)));
   if (whole == nullptr) return std::nullopt;
   const auto component = find_component(*whole, std::string_view(name).substr(end + 1));
   if (!component) return std::nullopt;
-  return VariablePick{whole, component, {}};
+  return VariableSelection{whole, component, {}};
 }
 
 std::optional<FieldLocation> to_field_location(VariableLocation location) {
@@ -154,47 +154,49 @@ std::optional<FieldLocation> to_field_location(VariableLocation location) {
   return std::nullopt;
 }
 
-std::optional<VariablePick> find_pick(const RunVariables& variables, VariableLocation location,
-                                      const VariableReference& reference, Diagnostics& diagnostics) {
-  PickProblem problem(reference, diagnostics);
+std::optional<VariableSelection> find_selection(const OutputVariables& variables, VariableLocation location,
+                                                const VariableReference& reference,
+                                                Diagnostics& diagnostics) {
+  SelectionProblem problem(reference, diagnostics);
   const auto wanted = to_field_location(location);
   if (!wanted && location != VariableLocation::any) {
     problem.add(fmt::format("'{}': variables of edges, faces and sets are not written", reference.name.text));
     return std::nullopt;
   }
-  VariablePick pick;
-  pick.variable = find_variable(variables, wanted, canonical_variable_name(reference.name.text));
-  if (pick.variable == nullptr) {
+  VariableSelection selection;
+  selection.variable = find_variable(variables, wanted, canonical_variable_name(reference.name.text));
+  if (selection.variable == nullptr) {
     problem.add_unknown(variables, wanted);
     return std::nullopt;
   }
   if (!reference.component.empty()) {
-    pick.component = find_component(*pick.variable, reference.component);
-    if (!pick.component) {
+    selection.component = find_component(*selection.variable, reference.component);
+    if (!selection.component) {
       problem.add(fmt::format("{} has no component '{}'", reference.name.text, reference.component),
-                  list_components(*pick.variable));
+                  list_components(*selection.variable));
       return std::nullopt;
     }
   }
-  if (!reference.integration_point || pick.variable->location != FieldLocation::element) return pick;
-  pick.point = static_cast<std::size_t>(*reference.integration_point - 1);
-  if (has_point(*pick.variable, variables.model(), *pick.point)) return pick;
+  if (!reference.integration_point || selection.variable->location != FieldLocation::element)
+    return selection;
+  selection.point = static_cast<std::size_t>(*reference.integration_point - 1);
+  if (has_point(*selection.variable, variables.model(), *selection.point)) return selection;
   problem.add(
       fmt::format("{} has no integration point {}", reference.name.text, *reference.integration_point));
   return std::nullopt;
 }
 
-void fill(const VariablePick& pick, const OutputMoment& moment, const EntityRange& range,
+void fill(const VariableSelection& selection, const OutputContext& context, const EntityRange& range,
           std::span<double> values) {
   constexpr std::size_t piece_size = 1024;
-  const std::size_t n_components = pick.n_components();
+  const std::size_t n_components = selection.n_components();
   const auto n_pieces = static_cast<std::ptrdiff_t>((range.count + piece_size - 1) / piece_size);
 #pragma omp parallel for schedule(static) num_threads(threads_for(range.count))
   for (std::ptrdiff_t p = 0; p < n_pieces; ++p) {
     const std::size_t begin = static_cast<std::size_t>(p) * piece_size;
     const EntityRange piece{range.block, range.first + begin, std::min(piece_size, range.count - begin),
-                            pick.point};
-    fill_piece(pick, moment, piece, values.subspan(begin * n_components, piece.count * n_components));
+                            selection.point};
+    fill_piece(selection, context, piece, values.subspan(begin * n_components, piece.count * n_components));
   }
 }
 

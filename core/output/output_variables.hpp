@@ -14,8 +14,8 @@
 namespace contactsim {
 
 /// A variable that a run can write: of the table, of its materials, or made by its deck.
-struct RunVariable {
-  using Fill = std::function<void(const OutputMoment&, const EntityRange&, std::span<double> values)>;
+struct OutputVariable {
+  using Fill = std::function<void(const OutputContext&, const EntityRange&, std::span<double> values)>;
 
   std::string name;  ///< lower case
   FieldLocation location = FieldLocation::global;
@@ -28,18 +28,18 @@ struct RunVariable {
 };
 
 /// All variables of a run by location and name.
-class RunVariables {
+class OutputVariables {
  public:
   /// Those of the tables and of the model's materials, and more. The model must outlive them.
-  explicit RunVariables(const Model& model, std::vector<RunVariable> more = {});
+  explicit OutputVariables(const Model& model, std::vector<OutputVariable> more = {});
 
   const Model& model() const { return model_; }
 
   /// Adds a variable; it hides an earlier one of its name and location. The reference stays good.
-  const RunVariable& add(RunVariable variable);
+  const OutputVariable& add(OutputVariable variable);
 
   /// The variable of a name in lower case; null when there is none.
-  const RunVariable* find(FieldLocation location, std::string_view name) const;
+  const OutputVariable* find(FieldLocation location, std::string_view name) const;
 
   /// The names of a location, for suggestions.
   std::vector<std::string> names(FieldLocation location) const;
@@ -49,7 +49,7 @@ class RunVariables {
   void add_material_variables(std::size_t block);
 
   const Model& model_;
-  std::deque<RunVariable> variables_;
+  std::deque<OutputVariable> variables_;
 };
 
 }  // namespace contactsim

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/element_moment.hpp"
+#include "core/output/element_view.hpp"
 
 #include <Eigen/Geometry>
 #include <array>
@@ -22,20 +22,20 @@ double point_mean(const EntityRange& range, std::size_t n_points, Value value) {
   return sum / static_cast<double>(n_points);
 }
 
-double state_value(const OutputMoment& moment, const EntityRange& range, std::size_t i, std::size_t place) {
-  const StateLayout& layout = moment.model.blocks[range.block].layout;
+double state_value(const OutputContext& context, const EntityRange& range, std::size_t i, std::size_t place) {
+  const StateLayout& layout = context.model.blocks[range.block].layout;
   return point_mean(range, layout.n_points, [&](std::size_t point) {
-    return moment.state.blocks[range.block].at(layout, range.first + i, point * layout.point_size + place);
+    return context.state.blocks[range.block].at(layout, range.first + i, point * layout.point_size + place);
   });
 }
 
 // A tensor of the state along the global axes.
-Eigen::Matrix3d tensor_of(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+Eigen::Matrix3d tensor_of(const OutputContext& context, const EntityRange& range, std::size_t i,
                           std::size_t place) {
   std::array<double, 6> components{};
-  for (std::size_t c = 0; c < 6; ++c) components[c] = state_value(moment, range, i, place + c);
+  for (std::size_t c = 0; c < 6; ++c) components[c] = state_value(context, range, i, place + c);
   const Eigen::Matrix3d tensor = symmetric(components);
-  const ElementMoment element{moment, range, i};
+  const ElementView element{context, range, i};
   if (element.shape().family == Family::solid) return tensor;
   const Eigen::Matrix3d frame = element.frame();
   return frame.transpose() * tensor * frame;
@@ -59,19 +59,19 @@ Eigen::Matrix3d rate_of_line(const ElementVectors& x, const ElementVectors& v) {
 
 }  // namespace
 
-ElementVectors ElementMoment::gathered(const Eigen::Matrix3Xd& values) const {
+ElementVectors ElementView::gathered(const Eigen::Matrix3Xd& values) const {
   return gather(mesh_block().element_nodes(static_cast<std::uint32_t>(element())), values);
 }
 
-double ElementMoment::strain_energy() const {
-  return moment.state.blocks[range.block].at(block().layout, element(), block().layout.energy());
+double ElementView::strain_energy() const {
+  return context.state.blocks[range.block].at(block().layout, element(), block().layout.energy());
 }
 
-double ElementMoment::thickness_growth() const {
-  return moment.state.blocks[range.block].at(block().layout, element(), block().thickness_growth());
+double ElementView::thickness_growth() const {
+  return context.state.blocks[range.block].at(block().layout, element(), block().thickness_growth());
 }
 
-double ElementMoment::volume() const {
+double ElementView::volume() const {
   const ElementVectors x = coordinates();
   if (shape().family == Family::shell) return surface_area(shape(), x) * thickness();
   if (!block().element->has_material()) return 0.0;
@@ -79,8 +79,8 @@ double ElementMoment::volume() const {
   return solid_volume(x, volume_gradient(shape(), x));
 }
 
-Eigen::Matrix3d ElementMoment::deformation_gradient() const {
-  const ElementVectors start = gathered(moment.model.mesh->coordinates()), now = coordinates();
+Eigen::Matrix3d ElementView::deformation_gradient() const {
+  const ElementVectors start = gathered(context.model.mesh->coordinates()), now = coordinates();
   if (shape().family == Family::shell) {
     return now * surface_gradient(shape(), start).transpose() +
            (1.0 + thickness_growth()) * surface_normal(shape(), now) *
@@ -91,10 +91,10 @@ Eigen::Matrix3d ElementMoment::deformation_gradient() const {
   return now * gradient.transpose() / solid_volume(start, gradient);
 }
 
-Eigen::Matrix3d ElementMoment::log_strain() const { return contactsim::log_strain(deformation_gradient()); }
+Eigen::Matrix3d ElementView::log_strain() const { return contactsim::log_strain(deformation_gradient()); }
 
-Eigen::Matrix3d ElementMoment::rate_of_deformation() const {
-  const ElementVectors x = coordinates(), v = gathered(moment.state.velocity);
+Eigen::Matrix3d ElementView::rate_of_deformation() const {
+  const ElementVectors x = coordinates(), v = gathered(context.state.velocity);
   Eigen::Matrix3d l;
   if (shape().family == Family::shell) {
     const Eigen::Vector3d normal = surface_normal(shape(), x);
@@ -108,7 +108,7 @@ Eigen::Matrix3d ElementMoment::rate_of_deformation() const {
   return 0.5 * (l + l.transpose());
 }
 
-Eigen::Matrix3d ElementMoment::frame() const {
+Eigen::Matrix3d ElementView::frame() const {
   const ElementVectors x = coordinates();
   if (block().element->frame != nullptr) return block().element->frame(x);
   if (x.cols() != 2) return Eigen::Matrix3d::Identity();
@@ -117,27 +117,27 @@ Eigen::Matrix3d ElementMoment::frame() const {
   const StateLayout& layout = block().layout;
   for (std::size_t k = 0; k < layout.n_own; ++k) {
     t(static_cast<Eigen::Index>(k)) =
-        moment.state.blocks[range.block].at(layout, element(), layout.energy() - layout.n_own + k);
+        context.state.blocks[range.block].at(layout, element(), layout.energy() - layout.n_own + k);
   }
   Eigen::Matrix3d frame;
   frame << axis.transpose(), t.transpose(), axis.cross(t).transpose();
   return frame;
 }
 
-Eigen::Matrix3d stress_of(const OutputMoment& moment, const EntityRange& range, std::size_t i) {
-  const double life = moment.state.blocks[range.block].life_of(range.first + i);
+Eigen::Matrix3d stress_of(const OutputContext& context, const EntityRange& range, std::size_t i) {
+  const double life = context.state.blocks[range.block].life_of(range.first + i);
   if (life == 0.0) return Eigen::Matrix3d::Zero();
-  return life * tensor_of(moment, range, i, 0);
+  return life * tensor_of(context, range, i, 0);
 }
 
-double material_value(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+double material_value(const OutputContext& context, const EntityRange& range, std::size_t i,
                       std::size_t place) {
-  return state_value(moment, range, i, n_stresses + place);
+  return state_value(context, range, i, n_stresses + place);
 }
 
-Eigen::Matrix3d material_tensor(const OutputMoment& moment, const EntityRange& range, std::size_t i,
+Eigen::Matrix3d material_tensor(const OutputContext& context, const EntityRange& range, std::size_t i,
                                 std::size_t place) {
-  return tensor_of(moment, range, i, n_stresses + place);
+  return tensor_of(context, range, i, n_stresses + place);
 }
 
 }  // namespace contactsim

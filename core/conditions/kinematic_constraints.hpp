@@ -7,33 +7,33 @@
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
-#include "core/conditions/driven_nodes.hpp"
+#include "core/conditions/prescribed_motion.hpp"
 #include "core/mesh/indices.hpp"
 
 namespace contactsim {
 
-/// The directions in which a held or driven node may still be pushed.
+/// The directions in which a fixed or prescribed node may still be pushed.
 struct FreeDirections {
   NodeIndex node;
   Eigen::Matrix3d projection;  ///< on them; 0 of a node that is held along all axes [1]
 };
 
-/// The nodes that conditions hold or drive. Conditions act through the acceleration alone: it is set such
+/// The nodes whose motion conditions constrain. Conditions act through the acceleration alone: it is set such
 /// that the coming half step,
 ///   v(middle of the step after) = v(middle of the step before) + (dt_before + dt_after) / 2 * acceleration,
 /// has the velocity that the condition wants. A condition acts in the steps that begin in its active periods.
-class Kinematics {
+class KinematicConstraints {
  public:
-  /// Nothing is held or driven.
-  Kinematics() = default;
+  /// Nothing is constrained.
+  KinematicConstraints() = default;
   /// mesh    must outlive this
-  /// driven  no two of them drive one node in one direction at one time, unless both hold it
-  Kinematics(const Mesh& mesh, std::vector<DrivenNodes> driven);
+  /// motions  no two of them move one node in one direction at one time, unless both fix it
+  KinematicConstraints(const Mesh& mesh, std::vector<PrescribedMotion> motions);
 
   /// The nodes that any condition may act on, ascending, each once.
   std::span<const NodeIndex> nodes() const { return nodes_; }
 
-  /// Those that are held or driven along all three axes all the time, ascending.
+  /// Those that are fixed or prescribed along all three axes all the time, ascending.
   std::vector<NodeIndex> never_free() const;
 
   /// Which conditions act in the step that begins now [n_conditions].
@@ -43,20 +43,20 @@ class Kinematics {
   /// They change only with find_active().
   std::vector<FreeDirections> find_free_directions(double time) const;
 
-  /// Overwrites the accelerations of what is held or driven now. Throws SolveError when a condition has no
-  /// finite value.
+  /// Overwrites the accelerations of what is fixed or prescribed now. Throws SolveError when a condition has
+  /// no finite value.
   ///   acceleration  [3 x n_nodes] of free motion [length/time^2]
   void constrain(const BetweenSteps& now, Eigen::Matrix3Xd& acceleration) const;
 
-  /// Overwrites the velocities at the start of what is held or driven then, so that no node starts with a
-  /// jump. Throws SolveError when a condition has no finite value.
+  /// Overwrites the velocities at the start of what is fixed or prescribed then, so that no node starts with
+  /// a jump. Throws SolveError when a condition has no finite value.
   ///   start     dt_after is the first step, or what it is thought to be; the velocity is not looked at
   ///   velocity  [3 x n_nodes] that the initial conditions gave [length/time]
   void constrain_velocity(const BetweenSteps& start, Eigen::Matrix3Xd& velocity) const;
 
  private:
   const Mesh* mesh_ = nullptr;
-  std::vector<DrivenNodes> driven_;
+  std::vector<PrescribedMotion> motions_;
   std::vector<NodeIndex> nodes_;
 };
 
@@ -64,19 +64,20 @@ class Kinematics {
 /// that drive one node in one direction at one time. Holding a node twice is no error. Nodes of
 /// rigid bodies are left out, with a warning when not all nodes of the body are named. Throws FileError when
 /// the mesh file cannot be read.
-Kinematics make_kinematics(const ConditionScope& scope);
+KinematicConstraints make_kinematic_constraints(const ConditionScope& scope);
 
 /// Compiles those on the places and on the rotations of rigid bodies, whose nodes the two functions around
 /// these leave out: a condition acts on the bodies of which it names all nodes, at their centres. Its nodes
-/// are the bodies. Errors: as make_kinematics, and values that are read from the mesh. Nothing without rigid
-/// bodies in the scope.
-Kinematics make_body_kinematics(const ConditionScope& scope);
-Kinematics make_body_rotation_kinematics(const ConditionScope& scope);
+/// are the bodies. Errors: as make_kinematic_constraints, and values that are read from the mesh. Nothing
+/// without rigid bodies in the scope.
+KinematicConstraints make_body_constraints(const ConditionScope& scope);
+KinematicConstraints make_body_rotation_constraints(const ConditionScope& scope);
 
 /// Compiles those on how nodes turn; an axis counts as its direction. Nodes without rotations, those of
-/// solids alone, are left out. Errors: as make_kinematics, and prescribed rotations that are left without
-/// nodes; such fixed rotations are ignored with a warning. Throws FileError.
-///   inertia  [3 x n_nodes] lumped, least_mass where nothing turns; 3 x 0 when no node turns [mass length^2]
-Kinematics make_rotation_kinematics(const ConditionScope& scope, const Eigen::Matrix3Xd& inertia);
+/// solids alone, are left out. Errors: as make_kinematic_constraints, and prescribed rotations that are left
+/// without nodes; such fixed rotations are ignored with a warning. Throws FileError.
+///   inertia  [3 x n_nodes] lumped, minimum_nodal_mass where nothing turns; 3 x 0 when no node turns
+///            [mass length^2]
+KinematicConstraints make_rotation_constraints(const ConditionScope& scope, const Eigen::Matrix3Xd& inertia);
 
 }  // namespace contactsim
