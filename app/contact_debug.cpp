@@ -29,21 +29,22 @@ std::string format_places_csv(const ContactForce& force, const ContactModel& con
       "first,second,first_element,first_side,first_node,second_element,second_side,gap,area,normal_force,"
       "tangential_x,tangential_y,tangential_z\n");
   const auto face_of = [&](std::uint32_t face, bool is_edge) {
-    const ElementSide side = is_edge ? force.faces().edges[face].side : force.faces().faces[face].side;
+    const ElementSide side =
+        is_edge ? force.contact_mesh().edges[face].side : force.contact_mesh().faces[face].side;
     return fmt::format("{},{}", mesh.element_id(side.element()), side.side());
   };
   const auto& surfaces = contact.surfaces.surfaces;
-  for (const ContactRecord& place : force.points()) {
+  for (const ContactPoint& place : force.points()) {
     const SurfacePair& pair = contact.pairs[place.pair];
     const bool is_node = place.first.is_node() && !place.is_of_edges;
     const bool is_rigid = place.second.weights.isZero(0.0);
-    const std::int64_t node = mesh.node_id({force.faces().mesh_nodes[place.first.nodes[0]]});
+    const std::int64_t node = mesh.node_id({force.contact_mesh().mesh_nodes[place.first.nodes[0]]});
     fmt::format_to(out, "{},{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n",
                    surfaces[place.is_swapped ? pair.second : pair.first].name,
                    surfaces[place.is_swapped ? pair.first : pair.second].name,
-                   is_node ? "," : face_of(place.first_place, place.is_of_edges),
+                   is_node ? "," : face_of(place.first_entity, place.is_of_edges),
                    is_node ? fmt::to_string(node) : "",
-                   is_rigid ? "," : face_of(place.second_place, place.is_of_edges), place.gap, place.area,
+                   is_rigid ? "," : face_of(place.second_entity, place.is_of_edges), place.gap, place.area,
                    place.force, place.tangential[0], place.tangential[1], place.tangential[2]);
   }
   return fmt::to_string(text);

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/pluralize.hpp"
-#include "contact/friction_words.hpp"
+#include "contact/interface_law_checks.hpp"
 
 namespace contactsim {
 
@@ -23,8 +23,8 @@ struct TiedArea {
 
 std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact) {
   std::vector<TiedArea> areas(contact.pairs.size());
-  for (std::size_t i = 0; i < force.held().size(); ++i) {
-    const HeldPlace& tie = force.held()[i];
+  for (std::size_t i = 0; i < force.interface_constraints().size(); ++i) {
+    const InterfaceConstraint& tie = force.interface_constraints()[i];
     ++areas[tie.pair].n_ties;
     areas[tie.pair].area += tie.area;
   }
@@ -48,23 +48,23 @@ struct TiedSide {
 /// Counts what ties of a pair hold of one of its surfaces: of NODE_FACE its nodes, else its faces.
 TiedSide count_tied(const ContactForce& force, std::uint32_t pair_index, const SurfacePair& pair,
                     std::uint32_t surface) {
-  const ContactFaces& faces = force.faces();
+  const ContactMesh& contact_mesh = force.contact_mesh();
   std::set<std::uint32_t> tied_faces, tied_nodes;
-  for (std::size_t i = 0; i < force.held().size(); ++i) {
-    const HeldPlace& tie = force.held()[i];
+  for (std::size_t i = 0; i < force.interface_constraints().size(); ++i) {
+    const InterfaceConstraint& tie = force.interface_constraints()[i];
     if (tie.pair != pair_index) continue;
-    if (tie.is_node) tied_nodes.insert(tie.first_place);
+    if (tie.is_node) tied_nodes.insert(tie.first_entity);
     if (tie.is_node) continue;
-    tied_faces.insert(tie.first_place);
-    tied_faces.insert(tie.second_place);
+    tied_faces.insert(tie.first_entity);
+    tied_faces.insert(tie.second_entity);
   }
   const auto count = [](const std::set<std::uint32_t>& tied, std::uint32_t begin, std::uint32_t end) {
     const auto first = tied.lower_bound(begin), last = tied.lower_bound(end);
     return TiedSide{static_cast<std::size_t>(std::distance(first, last)), end - begin, false};
   };
   if (pair.formulation == ConstraintFormulation::face_face)
-    return count(tied_faces, faces.first_face[surface], faces.first_face[surface + 1]);
-  TiedSide side = count(tied_nodes, faces.first_node[surface], faces.first_node[surface + 1]);
+    return count(tied_faces, contact_mesh.first_face[surface], contact_mesh.first_face[surface + 1]);
+  TiedSide side = count(tied_nodes, contact_mesh.first_node[surface], contact_mesh.first_node[surface + 1]);
   side.has_nodes = true;
   return side;
 }
@@ -103,14 +103,14 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
         fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(contact.pairs[i].law),
                     names_of(contact.pairs[i], contact), pluralize(areas[i].n_ties, "tie"), areas[i].area);
   }
-  const auto& faces = force.faces().faces;
+  const auto& faces = force.contact_mesh().faces;
   if (faces.empty()) return text;
   const auto by_stiffness = [](const ContactFace& a, const ContactFace& b) {
-    return a.backing.stiffness < b.backing.stiffness;
+    return a.penalty_properties.stiffness < b.penalty_properties.stiffness;
   };
   const auto [least, most] = std::minmax_element(faces.begin(), faces.end(), by_stiffness);
   return text + fmt::format("  automatic penalty behind the faces from {:.6g} to {:.6g} force/length^3\n",
-                            least->backing.stiffness, most->backing.stiffness);
+                            least->penalty_properties.stiffness, most->penalty_properties.stiffness);
 }
 
 void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
@@ -168,14 +168,14 @@ void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
 
 void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
   std::vector<std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
-  for (const ContactEdge& edge : force.faces().edges) {
+  for (const ContactEdge& edge : force.contact_mesh().edges) {
     if (!edge.is_particle() && !edge.is_sharp()) has_edges[edge.surface] = 1;
   }
   for (std::uint32_t i = 0; i < contact.pairs.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
     if (has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
     bool only_pushes = true, ties = false;
-    force.rules()[i].model.visit_models([&](const PlaceLaw& law) {
+    force.rules()[i].model.visit_models([&](const InterfaceLaw& law) {
       only_pushes = only_pushes && law.only_pushes();
       ties = ties || law.law == ContactLaw::tied;
     });
@@ -194,9 +194,9 @@ std::string format_contact(const ContactForce& contact) {
   const ContactSearch& search = contact.search();
   const BroadPhaseCounts &faces = search.face_counts(), &nodes = search.node_counts();
   std::string text = "\nContact search\n";
-  text += fmt::format("  {}, {}, {}\n", pluralize(contact.faces().faces.size(), "contact face"),
-                      pluralize(contact.faces().n_nodes(), "contact node"),
-                      pluralize(contact.held().size(), "tie"));
+  text += fmt::format("  {}, {}, {}\n", pluralize(contact.contact_mesh().faces.size(), "contact face"),
+                      pluralize(contact.contact_mesh().n_nodes(), "contact node"),
+                      pluralize(contact.interface_constraints().size(), "tie"));
   text += fmt::format("  {}: trees built {} and refitted {} times, {:.6g} candidates in all, {} at the end\n",
                       pluralize(search.n_searches(), "global search", "global searches"),
                       faces.builds + nodes.builds, faces.refits + nodes.refits,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/contact_model.hpp"
-#include "contact/living_surfaces.hpp"
+#include "contact/surface_tracker.hpp"
 #include "core/definition/death.hpp"
 #include "core/state.hpp"
 

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "app/pluralize.hpp"
-#include "contact/friction_words.hpp"
+#include "contact/interface_law_checks.hpp"
 
 namespace contactsim {
 
@@ -60,7 +60,7 @@ std::string format_chosen(const ContactModel& model, const std::function<bool(st
 }
 
 std::string format_start(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const PairStart> starts, std::size_t i) {
+                         std::span<const InitialGap> starts, std::size_t i) {
   const SurfacePair& pair = model.pairs[i];
   const SurfaceSummary &a = summaries[pair.first], &b = summaries[pair.second];
   return fmt::format(start_format, i + 1, model.surfaces.surfaces[pair.first].name,
@@ -104,7 +104,7 @@ std::string format_history(const ContactModel& model, const PairHistory& history
 }  // namespace
 
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const PairStart> starts) {
+                         std::span<const InitialGap> starts) {
   assert(starts.empty() || starts.size() == model.pairs.size());
   if (model.pairs.empty()) return "";
   const auto is_far = [&](std::size_t i) {

@@ -5,8 +5,8 @@
 
 namespace contactsim {
 
-/// A line at the foot of a terminal that says how far a run is and how long it will take. Where standard
-/// output is no terminal there is none of it.
+/// A line at the closest point of a terminal that says how far a run is and how long it will take. Where
+/// standard output is no terminal there is none of it.
 class Progress {
  public:
   /// The times of the run [time].

@@ -77,22 +77,23 @@ void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t
                                bool makes_new_edges) {
   makes_new_edges_ = makes_new_edges;
   Diagnostics discarded;  // reported when the model was made
-  ClaimRules rules(find_surface_requests(input_.definition, input_.region, mesh_, discarded), mesh_,
-                   input_.region.contact->subdomain);
+  OwnershipRules rules(find_surface_requests(input_.definition, input_.region, mesh_, discarded), mesh_,
+                       input_.region.contact->subdomain);
   living_.emplace(std::move(rules), faces, std::span<const std::uint8_t>{}, contact_.surfaces, erodes);
   free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
 }
 
-std::vector<SurfaceChange> RunContact::bury(const State& state, std::span<const ElementIndex> dead,
-                                            std::span<const std::uint8_t> alive) {
-  std::vector<SurfaceChange> changes = living_->bury(dead, contact_.surfaces);
+std::vector<SurfaceChange> RunContact::update_for_deaths(const State& state,
+                                                         std::span<const ElementIndex> dead,
+                                                         std::span<const std::uint8_t> alive) {
+  std::vector<SurfaceChange> changes = living_->update_for_deaths(dead, contact_.surfaces);
   const auto has_lost_lofts = [](const SurfaceChange& change) { return change.lofted_lost > 0; };
   if (std::ranges::any_of(changes, has_lost_lofts)) {
     Diagnostics discarded;
     make_lofts(input_.definition, input_.region, mesh_, contact_, discarded);
   }
   free_nodes_->add(dead, alive);
-  force_.take_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
+  force_.rebuild_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
   output_.renew();
   return changes;
 }

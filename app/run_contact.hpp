@@ -9,8 +9,8 @@
 #include "app/contact_debug.hpp"
 #include "app/transient.hpp"
 #include "contact/contact_output.hpp"
-#include "contact/free_nodes.hpp"
-#include "contact/living_surfaces.hpp"
+#include "contact/eroded_nodes.hpp"
+#include "contact/surface_tracker.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {
@@ -32,9 +32,9 @@ class RunContact {
   /// Takes deaths over into the surfaces. Returns what has changed in each [n_surfaces].
   ///   dead   elements that have just died, ascending
   ///   alive  [n_elements] 0 of all dead elements
-  std::vector<SurfaceChange> bury(const State& state, std::span<const ElementIndex> dead,
-                                  std::span<const std::uint8_t> alive);
-  std::size_t n_free_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
+  std::vector<SurfaceChange> update_for_deaths(const State& state, std::span<const ElementIndex> dead,
+                                               std::span<const std::uint8_t> alive);
+  std::size_t n_eroded_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
 
   /// Adds the contact variables and a side set contact_<surface> per surface.
   void add_to(OutputSettings& settings);
@@ -72,8 +72,8 @@ class RunContact {
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;
-  std::optional<LivingSurfaces> living_;  // only when elements may die
-  std::optional<FreeNodes> free_nodes_;
+  std::optional<SurfaceTracker> living_;  // only when elements may die
+  std::optional<ErodedNodes> free_nodes_;
   bool makes_new_edges_ = true;
   int n_runaway_steps_ = 0;  // on end
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/timed_force.hpp"
-#include "contact/ill_defined.hpp"
+#include "contact/degenerate_faces.hpp"
 
 namespace contactsim {
 
@@ -64,23 +64,23 @@ void RunDeath::begin(State& state) {
   for (std::uint32_t i = 0; i < mesh_.n_elements(); ++i) {
     if (deaths_.alive()[i] == 0) dead.push_back({i});
   }
-  if (!dead.empty()) bury(state, dead);
+  if (!dead.empty()) update_for_deaths(state, dead);
 }
 
-void RunDeath::bury(const State& state, std::span<const ElementIndex> dead) {
+void RunDeath::update_for_deaths(const State& state, std::span<const ElementIndex> dead) {
   parts_.external.take_off(deaths_.alive());
   if (parts_.contact == nullptr) return;
-  add(parts_.contact->bury(state, dead, deaths_.alive()), tally_.changes);
-  tally_.n_free = parts_.contact->n_free_nodes();
+  add(parts_.contact->update_for_deaths(state, dead, deaths_.alive()), tally_.changes);
+  tally_.n_free = parts_.contact->n_eroded_nodes();
 }
 
 void RunDeath::step(State& state) {
   const double begun = clock_seconds();
   std::vector<ElementIndex> ill_defined;
   if (parts_.contact != nullptr && deaths_.asks_for_ill_defined(state))
-    ill_defined = find_ill_defined(parts_.contact->force().faces(), state.coordinates);
+    ill_defined = find_degenerate_faces(parts_.contact->force().contact_mesh(), state.coordinates);
   const auto dead = deaths_.step(state, ill_defined);
-  if (!dead.empty()) bury(state, dead);
+  if (!dead.empty()) update_for_deaths(state, dead);
   tally_.n_died += dead.size();
   tally_.n_dead = deaths_.n_dead();
   tally_.n_dying = state.death.dying.size();

@@ -38,7 +38,7 @@ class RunDeath {
   double seconds() const { return seconds_; }
 
  private:
-  void bury(const State& state, std::span<const ElementIndex> dead);
+  void update_for_deaths(const State& state, std::span<const ElementIndex> dead);
   bool is_report_due(const State& state) const;
   std::string take_report(const State& state);
 

@@ -5,7 +5,7 @@
 #include "app/pair_report.hpp"
 #include "app/surface_report.hpp"
 #include "contact/contact_model.hpp"
-#include "contact/pair_starts.hpp"
+#include "contact/initial_gaps.hpp"
 #include "contact/surface_drawing.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "io/exodus_reader.hpp"
@@ -70,7 +70,7 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
   if (warnings.has_errors()) throw DeckError(warnings);
   check_elements(mesh, blocks_in_contact(model, mesh));
   const auto summaries = summarize(model, mesh);
-  const auto starts = find_pair_starts(model, mesh, region.contact->dash);
+  const auto starts = find_initial_gaps(model, mesh, region.contact->dash);
   log.write(format_surface_tables(model, summaries) + format_passed_over(model, mesh) +
             format_pairs(model, summaries, starts));
   add_surface_warnings(model.surfaces, warnings);

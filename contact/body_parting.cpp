@@ -53,22 +53,22 @@ BodyParting::BodyParting(const ContactModel& model, const Mesh& mesh, const Over
 }
 
 std::vector<DeepOverlap> BodyParting::find_deep(const Eigen::Matrix3Xd& coordinates,
-                                                const MovingSurface& surface) const {
-  std::vector<DeepOverlap> overlaps = deep_.find(coordinates, surface);
+                                                const ContactKinematics& kinematics) const {
+  std::vector<DeepOverlap> overlaps = deep_.find(coordinates, kinematics);
   std::erase_if(overlaps, [](const DeepOverlap& overlap) { return !overlap.is_deep; });
   return overlaps;
 }
 
 std::vector<BodyMove> BodyParting::find_moves(const Eigen::Matrix3Xd& coordinates,
-                                              const MovingSurface& surface,
+                                              const ContactKinematics& kinematics,
                                               std::span<const std::uint8_t> is_held) const {
-  const std::vector<DeepOverlap> overlaps = find_deep(coordinates, surface);
+  const std::vector<DeepOverlap> overlaps = find_deep(coordinates, kinematics);
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, Parting> partings;
   for (const DeepOverlap& overlap : overlaps) {
     const double most = model_.pairs[overlap.pair].overlap_normal_tolerance.value_or(overlap.depth);
     if (overlap.depth > most) continue;
-    const std::uint32_t own = body_of(parts_.faces.surface_nodes[overlap.row].node);
-    const std::uint32_t other = body_of(parts_.faces.faces[overlap.face].corners[0]);
+    const std::uint32_t own = body_of(parts_.contact_mesh.surface_nodes[overlap.row].node);
+    const std::uint32_t other = body_of(parts_.contact_mesh.faces[overlap.face].corners[0]);
     const double sign = own < other ? 1.0 : -1.0;
     Parting& parting = partings[{overlap.pair, std::min(own, other), std::max(own, other)}];
     parting.normals += sign * overlap.depth * overlap.normal;

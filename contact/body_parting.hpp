@@ -32,18 +32,21 @@ class BodyParting {
   ///   coordinates  [3 x n_nodes] of the mesh [length]
   ///   surface      the contact nodes there
   ///   is_held      [n_nodes] 0, held_fully or held_in_part; or empty
-  std::vector<BodyMove> find_moves(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface,
+  std::vector<BodyMove> find_moves(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
                                    std::span<const std::uint8_t> is_held) const;
 
   /// Nodes that lie deeper in another body than half an element.
-  std::vector<DeepOverlap> find_deep(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
+  std::vector<DeepOverlap> find_deep(const Eigen::Matrix3Xd& coordinates,
+                                     const ContactKinematics& kinematics) const;
 
   std::span<const NodeIndex> nodes_of(std::uint32_t body) const {
     return std::span(nodes_).subspan(begin_[body], begin_[body + 1] - begin_[body]);
   }
 
  private:
-  std::uint32_t body_of(std::uint32_t point) const { return deep_.bodies()[parts_.faces.mesh_nodes[point]]; }
+  std::uint32_t body_of(std::uint32_t point) const {
+    return deep_.bodies()[parts_.contact_mesh.mesh_nodes[point]];
+  }
 
   const ContactModel& model_;
   const OverlapParts& parts_;

@@ -13,7 +13,7 @@ double envelope(double normal, double tangential, double exponent) {
 }
 
 /// The law of one opening, visited by what holds.
-struct BondLaw {
+struct BondLawVisitor {
   double apart = 0.0, slip = 0.0;  ///< >= 0 [length]
   double area = 0.0, penalty = 0.0;
   BondHistory& history;
@@ -24,41 +24,42 @@ struct BondLaw {
     bool fails = false;
   };
 
-  Force operator()(const SpringHold& hold) const {
+  Force operator()(const SpringWeldLaw& bond_law) const {
     Force force;
-    force.normal = apart > 0.0 ? area * hold.normal.at(apart) : 0.0;
-    force.tangential = slip > 0.0 ? area * hold.tangential.at(slip) : 0.0;
-    force.stored = area * (hold.normal.integral(apart) + hold.tangential.integral(slip));
-    force.fails = envelope(apart / hold.normal.last(), slip / hold.tangential.last(), hold.exponent) >= 1.0;
+    force.normal = apart > 0.0 ? area * bond_law.normal.at(apart) : 0.0;
+    force.tangential = slip > 0.0 ? area * bond_law.tangential.at(slip) : 0.0;
+    force.stored = area * (bond_law.normal.integral(apart) + bond_law.tangential.integral(slip));
+    force.fails =
+        envelope(apart / bond_law.normal.last(), slip / bond_law.tangential.last(), bond_law.exponent) >= 1.0;
     return force;
   }
 
-  Force operator()(const ThreadHold& hold) const {
-    const double factor = hold.by_gap ? hold.by_gap_scale * hold.by_gap->evaluate(apart) : 1.0;
-    const double normal = apart > 0.0 ? hold.normal.at(apart) : 0.0;
-    const double tangential = slip > 0.0 ? factor * hold.tangential.at(slip) : 0.0;
+  Force operator()(const ThreadedJointLaw& bond_law) const {
+    const double factor = bond_law.by_gap ? bond_law.by_gap_scale * bond_law.by_gap->evaluate(apart) : 1.0;
+    const double normal = apart > 0.0 ? bond_law.normal.at(apart) : 0.0;
+    const double tangential = slip > 0.0 ? factor * bond_law.tangential.at(slip) : 0.0;
     Force force;
     force.normal = area * normal;
     force.tangential = area * tangential;
-    const double along = area * hold.tangential.integral(slip);
-    force.stored = area * hold.normal.integral(apart) + factor * along;
+    const double along = area * bond_law.tangential.integral(slip);
+    force.stored = area * bond_law.normal.integral(apart) + factor * along;
     // The threads let go as they open: the gap does no work on what the factor takes away.
     force.dissipated = history.tangential_energy * (history.gap_factor - factor);
     history.tangential_energy = along;
     history.gap_factor = factor;
-    force.fails = envelope(std::max(normal, 0.0) / hold.normal_capacity,
-                           std::abs(tangential) / hold.tangential_capacity, hold.exponent) >= 1.0;
+    force.fails = envelope(std::max(normal, 0.0) / bond_law.normal_capacity,
+                           std::abs(tangential) / bond_law.tangential_capacity, bond_law.exponent) >= 1.0;
     return force;
   }
 
-  Force operator()(const CohesiveHold& hold) const {
-    const double gn = hold.critical_normal, gt = hold.critical_tangential;
+  Force operator()(const CohesiveLaw& bond_law) const {
+    const double gn = bond_law.critical_normal, gt = bond_law.critical_tangential;
     const double lambda = std::hypot(apart / gn, slip / gt);
     const double stiffest = penalty * std::min(gn, gt * gt / gn);
     Force force;
     if (lambda > history.worst) {
       const double most = std::min(lambda, 1.0);
-      const double traction = std::min(hold.traction.at(most), stiffest * most);
+      const double traction = std::min(bond_law.traction.at(most), stiffest * most);
       // Between two lines to the origin lies what damage has taken.
       force.dissipated = 0.5 * gn * area * (history.worst_traction * most - traction * history.worst);
       history.worst = most;
@@ -73,35 +74,35 @@ struct BondLaw {
     return force;
   }
 
-  Force operator()(const WeldHold&) const { return {}; }
+  Force operator()(const WeldLaw&) const { return {}; }
 };
 
 struct Stiffness {
   double penalty = 0.0;
 
-  double operator()(const SpringHold& hold) const {
-    return std::max(hold.normal.steepest(), hold.tangential.steepest());
+  double operator()(const SpringWeldLaw& bond_law) const {
+    return std::max(bond_law.normal.steepest(), bond_law.tangential.steepest());
   }
-  double operator()(const ThreadHold& hold) const {
-    return std::max(hold.normal.steepest(), hold.tangential.steepest());
+  double operator()(const ThreadedJointLaw& bond_law) const {
+    return std::max(bond_law.normal.steepest(), bond_law.tangential.steepest());
   }
-  double operator()(const CohesiveHold& hold) const {
-    const double gn = hold.critical_normal, gt = hold.critical_tangential;
-    const double steepest =
-        hold.traction.at(0.0) > 0.0 ? std::numeric_limits<double>::infinity() : hold.traction.steepest();
+  double operator()(const CohesiveLaw& bond_law) const {
+    const double gn = bond_law.critical_normal, gt = bond_law.critical_tangential;
+    const double steepest = bond_law.traction.at(0.0) > 0.0 ? std::numeric_limits<double>::infinity()
+                                                            : bond_law.traction.steepest();
     const double slope = std::min(steepest, penalty * std::min(gn, gt * gt / gn));
     return slope * std::max(1.0 / gn, gn / (gt * gt));
   }
-  double operator()(const WeldHold&) const { return 0.0; }
+  double operator()(const WeldLaw&) const { return 0.0; }
 };
 
 }  // namespace
 
-BondAnswer answer(const Hold& hold, const Opening& opening, double area, double penalty,
+BondAnswer answer(const BondLaw& bond_law, const Opening& opening, double area, double penalty,
                   BondHistory& history) {
   const double slip = opening.slip.norm();
-  const BondLaw::Force force =
-      std::visit(BondLaw{std::max(opening.normal, 0.0), slip, area, penalty, history}, hold);
+  const BondLawVisitor::Force force =
+      std::visit(BondLawVisitor{std::max(opening.normal, 0.0), slip, area, penalty, history}, bond_law);
   BondAnswer found;
   found.normal = force.normal;
   if (slip > 0.0) found.tangential = force.tangential / slip * opening.slip;
@@ -111,8 +112,8 @@ BondAnswer answer(const Hold& hold, const Opening& opening, double area, double 
   return found;
 }
 
-double bond_stiffness(const Hold& hold, double area, double penalty) {
-  return area * std::visit(Stiffness{penalty}, hold);
+double bond_stiffness(const BondLaw& bond_law, double area, double penalty) {
+  return area * std::visit(Stiffness{penalty}, bond_law);
 }
 
 }  // namespace contactsim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/place_law.hpp"
+#include "contact/interface_law.hpp"
 #include "contact/ties.hpp"
 
 namespace contactsim {
@@ -29,16 +29,16 @@ struct BondHistory {
 };
 
 /// The law of a bond: what it answers to an opening. In compression only slip counts: contact pushes.
-///   area     of the place [length^2]; of laws in forces its share of one place [1]
+///   area     of the interface [length^2]; of laws in forces its share of one bond [1]
 ///   penalty  stiffest that a traction may begin with, per area [force/length^3]
-BondAnswer answer(const Hold& hold, const Opening& opening, double area, double penalty,
+BondAnswer answer(const BondLaw& bond_law, const Opening& opening, double area, double penalty,
                   BondHistory& history);
 
 /// The largest stiffness of a bond, for the stable step [force/length].
-double bond_stiffness(const Hold& hold, double area, double penalty);
+double bond_stiffness(const BondLaw& bond_law, double area, double penalty);
 
 /// A point of a face, or a node, bonded to a point of a face by tractions or forces of its opening.
-struct Bond : HeldPlace {
+struct Bond : InterfaceConstraint {
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();  ///< sum 1 [1]
   Eigen::Vector3d rest =
       Eigen::Vector3d::Zero();  ///< between the points at the start, axes of the second face
@@ -54,10 +54,10 @@ bool bond_faces(const MovingFace& first, const MovingFace& second, double tolera
 
 /// Forces of a bond; it takes over the history unless it is only looked at.
 ///   x  of the corners [length]
-TieForces step_bond(const Hold& hold, const TieVectors& x, Bond& bond);
+TieForces step_bond(const BondLaw& bond_law, const TieVectors& x, Bond& bond);
 
-/// The pull of a hold that has failed, as it fades: a straight line to nothing over some steps.
-struct FadingPlace : HeldPlace {
+/// The pull of a hold that has failed, as it decays: a straight line to nothing over some steps.
+struct DecayingConstraint : InterfaceConstraint {
   TieVectors forces = TieVectors::Zero();  ///< at failure, in axes of the second face [force]
   double stored = 0.0;                     ///< at failure [energy]
   std::int64_t n_steps = 1, n_done = 0;
@@ -65,14 +65,14 @@ struct FadingPlace : HeldPlace {
   bool is_over() const { return n_done >= n_steps; }
 };
 
-/// A place that has failed with these forces.
-FadingPlace make_fading(const HeldPlace& place, const TieForces& at_failure, const TieVectors& x,
-                        std::int64_t n_steps);
+/// A constraint that has failed with these forces.
+DecayingConstraint make_decaying(const InterfaceConstraint& constraint, const TieForces& at_failure,
+                                 const TieVectors& x, std::int64_t n_steps);
 /// Its forces now.
-TieForces find_fading_forces(const FadingPlace& place, const TieVectors& x);
+TieForces find_decaying_forces(const DecayingConstraint& constraint, const TieVectors& x);
 
 /// How far a tie of a weld is in its failure envelope: (N / normal)^2 + (T / tangential)^2, more than 1
 /// outside; N of tension only.
-double weld_envelope(const WeldHold& weld, const HeldPlace& place, const TieForces& forces);
+double weld_envelope(const WeldLaw& weld, const InterfaceConstraint& constraint, const TieForces& forces);
 
 }  // namespace contactsim

@@ -16,7 +16,7 @@ bool is_sound(const Box& box) {
 void divide(BoxTree& tree) {
   constexpr std::uint32_t n_parts = 64;
   tree.branches.clear();
-  tree.crown.clear();
+  tree.top_levels.clear();
   const std::uint32_t branch_size = tree.n_boxes() / n_parts + 1;
   std::vector<std::uint32_t> open(tree.nodes.empty() ? 0 : 1, 0u);
   while (!open.empty()) {
@@ -26,7 +26,7 @@ void divide(BoxTree& tree) {
     if (node.n_boxes <= branch_size) {
       tree.branches.push_back(i);
     } else {
-      tree.crown.push_back(i);
+      tree.top_levels.push_back(i);
       open.insert(open.end(), {node.link + 1, node.link});
     }
   }

@@ -75,8 +75,8 @@ struct SiblingAllocator {
 /// node stands together, from its first child on: 2 * n_boxes - 2 nodes.
 struct BoxTree {
   std::vector<BoxNode, SiblingAllocator<BoxNode>> nodes;  ///< [2 n - 1], the root first; empty without boxes
-  std::vector<std::uint32_t> branches;  ///< nodes whose subtrees are disjoint and hold all boxes
-  std::vector<std::uint32_t> crown;     ///< the nodes above the branches, parents first
+  std::vector<std::uint32_t> branches;    ///< nodes whose subtrees are disjoint and hold all boxes
+  std::vector<std::uint32_t> top_levels;  ///< the nodes above the branches, parents first
 
   /// How many boxes it is over.
   std::uint32_t n_boxes() const { return nodes.empty() ? 0 : nodes.front().n_boxes; }

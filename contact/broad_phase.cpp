@@ -62,9 +62,9 @@ std::unique_ptr<Tree> make_tree(std::span<const Box> boxes, std::span<const std:
 }
 
 /// Puts FCL's trees below a crown that halves the parts as split() did.
-class Grafting {
+class TopLevelTree {
  public:
-  Grafting(std::span<const std::unique_ptr<Tree>> trees, std::span<const Part> parts, BoxTree& made)
+  TopLevelTree(std::span<const std::unique_ptr<Tree>> trees, std::span<const Part> parts, BoxTree& made)
       : trees_(trees), parts_(parts), nodes_(made.nodes) {
     std::size_t n = 2 * parts.size() - 1;
     for (const Part& part : parts) n += 2 * part.size() - 2;
@@ -129,7 +129,7 @@ BoxTree make_box_tree(std::span<const Box> boxes) {
     const auto k = static_cast<std::size_t>(i);
     trees[k] = make_tree(boxes, parts[k]);
   }
-  Grafting(trees, parts, tree);
+  TopLevelTree(trees, parts, tree);
   divide(tree);
   refit(tree, [&](std::uint32_t i) { return boxes[i]; });
   return tree;

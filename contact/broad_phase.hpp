@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "contact/box_tree.hpp"
-#include "contact/fit_tree.hpp"
+#include "contact/bvh_pairs.hpp"
+#include "contact/bvh_refit.hpp"
 #include "contact/pair_lists.hpp"
-#include "contact/tree_pairs.hpp"
 
 namespace contactsim {
 
@@ -66,7 +66,7 @@ class BroadPhase {
   template <class Keep>
   void find_pairs(BroadPhase& partners, const Keep& keep, PairLists& lists) {
     assert(&partners != this);
-    const auto parts = find_tree_pairs<false>(tree_, partners.tree_, keep);
+    const auto parts = find_bvh_pairs<false>(tree_, partners.tree_, keep);
     list_pairs(parts, tree_.n_boxes(), lists);
     partners.note_effort(count_search(parts, lists.partners.size(), partners.tree_.n_boxes()));
   }
@@ -74,7 +74,7 @@ class BroadPhase {
   /// The same among these boxes, each pair once: partners have greater numbers than their row.
   template <class Keep>
   void find_pairs(const Keep& keep, PairLists& lists) {
-    const auto parts = find_tree_pairs<true>(tree_, tree_, keep);
+    const auto parts = find_bvh_pairs<true>(tree_, tree_, keep);
     list_pairs(parts, tree_.n_boxes(), lists);
     count_search(parts, lists.partners.size(), 0);
   }

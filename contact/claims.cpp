@@ -29,11 +29,11 @@ std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& list,
 
 /// Candidate faces of side sets, ascending.
 std::vector<std::uint32_t> faces_of_side_sets(const std::vector<std::uint32_t>& sets, const Mesh& mesh,
-                                              const Candidates& candidates) {
+                                              const SkinFaces& skin_faces) {
   std::vector<std::uint32_t> faces;
   for (const std::uint32_t set : sets) {
     for (const ElementSide side : mesh.side_sets()[set].sides) {
-      if (const auto face = candidates.find_face(side)) faces.push_back(*face);
+      if (const auto face = skin_faces.find_face(side)) faces.push_back(*face);
     }
   }
   sort_once(faces);
@@ -43,30 +43,30 @@ std::vector<std::uint32_t> faces_of_side_sets(const std::vector<std::uint32_t>& 
 }  // namespace
 
 std::vector<std::uint32_t> claimed_faces(const SurfaceRequest& request, const Mesh& mesh,
-                                         const Candidates& candidates) {
+                                         const SkinFaces& skin_faces) {
   std::vector<std::uint32_t> faces;
   for (const std::uint32_t index : request.blocks) {
-    const auto [first, last] = candidates.faces_of(mesh.blocks()[index]);
+    const auto [first, last] = skin_faces.faces_of(mesh.blocks()[index]);
     for (std::uint32_t face = first; face < last; ++face) {
-      if (candidates.is_exterior[face]) faces.push_back(face);
+      if (skin_faces.is_exterior[face]) faces.push_back(face);
     }
   }
   if (!request.side_sets.empty())
-    faces = joined(faces, faces_of_side_sets(request.side_sets, mesh, candidates));
+    faces = joined(faces, faces_of_side_sets(request.side_sets, mesh, skin_faces));
   if (!request.removed_side_sets.empty())
-    faces = without(faces, faces_of_side_sets(request.removed_side_sets, mesh, candidates));
+    faces = without(faces, faces_of_side_sets(request.removed_side_sets, mesh, skin_faces));
   return faces;
 }
 
 std::vector<std::uint32_t> claimed_lofted(const SurfaceRequest& request, const Mesh& mesh,
-                                          const Candidates& candidates) {
+                                          const SkinFaces& skin_faces) {
   std::vector<std::uint32_t> lofted, removed;
   for (const std::uint32_t index : request.blocks) {
-    const auto [first, last] = candidates.lofted_of(mesh.blocks()[index]);
+    const auto [first, last] = skin_faces.lofted_of(mesh.blocks()[index]);
     for (std::uint32_t element = first; element < last; ++element) lofted.push_back(element);
   }
   const auto add = [&](ElementIndex element, std::vector<std::uint32_t>& list) {
-    if (const auto found = candidates.find_lofted(element)) list.push_back(*found);
+    if (const auto found = skin_faces.find_lofted(element)) list.push_back(*found);
   };
   for (const ElementIndex element : request.elements) add(element, lofted);
   for (const std::uint32_t set : request.removed_side_sets) {

@@ -4,20 +4,20 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/candidates.hpp"
+#include "contact/skin_faces.hpp"
 #include "contact/surface_request.hpp"
 
 namespace contactsim {
 
 /// What a request claims, whoever owns it: skin faces of its blocks and faces of its side sets, less the
-/// faces of removed side sets. Positions in Candidates::faces, ascending, each once.
+/// faces of removed side sets. Positions in SkinFaces::faces, ascending, each once.
 std::vector<std::uint32_t> claimed_faces(const SurfaceRequest& request, const Mesh& mesh,
-                                         const Candidates& candidates);
+                                         const SkinFaces& skin_faces);
 
 /// Lofted elements of its blocks and its single elements, less the shells of removed side sets. Positions in
-/// Candidates::lofted, ascending, each once.
+/// SkinFaces::lofted, ascending, each once.
 std::vector<std::uint32_t> claimed_lofted(const SurfaceRequest& request, const Mesh& mesh,
-                                          const Candidates& candidates);
+                                          const SkinFaces& skin_faces);
 
 /// Nodes of a surface of nodes: of node sets as they are, of living sides (their corners) and of living
 /// elements. Ascending, each once.

@@ -26,8 +26,8 @@ std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, doubl
 
 }  // namespace
 
-std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceLook& look_1,
-                                             const FaceLook& look_2) {
+std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
+                                             const FaceOrientation& look_2) {
   const double size_1 = look_1.area.norm(), size_2 = look_2.area.norm();
   const double opposed = -look_1.area.dot(look_2.area), size = size_1 * size_2;
   if (!(opposed > -most_aside * size)) return std::nullopt;

@@ -12,13 +12,13 @@ namespace contactsim {
 inline constexpr double most_aside = -0.3;
 
 /// Which way a face looks, and what is around it.
-struct FaceLook {
+struct FaceOrientation {
   Eigen::Vector3d area;  ///< vector of any length, out of the element
   double sharpness =
       0.0;  ///< the angle that the surface turns by at the sharpest of the face's edges [degrees]
 };
 
-/// Two faces that look at each other, seen along the normal of a plane between them.
+/// Two faces that face each other, seen along the normal of a plane between them.
 struct CommonPlane {
   Eigen::Vector3d normal;         ///< unit, from the second face towards the first [1]
   Eigen::Vector3d across, along;  ///< unit vectors of the plane; across x along = normal [1]
@@ -30,13 +30,13 @@ struct CommonPlane {
 /// parallel that is the mean of their normals, the second one's turned round. Where they lean by more than 10
 /// to 30 degrees a sharp corner or edge meets something blunter: then it is the normal of the face with the
 /// blunter surroundings, along which a surface without friction pushes a corner. Nothing when the faces do
-/// not look at each other.
+/// not face each other.
 ///   first  corners of the first face
 /// Source: mean normals of Belytschko and Yeh, Comput. Methods Appl. Mech. Eng. 105 (1993), and Tribol's
 /// common plane. The rest is ours: corners that lie as deep as what they touch is wide keep their energy only
 /// when the push is along the derivative of the gap, and of an area that goes with the leaning face.
-std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceLook& look_1,
-                                             const FaceLook& look_2);
+std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
+                                             const FaceOrientation& look_2);
 
 /// A face in the coordinates of a common plane: rows across, along, normal [length].
 FaceCorners project(const FaceCorners& face, const CommonPlane& plane);

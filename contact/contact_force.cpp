@@ -6,10 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include "contact/make_place_laws.hpp"
+#include "contact/feature_edges.hpp"
+#include "contact/make_interface_laws.hpp"
 #include "contact/penalty.hpp"
 #include "contact/returned_energy.hpp"
-#include "contact/sharp_edges.hpp"
 #include "contact/start_depths.hpp"
 #include "core/errors.hpp"
 #include "core/minimum_nodal_mass.hpp"
@@ -42,44 +42,45 @@ PairRules make_rules(const ContactSetup& setup) {
 
 ContactForce::ContactForce(const ContactSetup& setup)
     : setup_(setup),
-      faces_(make_faces({})),
+      contact_mesh_(make_faces({})),
       times_(make_active_times(setup.definition.periods, setup.time_stepping_blocks)),
       rules_(make_rules(setup)),
-      surface_(faces_),
+      kinematics_(contact_mesh_),
       mobility_(setup.model),
-      search_(faces_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash,
+      search_(contact_mesh_, *setup.model.mesh, rules_, setup.definition.search, setup.definition.dash,
               setup.model.rigid.nodes.body_of),
-      face_face_(faces_, rules_.has_friction()),
-      node_face_(faces_),
-      edges_(faces_),
-      planes_(faces_, setup.contact.surfaces, setup.contact.planes, rules_),
-      sums_(faces_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
-            std::ranges::any_of(faces_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
+      face_face_(contact_mesh_, rules_.has_friction()),
+      node_face_(contact_mesh_),
+      edges_(contact_mesh_),
+      planes_(contact_mesh_, setup.contact.surfaces, setup.contact.planes, rules_),
+      assembler_(
+          contact_mesh_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
+          std::ranges::any_of(contact_mesh_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
       histories_(setup.contact.pairs.size()),
       least_energy_(setup.contact.pairs.size(), 0.0),
       stored_(setup.contact.pairs.size(), 0.0) {
-  surface_.turn_by(make_spins());
+  kinematics_.turn_by(make_spins());
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
   has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);
 }
 
 void ContactForce::find_candidates(const Motion& motion) {
-  surface_.bound_all();
+  kinematics_.bound_all();
   const std::vector<float> node_depths = node_face_.depths();
-  search_.find(surface_, motion,
+  search_.find(kinematics_, motion,
                {face_face_.next_candidates(), node_face_.candidates(), face_face_.depths(), node_depths});
   face_face_.take_candidates();
-  if (!faces_.edges.empty()) {
-    search_.find_edges(surface_, motion, edges_.next_candidates(), edges_.depths());
+  if (!contact_mesh_.edges.empty()) {
+    search_.find_edges(kinematics_, motion, edges_.next_candidates(), edges_.depths());
     edges_.take_candidates();
   }
-  surface_.watch(faces_with_candidates());
+  kinematics_.watch(faces_with_candidates());
   has_new_surfaces_ = false;
 }
 
 /// Faces of which something has to be known until the next search. A node looks at its own faces, too.
 std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
-  std::vector<std::uint8_t> is_watched(faces_.faces.size(), 0);
+  std::vector<std::uint8_t> is_watched(contact_mesh_.faces.size(), 0);
   const PairLists &of_faces = face_face_.candidates(), &of_nodes = node_face_.candidates();
   for (std::size_t row = 0; row < of_faces.n_rows(); ++row) {
     if (!of_faces.of(row).empty()) is_watched[row] = 1;
@@ -87,12 +88,13 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
   }
   for (std::size_t row = 0; row < of_nodes.n_rows(); ++row) {
     if (of_nodes.of(row).empty()) continue;
-    for (const std::uint32_t own : faces_.faces_of_node.of(faces_.surface_nodes[row].node))
+    for (const std::uint32_t own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
       is_watched[own] = 1;
     for (const std::uint32_t face : of_nodes.of(row)) {
       is_watched[face] = 1;
-      for (const std::uint32_t corner : faces_.faces[face].corners) {
-        for (const std::uint32_t neighbour : faces_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
+      for (const std::uint32_t corner : contact_mesh_.faces[face].corners) {
+        for (const std::uint32_t neighbour : contact_mesh_.faces_of_node.of(corner))
+          is_watched[neighbour] = 1;
       }
     }
   }
@@ -106,7 +108,7 @@ std::vector<std::uint32_t> ContactForce::faces_with_candidates() const {
 
 /// The mid surfaces of lofted shells, which turn the points of lofts.
 LoftSpins ContactForce::make_spins() const {
-  return {faces_.loft, static_cast<std::size_t>(setup_.model.mesh->coordinates().cols()),
+  return {contact_mesh_.loft, static_cast<std::size_t>(setup_.model.mesh->coordinates().cols()),
           setup_.model.rigid.nodes};
 }
 
@@ -114,166 +116,175 @@ LoftSpins ContactForce::make_spins() const {
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
   start_step_ = motion.stable_step;
-  limit_stiffness(surface_);
-  forget_start_depths(faces_);
+  limit_stiffness(kinematics_);
+  forget_start_depths(contact_mesh_);
   find_candidates(motion);
-  const ContactScene scene{surface_, rules_, glued_, motion.dt};
-  mark_close_places(scene, near_candidates(), rules_);
-  edges_.mark_close(scene, setup_.definition.dash.search_length_scaling, rules_);
-  held_.begin(scene, near_candidates(), glued_);
+  const ContactStepContext context{kinematics_, rules_, constrained_, motion.dt};
+  mark_close_pairs(context, near_candidates(), rules_);
+  edges_.mark_close(context, setup_.definition.dash.search_length_scaling, rules_);
+  interface_constraints_.begin(context, near_candidates(), constrained_);
 }
 
 NearCandidates ContactForce::near_candidates() const {
   return {face_face_.candidates(), node_face_.candidates(), setup_.definition.dash.search_length_scaling};
 }
 
-/// Finds places chunk by chunk on all threads. They are taken in order while other threads work on later
-/// chunks.
+/// Finds contact points chunk by chunk on all threads. They are taken in order while other threads work on
+/// later chunks.
 template <class Contacts, class Take>
-void ContactForce::visit_places(Contacts& contacts, const ContactScene& scene, const Take& take) {
+void ContactForce::visit_contact_points(Contacts& contacts, const ContactStepContext& context,
+                                        const Take& take) {
   const std::size_t n_rows = contacts.n_rows();
   const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
   const int n_threads = threads_for(n_rows * 10);
   chunks_.resize(std::max(chunks_.size(), static_cast<std::size_t>(n_threads)));
 #pragma omp parallel for ordered schedule(dynamic, 1) num_threads(n_threads)
   for (std::size_t i = 0; i < n_chunks; ++i) {
-    std::vector<ContactRecord>& records = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
-    records.clear();
-    contacts.find(scene, i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows), records);
+    std::vector<ContactPoint>& contact_points = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
+    contact_points.clear();
+    contacts.find(context, i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows), contact_points);
 #pragma omp ordered
-    for (const ContactRecord& record : records) take(record);
+    for (const ContactPoint& contact_point : contact_points) take(contact_point);
   }
 }
 
-/// Whether a place that touches is glued then.
-bool ContactForce::glues(const ContactRecord& record) const {
-  if (record.is_of_edges) return false;
-  const PairRule& rule = record.first.is_node()
-                             ? rules_.of_node(record.pair, record.first_place)
-                             : rules_.of_faces(record.pair, record.first_place, record.second_place);
+/// Whether a contact point that touches is glued then.
+bool ContactForce::glues(const ContactPoint& contact_point) const {
+  if (contact_point.is_of_edges) return false;
+  const PairRule& rule =
+      contact_point.first.is_node()
+          ? rules_.of_node(contact_point.pair, contact_point.first_entity)
+          : rules_.of_faces(contact_point.pair, contact_point.first_entity, contact_point.second_entity);
   return rule.law == ContactLaw::glued;
 }
 
 /// Adds a contact point whose forces are known to all sums.
-void ContactForce::add_to_sums(const ContactRecord& record) {
-  sums_.add(record);
-  if (record.gap < 0.0) sums_.note_penetration(record, thinner_side(record));
-  depths_.note(surface_, record);
+void ContactForce::add_to_sums(const ContactPoint& contact_point) {
+  assembler_.add(contact_point);
+  if (contact_point.gap < 0.0) assembler_.note_penetration(contact_point, thinner_side(contact_point));
+  depths_.note(kinematics_, contact_point);
 }
 
-std::span<const ContactRecord> ContactForce::find_node_places(const ContactScene& scene) {
-  node_places_.clear();
-  visit_places(node_face_, scene, [&](const ContactRecord& record) { node_places_.push_back(record); });
-  node_areas_.share_out(scene, node_places_);
-  return node_places_;
+std::span<const ContactPoint> ContactForce::find_node_points(const ContactStepContext& context) {
+  node_points_.clear();
+  visit_contact_points(node_face_, context,
+                       [&](const ContactPoint& contact_point) { node_points_.push_back(contact_point); });
+  node_areas_.share_out(context, node_points_);
+  return node_points_;
 }
 
-/// Takes all contact points of the pairs that the scene looks at, in their order. Returns those that are to
+/// Takes all contact points of the pairs that the context enforces, in their order. Returns those that are to
 /// be glued.
 template <class Take>
-std::vector<ContactRecord> ContactForce::visit_points(const ContactScene& scene, const Take& take) {
-  std::vector<ContactRecord> to_glue;
-  const auto take_one = [&](const ContactRecord& record) {
-    take(record);
-    if (record.is_met() && glues(record)) to_glue.push_back(record);
+std::vector<ContactPoint> ContactForce::visit_points(const ContactStepContext& context, const Take& take) {
+  std::vector<ContactPoint> to_glue;
+  const auto take_one = [&](const ContactPoint& contact_point) {
+    take(contact_point);
+    if (contact_point.is_met() && glues(contact_point)) to_glue.push_back(contact_point);
   };
-  visit_places(face_face_, scene, [&](const ContactRecord& record) {
-    take_one(record);
-    face_face_.note(record);
+  visit_contact_points(face_face_, context, [&](const ContactPoint& contact_point) {
+    take_one(contact_point);
+    face_face_.note(contact_point);
   });
-  for (const ContactRecord& record : find_node_places(scene)) take_one(record);
-  visit_places(edges_, scene, [&](const ContactRecord& record) {
-    take_one(record);
-    edges_.note(record);
+  for (const ContactPoint& contact_point : find_node_points(context)) take_one(contact_point);
+  visit_contact_points(edges_, context, [&](const ContactPoint& contact_point) {
+    take_one(contact_point);
+    edges_.note(contact_point);
   });
-  visit_places(planes_, scene, take_one);
+  visit_contact_points(planes_, context, take_one);
   return to_glue;
 }
 
 /// What each pair had at the start and has taken, without what it has lost. Laws that pull, ties and what
-/// fades keep books of their own.
+/// decays keep books of their own.
 std::span<const double> ContactForce::available_energy() {
   available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < available_.size(); ++i) {
     const PairRule& rule = rules_.rules()[i];
-    const bool is_simple = rule.law == ContactLaw::sliding && rule.place == nullptr &&
+    const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr &&
                            rule.far == PairRule::not_hybrid && !rule.model.is_variant();
     if (!is_simple || rule.is_balanced) continue;
     const double lost = histories_[i].work - stored_[i];
-    available_[i] = histories_[i].stored_at_start + sums_.taken()[i] - lost;
+    available_[i] = histories_[i].stored_at_start + assembler_.taken()[i] - lost;
     least_energy_[i] = std::min(least_energy_[i], available_[i]);
   }
   return available_;
 }
 
-void ContactForce::add_places(const ContactScene& scene) {
-  std::vector<ContactRecord> to_glue;
+void ContactForce::add_places(const ContactStepContext& context) {
+  std::vector<ContactPoint> to_glue;
   if (has_penalty_) {
-    to_glue = visit_points(scene, [&](const ContactRecord& record) { points_.push_back(record); });
-    if (scene.dt > 0.0)
-      limit_returned_energy(surface_, sums_.work(), available_energy(), least_energy_, points_);
-    for (const ContactRecord& point : points_) add_to_sums(point);
+    to_glue =
+        visit_points(context, [&](const ContactPoint& contact_point) { points_.push_back(contact_point); });
+    if (context.dt > 0.0)
+      limit_returned_energy(kinematics_, assembler_.work(), available_energy(), least_energy_, points_);
+    for (const ContactPoint& point : points_) add_to_sums(point);
   }
-  held_.step(scene, glued_, sums_);
-  for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
+  interface_constraints_.step(context, constrained_, assembler_);
+  for (const ContactPoint& contact_point : to_glue)
+    interface_constraints_.glue(context, contact_point, constrained_);
 }
 
-/// Bounds the eigenvalues of contact's stiffness over mass. Each place is a spring of stiffness k with the
-/// share w of it at each of its nodes; with s the sum of k w at a node, a place may have the share k w / s of
-/// the node's mass, which bounds all eigenvalues by the largest one of a single place: the mean of s / m over
-/// its first side and that over its second. The largest s / m of two surfaces take the place of the means.
-/// Points of lofts that hang on one node add up there, as do the nodes of a rigid body.
+/// Bounds the eigenvalues of contact's stiffness over mass. Each contact point is a spring of stiffness k
+/// with the share w of it at each of its nodes; with s the sum of k w at a node, a contact point may have the
+/// share k w / s of the node's mass, which bounds all eigenvalues by the largest one of a single contact
+/// point: the mean of s / m over its first side and that over its second. The largest s / m of two surfaces
+/// take the place of the means. Points of lofts that hang on one node add up there, as do the nodes of a
+/// rigid body.
 double ContactForce::largest_eigenvalue() {
-  if (points_.empty() && held_.forces().empty()) return 0.0;
+  if (points_.empty() && interface_constraints_.forces().empty()) return 0.0;
   slips_.assign(rules_.rules().size(), 0);
   for (std::size_t i = 0; i < slips_.size(); ++i) {
     const PairRule& rule = rules_.rules()[i];
-    slips_[i] = rule.friction > 0.0 || rule.place != nullptr || rule.far != PairRule::not_hybrid ? 1 : 0;
+    slips_[i] =
+        rule.friction > 0.0 || rule.interface_law != nullptr || rule.far != PairRule::not_hybrid ? 1 : 0;
   }
-  const auto node_rates = mobility_.find_rates(surface_, points_, held_.forces(), slips_);
+  const auto node_rates = mobility_.find_rates(kinematics_, points_, interface_constraints_.forces(), slips_);
   std::vector<double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
-  for (const SurfaceNode& node : faces_.surface_nodes) {
+  for (const SurfaceNode& node : contact_mesh_.surface_nodes) {
     double& rate = of_surface[node.surface];
     rate = std::max(rate, node_rates[node.node]);
   }
   double largest = 0.0;
   for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
     const SurfacePair& pair = setup_.contact.pairs[i];
-    if (sums_.pairs()[i].is_near)
+    if (assembler_.pairs()[i].is_near)
       largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);
   }
   return largest;
 }
 
 void ContactForce::write_forces(Eigen::Matrix3Xd& forces) {
-  const auto nodes = sums_.nodes();
-  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  const auto nodes = assembler_.nodes();
+  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
   // Several points of lofts may hang on one node of the mesh.
-  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i) forces.col(faces_.mesh_nodes[i]).setZero();
-#pragma omp parallel for schedule(static) num_threads(threads_for(n_mesh_points))
-  for (std::size_t i = 0; i < n_mesh_points; ++i) forces.col(faces_.mesh_nodes[i]) = nodes[i].head<3>();
   for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
-    forces.col(faces_.mesh_nodes[i]) += nodes[i].head<3>();
+    forces.col(contact_mesh_.mesh_nodes[i]).setZero();
+#pragma omp parallel for schedule(static) num_threads(threads_for(n_mesh_points))
+  for (std::size_t i = 0; i < n_mesh_points; ++i)
+    forces.col(contact_mesh_.mesh_nodes[i]) = nodes[i].head<3>();
+  for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
+    forces.col(contact_mesh_.mesh_nodes[i]) += nodes[i].head<3>();
   spread_moments(forces);
 }
 
 /// Calls visit(node, moment) for the moments of forces on points that stand off their nodes.
 template <class Visit>
 void ContactForce::visit_moments(const Visit& visit) const {
-  const std::size_t n_mesh_points = faces_.n_mesh_points();
-  const auto on_points = sums_.nodes().subspan(n_mesh_points);
+  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
+  const auto on_points = assembler_.nodes().subspan(n_mesh_points);
   for (std::size_t i = 0; i < on_points.size(); ++i) {
-    const Eigen::Vector3d arm = surface_.arms().col(static_cast<Eigen::Index>(i));
-    visit(faces_.loft.node(i), Eigen::Vector3d(arm.cross(on_points[i].head<3>())));
+    const Eigen::Vector3d arm = kinematics_.offsets().col(static_cast<Eigen::Index>(i));
+    visit(contact_mesh_.loft.node(i), Eigen::Vector3d(arm.cross(on_points[i].head<3>())));
   }
-  const auto of_balls = sums_.moments();
-  for (std::size_t i = 0; i < of_balls.size(); ++i) visit(faces_.mesh_nodes[i], of_balls[i]);
+  const auto of_balls = assembler_.moments();
+  for (std::size_t i = 0; i < of_balls.size(); ++i) visit(contact_mesh_.mesh_nodes[i], of_balls[i]);
 }
 
 /// Gives the moments on lofted shells to the nodes around.
 void ContactForce::spread_moments(Eigen::Matrix3Xd& forces) {
-  const LoftSpins& spins = surface_.spins();
+  const LoftSpins& spins = kinematics_.spins();
   spin_moments_.assign(spins.size(), Eigen::Vector3d::Zero());
   visit_moments([&](std::uint32_t node, const Eigen::Vector3d& moment) {
     if (const std::uint32_t spin = spins.find(node); spin != LoftSpins::none) spin_moments_[spin] += moment;
@@ -289,7 +300,7 @@ void ContactForce::spread_moments(Eigen::Matrix3Xd& forces) {
 
 void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
   moments.setZero();
-  const LoftSpins& spins = surface_.spins();
+  const LoftSpins& spins = kinematics_.spins();
   visit_moments([&](std::uint32_t node, const Eigen::Vector3d& moment) {
     const std::uint32_t spin = spins.find(node);
     // Particles and the nodes of trusses do not turn: the moment of friction on them is lost.
@@ -304,42 +315,44 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   for (const std::uint32_t node : std::exchange(left_, {})) forces.col(node).setZero();
   const bool have_conditions_changed = mobility_.update(motion.time);
   if (have_conditions_changed) {
-    surface_.hold(mobility_.free_directions());
+    kinematics_.hold(mobility_.free_directions());
     balance_.forget_mobility();
   }
-  surface_.step(motion);
+  kinematics_.step(motion);
   rules_.activate(motion.time, times_.is_active(motion.time));
-  if (have_conditions_changed && !is_first) limit_stiffness(surface_of_mesh(faces_, *setup_.model.mesh));
+  if (have_conditions_changed && !is_first)
+    limit_stiffness(kinematics_of_mesh(contact_mesh_, *setup_.model.mesh));
   if (is_first) {
     begin(motion);
   } else if (rules_.have_changed()) {
     find_candidates(motion);
-    held_.renew({surface_, rules_, glued_, motion.dt}, near_candidates(), glued_);
-  } else if (has_new_surfaces_ || search_.is_due(surface_)) {
+    interface_constraints_.renew({kinematics_, rules_, constrained_, motion.dt}, near_candidates(),
+                                 constrained_);
+  } else if (has_new_surfaces_ || search_.is_due(kinematics_)) {
     find_candidates(motion);
   } else if (has_penalty_) {
-    surface_.bound_watched();
+    kinematics_.bound_watched();
   }
-  sums_.begin_step();
+  assembler_.begin_step();
   points_.clear();
-  held_.begin_step();
-  sums_.begin_work(surface_, motion.dt);
-  depths_.begin_step(faces_.faces.size());
+  interface_constraints_.begin_step();
+  assembler_.begin_work(kinematics_, motion.dt);
+  depths_.begin_step(contact_mesh_.faces.size());
   face_face_.begin_step();
   node_face_.begin_step();
   edges_.begin_step();
-  add_places({surface_, rules_, glued_, motion.dt, motion.stable_step, &depths_});
+  add_places({kinematics_, rules_, constrained_, motion.dt, motion.stable_step, &depths_});
   write_forces(forces);
   if (is_first) {
-    set_start_depths(points_, faces_);
+    set_start_depths(points_, contact_mesh_);
     stored_at_start_ = stored();
     for (std::size_t i = 0; i < histories_.size(); ++i)
-      histories_[i].stored_at_start = sums_.pairs()[i].stored;
+      histories_[i].stored_at_start = assembler_.pairs()[i].stored;
   }
   if (!balances_) end_step(motion.time, motion.dt);
   ForceReport report;
-  report.friction_work = sums_.dissipated();
-  report.contact_damping_work = sums_.damped();
+  report.friction_work = assembler_.dissipated();
+  report.contact_damping_work = assembler_.damped();
   // Eigenvalues of stiffness over mass add up at most: that of the elements, 4 / dt^2, and contact's.
   const double eigenvalue = largest_eigenvalue();
   if (eigenvalue > 0.0) {
@@ -353,7 +366,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
 }
 
 void ContactForce::end_step(double time, double dt) {
-  sums_.end_step();
+  assembler_.end_step();
   note_histories(dt);
   note_lost(time);
 }
@@ -364,10 +377,10 @@ void ContactForce::foresee(const State& state) {
   const bool turns = state.rotations.exist();
   free_velocity_.resize(3, state.velocity.cols());
   if (turns) free_turning_.resize(3, state.velocity.cols());
-  const auto n_nodes = static_cast<std::int64_t>(faces_.n_nodes());
-#pragma omp parallel for schedule(static) num_threads(threads_for(faces_.n_mesh_points()))
+  const auto n_nodes = static_cast<std::int64_t>(contact_mesh_.n_nodes());
+#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.n_mesh_points()))
   for (std::int64_t i = 0; i < n_nodes; ++i) {
-    const auto node = static_cast<Eigen::Index>(faces_.mesh_nodes[static_cast<std::size_t>(i)]);
+    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
     free_velocity_.col(node) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
     if (!turns) continue;
     free_turning_.col(node) =
@@ -375,37 +388,40 @@ void ContactForce::foresee(const State& state) {
   }
   Motion coming{state.time, state.dt, state.coordinates, free_velocity_};
   if (turns) coming.angular_velocity = &free_turning_;
-  surface_.foresee(coming);
-  surface_.bound_watched();
+  kinematics_.foresee(coming);
+  kinematics_.bound_watched();
 }
 
-double ContactForce::thinner_side(const ContactRecord& record) const {
-  if (record.is_of_edges) {
-    return std::min(faces_.edges[record.first_place].backing.thickness,
-                    faces_.edges[record.second_place].backing.thickness);
+double ContactForce::thinner_side(const ContactPoint& contact_point) const {
+  if (contact_point.is_of_edges) {
+    return std::min(contact_mesh_.edges[contact_point.first_entity].penalty_properties.thickness,
+                    contact_mesh_.edges[contact_point.second_entity].penalty_properties.thickness);
   }
-  const double first = record.first.is_node() ? faces_.surface_nodes[record.first_place].backing.thickness
-                                              : faces_.faces[record.first_place].backing.thickness;
-  if (record.second.weights.isZero(0.0)) return first;
-  return std::min(first, faces_.faces[record.second_place].backing.thickness);
+  const double first =
+      contact_point.first.is_node()
+          ? contact_mesh_.surface_nodes[contact_point.first_entity].penalty_properties.thickness
+          : contact_mesh_.faces[contact_point.first_entity].penalty_properties.thickness;
+  if (contact_point.second.weights.isZero(0.0)) return first;
+  return std::min(first, contact_mesh_.faces[contact_point.second_entity].penalty_properties.thickness);
 }
 
 std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {
   if (!balances_) return std::nullopt;
   foresee(state);
-  ContactScene scene{surface_, rules_, glued_, state.dt};
-  scene.depths = &depths_;
-  scene.balances = true;
-  scene.coming_dt = state.next_dt;
-  balance_.begin(setup_.model, mobility_.free_directions(), surface_, state);
-  const auto to_glue = visit_points(scene, [&](const ContactRecord& record) {
-    balance_.add(record, rules_[record.pair], thinner_side(record));
+  ContactStepContext context{kinematics_, rules_, constrained_, state.dt};
+  context.depths = &depths_;
+  context.balances = true;
+  context.coming_dt = state.next_dt;
+  balance_.begin(setup_.model, mobility_.free_directions(), kinematics_, state);
+  const auto to_glue = visit_points(context, [&](const ContactPoint& contact_point) {
+    balance_.add(contact_point, rules_[contact_point.pair], thinner_side(contact_point));
   });
-  held_.add_balanced(scene, balance_);
+  interface_constraints_.add_balanced(context, balance_);
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
-  for (const ContactRecord& point : balance_.points()) add_to_sums(point);
-  held_.take_balanced(scene, balance_, glued_, sums_);
-  for (const ContactRecord& record : to_glue) held_.glue(scene, record, glued_);
+  for (const ContactPoint& point : balance_.points()) add_to_sums(point);
+  interface_constraints_.take_balanced(context, balance_, constrained_, assembler_);
+  for (const ContactPoint& contact_point : to_glue)
+    interface_constraints_.glue(context, contact_point, constrained_);
   if (points_.empty()) {
     balance_.swap_points(points_);
   } else {
@@ -424,19 +440,19 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
 
 double ContactForce::stored() const {
   double sum = 0.0;
-  for (const PairStep& pair : sums_.pairs()) sum += pair.stored;
+  for (const PairStep& pair : assembler_.pairs()) sum += pair.stored;
   return sum;
 }
 
 void ContactForce::note_histories(double dt) {
-  const auto steps = sums_.pairs();
+  const auto steps = assembler_.pairs();
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const PairStep& step = steps[i];
     PairHistory& history = histories_[i];
     history.work += step.stored - stored_[i] + step.dissipated + step.damped;
     history.impact += step.impact;
     stored_[i] = step.stored;
-    history.taken = sums_.taken()[i];
+    history.taken = assembler_.taken()[i];
     if (step.penetration > history.deepest) {
       history.deepest = step.penetration;
       history.deepest_share = step.penetration_share;

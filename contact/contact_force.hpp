@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "contact/contact_assembler.hpp"
 #include "contact/contact_mobility.hpp"
 #include "contact/contact_model.hpp"
 #include "contact/contact_search.hpp"
-#include "contact/contact_sums.hpp"
 #include "contact/edge_contacts.hpp"
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/face_face_contacts.hpp"
-#include "contact/held_places.hpp"
+#include "contact/interface_constraints.hpp"
 #include "contact/node_areas.hpp"
 #include "contact/node_face_contacts.hpp"
 #include "contact/pair_history.hpp"
@@ -38,8 +38,8 @@ struct ContactStep {
   double share = 0.0;  ///< of its stable step that the run loses, largest so far [1]
 };
 
-/// The forces of contact: search when something has moved far enough, places of contact, penalties, friction
-/// and ties. Each place pushes both sides alike. The same bits for any number of threads.
+/// The forces of contact: search when something has moved far enough, contact points, penalties, friction
+/// and ties. Each contact point pushes both sides alike. The same bits for any number of threads.
 class ContactForce final : public ForceTerm {
  public:
   /// All that the setup refers to must outlive this.
@@ -58,16 +58,17 @@ class ContactForce final : public ForceTerm {
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
   /// is gone is over; the energy that it stored is lost.
   ///   motion           of the last step
-  ///   free_nodes       ascending, that stay though their elements are dead
+  ///   eroded_nodes       ascending, that stay though their elements are dead
   ///   makes_new_edges  whether sharp edges that were none before become edges of contact
-  void take_surfaces(const Motion& motion, std::span<const FreeNode> free_nodes, bool makes_new_edges = true);
+  void rebuild_surfaces(const Motion& motion, std::span<const ErodedNode> eroded_nodes,
+                        bool makes_new_edges = true);
 
-  const ContactFaces& faces() const { return faces_; }
+  const ContactMesh& contact_mesh() const { return contact_mesh_; }
   const PairRules& rules() const { return rules_; }
   const ContactSearch& search() const { return search_; }
   std::span<const PairHistory> histories() const { return histories_; }
-  std::span<const PairStep> pair_steps() const { return sums_.pairs(); }
-  std::span<const NodeFriction> node_friction() const { return sums_.friction(); }
+  std::span<const PairStep> pair_steps() const { return assembler_.pairs(); }
+  std::span<const NodeFriction> node_friction() const { return assembler_.friction(); }
   const ContactStep& step_share() const { return step_share_; }
   /// What balancing the last step came to.
   const BalanceReport& balance_report() const { return balance_report_; }
@@ -79,58 +80,58 @@ class ContactForce final : public ForceTerm {
            edges_.candidates().partners.size() + planes_.n_rows();
   }
 
-  /// The contact points of the last step, in their order, and what held places together, as their forces were
+  /// The contact points of the last step, in their order, and the interface constraints, as their forces were
   /// added: what is written is what acted.
-  std::span<const ContactRecord> points() const { return points_; }
-  std::span<const HeldForces> held_forces() const { return held_.forces(); }
+  std::span<const ContactPoint> points() const { return points_; }
+  std::span<const ConstraintForces> constraint_forces() const { return interface_constraints_.forces(); }
 
   /// Saves or restores all that contact remembers between two steps.
   ///   motion  of the step before
   void archive(const Motion& motion, StateArchive& saved);
-  std::span<const Tie> ties() const { return held_.ties(); }
-  /// All that holds places together, in the order of their forces.
-  const HeldPlaces& held() const { return held_; }
+  std::span<const Tie> ties() const { return interface_constraints_.ties(); }
+  /// All interface constraints, in the order of their forces.
+  const InterfaceConstraints& interface_constraints() const { return interface_constraints_; }
   /// Where a contact node is, of the motion seen last [length].
-  Eigen::Vector3d position(std::uint32_t node) const { return surface_.x(node); }
+  Eigen::Vector3d position(std::uint32_t node) const { return kinematics_.x(node); }
 
  private:
-  ContactFaces make_faces(std::span<const FreeNode> free_nodes) const;
+  ContactMesh make_faces(std::span<const ErodedNode> eroded_nodes) const;
   void begin(const Motion& motion);
   void archive_faces(StateArchive& saved);
-  void renumber(const ContactRenumbering& places);
+  void remap(const ContactRemap& remap);
   void forget_stored();
-  void add_to_sums(const ContactRecord& record);
+  void add_to_sums(const ContactPoint& contact_point);
   std::span<const double> available_energy();
   void find_candidates(const Motion& motion);
   std::vector<std::uint32_t> faces_with_candidates() const;
   template <class Contacts, class Take>
-  void visit_places(Contacts& contacts, const ContactScene& scene, const Take& take);
+  void visit_contact_points(Contacts& contacts, const ContactStepContext& context, const Take& take);
   template <class Take>
-  std::vector<ContactRecord> visit_points(const ContactScene& scene, const Take& take);
-  bool glues(const ContactRecord& record) const;
+  std::vector<ContactPoint> visit_points(const ContactStepContext& context, const Take& take);
+  bool glues(const ContactPoint& contact_point) const;
   NearCandidates near_candidates() const;
   /// The contact points of nodes with faces.
-  std::span<const ContactRecord> find_node_places(const ContactScene& scene);
-  void add_places(const ContactScene& scene);
+  std::span<const ContactPoint> find_node_points(const ContactStepContext& context);
+  void add_places(const ContactStepContext& context);
   void write_forces(Eigen::Matrix3Xd& forces);
   template <class Visit>
   void visit_moments(const Visit& visit) const;
   void spread_moments(Eigen::Matrix3Xd& forces);
   LoftSpins make_spins() const;
   double largest_eigenvalue();
-  void limit_stiffness(const MovingSurface& start);
+  void limit_stiffness(const ContactKinematics& start);
   void end_step(double time, double dt);
   void note_histories(double dt);
   void foresee(const State& state);
-  double thinner_side(const ContactRecord& record) const;
+  double thinner_side(const ContactPoint& contact_point) const;
   void note_lost(double time);
 
   ContactSetup setup_;
-  ContactFaces faces_;
+  ContactMesh contact_mesh_;
   ActiveTimes times_;  // of all contact
   PairRules rules_;
-  GluedPlaces glued_;
-  MovingSurface surface_;
+  ConstrainedPairs constrained_;
+  ContactKinematics kinematics_;
   ContactMobility mobility_;
   std::vector<double> element_stiffness_;  // of faces, surface nodes, edges before any limit [force/length^3]
   std::vector<std::uint8_t> slips_;        // [n_pairs] has springs along the surface
@@ -140,19 +141,19 @@ class ContactForce final : public ForceTerm {
   NodeFaceContacts node_face_;
   EdgeContacts edges_;
   PlaneContacts planes_;
-  HeldPlaces held_;
-  ContactSums sums_;
+  InterfaceConstraints interface_constraints_;
+  ContactAssembler assembler_;
   MomentumBalance balance_;
   bool balances_ = false, has_penalty_ = false;  // some pair is enforced so
   Eigen::Matrix3Xd free_velocity_,
       free_turning_;  // of contact nodes in the coming step, without these forces
   ContactLoss last_loss_;
   BalanceReport balance_report_;
-  std::vector<std::vector<ContactRecord>> chunks_;  // scratch of each thread
-  std::vector<ContactRecord> points_;               // of the step
-  std::vector<Eigen::Vector3d> spin_moments_;       // scratch, about nodes of lofted shells [force length]
+  std::vector<std::vector<ContactPoint>> chunks_;  // scratch of each thread
+  std::vector<ContactPoint> points_;               // of the step
+  std::vector<Eigen::Vector3d> spin_moments_;      // scratch, about nodes of lofted shells [force length]
   NodeAreas node_areas_;
-  std::vector<ContactRecord> node_places_;  // scratch
+  std::vector<ContactPoint> node_points_;  // scratch
   std::vector<PairHistory> histories_;
   std::vector<double> available_;      // scratch, [n_pairs] [energy]
   std::vector<double> least_energy_;   // [n_pairs] that each had so far, <= 0 [energy]

@@ -8,35 +8,37 @@ namespace contactsim {
 /// Faces have other stiffnesses than the mesh says, and depths of the start.
 void ContactForce::archive_faces(StateArchive& saved) {
   Digest digest;
-  for (const ContactFace& face : faces_.faces)
+  for (const ContactFace& face : contact_mesh_.faces)
     digest.add_values(std::span<const std::uint32_t>(face.corners));
-  digest.add_values(std::span<const std::uint32_t>(faces_.mesh_nodes));
-  digest.add_values(std::span<const std::uint32_t>(faces_.first_face));
-  digest.add_values(std::span<const std::uint32_t>(faces_.first_node));
-  for (const ContactEdge& edge : faces_.edges) digest.add_values(std::span<const std::uint32_t>(edge.nodes));
+  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.mesh_nodes));
+  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.first_face));
+  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.first_node));
+  for (const ContactEdge& edge : contact_mesh_.edges)
+    digest.add_values(std::span<const std::uint32_t>(edge.nodes));
   saved.expect("contact/surfaces", digest.value(), "contact surfaces");
   saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
   const auto visit = [](auto& item, RowNumbers& row) {
-    row(item.backing.stiffness, item.backing.is_rigid, item.backing.start_depth);
+    row(item.penalty_properties.stiffness, item.penalty_properties.is_rigid,
+        item.penalty_properties.start_depth);
   };
-  saved.fixed_rows("contact/faces/stiffness", faces_.faces, visit);
-  saved.fixed_rows("contact/nodes/stiffness", faces_.surface_nodes, visit);
-  saved.fixed_rows("contact/edges/stiffness", faces_.edges, visit);
+  saved.fixed_rows("contact/faces/stiffness", contact_mesh_.faces, visit);
+  saved.fixed_rows("contact/nodes/stiffness", contact_mesh_.surface_nodes, visit);
+  saved.fixed_rows("contact/edges/stiffness", contact_mesh_.edges, visit);
 }
 
 void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   archive_faces(saved);
-  surface_.archive(saved);
+  kinematics_.archive(saved);
   rules_.archive(saved);
-  glued_.archive(saved);
+  constrained_.archive(saved);
   depths_.archive(saved);
   search_.archive(saved);
   face_face_.archive(saved);
   node_face_.archive(saved);
   edges_.archive(saved);
   planes_.archive(saved);
-  held_.archive(saved);
-  sums_.archive(saved);
+  interface_constraints_.archive(saved);
+  assembler_.archive(saved);
   balance_.archive(saved);
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
@@ -51,11 +53,11 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   if (!saved.restores()) return;
   has_begun_ = true;
   mobility_.update(motion.time);
-  surface_.hold(mobility_.free_directions());
+  kinematics_.hold(mobility_.free_directions());
   rules_.activate(motion.time, times_.is_active(motion.time));
-  surface_.move_nodes(motion);
-  surface_.bound_all();
-  surface_.watch(faces_with_candidates());
+  kinematics_.move_nodes(motion);
+  kinematics_.bound_all();
+  kinematics_.watch(faces_with_candidates());
 }
 
 }  // namespace contactsim

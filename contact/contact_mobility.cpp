@@ -22,20 +22,20 @@ ContactMobility::ContactMobility(const Model& model) : model_(model) {
     turn_mobilities_.push_back(body.flexible.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
 }
 
-Eigen::Vector3d ContactMobility::arm(const MovingSurface& surface, std::uint32_t node) const {
-  const std::size_t n_mesh_points = surface.faces().n_mesh_points();
+Eigen::Vector3d ContactMobility::arm(const ContactKinematics& kinematics, std::uint32_t node) const {
+  const std::size_t n_mesh_points = kinematics.contact_mesh().n_mesh_points();
   if (node < n_mesh_points) return Eigen::Vector3d::Zero();
-  return surface.arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
+  return kinematics.offsets().col(static_cast<Eigen::Index>(node - n_mesh_points));
 }
 
 /// n P n / m + |a x n|^2 / I for an arm a to the node of the mesh, at most 1 / m + |a|^2 / I.
-double ContactMobility::mobility(const MovingSurface& surface, std::uint32_t node,
+double ContactMobility::mobility(const ContactKinematics& kinematics, std::uint32_t node,
                                  const Eigen::Vector3d* normal) const {
-  if (is_of_body(surface.faces(), node)) return body_mobility(surface, node, normal);
-  const NodeIndex mesh_node{surface.faces().mesh_nodes[node]};
+  if (is_of_body(kinematics.contact_mesh(), node)) return body_mobility(kinematics, node, normal);
+  const NodeIndex mesh_node{kinematics.contact_mesh().mesh_nodes[node]};
   const double share = free_share(free_.of_node(mesh_node.value), normal);
   const double mobility = share / model_.mass(0, mesh_node.value);
-  const Eigen::Vector3d beside = arm(surface, node);
+  const Eigen::Vector3d beside = arm(kinematics, node);
   const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
   if (beside.isZero(0.0) || !(inertia > minimum_nodal_mass)) return mobility;
   if (free_share(free_.of_turns(mesh_node.value), nullptr) == 0.0) return mobility;
@@ -44,42 +44,44 @@ double ContactMobility::mobility(const MovingSurface& surface, std::uint32_t nod
 }
 
 /// n P n / M + |r|^2 / I of the least moment of inertia I. Lengths from the centre are those at rest.
-double ContactMobility::body_mobility(const MovingSurface& surface, std::uint32_t node,
+double ContactMobility::body_mobility(const ContactKinematics& kinematics, std::uint32_t node,
                                       const Eigen::Vector3d* normal) const {
-  const std::uint32_t mesh_node = surface.faces().mesh_nodes[node];
+  const std::uint32_t mesh_node = kinematics.contact_mesh().mesh_nodes[node];
   const auto index = static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]);
   const RigidBody& body = model_.rigid.bodies[index];
   const double mobility = free_share(free_.of_body(index), normal) / body.mass;
   if (free_share(free_.of_body_turns(index), nullptr) == 0.0) return mobility;
   const double reach =
-      (model_.mesh->coordinates().col(mesh_node) - body.centre).norm() + arm(surface, node).norm();
+      (model_.mesh->coordinates().col(mesh_node) - body.centre).norm() + arm(kinematics, node).norm();
   return mobility + reach * reach * turn_mobilities_[index];
 }
 
-bool ContactMobility::is_held(const MovingSurface& surface, std::uint32_t node,
+bool ContactMobility::is_held(const ContactKinematics& kinematics, std::uint32_t node,
                               const Eigen::Vector3d* normal) const {
   constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
-  if (is_of_body(surface.faces(), node)) return false;
-  if (free_.of_node(surface.faces().mesh_nodes[node]) == nullptr) return false;
-  const double mass = model_.mass(0, surface.faces().mesh_nodes[node]);
-  return mobility(surface, node, normal) * mass < next_to_nothing;
+  if (is_of_body(kinematics.contact_mesh(), node)) return false;
+  if (free_.of_node(kinematics.contact_mesh().mesh_nodes[node]) == nullptr) return false;
+  const double mass = model_.mass(0, kinematics.contact_mesh().mesh_nodes[node]);
+  return mobility(kinematics, node, normal) * mass < next_to_nothing;
 }
 
-std::size_t ContactMobility::carrier(const ContactFaces& faces, std::uint32_t node) const {
-  if (!is_of_body(faces, node)) return faces.first_alike[node];
-  return faces.n_nodes() + static_cast<std::size_t>(model_.rigid.nodes.body_of[faces.mesh_nodes[node]]);
+std::size_t ContactMobility::carrier(const ContactMesh& contact_mesh, std::uint32_t node) const {
+  if (!is_of_body(contact_mesh, node)) return contact_mesh.first_alike[node];
+  return contact_mesh.n_nodes() +
+         static_cast<std::size_t>(model_.rigid.nodes.body_of[contact_mesh.mesh_nodes[node]]);
 }
 
-std::span<const double> ContactMobility::find_rates(const MovingSurface& surface,
-                                                    std::span<const ContactRecord> points,
-                                                    std::span<const HeldForces> held,
+std::span<const double> ContactMobility::find_rates(const ContactKinematics& kinematics,
+                                                    std::span<const ContactPoint> points,
+                                                    std::span<const ConstraintForces> held,
                                                     std::span<const std::uint8_t> slips) {
-  const ContactFaces& faces = surface.faces();
-  carrier_rates_.assign(faces.n_nodes() + model_.rigid.bodies.size(), 0.0);
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  carrier_rates_.assign(contact_mesh.n_nodes() + model_.rigid.bodies.size(), 0.0);
   const auto add = [&](std::uint32_t node, double stiffness, const Eigen::Vector3d* normal) {
-    if (stiffness > 0.0) carrier_rates_[carrier(faces, node)] += stiffness * mobility(surface, node, normal);
+    if (stiffness > 0.0)
+      carrier_rates_[carrier(contact_mesh, node)] += stiffness * mobility(kinematics, node, normal);
   };
-  for (const ContactRecord& point : points) {
+  for (const ContactPoint& point : points) {
     if (!(point.stiffness > 0.0)) continue;
     const Eigen::Vector3d* normal = slips[point.pair] != 0 ? nullptr : &point.normal;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -88,13 +90,13 @@ std::span<const double> ContactMobility::find_rates(const MovingSurface& surface
       add(point.second.nodes[k], point.second.weights[i] * point.stiffness, normal);
     }
   }
-  for (const HeldForces& one : held) {
+  for (const ConstraintForces& one : held) {
     for (std::size_t k = 0; k < 8; ++k)
-      add(one.place.nodes[k], one.place.springs[static_cast<Eigen::Index>(k)], nullptr);
+      add(one.constraint.nodes[k], one.constraint.springs[static_cast<Eigen::Index>(k)], nullptr);
   }
-  rates_.resize(faces.n_nodes());
-  for (std::uint32_t node = 0; node < faces.n_nodes(); ++node)
-    rates_[node] = carrier_rates_[carrier(faces, node)];
+  rates_.resize(contact_mesh.n_nodes());
+  for (std::uint32_t node = 0; node < contact_mesh.n_nodes(); ++node)
+    rates_[node] = carrier_rates_[carrier(contact_mesh, node)];
   return rates_;
 }
 

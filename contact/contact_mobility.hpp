@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_record.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/contact_point.hpp"
 #include "contact/free_directions.hpp"
-#include "contact/held_places.hpp"
-#include "contact/moving_surface.hpp"
+#include "contact/interface_constraints.hpp"
 #include "core/model.hpp"
 
 namespace contactsim {
@@ -29,26 +29,30 @@ class ContactMobility {
   const ModelFreeDirections& free_directions() const { return free_; }
 
   /// Whether a contact node moves with a rigid body.
-  bool is_of_body(const ContactFaces& faces, std::uint32_t node) const {
-    return !model_.rigid.nodes.is_free({faces.mesh_nodes[node]});
+  bool is_of_body(const ContactMesh& contact_mesh, std::uint32_t node) const {
+    return !model_.rigid.nodes.is_free({contact_mesh.mesh_nodes[node]});
   }
   /// How much a contact node gives way along a unit normal to a force along it, or along any direction where
   /// there is no normal. Of a rigid body a bound.
-  double mobility(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
+  double mobility(const ContactKinematics& kinematics, std::uint32_t node,
+                  const Eigen::Vector3d* normal) const;
   /// Whether conditions keep a contact node from moving along a normal, or at all where there is none.
-  bool is_held(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
+  bool is_held(const ContactKinematics& kinematics, std::uint32_t node, const Eigen::Vector3d* normal) const;
 
   /// For each contact node the sum of stiffness times mobility over all springs of its carrier, a node of the
   /// mesh or a rigid body: a bound of the square of its frequency when the other side is held
   /// [n_contact_nodes] [1/time^2].
   ///   slips  [n_pairs] whether points of a pair have springs along the surface, too
-  std::span<const double> find_rates(const MovingSurface& surface, std::span<const ContactRecord> points,
-                                     std::span<const HeldForces> held, std::span<const std::uint8_t> slips);
+  std::span<const double> find_rates(const ContactKinematics& kinematics,
+                                     std::span<const ContactPoint> points,
+                                     std::span<const ConstraintForces> held,
+                                     std::span<const std::uint8_t> slips);
 
  private:
-  double body_mobility(const MovingSurface& surface, std::uint32_t node, const Eigen::Vector3d* normal) const;
-  Eigen::Vector3d arm(const MovingSurface& surface, std::uint32_t node) const;
-  std::size_t carrier(const ContactFaces& faces, std::uint32_t node) const;
+  double body_mobility(const ContactKinematics& kinematics, std::uint32_t node,
+                       const Eigen::Vector3d* normal) const;
+  Eigen::Vector3d arm(const ContactKinematics& kinematics, std::uint32_t node) const;
+  std::size_t carrier(const ContactMesh& contact_mesh, std::uint32_t node) const;
 
   const Model& model_;
   ModelFreeDirections free_;

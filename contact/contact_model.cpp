@@ -58,7 +58,7 @@ void make_lofts(const SimulationDefinition& definition, const Region& region, co
   model.loft = make_loft(mesh, mesh.coordinates(), elements, sizes);
   model.surface_of_facet = owners_of(model.loft.facets, owned);
   model.surface_of_sphere = owners_of(model.loft.spheres, owned);
-  model.surface_of_rod = owners_of(model.loft.rods, owned);
+  model.surface_of_capsule = owners_of(model.loft.capsules, owned);
 }
 
 ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,

@@ -77,10 +77,10 @@ ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, c
 void ContactOutput::begin() {
   rest_status_ = find_rest_status(contact_, *model_.mesh);
   contact_node_.assign(model_.mesh->n_nodes(), no_contact);
-  const ContactFaces& faces = force_.faces();
-  for (std::uint32_t i = 0; i < faces.n_nodes(); ++i)
-    contact_node_[faces.mesh_nodes[i]] = faces.first_alike[i];
-  nodes_.resize(faces.n_nodes());
+  const ContactMesh& contact_mesh = force_.contact_mesh();
+  for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i)
+    contact_node_[contact_mesh.mesh_nodes[i]] = contact_mesh.first_alike[i];
+  nodes_.resize(contact_mesh.n_nodes());
 }
 
 std::vector<OutputVariable> ContactOutput::variables() {
@@ -146,7 +146,7 @@ void ContactOutput::evaluate(const State& state) {
   if (step_ < 0) begin();
   step_ = state.step;
   const auto friction = force_.node_friction();
-  const auto& first_alike = force_.faces().first_alike;
+  const auto& first_alike = force_.contact_mesh().first_alike;
   for (NodeContact& node : nodes_) {
     node = {};
     node.status = 0.5;
@@ -156,7 +156,7 @@ void ContactOutput::evaluate(const State& state) {
     add(friction[i], node.friction);
     node.slip_rate = state.dt > 0.0 ? node.friction.last_slip.norm() / state.dt : 0.0;
   }
-  for (const SurfaceNode& node : force_.faces().surface_nodes)
+  for (const SurfaceNode& node : force_.contact_mesh().surface_nodes)
     nodes_[first_alike[node.node]].surface_area += node.area;
   std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
   std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
@@ -167,8 +167,8 @@ void ContactOutput::evaluate(const State& state) {
     for (ContactTotal* total : {of_pair, &surfaces_[pair.first], &surfaces_[pair.second]})
       total->penetration = std::max(total->penetration, histories[i].deepest);
   }
-  for (const ContactRecord& point : force_.points()) add_place(point);
-  for (const HeldForces& held : force_.held_forces()) add_tie(held.place, held.forces);
+  for (const ContactPoint& point : force_.points()) add_place(point);
+  for (const ConstraintForces& held : force_.constraint_forces()) add_tie(held.constraint, held.forces);
 }
 
 void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {
@@ -181,42 +181,44 @@ void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const Con
   add(on_second, surfaces_[is_swapped ? of.first : of.second]);
 }
 
-void ContactOutput::add_place(const ContactRecord& record) {
-  add_to_nodes(record, record.first, 1.0);
-  add_to_nodes(record, record.second, -1.0);
-  if (!record.touches()) return;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+void ContactOutput::add_place(const ContactPoint& contact_point) {
+  add_to_nodes(contact_point, contact_point.first, 1.0);
+  add_to_nodes(contact_point, contact_point.second, -1.0);
+  if (!contact_point.touches()) return;
+  Eigen::Vector3d point_position = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k)
-    place += record.first.weights[static_cast<Eigen::Index>(k)] * force_.position(record.first.nodes[k]);
+    point_position += contact_point.first.weights[static_cast<Eigen::Index>(k)] *
+                      force_.position(contact_point.first.nodes[k]);
   ContactTotal total;
-  total.force = record.force_on_first();
-  total.moment = place.cross(total.force);
-  total.normal_sum = record.force;
-  total.centre = record.force * place;
-  total.area = record.area;
-  add_to_totals(record.pair, record.is_swapped, total);
+  total.force = contact_point.force_on_first();
+  total.moment = point_position.cross(total.force);
+  total.normal_sum = contact_point.force;
+  total.centre = contact_point.force * point_position;
+  total.area = contact_point.area;
+  add_to_totals(contact_point.pair, contact_point.is_swapped, total);
 }
 
-void ContactOutput::add_to_nodes(const ContactRecord& record, const RecordSide& side, double sign) {
+void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side,
+                                 double sign) {
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
     if (weight == 0.0) continue;
-    NodeContact& node = nodes_[force_.faces().first_alike[side.nodes[k]]];
+    NodeContact& node = nodes_[force_.contact_mesh().first_alike[side.nodes[k]]];
     const bool is_first_place = node.interaction == 0.0;
-    node.interaction = record.pair + 1.0;
-    if (is_first_place || record.gap < node.gap) {
-      node.gap = record.gap;
-      node.tangential_gap = record.elastic.norm();
+    node.interaction = contact_point.pair + 1.0;
+    if (is_first_place || contact_point.gap < node.gap) {
+      node.gap = contact_point.gap;
+      node.tangential_gap = contact_point.elastic_slip.norm();
     }
-    if (!record.touches()) continue;
+    if (!contact_point.touches()) continue;
     node.status = 1.0;
-    node.normal += sign * weight * record.force * record.normal;
-    node.tangential += sign * weight * record.tangential;
-    node.area += weight * record.area;
+    node.normal += sign * weight * contact_point.force * contact_point.normal;
+    node.tangential += sign * weight * contact_point.tangential;
+    node.area += weight * contact_point.area;
   }
 }
 
-void ContactOutput::add_tie(const HeldPlace& tie, const TieForces& forces) {
+void ContactOutput::add_tie(const InterfaceConstraint& tie, const TieForces& forces) {
   if (forces.normal.isZero()) return;
   ContactTotal total;
   total.area = tie.area;
@@ -225,7 +227,7 @@ void ContactOutput::add_tie(const HeldPlace& tie, const TieForces& forces) {
     const bool is_first = k < 4;
     const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4),
                                 tie.nodes.begin() + static_cast<int>(k), tie.nodes[k]);
-    NodeContact& node = nodes_[force_.faces().first_alike[tie.nodes[k]]];
+    NodeContact& node = nodes_[force_.contact_mesh().first_alike[tie.nodes[k]]];
     const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
     node.status = 1.0;
     node.interaction = tie.pair + 1.0;
@@ -242,7 +244,7 @@ void ContactOutput::add_tie(const HeldPlace& tie, const TieForces& forces) {
   add_to_totals(tie.pair, tie.is_swapped, total);
 }
 
-double ContactOutput::tie_share(const HeldPlace& tie, bool is_first) {
+double ContactOutput::tie_share(const InterfaceConstraint& tie, bool is_first) {
   std::array<std::uint32_t, 4> nodes;
   std::copy_n(tie.nodes.begin() + (is_first ? 0 : 4), 4, nodes.begin());
   std::sort(nodes.begin(), nodes.end());

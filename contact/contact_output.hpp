@@ -12,13 +12,13 @@
 
 namespace contactsim {
 
-/// Contact of one node, summed over its places.
+/// Contact of one node, summed over its contact points.
 struct NodeContact {
   double status = 0.0;  ///< 1 touches, 0.5 of a block or surface in contact, 0 of none [1]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< normal force [force]
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< friction [force]
   double area = 0.0;                                     ///< that touches [length^2]
-  double gap = 0.0;             ///< of its nearest place, < 0 where it touches; 0 with nothing near [length]
+  double gap = 0.0;  ///< of its nearest contact point, < 0 where it touches; 0 with nothing near [length]
   double tangential_gap = 0.0;  ///< slip held by the tangential spring there [length]
   double interaction = 0.0;     ///< number of its last pair in the log's table, 0 of none [1]
   double surface_area = 0.0;    ///< its share of its surface at the start [length^2]
@@ -73,12 +73,12 @@ class ContactOutput {
   void begin();
   /// Brings everything to the state. Whoever asks first does the work.
   void evaluate(const State& state);
-  void add_place(const ContactRecord& record);
-  void add_tie(const HeldPlace& tie, const TieForces& forces);
+  void add_place(const ContactPoint& contact_point);
+  void add_tie(const InterfaceConstraint& tie, const TieForces& forces);
   void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
-  void add_to_nodes(const ContactRecord& record, const RecordSide& side, double sign);
+  void add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side, double sign);
   /// The share of each corner of a tie's side in its area.
-  static double tie_share(const HeldPlace& tie, bool is_first);
+  static double tie_share(const InterfaceConstraint& tie, bool is_first);
   OutputVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
                             std::size_t index);
 

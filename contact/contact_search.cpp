@@ -55,13 +55,13 @@ bool holds(const PairLists& lists, std::uint32_t row, std::uint32_t partner) {
 
 }  // namespace
 
-ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
+ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
                              const SearchOptions& search, const DashOptions& dash,
                              std::span<const std::int32_t> body_of)
-    : faces_(faces),
+    : contact_mesh_(contact_mesh),
       mesh_(mesh),
       rules_(rules),
-      joined_(faces, mesh),
+      adjacent_(contact_mesh, mesh),
       body_of_(body_of),
       is_once_(search.global_search_once),
       length_scaling_(dash.search_length_scaling) {
@@ -70,8 +70,8 @@ ContactSearch::ContactSearch(const ContactFaces& faces, const Mesh& mesh, const 
     (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
     has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
   }
-  const auto is_ball = [](const SurfaceNode& node) { return node.radius > 0.0f; };
-  has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(faces.surface_nodes, is_ball);
+  const auto is_sphere = [](const SurfaceNode& node) { return node.radius > 0.0f; };
+  has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(contact_mesh.surface_nodes, is_sphere);
   set_margins();
 }
 
@@ -82,11 +82,11 @@ void ContactSearch::archive(StateArchive& saved) {
   contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
 }
 
-bool ContactSearch::is_due(const MovingSurface& surface) const {
+bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
   if (n_searches_ == 0) return true;
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
   // Two sides share their margins: one may use up what the other, at rest, does not need.
-  const std::vector<double> used = used_margins(surface);
+  const std::vector<double> used = used_margins(kinematics);
   return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
     const std::uint32_t first = rule.pair->first, second = rule.pair->second;
     return has_room(first, used[first], second, used[second]) &&
@@ -100,16 +100,16 @@ bool ContactSearch::has_room(std::uint32_t first, double first_used, std::uint32
   return (first_used - 1.0) * widest_margin_[first] <= (1.0 - second_used) * narrowest_margin_[second];
 }
 
-std::vector<double> ContactSearch::used_margins(const MovingSurface& surface) const {
-  const auto n_surfaces = static_cast<std::int64_t>(faces_.first_node.size()) - 1;
+std::vector<double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
+  const auto n_surfaces = static_cast<std::int64_t>(contact_mesh_.first_node.size()) - 1;
   std::vector<double> used(static_cast<std::size_t>(n_surfaces), 0.0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(faces_.n_nodes()))
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(contact_mesh_.n_nodes()))
   for (std::int64_t i = 0; i < n_surfaces; ++i) {
     const auto s = static_cast<std::size_t>(i);
     double most = 0.0;
-    for (std::uint32_t n = faces_.first_node[s]; n < faces_.first_node[s + 1]; ++n) {
-      const std::uint32_t node = faces_.surface_nodes[n].node;
-      const Eigen::Vector3d now = surface.x(node) - searched_from_;
+    for (std::uint32_t n = contact_mesh_.first_node[s]; n < contact_mesh_.first_node[s + 1]; ++n) {
+      const std::uint32_t node = contact_mesh_.surface_nodes[n].node;
+      const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
       const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
       const double share = moved / node_margin_[node];
       most = share <= most ? most : share;  // what is not a number stays
@@ -119,122 +119,128 @@ std::vector<double> ContactSearch::used_margins(const MovingSurface& surface) co
   return used;
 }
 
-void ContactSearch::find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates) {
+void ContactSearch::find(const ContactKinematics& kinematics, const Motion& motion,
+                         ContactCandidates candidates) {
   const auto stop_at = [&](std::uint32_t node) {
-    const NodeIndex index{faces_.mesh_nodes[node]};
+    const NodeIndex index{contact_mesh_.mesh_nodes[node]};
     throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
   };
-  const auto n_faces = static_cast<std::uint32_t>(faces_.faces.size());
+  const auto n_faces = static_cast<std::uint32_t>(contact_mesh_.faces.size());
   if (const auto bad = faces_phase_.update(n_faces, [&](std::uint32_t face) {
-        return face_box(surface, face, motion.dt, depth_of(candidates.face_depths, face));
+        return face_box(kinematics, face, motion.dt, depth_of(candidates.face_depths, face));
       })) {
-    for (const std::uint32_t corner : faces_.faces[*bad].corners) {
-      if (!surface.x(corner).allFinite() || !surface.v(corner).allFinite()) stop_at(corner);
+    for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
+      if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite()) stop_at(corner);
     }
-    stop_at(faces_.faces[*bad].corners[0]);
+    stop_at(contact_mesh_.faces[*bad].corners[0]);
   }
   if (has_face_pairs_) {
     faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
                             candidates.face_partners);
   }
-  if (has_node_pairs_ || has_free_nodes_) {
-    const auto n_rows = static_cast<std::uint32_t>(faces_.surface_nodes.size());
+  if (has_node_pairs_ || has_eroded_nodes_) {
+    const auto n_rows = static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size());
     const auto box_of = [&](std::uint32_t row) {
-      return node_box(surface, row, motion.dt, depth_of(candidates.node_depths, row));
+      return node_box(kinematics, row, motion.dt, depth_of(candidates.node_depths, row));
     };
-    if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(faces_.surface_nodes[*bad].node);
+    if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(contact_mesh_.surface_nodes[*bad].node);
     nodes_phase_.find_pairs(
         faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
         candidates.node_faces);
   }
   if (has_small_sliding_) keep_first_partners(candidates);
   ++n_searches_;
-  searched_at_.resize(faces_.n_nodes());
-  if (faces_.n_nodes() > 0) searched_from_ = surface.x(0);
-  for (std::uint32_t i = 0; i < faces_.n_nodes(); ++i)
-    searched_at_[i] = (surface.x(i) - searched_from_).cast<float>();
+  searched_at_.resize(contact_mesh_.n_nodes());
+  if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x(0);
+  for (std::uint32_t i = 0; i < contact_mesh_.n_nodes(); ++i)
+    searched_at_[i] = (kinematics.x(i) - searched_from_).cast<float>();
 }
 
-Box ContactSearch::face_box(const MovingSurface& surface, std::uint32_t index, double dt, double deep) const {
-  const ContactFace& face = faces_.faces[index];
-  const Eigen::Vector3d inward =
-      -std::max(depth_share * face.backing.thickness, deep) * surface.bound(index).normal().cast<double>();
-  Box box = box_at(surface.x(face.corners[0]));
+Box ContactSearch::face_box(const ContactKinematics& kinematics, std::uint32_t index, double dt,
+                            double deep) const {
+  const ContactFace& face = contact_mesh_.faces[index];
+  const Eigen::Vector3d inward = -std::max(depth_share * face.penalty_properties.thickness, deep) *
+                                 kinematics.bound(index).normal().cast<double>();
+  Box box = box_at(kinematics.x(face.corners[0]));
   for (const std::uint32_t corner : face.corners) {
-    const Eigen::Vector3d x = surface.x(corner);
+    const Eigen::Vector3d x = kinematics.x(corner);
     include(x, box);
-    include(x - dt * surface.v(corner), box);
+    include(x - dt * kinematics.v(corner), box);
     include(x + inward, box);
   }
-  widen(face_margin_[index] + 0.5 * reach_[face.surface], box);
+  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface], box);
   return box;
 }
 
-Box ContactSearch::node_box(const MovingSurface& surface, std::uint32_t row, double dt, double deep) const {
-  const std::uint32_t node = faces_.surface_nodes[row].node;
-  Box box = box_at(surface.x(node));
-  include(surface.x(node) - dt * surface.v(node), box);
-  const SurfaceNode& own = faces_.surface_nodes[row];
-  widen(node_margin_[node] + std::max<double>(own.radius, deep) + 0.5 * reach_[own.surface], box);
+Box ContactSearch::node_box(const ContactKinematics& kinematics, std::uint32_t row, double dt,
+                            double deep) const {
+  const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
+  Box box = box_at(kinematics.x(node));
+  include(kinematics.x(node) - dt * kinematics.v(node), box);
+  const SurfaceNode& own = contact_mesh_.surface_nodes[row];
+  widen(node_margin_[node] + std::max<double>(own.radius, deep) + 0.5 * activation_distance_[own.surface],
+        box);
   return box;
 }
 
-Box ContactSearch::edge_box(const MovingSurface& surface, std::uint32_t index, double dt, double deep) const {
-  const ContactEdge& edge = faces_.edges[index];
-  Box box = box_at(surface.x(edge.nodes[0]));
+Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t index, double dt,
+                            double deep) const {
+  const ContactEdge& edge = contact_mesh_.edges[index];
+  Box box = box_at(kinematics.x(edge.nodes[0]));
   double margin = 0.0;
   for (const std::uint32_t node : edge.nodes) {
-    include(surface.x(node), box);
-    include(surface.x(node) - dt * surface.v(node), box);
+    include(kinematics.x(node), box);
+    include(kinematics.x(node) - dt * kinematics.v(node), box);
     margin = std::max<double>(margin, node_margin_[node]);
   }
-  widen(margin + std::max(edge.radius, deep) + 0.5 * reach_[edge.surface], box);
+  widen(margin + std::max(edge.radius, deep) + 0.5 * activation_distance_[edge.surface], box);
   return box;
 }
 
-void ContactSearch::find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners,
+void ContactSearch::find_edges(const ContactKinematics& kinematics, const Motion& motion, PairLists& partners,
                                std::span<const float> depths) {
-  const auto n_edges = static_cast<std::uint32_t>(faces_.edges.size());
+  const auto n_edges = static_cast<std::uint32_t>(contact_mesh_.edges.size());
   const auto box_of = [&](std::uint32_t edge) {
-    return edge_box(surface, edge, motion.dt, depth_of(depths, edge));
+    return edge_box(kinematics, edge, motion.dt, depth_of(depths, edge));
   };
   if (const auto bad = edges_phase_.update(n_edges, box_of))
-    throw SolveError(motion.time,
-                     fmt::format("node {} moves without bound",
-                                 mesh_.node_id({faces_.mesh_nodes[faces_.edges[*bad].nodes[0]]})));
+    throw SolveError(
+        motion.time,
+        fmt::format("node {} moves without bound",
+                    mesh_.node_id({contact_mesh_.mesh_nodes[contact_mesh_.edges[*bad].nodes[0]]})));
   edges_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return edges_may_meet(a, b); },
                           partners);
 }
 
 bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
-  const ContactFace &a = faces_.faces[first], &b = faces_.faces[second];
+  const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   const std::uint32_t pair = rules_.find(a.surface, b.surface);
   if (pair == PairRules::none) return false;
   if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
-  if (a.side.element() == b.side.element() || faces_.share_node(a, b)) return false;
+  if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
   if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
   if (are_of_one_rigid_body(a.corners, b.corners)) return false;
-  return !joined_.are_joined(first, second);
+  return !adjacent_.are_adjacent(first, second);
 }
 
 bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
-  const SurfaceNode& node = faces_.surface_nodes[row];
-  const ContactFace& face = faces_.faces[index];
+  const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+  const ContactFace& face = contact_mesh_.faces[index];
   const std::uint32_t pair = rules_.find(node.surface, face.surface);
   if (pair == PairRules::none) return false;
   const SurfacePair& of = *rules_[pair].pair;
   if (rules_[pair].only_ties() && n_searches_ > 0) return false;
   // Balls have no faces: they meet those of others as nodes, whatever the formulation.
-  const bool is_ball = node.radius > 0.0f;
-  if (!is_ball && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
-  if (!is_ball && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  const bool is_sphere = node.radius > 0.0f;
+  if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
+  if (!is_sphere && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
   if (are_of_one_rigid_body({&node.node, 1}, face.corners)) return false;
-  return !has_element_of(node.node, face) && !joined_.are_joined(node, index);
+  return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
 }
 
 bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) const {
-  const ContactEdge &a = faces_.edges[first], &b = faces_.edges[second];
+  const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   const std::uint32_t pair = rules_.find(a.surface, b.surface);
   if (pair == PairRules::none || rules_[pair].only_ties()) return false;
   // Balls meet the edges of faces together with the faces.
@@ -243,22 +249,22 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
   if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
   const auto is_of_b = [&](std::uint32_t node) {
-    const std::uint32_t alike = faces_.first_alike[node];
-    return alike == faces_.first_alike[b.nodes[0]] || alike == faces_.first_alike[b.nodes[1]];
+    const std::uint32_t alike = contact_mesh_.first_alike[node];
+    return alike == contact_mesh_.first_alike[b.nodes[0]] || alike == contact_mesh_.first_alike[b.nodes[1]];
   };
-  return !std::ranges::any_of(a.nodes, is_of_b) && !joined_.are_joined(a, b);
+  return !std::ranges::any_of(a.nodes, is_of_b) && !adjacent_.are_adjacent(a, b);
 }
 
 std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) const {
   if (body_of_.empty()) return -1;
-  const auto body = [&](std::uint32_t node) { return body_of_[faces_.mesh_nodes[node]]; };
+  const auto body = [&](std::uint32_t node) { return body_of_[contact_mesh_.mesh_nodes[node]]; };
   const std::int32_t first = body(nodes[0]);
   return std::ranges::all_of(nodes, [&](std::uint32_t node) { return body(node) == first; }) ? first : -1;
 }
 
 bool ContactSearch::are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
                                      std::uint32_t second_node) const {
-  const std::size_t n_mesh_points = faces_.n_mesh_points();
+  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
   if (first_node >= n_mesh_points || second_node >= n_mesh_points) return false;
   const auto nodes = mesh_.element_nodes(first.element());
   return std::ranges::any_of(mesh_.element_nodes(second.element()),
@@ -267,7 +273,7 @@ bool ContactSearch::are_skins_of_one(ElementSide first, std::uint32_t first_node
 
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {
   const auto nodes = mesh_.element_nodes(face.side.element());
-  return std::find(nodes.begin(), nodes.end(), NodeIndex{faces_.mesh_nodes[node]}) != nodes.end();
+  return std::find(nodes.begin(), nodes.end(), NodeIndex{contact_mesh_.mesh_nodes[node]}) != nodes.end();
 }
 
 void ContactSearch::keep_first_partners(ContactCandidates candidates) {
@@ -294,10 +300,10 @@ void ContactSearch::keep_first_partners(ContactCandidates candidates) {
     return;
   }
   drop(candidates.face_partners, first_face_partners_, is_new_face_, [&](std::uint32_t a, std::uint32_t b) {
-    return rules_.find(faces_.faces[a].surface, faces_.faces[b].surface);
+    return rules_.find(contact_mesh_.faces[a].surface, contact_mesh_.faces[b].surface);
   });
   drop(candidates.node_faces, first_node_faces_, is_new_row_, [&](std::uint32_t row, std::uint32_t face) {
-    return rules_.find(faces_.surface_nodes[row].surface, faces_.faces[face].surface);
+    return rules_.find(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface);
   });
 }
 

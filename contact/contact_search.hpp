@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "contact/adjacent_faces.hpp"
 #include "contact/broad_phase.hpp"
-#include "contact/contact_renumbering.hpp"
-#include "contact/contact_scene.hpp"
-#include "contact/joined_faces.hpp"
+#include "contact/contact_remap.hpp"
+#include "contact/contact_step_context.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -31,27 +31,27 @@ class ContactSearch {
   /// All must outlive this.
   ///   body_of  [n_nodes] the rigid body of each node of the mesh, < 0 of none, or empty: what belongs to one
   ///            body never meets
-  ContactSearch(const ContactFaces& faces, const Mesh& mesh, const PairRules& rules,
+  ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
                 const SearchOptions& search, const DashOptions& dash,
                 std::span<const std::int32_t> body_of = {});
 
   /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
   /// has to follow.
-  void renumber(const ContactRenumbering& places);
+  void remap(const ContactRemap& remap);
 
   /// Whether anything has moved far enough since the last search, or none was made.
-  bool is_due(const MovingSurface& surface) const;
+  bool is_due(const ContactKinematics& kinematics) const;
 
   /// Finds all candidates, sorted, the same for any number of threads. Throws SolveError naming a node that
   /// is nowhere.
-  void find(const MovingSurface& surface, const Motion& motion, ContactCandidates candidates);
+  void find(const ContactKinematics& kinematics, const Motion& motion, ContactCandidates candidates);
 
   void archive(StateArchive& saved);
 
   /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
   ///   partners  [n_edges] edges of greater number
   ///   depths    [n_edges] how deep edges are in others already, or nothing [length]
-  void find_edges(const MovingSurface& surface, const Motion& motion, PairLists& partners,
+  void find_edges(const ContactKinematics& kinematics, const Motion& motion, PairLists& partners,
                   std::span<const float> depths = {});
 
   std::uint64_t n_searches() const { return n_searches_; }
@@ -63,15 +63,15 @@ class ContactSearch {
   void set_margins();
   void set_surface_margins();
   /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
-  std::vector<double> used_margins(const MovingSurface& surface) const;
+  std::vector<double> used_margins(const ContactKinematics& kinematics) const;
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
   /// beyond its own, at its widest, the other has left at its narrowest.
   bool has_room(std::uint32_t first, double first_used, std::uint32_t second, double second_used) const;
-  Box face_box(const MovingSurface& surface, std::uint32_t face, double dt, double deep) const;
-  Box node_box(const MovingSurface& surface, std::uint32_t row, double dt, double deep) const;
+  Box face_box(const ContactKinematics& kinematics, std::uint32_t face, double dt, double deep) const;
+  Box node_box(const ContactKinematics& kinematics, std::uint32_t row, double dt, double deep) const;
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
-  Box edge_box(const MovingSurface& surface, std::uint32_t edge, double dt, double deep) const;
+  Box edge_box(const ContactKinematics& kinematics, std::uint32_t edge, double dt, double deep) const;
   bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   /// The rigid body that has all of these contact nodes, < 0 if none has.
   std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;
@@ -89,16 +89,16 @@ class ContactSearch {
   /// Of what slides infinitesimally; what deaths have exposed slides as it will.
   void keep_first_partners(ContactCandidates candidates);
 
-  const ContactFaces& faces_;
+  const ContactMesh& contact_mesh_;
   const Mesh& mesh_;
   const PairRules& rules_;
-  JoinedFaces joined_;
+  AdjacentFaces adjacent_;
   std::span<const std::int32_t> body_of_;  // [n_nodes], or empty
   bool is_once_;
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
-  bool has_free_nodes_ = false;
-  std::vector<double> reach_;                                // [n_surfaces] of the models [length]
+  bool has_eroded_nodes_ = false;
+  std::vector<double> activation_distance_;                  // [n_surfaces] of the models [length]
   std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
   std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]
   Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]

@@ -23,7 +23,7 @@ constexpr double smallest_share = 1e-6;
 /// Faces whose normal has a greater cosine with that of the node's surface look the same way.
 constexpr double same_way_cosine = 0.25;
 
-/// Faces look at each other when the cosine of their normals is less.
+/// Faces face each other when the cosine of their normals is less.
 constexpr double facing_cosine = -0.7;
 
 Box empty_box() {
@@ -46,8 +46,8 @@ DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const Ov
       rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
       bodies_(find_bodies(mesh)),
       number_of_body_(mesh.n_nodes(), none) {
-  for (const ContactFace& face : faces().faces) {
-    if (!faces().is_lofted(face) && !is_solid(mesh, face.side)) continue;
+  for (const ContactFace& face : contact_mesh().faces) {
+    if (!contact_mesh().is_lofted(face) && !is_solid(mesh, face.side)) continue;
     std::uint32_t& number = number_of_body_[body_of(face)];
     if (number != none) continue;
     number = 0;
@@ -61,18 +61,19 @@ DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const Ov
 /// Pairs the tops and bottoms of lofted shells. One of which a surface has one side only is no volume.
 void DeepOverlaps::find_lofts() {
   std::map<std::uint32_t, const ContactFace*> tops;
-  for (const ContactFace& face : faces().faces) {
-    if (faces().is_lofted(face) && face.side.side() == 1) tops[face.side.element().value] = &face;
+  for (const ContactFace& face : contact_mesh().faces) {
+    if (contact_mesh().is_lofted(face) && face.side.side() == 1) tops[face.side.element().value] = &face;
   }
-  for (const ContactFace& face : faces().faces) {
-    if (!faces().is_lofted(face) || face.side.side() != 2) continue;
+  for (const ContactFace& face : contact_mesh().faces) {
+    if (!contact_mesh().is_lofted(face) || face.side.side() != 2) continue;
     const auto top = tops.find(face.side.element().value);
     if (top == tops.end()) continue;
     std::array<std::uint32_t, 8> corners{};
     for (std::size_t k = 0; k < 4; ++k) {
       corners[k] = top->second->corners[k];
-      corners[k + 4] = *std::ranges::find(face.corners, faces().mesh_nodes[corners[k]],
-                                          [&](std::uint32_t point) { return faces().mesh_nodes[point]; });
+      corners[k + 4] =
+          *std::ranges::find(face.corners, contact_mesh().mesh_nodes[corners[k]],
+                             [&](std::uint32_t point) { return contact_mesh().mesh_nodes[point]; });
     }
     lofts_.push_back(corners);
     tops.erase(top);
@@ -82,7 +83,7 @@ void DeepOverlaps::find_lofts() {
 /// The solids and lofts of the bodies that meet the boxes of what may lie in them.
 ///   boxes  of each body [n_thick_bodies]
 std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix3Xd& coordinates,
-                                                             const MovingSurface& surface,
+                                                             const ContactKinematics& kinematics,
                                                              std::span<const Box> boxes) const {
   std::vector<Volume> near;
   Volume volume;
@@ -113,11 +114,11 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
     const bool is_triangle = loft[2] == loft[3];
     const std::size_t n = is_triangle ? 3 : 4;
     volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
-    volume.body = bodies_[faces().mesh_nodes[loft[0]]];
+    volume.body = bodies_[contact_mesh().mesh_nodes[loft[0]]];
     if (!may_be_near(volume.body)) continue;
     for (std::size_t k = 0; k < n; ++k) {
-      volume.corners.col(static_cast<Eigen::Index>(k)) = surface.x(loft[k]);
-      volume.corners.col(static_cast<Eigen::Index>(k + n)) = surface.x(loft[k + 4]);
+      volume.corners.col(static_cast<Eigen::Index>(k)) = kinematics.x(loft[k]);
+      volume.corners.col(static_cast<Eigen::Index>(k + n)) = kinematics.x(loft[k + 4]);
     }
     add_if_near(2 * n);
   }
@@ -125,12 +126,12 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
 }
 
 std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3Xd& coordinates,
-                                                            const MovingSurface& surface) const {
-  const auto n_rows = static_cast<std::uint32_t>(faces().surface_nodes.size());
+                                                            const ContactKinematics& kinematics) const {
+  const auto n_rows = static_cast<std::uint32_t>(contact_mesh().surface_nodes.size());
   if (n_rows == 0 || thick_bodies_.empty()) return {};
   const auto box_of_row = [&](std::uint32_t row) {
     Box box = empty_box();
-    add(surface.x(faces().surface_nodes[row].node), box);
+    add(kinematics.x(contact_mesh().surface_nodes[row].node), box);
     return box;
   };
   std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
@@ -140,7 +141,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
   for (const auto& loft : lofts_) {
-    for (const std::uint32_t point : loft) extend(faces().mesh_nodes[point], surface.x(point));
+    for (const std::uint32_t point : loft) extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
   }
   BroadPhase rows, around, inner;
   if (rows.update(n_rows, box_of_row) || around.update(body_boxes)) return {};
@@ -151,9 +152,9 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   std::vector<Box> boxes(thick_bodies_.size(), empty_box());
   for (std::uint32_t row = 0; row < n_rows; ++row) {
     for (const std::uint32_t body : near.of(row))
-      add(surface.x(faces().surface_nodes[row].node), boxes[body]);
+      add(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
   }
-  const std::vector<Volume> volumes = volumes_near(coordinates, surface, boxes);
+  const std::vector<Volume> volumes = volumes_near(coordinates, kinematics, boxes);
   if (volumes.empty()) return {};
   const auto box_of_volume = [&](std::uint32_t i) {
     Box box = empty_box();
@@ -165,7 +166,8 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   const auto is_inside = [&](std::uint32_t row, std::uint32_t i) {
     const Volume& volume = volumes[i];
     if (volume.body == body_of_row(row)) return false;
-    return is_in_solid(volume.corners, topology(volume.shape), surface.x(faces().surface_nodes[row].node));
+    return is_in_solid(volume.corners, topology(volume.shape),
+                       kinematics.x(contact_mesh().surface_nodes[row].node));
   };
   rows.find_pairs(inner, is_inside, near);
   std::vector<Inside> inside;
@@ -180,78 +182,82 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
 }
 
 /// Whether one of a node's own faces looks at a face; what has none looks everywhere.
-bool DeepOverlaps::looks_at(const MovingSurface& surface, const SurfaceNode& node,
-                            const Eigen::Vector3d& normal) const {
+bool DeepOverlaps::is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
+                             const Eigen::Vector3d& normal) const {
   if (node.radius > 0.0f) return true;
-  const auto own_faces = faces().faces_of_node.of(node.node);
+  const auto own_faces = contact_mesh().faces_of_node.of(node.node);
   return own_faces.empty() || std::ranges::any_of(own_faces, [&](std::uint32_t index) {
-           const ContactFace& face = faces().faces[index];
-           const Eigen::Vector3d area = surface.area(face);
+           const ContactFace& face = contact_mesh().faces[index];
+           const Eigen::Vector3d area = kinematics.area(face);
            return face.surface == node.surface && area.dot(normal) < facing_cosine * area.norm();
          });
 }
 
-std::optional<DeepOverlap> DeepOverlaps::find_way_out(const MovingSurface& surface, const Inside& inside,
+std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& kinematics,
+                                                      const Inside& inside,
                                                       const PairLists& faces_of_body) const {
-  const SurfaceNode& node = faces().surface_nodes[inside.row];
-  const Eigen::Vector3d point = surface.x(node.node);
+  const SurfaceNode& node = contact_mesh().surface_nodes[inside.row];
+  const Eigen::Vector3d point = kinematics.x(node.node);
   const OverlapNode& own = parts_.of_node[inside.row];
-  // A sheet or a ball may go out either way.
+  // A sheet or a sphere may go out either way.
   const bool has_normal = !parts_.is_lofted(node) && own.normal.norm() > smallest_share * own.size * own.size;
   std::optional<DeepOverlap> best;
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t index : faces_of_body.of(inside.body)) {
-    const ContactFace& face = faces().faces[index];
+    const ContactFace& face = contact_mesh().faces[index];
     const std::uint32_t pair = rules_.find(node.surface, face.surface);
     if (pair == PairRules::none) continue;
-    const bool is_lofted = faces().is_lofted(face);
+    const bool is_lofted = contact_mesh().is_lofted(face);
     if (is_lofted && std::holds_alternative<Tied>(rules_[pair].pair->law)) continue;
     FaceCorners x;
-    for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = surface.x(face.corners[k]);
+    for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(face.corners[k]);
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
     if ((point - middle).norm() - (x.colwise() - middle).colwise().norm().maxCoeff() > least) continue;
-    const auto foot = project_onto_face(x, face.is_triangle(), point);
-    if (!foot) continue;
-    const double cosine = has_normal ? own.normal.dot(foot->normal) / own.normal.norm() : -1.0;
-    if (cosine > same_way_cosine || (is_lofted && !looks_at(surface, node, foot->normal))) continue;
-    if (std::hypot(foot->gap, foot->beyond) <= smallest_share * parts_.of_face[index].size)
+    const auto closest = project_onto_face(x, face.is_triangle(), point);
+    if (!closest) continue;
+    const double cosine = has_normal ? own.normal.dot(closest->normal) / own.normal.norm() : -1.0;
+    if (cosine > same_way_cosine || (is_lofted && !is_facing(kinematics, node, closest->normal))) continue;
+    if (std::hypot(closest->gap, closest->beyond) <= smallest_share * parts_.of_face[index].size)
       return std::nullopt;
-    if (foot->gap > 0.0) continue;
-    const double cost = std::hypot(foot->gap, foot->beyond) * (1.0 + 2.0 * (1.0 + cosine));
+    if (closest->gap > 0.0) continue;
+    const double cost = std::hypot(closest->gap, closest->beyond) * (1.0 + 2.0 * (1.0 + cosine));
     if (cost >= least) continue;
     least = cost;
-    const double depth = static_cast<double>(node.radius) - foot->gap;
-    best = DeepOverlap{pair, inside.row, index, depth, foot->normal, false};
+    const double depth = static_cast<double>(node.radius) - closest->gap;
+    best = DeepOverlap{pair, inside.row, index, depth, closest->normal, false};
   }
   if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
-  const double own_reach = own.reach > 0.0 ? own.reach : std::numeric_limits<double>::infinity();
-  const double reach = std::min(own_reach, parts_.of_face[best->face].reach);
-  const bool is_lofted = faces().is_lofted(faces().faces[best->face]);
-  best->is_deep = best->depth > (is_lofted ? 1.0 + smallest_share : 1.0) * reach;
+  const double own_half_thickness =
+      own.half_thickness > 0.0 ? own.half_thickness : std::numeric_limits<double>::infinity();
+  const double half_thickness = std::min(own_half_thickness, parts_.of_face[best->face].half_thickness);
+  const bool is_lofted = contact_mesh().is_lofted(contact_mesh().faces[best->face]);
+  best->is_deep = best->depth > (is_lofted ? 1.0 + smallest_share : 1.0) * half_thickness;
   if (is_lofted && !best->is_deep) return std::nullopt;
   return best;
 }
 
 std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
-                                            const MovingSurface& surface) const {
-  const std::vector<Inside> inside = find_inside(coordinates, surface);
+                                            const ContactKinematics& kinematics) const {
+  const std::vector<Inside> inside = find_inside(coordinates, kinematics);
   if (inside.empty()) return {};
   const PairLists faces_of_body = list_by_row(thick_bodies_.size(), [&](const auto& take) {
-    for (std::uint32_t i = 0; i < faces().faces.size(); ++i) {
-      const std::uint32_t number = number_of_body_[body_of(faces().faces[i])];
+    for (std::uint32_t i = 0; i < contact_mesh().faces.size(); ++i) {
+      const std::uint32_t number = number_of_body_[body_of(contact_mesh().faces[i])];
       if (number != none) take(number, i);
     }
   });
   std::vector<std::optional<DeepOverlap>> ways(inside.size());
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads_for(inside.size() * 100))
-  for (std::size_t i = 0; i < inside.size(); ++i) ways[i] = find_way_out(surface, inside[i], faces_of_body);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    ways[i] = find_way_out(kinematics, inside[i], faces_of_body);
   // Top and bottom of a sheet look at opposite faces of a loft: their node goes the shorter way.
   const auto is_of_loft = [&](const std::optional<DeepOverlap>& way) {
-    return way && faces().is_lofted(faces().faces[way->face]);
+    return way && contact_mesh().is_lofted(contact_mesh().faces[way->face]);
   };
   std::map<std::pair<std::uint32_t, std::uint32_t>, double> least;
   const auto key = [&](std::size_t i) {
-    return std::pair(faces().mesh_nodes[faces().surface_nodes[inside[i].row].node], inside[i].body);
+    return std::pair(contact_mesh().mesh_nodes[contact_mesh().surface_nodes[inside[i].row].node],
+                     inside[i].body);
   };
   for (std::size_t i = 0; i < ways.size(); ++i) {
     if (!is_of_loft(ways[i])) continue;

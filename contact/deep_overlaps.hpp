@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/box_tree.hpp"
-#include "contact/contact_scene.hpp"
+#include "contact/contact_step_context.hpp"
 #include "contact/overlap_parts.hpp"
 
 namespace contactsim {
@@ -33,13 +33,15 @@ class DeepOverlaps {
   const std::vector<std::uint32_t>& bodies() const { return bodies_; }
 
   /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
-  /// it the way out is the nearest one, nearer the more it looks against the node's surface; those that look
-  /// the same way are none. Sheets, lines and balls take the nearest one, balls with their radius. Out of a
-  /// lofted shell the way leads through a face that one of the node's own faces looks at: of two sheets whose
-  /// mid surfaces have passed each other, the shorter way. Ties leave what lies deep in lofts where it is.
+  /// it the way out is the nearest one, nearer the more it is turned against the node's surface; those that
+  /// look the same way are none. Sheets, lines and spheres take the nearest one, spheres with their radius.
+  /// Out of a lofted shell the way leads through a face that one of the node's own faces looks at: of two
+  /// sheets whose mid surfaces have passed each other, the shorter way. Ties leave what lies deep in lofts
+  /// where it is.
   ///   coordinates  [3 x n_nodes] of the mesh [length]
   ///   surface      the contact nodes there
-  std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
+  std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates,
+                                const ContactKinematics& kinematics) const;
 
  private:
   struct Inside {
@@ -51,20 +53,22 @@ class DeepOverlaps {
     Shape shape;
     std::uint32_t body;  // its first node
   };
-  std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface) const;
+  std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates,
+                                  const ContactKinematics& kinematics) const;
   void find_lofts();
-  std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const MovingSurface& surface,
+  std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
                                    std::span<const Box> boxes) const;
-  std::optional<DeepOverlap> find_way_out(const MovingSurface& surface, const Inside& inside,
+  std::optional<DeepOverlap> find_way_out(const ContactKinematics& kinematics, const Inside& inside,
                                           const PairLists& faces_of_body) const;
-  bool looks_at(const MovingSurface& surface, const SurfaceNode& node, const Eigen::Vector3d& normal) const;
+  bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
+                 const Eigen::Vector3d& normal) const;
   std::uint32_t body_of(const ContactFace& face) const {
-    return bodies_[faces().mesh_nodes[face.corners[0]]];
+    return bodies_[contact_mesh().mesh_nodes[face.corners[0]]];
   }
   std::uint32_t body_of_row(std::uint32_t row) const {
-    return bodies_[faces().mesh_nodes[faces().surface_nodes[row].node]];
+    return bodies_[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node]];
   }
-  const ContactFaces& faces() const { return parts_.faces; }
+  const ContactMesh& contact_mesh() const { return parts_.contact_mesh; }
 
   const Mesh& mesh_;
   const OverlapParts& parts_;

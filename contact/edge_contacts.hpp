@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_scene.hpp"
+#include "contact/contact_step_context.hpp"
 #include "contact/edge_edge.hpp"
 #include "contact/pair_lists.hpp"
 
@@ -17,7 +17,7 @@ namespace contactsim {
 class EdgeContacts {
  public:
   /// The faces must outlive this.
-  explicit EdgeContacts(const ContactFaces& faces);
+  explicit EdgeContacts(const ContactMesh& contact_mesh);
 
   /// Room for the next candidates: rows of edges with others of greater number. take_candidates() follows.
   PairLists& next_candidates() { return next_; }
@@ -25,23 +25,23 @@ class EdgeContacts {
   void take_candidates();
 
   /// Goes over to other edges, which stand where those of the constructor stood already.
-  void renumber(const ContactRenumbering& places);
+  void remap(const ContactRemap& remap);
 
   /// Marks the edges of HYBRID pairs that are close to each other.
   ///   size_share  the automatic CAPTURE TOLERANCE over the shorter edge [1]
-  void mark_close(const ContactScene& scene, double size_share, PairRules& rules) const;
+  void mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const;
 
   const PairLists& candidates() const { return candidates_; }
   std::size_t n_rows() const { return candidates_.n_rows(); }
 
   /// Begins a step: which edges touch is gathered anew.
   void begin_step();
-  /// Adds a record to what is known of its edges.
-  void note(const ContactRecord& record);
+  /// Adds a contact point to what is known of its edges.
+  void note(const ContactPoint& point);
 
-  /// Appends the places of contact of rows [begin, end). Rows may be shared among threads.
-  void find(const ContactScene& scene, std::size_t begin, std::size_t end,
-            std::vector<ContactRecord>& records);
+  /// Appends the contact points of rows [begin, end). Rows may be shared among threads.
+  void find(const ContactStepContext& context, std::size_t begin, std::size_t end,
+            std::vector<ContactPoint>& points);
 
   /// How deep each edge was in the last step [n_edges], 0 where it did not touch.
   std::span<const float> depths() const { return depth_now_; }
@@ -49,8 +49,8 @@ class EdgeContacts {
   void archive(StateArchive& saved);
 
  private:
-  /// Slip that is held at the one or two places of a pair [length].
-  using Elastic = std::array<Eigen::Vector3d, 2>;
+  /// Slip that is held at the one or two contact points of a pair [length].
+  using ElasticSlips = std::array<Eigen::Vector3d, 2>;
   struct Pair {
     const ContactEdge &first, &second;
     const PairRule& rule;
@@ -58,23 +58,24 @@ class EdgeContacts {
     double depth_before;  ///< and how deep it was [length]
   };
 
-  void find_one(const ContactScene& scene, std::uint32_t first, std::size_t candidate,
-                std::vector<ContactRecord>& records);
+  void find_one(const ContactStepContext& context, std::uint32_t first, std::size_t candidate,
+                std::vector<ContactPoint>& points);
   /// Whether ties hold faces or nodes of two sharp edges together.
-  bool are_held(const ContactScene& scene, std::uint32_t pair, std::uint32_t first,
+  bool are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
                 std::uint32_t second) const;
-  /// Whether a place of an edge is its own: at a node that several have, only the edge that is nearest there
+  /// Whether a point of an edge is its own: at a node that several have, only the edge that is nearest there
   /// has it, the first of them if they are alike.
   ///   way  to the other edge [length]
-  bool owns(const ContactScene& scene, std::uint32_t edge, double share, const EdgePlace& place,
-            const Eigen::Vector3d& way) const;
-  /// The record of a place; without stiffness when the edges are not near.
-  static ContactRecord make_record(const ContactScene& scene, const Pair& pair, const EdgePlace& place);
+  bool owns(const ContactStepContext& context, std::uint32_t edge, double share,
+            const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const;
+  /// The contact point of two edges; without stiffness when the edges are not near.
+  static ContactPoint make_contact_point(const ContactStepContext& context, const Pair& pair,
+                                         const EdgePairPoint& pair_point);
 
-  const ContactFaces& faces_;
+  const ContactMesh& contact_mesh_;
   PairLists candidates_, next_;
-  PairLists edges_of_node_;       // [n_contact_nodes] round ones, by first_alike
-  std::vector<Elastic> elastic_;  // [n_candidates]
+  PairLists edges_of_node_;                  // [n_contact_nodes] round ones, by first_alike
+  std::vector<ElasticSlips> elastic_slips_;  // [n_candidates]
   // [n_edges] penetration, 0 where nothing touches, in the last step and in this one [length]
   std::vector<float> depth_before_, depth_now_;
 };

@@ -10,7 +10,7 @@ namespace {
 /// Square of the sine of the angle below which segments count as parallel.
 constexpr double parallel = 0.01;
 
-/// Within this of a node a place is at the node: round-off must not have it inside both edges that meet
+/// Within this of a node a point is at the node: round-off must not have it inside both edges that meet
 /// there.
 constexpr double at_node = 1e-9;
 
@@ -32,26 +32,26 @@ Eigen::Vector3d at(const Segment& segment, double share) {
 
 }  // namespace
 
-EdgePlace nearest_points(const Segment& first, const Segment& second) {
+EdgePairPoint nearest_points(const Segment& first, const Segment& second) {
   const Eigen::Vector3d p = first.col(1) - first.col(0), q = second.col(1) - second.col(0);
   const double pp = p.squaredNorm(), qq = q.squaredNorm(), pq = p.dot(q), det = pp * qq - pq * pq;
   const Eigen::Vector3d r = first.col(0) - second.col(0);
-  EdgePlace place;
+  EdgePairPoint pair_point;
   if (pp == 0.0 || qq == 0.0 || !(det > 0.0)) {
-    place.s = pp == 0.0 ? 0.0 : along(first, second.col(0));
-    place.t = along(second, at(first, place.s));
+    pair_point.s = pp == 0.0 ? 0.0 : along(first, second.col(0));
+    pair_point.t = along(second, at(first, pair_point.s));
   } else {
-    place.s = std::clamp((pq * q.dot(r) - qq * p.dot(r)) / det, 0.0, 1.0);
-    place.t = (pq * place.s + q.dot(r)) / qq;
+    pair_point.s = std::clamp((pq * q.dot(r) - qq * p.dot(r)) / det, 0.0, 1.0);
+    pair_point.t = (pq * pair_point.s + q.dot(r)) / qq;
   }
-  if (place.t < 0.0 || place.t > 1.0) place.t = std::clamp(place.t, 0.0, 1.0);
-  if (pp > 0.0) place.s = along(first, at(second, place.t));
-  place.s = at_node_or_inside(place.s);
-  place.t = at_node_or_inside(place.t);
-  return place;
+  if (pair_point.t < 0.0 || pair_point.t > 1.0) pair_point.t = std::clamp(pair_point.t, 0.0, 1.0);
+  if (pp > 0.0) pair_point.s = along(first, at(second, pair_point.t));
+  pair_point.s = at_node_or_inside(pair_point.s);
+  pair_point.t = at_node_or_inside(pair_point.t);
+  return pair_point;
 }
 
-EdgePlaces::EdgePlaces(const Segment& first, const Segment& second) {
+EdgePairPoints::EdgePairPoints(const Segment& first, const Segment& second) {
   const Eigen::Vector3d p = first.col(1) - first.col(0), q = second.col(1) - second.col(0);
   const double square = p.squaredNorm() * q.squaredNorm();
   const double cosine = p.dot(q);
@@ -62,7 +62,7 @@ EdgePlaces::EdgePlaces(const Segment& first, const Segment& second) {
   n_ = 1;
 }
 
-bool EdgePlaces::add_parallel(const Segment& first, const Segment& second) {
+bool EdgePairPoints::add_parallel(const Segment& first, const Segment& second) {
   const Eigen::Vector3d p = first.col(1) - first.col(0);
   const double square = p.squaredNorm();
   const auto on_line = [&](Eigen::Index end) { return p.dot(second.col(end) - first.col(0)) / square; };

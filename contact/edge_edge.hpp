@@ -11,28 +11,28 @@ namespace contactsim {
 using Segment = Eigen::Matrix<double, 3, 2>;
 
 /// Where two segments are near each other.
-struct EdgePlace {
+struct EdgePairPoint {
   double s = 0.0, t = 0.0;  ///< along the first and the second, 0 at the first node and 1 at the second [1]
   double length = 0.0;      ///< of the segments that lie along each other here; 0 where they cross [length]
   bool is_parallel = false;
 };
 
-/// The places where two segments are nearest: one where they cross, the two ends of the part in which they
+/// The points where two segments are nearest: one where they cross, the two ends of the part in which they
 /// lie along each other when they are parallel within 6 degrees.
-class EdgePlaces {
+class EdgePairPoints {
  public:
-  EdgePlaces(const Segment& first, const Segment& second);
+  EdgePairPoints(const Segment& first, const Segment& second);
 
-  std::span<const EdgePlace> get() const { return {places_.data(), n_}; }
+  std::span<const EdgePairPoint> get() const { return {places_.data(), n_}; }
 
  private:
   bool add_parallel(const Segment& first, const Segment& second);
 
-  std::array<EdgePlace, 2> places_;
+  std::array<EdgePairPoint, 2> places_;
   std::size_t n_ = 0;
 };
 
 /// The nearest points of two segments. Source: Ericson, Real-Time Collision Detection (2005), 5.1.9.
-EdgePlace nearest_points(const Segment& first, const Segment& second);
+EdgePairPoint nearest_points(const Segment& first, const Segment& second);
 
 }  // namespace contactsim

@@ -34,29 +34,29 @@ FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangl
   set(2, q.cross(p).normalized());
   const Eigen::Vector3d velocity = mean(v, is_triangle);
   set(3, velocity.cast<float>());
-  stir_ = (normal().transpose() * (v.colwise() - velocity).cast<float>()).maxCoeff();
+  normal_velocity_spread_ = (normal().transpose() * (v.colwise() - velocity).cast<float>()).maxCoeff();
   if (is_triangle) {
     set(0, 0.5f * (away.col(1) - away.col(0)));
     set(1, 0.5f * p);
     // The parallelogram of a triangle has its middle elsewhere.
-    twist_ = (half(0) + half(1)).norm() / 3.0f;
+    warp_ = (half(0) + half(1)).norm() / 3.0f;
   } else {
     set(0, 0.25f * (p + q));
     set(1, 0.25f * (p - q));
-    twist_ = 0.5f * (away.col(0) + away.col(2)).norm();
+    warp_ = 0.5f * (away.col(0) + away.col(2)).norm();
   }
 }
 
-bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
+bool may_touch(const FaceBound& a, const FaceBound& b, double activation_distance) {
   const Eigen::Vector3f apart = (a.centre() - b.centre()).cast<float>();
   const FourFloats on_b = b.times(apart), normal = a.times(b.normal());
   if (normal[2] > most_aside_rounded) return false;
-  const float size = a.radius() + b.radius(), twist = a.twist() + b.twist(), height = on_b[2];
-  const float thick = std::abs(normal[0]) + std::abs(normal[1]) + twist;
-  if (height > static_cast<float>(reach) + thick + rounding * size) return false;
-  // Seen along the common normal instead of the second face's, places move by this much.
+  const float size = a.radius() + b.radius(), warp = a.warp() + b.warp(), height = on_b[2];
+  const float thick = std::abs(normal[0]) + std::abs(normal[1]) + warp;
+  if (height > static_cast<float>(activation_distance) + thick + rounding * size) return false;
+  // Seen along the common normal instead of the second face's, points move by this much.
   const float tilt = (a.normal() + b.normal()).norm();
-  const float slack = twist + tilt * (std::abs(height) + 0.25f * size) + rounding * size;
+  const float slack = warp + tilt * (std::abs(height) + 0.25f * size) + rounding * size;
   const FourFloats on_a = a.times(apart);
   const std::array<FourFloats, 2> a_b{a.times(b.half(0)), a.times(b.half(1))};
   const std::array<FourFloats, 2> a_a{a.times(a.half(0)), a.times(a.half(1))};
@@ -70,15 +70,16 @@ bool may_touch(const FaceBound& a, const FaceBound& b, double reach) {
   return true;
 }
 
-bool may_stand_over(const Eigen::Vector3d& point, const FaceBound& face, double reach, double depth,
-                    double beyond) {
+bool may_project_inside(const Eigen::Vector3d& point, const FaceBound& face, double activation_distance,
+                        double depth, double beyond) {
   const Eigen::Vector3f away = (point - face.centre()).cast<float>();
   const FourFloats on_face = face.times(away);
   const float height = on_face[2], size = face.radius() + std::abs(height);
-  const float rough = face.twist() + rounding * size;
-  if (height > static_cast<float>(reach) + rough || height < -static_cast<float>(depth) - rough) return false;
-  // The foot of a point off a warped face lies aside by as much as its normal turns.
-  const float turned = face.twist() / face.radius();
+  const float rough = face.warp() + rounding * size;
+  if (height > static_cast<float>(activation_distance) + rough || height < -static_cast<float>(depth) - rough)
+    return false;
+  // The closest point of a point off a warped face lies aside by as much as its normal turns.
+  const float turned = face.warp() / face.radius();
   const float slack = rough + static_cast<float>(beyond) + 2.0f * turned * std::abs(height);
   for (std::size_t i = 0; i < 2; ++i) {
     const FourFloats along = face.times(face.half(i));

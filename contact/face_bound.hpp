@@ -21,14 +21,14 @@ class FaceBound {
   FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangle);
 
   const Eigen::Vector3d& centre() const { return centre_; }  ///< mean of the corners [length]
-  float radius() const { return radius_; }                   ///< of the ball around the centre [length]
+  float radius() const { return radius_; }                   ///< of the sphere around the centre [length]
   Eigen::Vector3f normal() const { return vector(2); }       ///< unit, out of the element [1]
   Eigen::Vector3f velocity() const { return vector(3); }     ///< mean of the corners [length/time]
   /// How much faster than their mean a corner moves along the normal, at most [length/time].
-  float stir() const { return stir_; }
+  float normal_velocity_spread() const { return normal_velocity_spread_; }
   /// The face lies within twist of the parallelogram centre +- half(0) +- half(1) [length].
   Eigen::Vector3f half(std::size_t i) const { return vector(i); }
-  float twist() const { return twist_; }
+  float warp() const { return warp_; }
 
   /// The products of a vector with half(0), half(1), normal and velocity.
   FourFloats times(const Eigen::Vector3f& w) const { return row(0) * w[0] + row(1) * w[1] + row(2) * w[2]; }
@@ -37,7 +37,7 @@ class FaceBound {
     return (point - centre_).cast<float>().dot(normal());
   }
   /// Whether a point is on the side that the face looks to.
-  bool looks_to(const Eigen::Vector3d& point) const { return height_of(point) > 0.0f; }
+  bool is_in_front(const Eigen::Vector3d& point) const { return height_of(point) > 0.0f; }
 
  private:
   FourFloats row(std::size_t axis) const {
@@ -52,18 +52,18 @@ class FaceBound {
 
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   std::array<std::array<float, 4>, 3> rows_{};  // components of halves, normal, velocity
-  float twist_ = 0.0f, radius_ = 0.0f, stir_ = 0.0f;
+  float warp_ = 0.0f, radius_ = 0.0f, normal_velocity_spread_ = 0.0f;
 };
 
-/// Whether two faces may touch: they look at each other, are not farther apart along the normal than the
-/// reach, and no direction along one of their edges parts them. Says yes rather too often.
-///   reach  gaps up to it count [length]
-bool may_touch(const FaceBound& a, const FaceBound& b, double reach);
+/// Whether two faces may touch: they face each other, are not farther apart along the normal than the
+/// activation distance, and no direction along one of their edges parts them. Says yes rather too often.
+///   activation_distance  gaps up to it count [length]
+bool may_touch(const FaceBound& a, const FaceBound& b, double activation_distance);
 
-/// Whether a point may stand over a face: within its edges or a bit beyond, from `depth` behind it to `reach`
-/// before it. Says yes rather too often.
+/// Whether a point may project inside a face: within its edges or a bit beyond, from `depth` behind it to
+/// `activation_distance` before it. Says yes rather too often.
 ///   beyond  how far beyond the edges counts [length]
-bool may_stand_over(const Eigen::Vector3d& point, const FaceBound& face, double reach, double depth,
-                    double beyond);
+bool may_project_inside(const Eigen::Vector3d& point, const FaceBound& face, double activation_distance,
+                        double depth, double beyond);
 
 }  // namespace contactsim

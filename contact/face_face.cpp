@@ -92,8 +92,9 @@ class PressureSums {
 };
 
 /// Whether all of the overlap is near, and on one side of where the gap closes.
-bool is_uncut(const ProjectedPair& pair, double reach, double depth) {
-  return pair.least_gap >= -depth && pair.most_gap <= reach && (pair.most_gap <= 0.0 || pair.least_gap > 0.0);
+bool is_uncut(const ProjectedPair& pair, double activation_distance, double depth) {
+  return pair.least_gap >= -depth && pair.most_gap <= activation_distance &&
+         (pair.most_gap <= 0.0 || pair.least_gap > 0.0);
 }
 
 void set_points(const OverlapPolygon& polygon, const ProjectedPair& pair, Overlap& overlap) {
@@ -102,18 +103,18 @@ void set_points(const OverlapPolygon& polygon, const ProjectedPair& pair, Overla
 }
 
 /// What lies deeper than the depth is another wall, as is what lies behind it.
-void find_overlap(const ProjectedPair& pair, double reach, double depth, Overlap& overlap) {
+void find_overlap(const ProjectedPair& pair, double activation_distance, double depth, Overlap& overlap) {
   OverlapPolygon whole = overlap_of(pair);
   const double area = whole.area();
   if (!(area > 0.0)) return;
-  if (is_uncut(pair, reach, depth)) {
+  if (is_uncut(pair, activation_distance, depth)) {
     overlap.touches = pair.most_gap <= 0.0;
     overlap.near_area = area * pair.plane.spread;
     return set_points(whole, pair, overlap);
   }
   set_gaps(pair.map_1, pair.map_2, whole);
   std::array<OverlapPolygon, 2> for_near, for_behind;
-  const OverlapPolygon& near = part_between(-depth, reach, whole, for_near);
+  const OverlapPolygon& near = part_between(-depth, activation_distance, whole, for_near);
   const double near_area = near.area();
   if (!(near_area > 0.0)) return;
   overlap.near_area = near_area * pair.plane.spread;
@@ -125,19 +126,19 @@ void find_overlap(const ProjectedPair& pair, double reach, double depth, Overlap
 }  // namespace
 
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
-                                       const PairPenalty& penalty, double reach) {
+                                       const PairPenalty& penalty, double activation_distance) {
   FaceFaceContact contact;
   auto pair = project_pair(first, second);
-  if (!pair || !is_near(*pair, reach, penalty.depth)) return contact;
+  if (!pair || !is_near(*pair, activation_distance, penalty.depth)) return contact;
   make_maps(first, second, *pair);
   Overlap overlap;
-  find_overlap(*pair, reach, penalty.depth, overlap);
+  find_overlap(*pair, activation_distance, penalty.depth, overlap);
   if (!(overlap.points.area > 0.0)) return contact;
   PressureSums sums(overlap, penalty);
   if (penalty.damping > 0.0) sums.set_damping(first, second, pair->plane.normal);
   sums.add(contact);
   contact.stiffness *= overlap.near_area;
-  contact.overlaps = contact.gap < reach && -contact.gap <= penalty.depth;
+  contact.overlaps = contact.gap < activation_distance && -contact.gap <= penalty.depth;
   if (!contact.overlaps) return contact;
   contact.normal = pair->plane.normal;
   contact.weights_1 = sums.weights(true, first.is_triangle);
@@ -146,9 +147,9 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
 }
 
 bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double reach) {
+                      double activation_distance) {
   const auto pair = project_pair(first, second);
-  return pair && is_uncut(*pair, reach, penalty.depth);
+  return pair && is_uncut(*pair, activation_distance, penalty.depth);
 }
 
 std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second) {

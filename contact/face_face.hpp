@@ -25,23 +25,23 @@ struct MovingFace {
   FaceCorners x;  ///< [length]
   FaceCorners v;  ///< [length/time]
   bool is_triangle = false;
-  double sharpness = 0.0;  ///< see FaceLook [degrees]
+  double sharpness = 0.0;  ///< see FaceOrientation [degrees]
 
-  FaceLook look() const { return {area_vector(x), sharpness}; }
+  FaceOrientation look() const { return {area_vector(x), sharpness}; }
   /// Unit, out of the element [1].
   Eigen::Vector3d normal() const { return area_vector(x).normalized(); }
 };
 
 /// How two faces push each other.
 struct FaceFaceContact {
-  bool overlaps = false;  ///< seen along the normal, and near enough to touch within the reach
+  bool overlaps = false;  ///< seen along the normal, and near enough to touch within the activation distance
   double force = 0.0;     ///< along the normal on the first face, against it on the second, >= 0 [force]
   double area = 0.0;      ///< that touches [length^2]
   double gap =
       0.0;  ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
   double deepest = 0.0;    ///< penetration of any point [length]
-  double stiffness = 0.0;  ///< of the penalty over what is nearer than the reach, at the end of the step to
-                           ///< come [force/length]
+  double stiffness = 0.0;  ///< of the penalty over what is nearer than the activation distance, at the end of
+                           ///< the step to come [force/length]
   double beyond_spring = 0.0;  ///< stored besides what springs of that force and depth would [energy]
   double damped_power = 0.0;   ///< energy that damping takes per time [energy/time]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
@@ -53,20 +53,20 @@ struct FaceFaceContact {
 /// faces that lies behind the other face, by the area of the face that leans more. Both faces get the same
 /// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
 /// of any shape.
-///   reach  gaps up to it count as near [length]
+///   activation_distance  gaps up to it count as near [length]
 /// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput.
 /// Methods Appl. Mech. Eng. 193 (2004) 601-629, over the clipped polygon, which is clipped where the gap
 /// closes as well: without that corners make or lose a tenth of their energy.
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
-                                       const PairPenalty& penalty, double reach);
+                                       const PairPenalty& penalty, double activation_distance);
 
-/// Whether two faces look at each other, and no part of both lies on the other side of where the gap closes
-/// than the rest, or out of reach.
+/// Whether two faces face each other, and no part of both lies on the other side of where the gap closes
+/// than the rest, or beyond the activation distance.
 bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double reach);
+                      double activation_distance);
 
 /// Which part of an overlap is constrained, by the gaps at the end of the coming step.
-struct ConstraintReach {
+struct ConstraintActivation {
   double ahead = 0.0;   ///< the coming step [time]
   double margin = 0.0;  ///< gaps up to it count as closed, > 0 [length]
   double near = 0.0;    ///< where no gap closes those up to it may close soon, >= margin [length]
@@ -99,7 +99,7 @@ struct FaceFaceConstraints {
 ///
 /// Warped quadrilaterals that are near in part count as their Facets.
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
-                                               const ConstraintReach& reach);
+                                               const ConstraintActivation& activation);
 
 /// The plane and the points of two faces as they are now, for ties.
 struct FaceFacePoints {
@@ -122,7 +122,7 @@ struct FaceFacePoints {
   }
 };
 
-/// Nothing when the faces do not look at each other or do not overlap.
+/// Nothing when the faces do not face each other or do not overlap.
 std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second);
 
 }  // namespace contactsim

@@ -45,7 +45,7 @@ OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, co
 }
 
 /// The points of two faces whose heights over the plane are, or count as, linear between their corners.
-void add_points(const MovingFace& first, const MovingFace& second, const ConstraintReach& reach,
+void add_points(const MovingFace& first, const MovingFace& second, const ConstraintActivation& activation,
                 ProjectedPair& pair, FaceFaceConstraints& found) {
   make_maps(first, second, pair);
   OverlapPolygon whole = overlap_of(pair);
@@ -55,11 +55,11 @@ void add_points(const MovingFace& first, const MovingFace& second, const Constra
   const double smaller = std::min(area_1, area_2);
   std::array<OverlapPolygon, 2> scratch;
   const OverlapPolygon* part = &whole;
-  if (!is_whole_near(pair, reach)) {
+  if (!is_whole_near(pair, activation)) {
     set_gaps(pair.map_1, pair.map_2, whole);
-    part = &part_between(-reach.depth, reach.margin, whole, scratch);
-    if (!(part->area() > 0.0) && reach.near > reach.margin)
-      part = &part_between(-reach.depth, reach.near, whole, scratch);
+    part = &part_between(-activation.depth, activation.margin, whole, scratch);
+    if (!(part->area() > 0.0) && activation.near > activation.margin)
+      part = &part_between(-activation.depth, activation.near, whole, scratch);
   }
   const double area = part->area();
   if (!(area > negligible * smaller)) return;
@@ -79,22 +79,24 @@ void add_points(const MovingFace& first, const MovingFace& second, const Constra
 }  // namespace
 
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
-                                               const ConstraintReach& reach) {
+                                               const ConstraintActivation& activation) {
   FaceFaceConstraints found;
-  auto pair = project_pair(first, second, reach.ahead);
-  if (!pair || !is_near(*pair, std::max(reach.near, reach.margin), reach.depth)) return found;
-  if (is_whole_near(*pair, reach) || !(is_warped(first, reach.flat) || is_warped(second, reach.flat))) {
-    add_points(first, second, reach, *pair, found);
+  auto pair = project_pair(first, second, activation.ahead);
+  if (!pair || !is_near(*pair, std::max(activation.near, activation.margin), activation.depth)) return found;
+  if (is_whole_near(*pair, activation) ||
+      !(is_warped(first, activation.flat) || is_warped(second, activation.flat))) {
+    add_points(first, second, activation, *pair, found);
     return found;
   }
-  const Facets facets_1(first, reach.flat), facets_2(second, reach.flat);
+  const Facets facets_1(first, activation.flat), facets_2(second, activation.flat);
   for (const Facet& a : facets_1.all()) {
     for (const Facet& b : facets_2.all()) {
       const std::size_t part = n_parts * (Facet::n_numbers * a.number + b.number);
-      auto facets = project_pair(a.face, b.face, reach.ahead);
-      if (!facets || !is_near(*facets, std::max(reach.near, reach.margin), reach.depth)) continue;
+      auto facets = project_pair(a.face, b.face, activation.ahead);
+      if (!facets || !is_near(*facets, std::max(activation.near, activation.margin), activation.depth))
+        continue;
       const std::size_t n_before = found.n;
-      add_points(a.face, b.face, reach, *facets, found);
+      add_points(a.face, b.face, activation, *facets, found);
       for (OverlapShare& point : std::span(found.points).subspan(n_before, found.n - n_before)) {
         point.weights_1 = a.to_face(point.weights_1);
         point.weights_2 = b.to_face(point.weights_2);

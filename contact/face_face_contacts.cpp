@@ -6,11 +6,11 @@
 #include <limits>
 #include <utility>
 
-#include "contact/contact_place.hpp"
+#include "contact/cohesive_traction.hpp"
+#include "contact/contact_point_law.hpp"
 #include "contact/facets.hpp"
 #include "contact/flush_rims.hpp"
 #include "contact/friction.hpp"
-#include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
 #include "core/state_archive.hpp"
 
@@ -30,28 +30,29 @@ Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weigh
 }  // namespace
 
 void FaceFaceContacts::take_candidates() {
-  touched_ = carry_over<std::uint8_t>(candidates_, touched_, next_, 0);
+  touched_ = transfer_pairs<std::uint8_t>(candidates_, touched_, next_, 0);
   if (has_friction_)
-    elastic_ = carry_over<Eigen::Vector3d>(candidates_, elastic_, next_, Eigen::Vector3d::Zero());
+    elastic_slips_ =
+        transfer_pairs<Eigen::Vector3d>(candidates_, elastic_slips_, next_, Eigen::Vector3d::Zero());
   candidates_ = std::exchange(next_, {});
 }
 
-void FaceFaceContacts::renumber(const ContactRenumbering& places) {
+void FaceFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
-  candidates_ = carried(candidates_, places.faces, places.faces, places.n_faces_after, before);
+  candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
   std::vector<std::uint8_t> touched;
-  std::vector<Eigen::Vector3d> elastic;
+  std::vector<Eigen::Vector3d> elastic_slip;
   for (const std::size_t old : before) {
     touched.push_back(touched_[old]);
-    if (has_friction_) elastic.push_back(elastic_[old]);
+    if (has_friction_) elastic_slip.push_back(elastic_slips_[old]);
   }
   touched_ = std::move(touched);
-  elastic_ = std::move(elastic);
+  elastic_slips_ = std::move(elastic_slip);
   const Eigen::Vector4d no_slip = Eigen::Vector4d::Zero();
-  carry(places.faces, places.n_faces_after, no_slip, means_);
-  carry(places.faces, places.n_faces_after, no_slip, next_means_);
-  carry(places.faces, places.n_faces_after, 0.0f, depth_before_);
-  carry(places.faces, places.n_faces_after, 0.0f, depth_now_);
+  transfer(remap.faces, remap.n_faces_after, no_slip, means_);
+  transfer(remap.faces, remap.n_faces_after, no_slip, next_means_);
+  transfer(remap.faces, remap.n_faces_after, 0.0f, depth_before_);
+  transfer(remap.faces, remap.n_faces_after, 0.0f, depth_now_);
   // Contacts that deaths end are not lost.
   for (std::vector<std::uint32_t>* partners : {&partner_before_, &partner_now_})
     partners->assign(depth_now_.size(), no_partner);
@@ -60,155 +61,165 @@ void FaceFaceContacts::renumber(const ContactRenumbering& places) {
 void FaceFaceContacts::begin_step() {
   std::swap(depth_before_, depth_now_);
   std::swap(partner_before_, partner_now_);
-  depth_before_.resize(faces_.faces.size(), 0.0f);
-  partner_before_.resize(faces_.faces.size(), no_partner);
-  depth_now_.assign(faces_.faces.size(), 0.0f);
-  partner_now_.assign(faces_.faces.size(), no_partner);
+  depth_before_.resize(contact_mesh_.faces.size(), 0.0f);
+  partner_before_.resize(contact_mesh_.faces.size(), no_partner);
+  depth_now_.assign(contact_mesh_.faces.size(), 0.0f);
+  partner_now_.assign(contact_mesh_.faces.size(), no_partner);
   if (!has_friction_) return;
   std::swap(means_, next_means_);
-  means_.resize(faces_.faces.size(), Eigen::Vector4d::Zero());
-  next_means_.assign(faces_.faces.size(), Eigen::Vector4d::Zero());
+  means_.resize(contact_mesh_.faces.size(), Eigen::Vector4d::Zero());
+  next_means_.assign(contact_mesh_.faces.size(), Eigen::Vector4d::Zero());
 }
 
-void FaceFaceContacts::note(const ContactRecord& record) {
-  if (!record.is_met() || record.is_held_apart) return;
+void FaceFaceContacts::note(const ContactPoint& contact_point) {
+  if (!contact_point.is_met() || contact_point.is_held_apart) return;
   const auto deepen = [&](std::uint32_t face, std::uint32_t partner) {
-    const float depth = std::max(static_cast<float>(-record.gap), std::numeric_limits<float>::min());
+    const float depth = std::max(static_cast<float>(-contact_point.gap), std::numeric_limits<float>::min());
     if (!(depth > depth_now_[face])) return;
     depth_now_[face] = depth;
     partner_now_[face] = partner;
   };
-  deepen(record.first_place, record.second_place);
-  deepen(record.second_place, record.first_place);
-  if (!has_friction_ || record.is_balanced) return;
+  deepen(contact_point.first_entity, contact_point.second_entity);
+  deepen(contact_point.second_entity, contact_point.first_entity);
+  if (!has_friction_ || contact_point.is_balanced) return;
   Eigen::Vector4d share;
-  share << record.area * record.elastic, 0.0;
-  const Eigen::Vector4d area(0.0, 0.0, 0.0, record.area);
-  next_means_[record.first_place] += share + area;
-  next_means_[record.second_place] += area - share;
+  share << contact_point.area * contact_point.elastic_slip, 0.0;
+  const Eigen::Vector4d area(0.0, 0.0, 0.0, contact_point.area);
+  next_means_[contact_point.first_entity] += share + area;
+  next_means_[contact_point.second_entity] += area - share;
 }
 
 void FaceFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/face_pairs", candidates_, saved);
   saved.list("contact/face_pairs/touched", touched_);
-  saved.list("contact/face_pairs/elastic_slip", elastic_);
+  saved.list("contact/face_pairs/elastic_slip", elastic_slips_);
   // What is known of faces between steps; begin_step() makes it that of the last one.
   saved.list("contact/faces/mean_slip", next_means_);
   saved.list("contact/faces/depth", depth_now_);
   saved.list("contact/faces/partner", partner_now_);
 }
 
-void FaceFaceContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
-                            std::vector<ContactRecord>& records) {
+void FaceFaceContacts::find(const ContactStepContext& context, std::size_t begin, std::size_t end,
+                            std::vector<ContactPoint>& contact_points) {
   for (std::size_t row = begin; row < end; ++row) {
     const auto first = static_cast<std::uint32_t>(row);
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
       const std::uint32_t second = candidates_.partners[k];
-      const std::uint32_t pair = scene.rules.find(faces_.faces[first].surface, faces_.faces[second].surface);
-      const Candidate candidate{first, second, pair, k, scene.rules.of_faces(pair, first, second)};
-      find_one(scene, candidate, records);
-      if (candidate.rule.acts_apart()) pull_one(scene, candidate, records);
+      const std::uint32_t pair =
+          context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+      const Candidate candidate{first, second, pair, k, context.rules.of_faces(pair, first, second)};
+      find_one(context, candidate, contact_points);
+      if (candidate.rule.acts_apart()) pull_one(context, candidate, contact_points);
     }
   }
 }
 
-void FaceFaceContacts::find_one(const ContactScene& scene, const Candidate& candidate,
-                                std::vector<ContactRecord>& records) {
-  const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
+void FaceFaceContacts::find_one(const ContactStepContext& context, const Candidate& candidate,
+                                std::vector<ContactPoint>& contact_points) {
+  const FaceBound &a = context.kinematics.bound(candidate.first),
+                  &b = context.kinematics.bound(candidate.second);
   const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
-  const double closed = closing * scene.dt, reach = closing * scene.ahead();
+  const double closed = closing * context.dt, activation_distance = closing * context.ahead();
   const PairRule& rule = candidate.rule;
-  if (rule.is_balanced != scene.balances) return;
-  const bool did_touch = touched_[candidate.place] != 0;
-  touched_[candidate.place] = 0;
-  const double margin = scene.balances ? closed_share * thinner(candidate) : 0.0;
-  if (!may_touch(a, b, std::max(reach, margin)) || !scene.looks_at(rule) || rule.law == ContactLaw::tied)
+  if (rule.is_balanced != context.balances) return;
+  const bool did_touch = touched_[candidate.position] != 0;
+  touched_[candidate.position] = 0;
+  const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
+  if (!may_touch(a, b, std::max(activation_distance, margin)) || !context.looks_at(rule) ||
+      rule.law == ContactLaw::tied)
     return;
-  if (rule.law != ContactLaw::sliding && scene.glued.holds_faces(candidate.first, candidate.second)) return;
+  if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
+    return;
 
-  PairPenalty penalty = make_pair_penalty(faces_.faces[candidate.first].backing,
-                                          &faces_.faces[candidate.second].backing, *rule.pair);
+  PairPenalty penalty =
+      make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
+                        &contact_mesh_.faces[candidate.second].penalty_properties, *rule.pair);
   // What came in by itself may be as deep as its speed brought it; what has touched has no depth at which it
   // ends; what slides on from another partner may be as deep as it was there.
   const double before = depth_before(candidate);
   penalty.depth = did_touch      ? std::numeric_limits<double>::infinity()
                   : before > 0.0 ? std::max(penalty.depth, depth_of_known(0.0, before, closed))
                                  : std::max(penalty.depth, 1.5 * closed);
-  const MovingFace first = scene.surface.face(candidate.first), second = scene.surface.face(candidate.second);
-  if (scene.balances) {
-    const double depth = penalty.depth + 1.5 * closing * scene.coming_dt;
-    return find_constraints(scene, candidate, first, second,
-                            {scene.coming_dt, margin, reach, depth, flat_share * thinner(candidate)},
-                            did_touch, records);
+  const MovingFace first = context.kinematics.face(candidate.first),
+                   second = context.kinematics.face(candidate.second);
+  if (context.balances) {
+    const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
+    return find_constraints(
+        context, candidate, first, second,
+        {context.coming_dt, margin, activation_distance, depth, flat_share * thinner(candidate)}, did_touch,
+        contact_points);
   }
   penalty.closing = closed;
-  find_penalty(scene, candidate, {first, second, penalty, reach, did_touch}, records);
+  find_penalty(context, candidate, {first, second, penalty, activation_distance, did_touch}, contact_points);
 }
 
-void FaceFaceContacts::find_penalty(const ContactScene& scene, const Candidate& candidate,
-                                    const PenaltyPush& push, std::vector<ContactRecord>& records) {
-  const std::size_t n_before = records.size();
+void FaceFaceContacts::find_penalty(const ContactStepContext& context, const Candidate& candidate,
+                                    const PenaltyPush& push, std::vector<ContactPoint>& contact_points) {
+  const std::size_t n_before = contact_points.size();
   const double flat = flat_share * thinner(candidate);
   const bool is_split = (is_warped(push.first, flat) || is_warped(push.second, flat)) &&
-                        !is_contact_uncut(push.first, push.second, push.penalty, push.reach);
+                        !is_contact_uncut(push.first, push.second, push.penalty, push.activation_distance);
   if (is_split) {
     const Facets facets_1(push.first, flat), facets_2(push.second, flat);
     for (const Facet& a : facets_1.all()) {
       for (const Facet& b : facets_2.all()) {
-        FaceFaceContact contact = find_face_face_contact(a.face, b.face, push.penalty, push.reach);
+        FaceFaceContact contact =
+            find_face_face_contact(a.face, b.face, push.penalty, push.activation_distance);
         contact.weights_1 = a.to_face(contact.weights_1);
         contact.weights_2 = b.to_face(contact.weights_2);
-        add_penalty(scene, candidate, push, contact, records);
+        add_penalty(context, candidate, push, contact, contact_points);
       }
     }
   } else {
-    const auto contact = find_face_face_contact(push.first, push.second, push.penalty, push.reach);
-    add_penalty(scene, candidate, push, contact, records);
+    const auto contact =
+        find_face_face_contact(push.first, push.second, push.penalty, push.activation_distance);
+    add_penalty(context, candidate, push, contact, contact_points);
   }
   if (!(candidate.rule.friction > 0.0)) return;
   // Facets share the slip that is held: the mean by area.
   double area = 0.0;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const ContactRecord& record : std::span(records).subspan(n_before)) {
-    if (!record.touches()) continue;
-    area += record.area;
-    mean += record.area / area * (record.elastic - mean);
+  for (const ContactPoint& contact_point : std::span(contact_points).subspan(n_before)) {
+    if (!contact_point.touches()) continue;
+    area += contact_point.area;
+    mean += contact_point.area / area * (contact_point.elastic_slip - mean);
   }
-  if (area > 0.0) elastic_[candidate.place] = mean;
+  if (area > 0.0) elastic_slips_[candidate.position] = mean;
 }
 
-void FaceFaceContacts::add_penalty(const ContactScene& scene, const Candidate& candidate,
+void FaceFaceContacts::add_penalty(const ContactStepContext& context, const Candidate& candidate,
                                    const PenaltyPush& push, const FaceFaceContact& contact,
-                                   std::vector<ContactRecord>& records) {
+                                   std::vector<ContactPoint>& contact_points) {
   if (!contact.overlaps) return;
   const Eigen::Vector3d apart =
       velocity_at(push.first, contact.weights_1) - velocity_at(push.second, contact.weights_2);
   if (contact.force > 0.0 && !push.did_touch) {
-    const double closed = -apart.dot(contact.normal) * scene.dt;
-    if (!met_in_front(scene, candidate, contact, closed)) return;
-    if (is_at_flush_rim(scene, candidate.first, candidate.second, contact)) return;
+    const double closed = -apart.dot(contact.normal) * context.dt;
+    if (!met_in_front(context, candidate, contact, closed)) return;
+    if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) return;
   }
-  ContactRecord& record = records.emplace_back(make_record(candidate, contact));
-  record.damped = contact.damped_power * scene.dt;
-  if (!record.touches()) return;
-  touched_[candidate.place] = 1;
+  ContactPoint& contact_point = contact_points.emplace_back(make_contact_point(candidate, contact));
+  contact_point.damped = contact.damped_power * context.dt;
+  if (!contact_point.touches()) return;
+  touched_[candidate.position] = 1;
   const PairRule& rule = candidate.rule;
   if (!(rule.friction > 0.0)) return;
-  record.slip = apart * scene.dt;
-  record.elastic = push.did_touch ? elastic_[candidate.place] : mean_slip(candidate);
-  add_friction(push.penalty.stiffness * contact.area, rule.slip_limit(record, scene.dt), record);
+  contact_point.slip = apart * context.dt;
+  contact_point.elastic_slip = push.did_touch ? elastic_slips_[candidate.position] : mean_slip(candidate);
+  add_friction(push.penalty.stiffness * contact.area, rule.slip_limit(contact_point, context.dt),
+               contact_point);
 }
 
 double FaceFaceContacts::thinner(const Candidate& candidate) const {
-  return std::min(faces_.faces[candidate.first].backing.thickness,
-                  faces_.faces[candidate.second].backing.thickness);
+  return std::min(contact_mesh_.faces[candidate.first].penalty_properties.thickness,
+                  contact_mesh_.faces[candidate.second].penalty_properties.thickness);
 }
 
-void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candidate& candidate,
+void FaceFaceContacts::find_constraints(const ContactStepContext& context, const Candidate& candidate,
                                         const MovingFace& first, const MovingFace& second,
-                                        const ConstraintReach& reach, bool did_touch,
-                                        std::vector<ContactRecord>& records) {
-  const FaceFaceConstraints found = find_face_face_constraints(first, second, reach);
+                                        const ConstraintActivation& activation, bool did_touch,
+                                        std::vector<ContactPoint>& contact_points) {
+  const FaceFaceConstraints found = find_face_face_constraints(first, second, activation);
   const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
   for (const OverlapShare& point : found.all()) {
     FaceFaceContact contact;
@@ -219,68 +230,74 @@ void FaceFaceContacts::find_constraints(const ContactScene& scene, const Candida
     contact.gap = point.normal.dot((first.x.colwise() - origin) * point.weights_1 -
                                    (second.x.colwise() - origin) * point.weights_2);
     const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
-    const double closing = -apart.dot(point.normal) * scene.coming_dt;
-    if (!did_touch && contact.gap < 0.0 && !met_in_front(scene, candidate, contact, closing)) continue;
-    if (contact.gap < closing && is_at_flush_rim(scene, candidate.first, candidate.second, contact)) continue;
-    ContactRecord& record = records.emplace_back(make_record(candidate, contact));
-    record.stiffness = 0.0;
-    record.is_balanced = true;
-    record.part = point.part;
-    record.closing = closing;
-    if (record.is_met()) touched_[candidate.place] = 1;
+    const double closing = -apart.dot(point.normal) * context.coming_dt;
+    if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;
+    if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
+      continue;
+    ContactPoint& contact_point = contact_points.emplace_back(make_contact_point(candidate, contact));
+    contact_point.stiffness = 0.0;
+    contact_point.is_balanced = true;
+    contact_point.part = point.part;
+    contact_point.closing = closing;
+    if (contact_point.is_met()) touched_[candidate.position] = 1;
   }
 }
 
-ContactRecord FaceFaceContacts::make_record(const Candidate& candidate,
-                                            const FaceFaceContact& contact) const {
-  const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
-  ContactRecord record;
-  record.pair = candidate.pair;
-  record.is_swapped = first.surface != candidate.rule.pair->first;
-  record.first_place = candidate.first;
-  record.second_place = candidate.second;
-  record.first = {first.corners, contact.weights_1};
-  record.second = {second.corners, contact.weights_2};
-  record.normal = contact.normal;
-  record.force = contact.force;
-  record.area = contact.area;
-  record.gap = contact.gap;
-  record.deepest = contact.deepest;
-  record.beyond_spring = contact.beyond_spring;
-  record.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
-  return record;
+ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,
+                                                  const FaceFaceContact& contact) const {
+  const ContactFace &first = contact_mesh_.faces[candidate.first],
+                    &second = contact_mesh_.faces[candidate.second];
+  ContactPoint contact_point;
+  contact_point.pair = candidate.pair;
+  contact_point.is_swapped = first.surface != candidate.rule.pair->first;
+  contact_point.first_entity = candidate.first;
+  contact_point.second_entity = candidate.second;
+  contact_point.first = {first.corners, contact.weights_1};
+  contact_point.second = {second.corners, contact.weights_2};
+  contact_point.normal = contact.normal;
+  contact_point.force = contact.force;
+  contact_point.area = contact.area;
+  contact_point.gap = contact.gap;
+  contact_point.deepest = contact.deepest;
+  contact_point.beyond_spring = contact.beyond_spring;
+  contact_point.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
+  return contact_point;
 }
 
-void FaceFaceContacts::pull_one(const ContactScene& scene, const Candidate& candidate,
-                                std::vector<ContactRecord>& records) {
+void FaceFaceContacts::pull_one(const ContactStepContext& context, const Candidate& candidate,
+                                std::vector<ContactPoint>& contact_points) {
   const PairRule& rule = candidate.rule;
-  const ContactFace &first = faces_.faces[candidate.first], &second = faces_.faces[candidate.second];
-  const FaceBound &a = scene.surface.bound(candidate.first), &b = scene.surface.bound(candidate.second);
-  ContactRecord record;
-  if (has_friction_) record.elastic = elastic_[candidate.place];
+  const ContactFace &first = contact_mesh_.faces[candidate.first],
+                    &second = contact_mesh_.faces[candidate.second];
+  const FaceBound &a = context.kinematics.bound(candidate.first),
+                  &b = context.kinematics.bound(candidate.second);
+  ContactPoint contact_point;
+  if (has_friction_) contact_point.elastic_slip = elastic_slips_[candidate.position];
   const auto feels = [&] {
-    if (!scene.looks_at(rule) || !may_touch(a, b, rule.reach)) return false;
-    const FacePush push{scene.surface.last_face(candidate.first), scene.surface.last_face(candidate.second),
-                        make_pair_penalty(first.backing, &second.backing, *rule.pair), scene.dt};
-    return pull_faces(*rule.place, push, record);
+    if (!context.looks_at(rule) || !may_touch(a, b, rule.activation_distance)) return false;
+    const FacePenaltyInput push{
+        context.kinematics.last_face(candidate.first), context.kinematics.last_face(candidate.second),
+        make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair), context.dt};
+    return add_face_traction(*rule.interface_law, push, contact_point);
   };
   const bool is_held = feels();
   // A junction's spring is its own: what only touches has none.
-  if (rule.place->rate_limit) elastic_[candidate.place] = is_held ? record.elastic : Eigen::Vector3d::Zero();
+  if (rule.interface_law->rate_limit)
+    elastic_slips_[candidate.position] = is_held ? contact_point.elastic_slip : Eigen::Vector3d::Zero();
   if (!is_held) return;
-  record.pair = candidate.pair;
-  record.is_swapped = first.surface != rule.pair->first;
-  record.first_place = candidate.first;
-  record.second_place = candidate.second;
-  record.first.nodes = first.corners;
-  record.second.nodes = second.corners;
-  records.push_back(record);
+  contact_point.pair = candidate.pair;
+  contact_point.is_swapped = first.surface != rule.pair->first;
+  contact_point.first_entity = candidate.first;
+  contact_point.second_entity = candidate.second;
+  contact_point.first.nodes = first.corners;
+  contact_point.second.nodes = second.corners;
+  contact_points.push_back(contact_point);
 }
 
-bool FaceFaceContacts::met_in_front(const ContactScene& scene, const Candidate& candidate,
+bool FaceFaceContacts::met_in_front(const ContactStepContext& context, const Candidate& candidate,
                                     const FaceFaceContact& contact, double closed) const {
   // Before the first step nobody knows: what is wider than deep is pushed out.
-  if (scene.dt == 0.0) return contact.gap * contact.gap <= contact.area;
+  if (context.dt == 0.0) return contact.gap * contact.gap <= contact.area;
   const double thickness = thinner(candidate);
   if (contact.gap + closed > -shallow_depth * thickness) return true;
   // One that slides on from another partner may be about as deep as it was there, but not behind a far wall.
@@ -299,9 +316,10 @@ void FaceFaceContacts::find_lost(const PairRules& rules, std::vector<LostContact
     if (partner == no_partner || partner < face) continue;
     const bool is_over = partner_now_[face] == no_partner && partner_now_[partner] == no_partner;
     if (!is_over) continue;
-    const ContactFace &a = faces_.faces[face], &b = faces_.faces[partner];
+    const ContactFace &a = contact_mesh_.faces[face], &b = contact_mesh_.faces[partner];
     const double depth = depth_before_[face];
-    if (depth < deep_share * std::min(a.backing.thickness, b.backing.thickness)) continue;
+    if (depth < deep_share * std::min(a.penalty_properties.thickness, b.penalty_properties.thickness))
+      continue;
     lost.push_back({rules.find(a.surface, b.surface), a.corners[0], depth});
   }
 }

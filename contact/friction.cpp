@@ -17,28 +17,28 @@ Eigen::Vector3d turned_into_plane(const Eigen::Vector3d& vector, const Eigen::Ve
 
 }  // namespace
 
-FrictionStep step_friction(const Eigen::Vector3d& normal, const Eigen::Vector3d& elastic,
+FrictionStep step_friction(const Eigen::Vector3d& normal, const Eigen::Vector3d& elastic_slip,
                            const Eigen::Vector3d& slip, double stiffness, double limit) {
   FrictionStep step;
   const Eigen::Vector3d along = slip - normal.dot(slip) * normal;
-  step.elastic = turned_into_plane(elastic, normal) + along;
-  const double length = step.elastic.norm();
+  step.elastic_slip = turned_into_plane(elastic_slip, normal) + along;
+  const double length = step.elastic_slip.norm();
   if (stiffness * length > limit) {
     const double held = limit / stiffness;
-    step.slip = (1.0 - held / length) * step.elastic;
-    step.elastic -= step.slip;
+    step.slip = (1.0 - held / length) * step.elastic_slip;
+    step.elastic_slip -= step.slip;
     step.dissipated = limit * step.slip.norm();
   }
-  step.force = -stiffness * step.elastic;
+  step.force = -stiffness * step.elastic_slip;
   return step;
 }
 
-void add_friction(double stiffness, double limit, ContactRecord& record) {
-  const FrictionStep step = step_friction(record.normal, record.elastic, record.slip, stiffness, limit);
-  record.tangential = step.force;
-  record.elastic = step.elastic;
-  record.slip = step.slip;
-  record.dissipated = step.dissipated;
+void add_friction(double stiffness, double limit, ContactPoint& point) {
+  const FrictionStep step = step_friction(point.normal, point.elastic_slip, point.slip, stiffness, limit);
+  point.tangential = step.force;
+  point.elastic_slip = step.elastic_slip;
+  point.slip = step.slip;
+  point.dissipated = step.dissipated;
 }
 
 }  // namespace contactsim

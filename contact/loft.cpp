@@ -55,10 +55,10 @@ class LoftBuilder {
     return topology(mesh_.blocks()[mesh_.block_of(element)].shape).family;
   }
 
-  std::uint32_t add_vertex(NodeIndex node, const Eigen::Vector3d& offset, const LoftArm& arm = {}) {
-    points_.emplace_back(coordinates_.col(node.value) + offset);
+  std::uint32_t add_vertex(NodeIndex node, const Eigen::Vector3d& way, const LoftOffset& offset = {}) {
+    points_.emplace_back(coordinates_.col(node.value) + way);
     loft_.node_of_vertex.push_back(node);
-    loft_.arms.push_back(arm);
+    loft_.offsets.push_back(offset);
     return static_cast<std::uint32_t>(points_.size() - 1);
   }
 
@@ -96,13 +96,13 @@ void LoftBuilder::add_brick(ElementIndex element, const LoftSize& size) {
   for (std::size_t i = 0; i < n; ++i) {
     const auto around = neighbours_->around(shell, static_cast<int>(i));
     const Eigen::Vector3d normal = neighbours_->mean_normal(around);
-    LoftArm arm{static_cast<std::uint32_t>(loft_.arm_shells.size()),
-                static_cast<std::uint32_t>(around.size()), size.thickness * size.lofting_factor,
-                size.thickness};
-    loft_.arm_shells.insert(loft_.arm_shells.end(), around.begin(), around.end());
-    top[i] = add_vertex(nodes[i], normal * arm.height, arm);
-    arm.height = -size.thickness * (1.0 - size.lofting_factor);
-    bottom[i] = add_vertex(nodes[i], normal * arm.height, arm);
+    LoftOffset offset{static_cast<std::uint32_t>(loft_.offset_shells.size()),
+                      static_cast<std::uint32_t>(around.size()), size.thickness * size.lofting_factor,
+                      size.thickness};
+    loft_.offset_shells.insert(loft_.offset_shells.end(), around.begin(), around.end());
+    top[i] = add_vertex(nodes[i], normal * offset.height, offset);
+    offset.height = -size.thickness * (1.0 - size.lofting_factor);
+    bottom[i] = add_vertex(nodes[i], normal * offset.height, offset);
   }
   loft_.facets.push_back({element, LoftPart::top, 1, {top[0], top[1], top[2], top[n - 1]}});
   loft_.facets.push_back(
@@ -124,7 +124,7 @@ Eigen::Vector3d across(const Eigen::Vector3d& axis) {
 
 void LoftBuilder::add_prism(ElementIndex element, const LoftSize& size) {
   constexpr std::size_t n = 6;
-  loft_.rods.push_back({element, size.radius});
+  loft_.capsules.push_back({element, size.radius});
   const auto ends = mesh_.element_nodes(element).first(2);
   const Eigen::Vector3d axis =
       (coordinates_.col(ends[1].value) - coordinates_.col(ends[0].value)).normalized();

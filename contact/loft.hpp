@@ -31,8 +31,8 @@ struct LoftFacet {
 };
 
 /// How a vertex of a brick stands off its node: along the mean normal of some shells.
-struct LoftArm {
-  std::uint32_t first = 0, count = 0;  ///< in LoftGeometry::arm_shells; none at vertices of prisms
+struct LoftOffset {
+  std::uint32_t first = 0, count = 0;  ///< in LoftGeometry::offset_shells; none at vertices of prisms
   double height = 0.0;                 ///< along the normal, negative below the shell [length]
   double thickness = 0.0;              ///< of the shell [length]
 };
@@ -45,7 +45,7 @@ struct LoftSphere {
 };
 
 /// The cylinder around a line, in which its prism is inscribed.
-struct LoftRod {
+struct LoftCapsule {
   ElementIndex element;
   double radius = 0.0;  ///< [length]
 };
@@ -53,14 +53,14 @@ struct LoftRod {
 /// Bodies around shells (bricks), lines (hexagonal prisms) and particles (spheres). A force on a vertex
 /// belongs to the mesh node that the vertex was lofted from.
 struct LoftGeometry {
-  Eigen::Matrix3Xd vertices;              ///< 3 x n_vertices [length]
-  std::vector<NodeIndex> node_of_vertex;  ///< [n_vertices]
-  std::vector<LoftArm> arms;              ///< [n_vertices]
-  std::vector<TurnedShell> arm_shells;    ///< their shells
-  std::vector<ElementIndex> shells;       ///< that are lofted, ascending
-  std::vector<LoftFacet> facets;          ///< by element, then side; then joints
-  std::vector<LoftSphere> spheres;        ///< by element
-  std::vector<LoftRod> rods;              ///< by element
+  Eigen::Matrix3Xd vertices;               ///< 3 x n_vertices [length]
+  std::vector<NodeIndex> node_of_vertex;   ///< [n_vertices]
+  std::vector<LoftOffset> offsets;         ///< [n_vertices]
+  std::vector<TurnedShell> offset_shells;  ///< their shells
+  std::vector<ElementIndex> shells;        ///< that are lofted, ascending
+  std::vector<LoftFacet> facets;           ///< by element, then side; then joints
+  std::vector<LoftSphere> spheres;         ///< by element
+  std::vector<LoftCapsule> capsules;       ///< by element
 };
 
 /// Lofts elements at the given coordinates. Shells that share a node bend the loft along their mean normal

@@ -11,7 +11,7 @@ namespace contactsim {
 namespace {
 
 /// The facets of a surface's bricks, and their corners as nodes.
-void add_bricks(const ContactModel& contact, std::uint32_t position, ContactFaces& made) {
+void add_bricks(const ContactModel& contact, std::uint32_t position, ContactMesh& made) {
   const LoftGeometry& loft = contact.loft;
   const auto first = static_cast<std::uint32_t>(made.n_mesh_points());
   std::map<std::uint32_t, SurfaceNode> nodes;
@@ -22,7 +22,7 @@ void add_bricks(const ContactModel& contact, std::uint32_t position, ContactFace
     for (std::size_t k = 0; k < 4; ++k) face.corners[k] = first + made.loft.of_vertex(facet.vertices[k]);
     face.surface = position;
     face.side = ElementSide(facet.element, facet.side);
-    face.backing.thickness = made.loft.thickness(face.corners[0] - first);
+    face.penalty_properties.thickness = made.loft.thickness(face.corners[0] - first);
     const std::size_t n = face.is_triangle() ? 3 : 4;
     for (std::size_t k = 0; k < n; ++k) {
       SurfaceNode& node = nodes[face.corners[k]];
@@ -30,19 +30,19 @@ void add_bricks(const ContactModel& contact, std::uint32_t position, ContactFace
       node.node = face.corners[k];
       node.surface = position;
       node.side = face.side;
-      node.backing.thickness = made.loft.thickness(face.corners[k] - first);
+      node.penalty_properties.thickness = made.loft.thickness(face.corners[k] - first);
     }
     made.faces.push_back(face);
   }
   for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
 }
 
-/// The rods of a surface, and balls around their ends: a node has the smaller radius of its neighbours.
-void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t position, ContactFaces& made) {
+/// The capsules of a surface, and spheres around their ends: a node has the smaller radius of its neighbours.
+void add_capsules(const ContactModel& contact, const Mesh& mesh, std::uint32_t position, ContactMesh& made) {
   std::map<std::uint32_t, SurfaceNode> nodes;
-  for (std::size_t i = 0; i < contact.loft.rods.size(); ++i) {
-    if (contact.surface_of_rod[i] != position) continue;
-    const LoftRod& rod = contact.loft.rods[i];
+  for (std::size_t i = 0; i < contact.loft.capsules.size(); ++i) {
+    if (contact.surface_of_capsule[i] != position) continue;
+    const LoftCapsule& rod = contact.loft.capsules[i];
     const auto ends = mesh.element_nodes(rod.element).first(2);
     const auto& x = mesh.coordinates();
     const double length = (x.col(ends[1].value) - x.col(ends[0].value)).norm();
@@ -51,7 +51,7 @@ void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t posit
     edge.side = ElementSide(rod.element, 1);
     edge.radius = rod.radius;
     edge.width = 2.0 * rod.radius;
-    edge.backing.thickness = 0.5 * std::numbers::pi * rod.radius;  // section over width
+    edge.penalty_properties.thickness = 0.5 * std::numbers::pi * rod.radius;  // section over width
     for (std::size_t k = 0; k < 2; ++k) {
       edge.nodes[k] = made.find_node(ends[k]);
       const auto [found, is_new] = nodes.try_emplace(edge.nodes[k]);
@@ -62,7 +62,7 @@ void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t posit
       node.node = edge.nodes[k];
       node.surface = position;
       node.side = edge.side;
-      node.backing.thickness = edge.backing.thickness;
+      node.penalty_properties.thickness = edge.penalty_properties.thickness;
     }
     made.edges.push_back(edge);
   }
@@ -70,7 +70,7 @@ void add_rods(const ContactModel& contact, const Mesh& mesh, std::uint32_t posit
 }
 
 /// The particles of a surface.
-void add_balls(const ContactModel& contact, std::uint32_t position, ContactFaces& made) {
+void add_spheres(const ContactModel& contact, std::uint32_t position, ContactMesh& made) {
   for (std::size_t i = 0; i < contact.loft.spheres.size(); ++i) {
     if (contact.surface_of_sphere[i] != position) continue;
     const LoftSphere& sphere = contact.loft.spheres[i];
@@ -80,16 +80,20 @@ void add_balls(const ContactModel& contact, std::uint32_t position, ContactFaces
     node.side = ElementSide(sphere.element, 1);
     node.radius = static_cast<float>(sphere.radius);
     node.area = std::numbers::pi * sphere.radius * sphere.radius;
-    node.backing.thickness = 4.0 / 3.0 * sphere.radius;  // volume over cross-section
+    node.penalty_properties.thickness = 4.0 / 3.0 * sphere.radius;  // volume over cross-section
     made.surface_nodes.push_back(node);
-    made.edges.push_back(
-        {{node.node, node.node}, position, node.side, sphere.radius, 2.0 * sphere.radius, node.backing});
+    made.edges.push_back({{node.node, node.node},
+                          position,
+                          node.side,
+                          sphere.radius,
+                          2.0 * sphere.radius,
+                          node.penalty_properties});
   }
 }
 
 }  // namespace
 
-void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactFaces& made) {
+void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactMesh& made) {
   const auto n_mesh_points = static_cast<std::uint32_t>(made.n_nodes());
   made.first_alike.resize(n_mesh_points);
   std::iota(made.first_alike.begin(), made.first_alike.end(), 0u);
@@ -108,10 +112,10 @@ void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactFaces
   }
 }
 
-void add_lofts(const ContactModel& contact, const Mesh& mesh, std::uint32_t surface, ContactFaces& made) {
+void add_lofts(const ContactModel& contact, const Mesh& mesh, std::uint32_t surface, ContactMesh& made) {
   add_bricks(contact, surface, made);
-  add_rods(contact, mesh, surface, made);
-  add_balls(contact, surface, made);
+  add_capsules(contact, mesh, surface, made);
+  add_spheres(contact, surface, made);
 }
 
 }  // namespace contactsim

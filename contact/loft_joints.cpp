@@ -149,7 +149,7 @@ void JointMaker::join(const EdgeOfShell& first, const EdgeOfShell& next) {
     a[end] = vertex(first.shell, first.corners[end], first.has_top_ahead);
     b[end] = vertex(next.shell, next.corners[end], !next.has_top_ahead);
   }
-  const double thickness = std::min(loft_.arms[a[0]].thickness, loft_.arms[b[0]].thickness);
+  const double thickness = std::min(loft_.offsets[a[0]].thickness, loft_.offsets[b[0]].thickness);
   const Eigen::Vector3d outwards = (first.inwards + next.inwards).stableNormalized();
   const auto are_apart = [&](std::size_t end) {
     const Eigen::Vector3d way = at(b[end]) - at(a[end]);
@@ -212,7 +212,7 @@ void JointMaker::close_chain(std::vector<std::uint32_t> chain, ElementIndex elem
 
 void JointMaker::add_end(ElementIndex element, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const Eigen::Vector3d area = 0.5 * Eigen::Vector3d(at(b) - at(a)).cross(at(c) - at(a));
-  const double thickness = loft_.arms[b].thickness;
+  const double thickness = loft_.offsets[b].thickness;
   if (!(area.norm() > just_apart * thickness * thickness)) return;
   made_.push_back({element, LoftPart::joint, side_of_end, {a, b, c, c}});
 }
@@ -220,11 +220,11 @@ void JointMaker::add_end(ElementIndex element, std::uint32_t a, std::uint32_t b,
 /// A vertex at the node of another one.
 std::uint32_t JointMaker::add_middle(std::uint32_t vertex) {
   const NodeIndex node = loft_.node_of_vertex[vertex];
-  LoftArm arm = loft_.arms[vertex];
-  arm.height = 0.0;
-  const auto added = static_cast<std::uint32_t>(loft_.arms.size());
+  LoftOffset offset = loft_.offsets[vertex];
+  offset.height = 0.0;
+  const auto added = static_cast<std::uint32_t>(loft_.offsets.size());
   loft_.node_of_vertex.push_back(node);
-  loft_.arms.push_back(arm);
+  loft_.offsets.push_back(offset);
   loft_.vertices.conservativeResize(Eigen::NoChange, added + 1);
   loft_.vertices.col(added) = x_.col(node.value);
   return added;

@@ -14,15 +14,15 @@ namespace {
 constexpr std::uint32_t no_point = 0xffffffff;
 
 /// What makes two vertices one point, whichever of the shells is asked.
-using ArmKey = std::tuple<std::uint32_t, double, std::vector<TurnedShell>>;
+using OffsetKey = std::tuple<std::uint32_t, double, std::vector<TurnedShell>>;
 
-ArmKey key_of(NodeIndex node, const LoftArm& arm, std::span<const TurnedShell> shells) {
+OffsetKey key_of(NodeIndex node, const LoftOffset& offset, std::span<const TurnedShell> shells) {
   std::vector<TurnedShell> around(shells.begin(), shells.end());
   const bool is_turned = around.front().is_turned;
   if (is_turned) {
     for (TurnedShell& one : around) one.is_turned = !one.is_turned;
   }
-  return {node.value, is_turned ? -arm.height : arm.height, std::move(around)};
+  return {node.value, is_turned ? -offset.height : offset.height, std::move(around)};
 }
 
 std::array<std::uint32_t, 4> corners_of(const Mesh& mesh, ElementIndex element) {
@@ -35,25 +35,25 @@ std::array<std::uint32_t, 4> corners_of(const Mesh& mesh, ElementIndex element) 
 }  // namespace
 
 LoftPoints::LoftPoints(const LoftGeometry& loft, const Mesh& mesh)
-    : point_of_vertex_(loft.arms.size(), no_point), arm_shells_(loft.arm_shells) {
+    : point_of_vertex_(loft.offsets.size(), no_point), offset_shells_(loft.offset_shells) {
   for (const ElementIndex shell : loft.shells) shell_nodes_.push_back(corners_of(mesh, shell));
-  std::map<ArmKey, std::uint32_t> known;
-  for (std::size_t vertex = 0; vertex < loft.arms.size(); ++vertex) {
-    const LoftArm& arm = loft.arms[vertex];
-    if (arm.count == 0) continue;
+  std::map<OffsetKey, std::uint32_t> known;
+  for (std::size_t vertex = 0; vertex < loft.offsets.size(); ++vertex) {
+    const LoftOffset& offset = loft.offsets[vertex];
+    if (offset.count == 0) continue;
     const NodeIndex node = loft.node_of_vertex[vertex];
-    const auto shells = std::span(arm_shells_).subspan(arm.first, arm.count);
+    const auto shells = std::span(offset_shells_).subspan(offset.first, offset.count);
     const auto [found, is_new] =
-        known.try_emplace(key_of(node, arm, shells), static_cast<std::uint32_t>(arms_.size()));
+        known.try_emplace(key_of(node, offset, shells), static_cast<std::uint32_t>(offsets_.size()));
     point_of_vertex_[vertex] = found->second;
     if (!is_new) continue;
     nodes_.push_back(node.value);
-    arms_.push_back(arm);
+    offsets_.push_back(offset);
   }
 }
 
-void LoftPoints::find_arms(const Eigen::Matrix3Xd& coordinates, Eigen::Matrix3Xd& areas,
-                           Eigen::Matrix3Xd& arms) const {
+void LoftPoints::find_offsets(const Eigen::Matrix3Xd& coordinates, Eigen::Matrix3Xd& areas,
+                              Eigen::Matrix3Xd& offsets) const {
   const auto n_shells = static_cast<std::int64_t>(shell_nodes_.size());
   areas.resize(3, n_shells);
 #pragma omp parallel for schedule(static) num_threads(threads_for(shell_nodes_.size()))
@@ -62,15 +62,15 @@ void LoftPoints::find_arms(const Eigen::Matrix3Xd& coordinates, Eigen::Matrix3Xd
     areas.col(i) = area_vector(coordinates.col(nodes[0]), coordinates.col(nodes[1]),
                                coordinates.col(nodes[2]), coordinates.col(nodes[3]));
   }
-  const auto n_points = static_cast<std::int64_t>(arms_.size());
-  arms.resize(3, n_points);
-#pragma omp parallel for schedule(static) num_threads(threads_for(arms_.size()))
+  const auto n_points = static_cast<std::int64_t>(offsets_.size());
+  offsets.resize(3, n_points);
+#pragma omp parallel for schedule(static) num_threads(threads_for(offsets_.size()))
   for (std::int64_t i = 0; i < n_points; ++i) {
-    const LoftArm& arm = arms_[static_cast<std::size_t>(i)];
+    const LoftOffset& offset = offsets_[static_cast<std::size_t>(i)];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const TurnedShell& one : std::span(arm_shells_).subspan(arm.first, arm.count))
+    for (const TurnedShell& one : std::span(offset_shells_).subspan(offset.first, offset.count))
       sum += (one.is_turned ? -1.0 : 1.0) * areas.col(one.shell);
-    arms.col(i) = arm.height * sum.normalized();
+    offsets.col(i) = offset.height * sum.normalized();
   }
 }
 

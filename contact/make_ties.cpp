@@ -23,92 +23,97 @@ double tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_
   return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
 }
 
-/// Whether a node stands over some face of a surface.
-bool stands_over(const ContactScene& scene, const PairLists& node_faces, std::uint32_t row,
-                 std::uint32_t surface, double tolerance) {
+/// Whether a node projects inside some face of a surface.
+bool projects_inside(const ContactStepContext& context, const PairLists& node_faces, std::uint32_t row,
+                     std::uint32_t surface, double tolerance) {
   return std::ranges::any_of(node_faces.of(row), [&](std::uint32_t face) {
-    return scene.surface.faces().faces[face].surface == surface &&
-           find_foot(scene, row, face, tolerance).has_value();
+    return context.kinematics.contact_mesh().faces[face].surface == surface &&
+           find_closest_point(context, row, face, tolerance).has_value();
   });
 }
 
 }  // namespace
 
-double share_of_node(const ContactScene& scene, const PairLists& node_faces, const NearPlace& place,
-                     const Eigen::Vector4d& weights) {
-  if (scene.rules[place.pair].pair->is_one_sided) return 1.0;
-  const ContactFaces& faces = scene.surface.faces();
-  const ContactFace& face = faces.faces[place.second];
-  const std::uint32_t own = faces.surface_nodes[place.first].surface;
+double share_of_node(const ContactStepContext& context, const PairLists& node_faces,
+                     const NearPair& near_pair, const Eigen::Vector4d& weights) {
+  if (context.rules[near_pair.pair].pair->is_one_sided) return 1.0;
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  const ContactFace& face = contact_mesh.faces[near_pair.second];
+  const std::uint32_t own = contact_mesh.surface_nodes[near_pair.first].surface;
   double covered = 0.0;
   for (std::size_t k = 0; k < (face.is_triangle() ? 3u : 4u); ++k) {
-    const auto row = faces.find_row(face.corners[k], face.surface);
-    if (row && stands_over(scene, node_faces, *row, own, place.tolerance))
+    const auto row = contact_mesh.find_row(face.corners[k], face.surface);
+    if (row && projects_inside(context, node_faces, *row, own, near_pair.tolerance))
       covered += weights[static_cast<Eigen::Index>(k)];
   }
   return 1.0 - 0.5 * std::clamp(covered, 0.0, 1.0);
 }
 
-std::optional<FacePoint> find_foot(const ContactScene& scene, std::uint32_t row, std::uint32_t face,
-                                   double tolerance) {
-  const MovingFace moving = scene.surface.face(face);
-  const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
-  auto point = project_onto_face(moving.x, moving.is_triangle, scene.surface.x(node.node));
+std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, std::uint32_t row,
+                                               std::uint32_t face, double tolerance) {
+  const MovingFace moving = context.kinematics.face(face);
+  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
+  auto point = project_onto_face(moving.x, moving.is_triangle, context.kinematics.x(node.node));
   if (!point) return std::nullopt;
   point->gap -= node.radius;
   if (std::abs(point->gap) > tolerance) return std::nullopt;
-  if (point->beyond > beside * scene.surface.bound(face).radius()) return std::nullopt;
+  if (point->beyond > beside * context.kinematics.bound(face).radius()) return std::nullopt;
   return point;
 }
 
-HeldPlace place_of_faces(const ContactScene& scene, std::uint32_t first, std::uint32_t second) {
-  const ContactFace &a = scene.surface.faces().faces[first], &b = scene.surface.faces().faces[second];
-  HeldPlace place;
-  place.pair = scene.rules.find(a.surface, b.surface);
-  place.is_swapped = a.surface != scene.rules[place.pair].pair->first;
-  place.first_place = first;
-  place.second_place = second;
-  std::copy(a.corners.begin(), a.corners.end(), place.nodes.begin());
-  std::copy(b.corners.begin(), b.corners.end(), place.nodes.begin() + 4);
-  return place;
+InterfaceConstraint place_of_faces(const ContactStepContext& context, std::uint32_t first,
+                                   std::uint32_t second) {
+  const ContactFace &a = context.kinematics.contact_mesh().faces[first],
+                    &b = context.kinematics.contact_mesh().faces[second];
+  InterfaceConstraint constraint;
+  constraint.pair = context.rules.find(a.surface, b.surface);
+  constraint.is_swapped = a.surface != context.rules[constraint.pair].pair->first;
+  constraint.first_entity = first;
+  constraint.second_entity = second;
+  std::copy(a.corners.begin(), a.corners.end(), constraint.nodes.begin());
+  std::copy(b.corners.begin(), b.corners.end(), constraint.nodes.begin() + 4);
+  return constraint;
 }
 
-HeldPlace place_of_node(const ContactScene& scene, std::uint32_t row, std::uint32_t face) {
-  const SurfaceNode& node = scene.surface.faces().surface_nodes[row];
-  const ContactFace& other = scene.surface.faces().faces[face];
-  HeldPlace place;
-  place.is_node = true;
-  place.pair = scene.rules.find(node.surface, other.surface);
-  place.is_swapped = node.surface != scene.rules[place.pair].pair->first;
-  place.first_place = row;
-  place.second_place = face;
-  std::fill_n(place.nodes.begin(), 4, node.node);
-  std::copy(other.corners.begin(), other.corners.end(), place.nodes.begin() + 4);
-  return place;
+InterfaceConstraint place_of_node(const ContactStepContext& context, std::uint32_t row, std::uint32_t face) {
+  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
+  const ContactFace& other = context.kinematics.contact_mesh().faces[face];
+  InterfaceConstraint constraint;
+  constraint.is_node = true;
+  constraint.pair = context.rules.find(node.surface, other.surface);
+  constraint.is_swapped = node.surface != context.rules[constraint.pair].pair->first;
+  constraint.first_entity = row;
+  constraint.second_entity = face;
+  std::fill_n(constraint.nodes.begin(), 4, node.node);
+  std::copy(other.corners.begin(), other.corners.end(), constraint.nodes.begin() + 4);
+  return constraint;
 }
 
-std::optional<Tie> make_face_tie(const ContactScene& scene, std::uint32_t first, std::uint32_t second,
+std::optional<Tie> make_face_tie(const ContactStepContext& context, std::uint32_t first, std::uint32_t second,
                                  double tolerance) {
-  const ContactFace &a = scene.surface.faces().faces[first], &b = scene.surface.faces().faces[second];
-  Tie tie{place_of_faces(scene, first, second)};
-  const double stiffness = make_pair_penalty(a.backing, &b.backing, *scene.rules[tie.pair].pair).stiffness;
-  if (!tie_faces(scene.surface.face(first), scene.surface.face(second), stiffness, tolerance, tie))
+  const ContactFace &a = context.kinematics.contact_mesh().faces[first],
+                    &b = context.kinematics.contact_mesh().faces[second];
+  Tie tie{place_of_faces(context, first, second)};
+  const double stiffness =
+      make_pair_penalty(a.penalty_properties, &b.penalty_properties, *context.rules[tie.pair].pair).stiffness;
+  if (!tie_faces(context.kinematics.face(first), context.kinematics.face(second), stiffness, tolerance, tie))
     return std::nullopt;
   return tie;
 }
 
-std::optional<Tie> make_node_tie(const ContactScene& scene, const NearPlace& place) {
-  const auto point = find_foot(scene, place.first, place.second, place.tolerance);
+std::optional<Tie> make_node_tie(const ContactStepContext& context, const NearPair& near_pair) {
+  const auto point = find_closest_point(context, near_pair.first, near_pair.second, near_pair.tolerance);
   if (!point) return std::nullopt;
-  const SurfaceNode& node = scene.surface.faces().surface_nodes[place.first];
-  const MovingFace moving = scene.surface.face(place.second);
-  Tie tie{place_of_node(scene, place.first, place.second)};
-  const SurfacePair& pair = *scene.rules[tie.pair].pair;
-  tie.share = place.share;
-  tie.area = place.share * scene.surface.area_against(node, point->normal);
-  const Backing& other = scene.surface.faces().faces[place.second].backing;
-  const double stiffness = make_pair_penalty(node.backing, &other, pair).stiffness * tie.area;
-  tie_node(scene.surface.x(node.node), moving, corner_weights(point->xi, point->eta, moving.is_triangle),
+  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[near_pair.first];
+  const MovingFace moving = context.kinematics.face(near_pair.second);
+  Tie tie{place_of_node(context, near_pair.first, near_pair.second)};
+  const SurfacePair& pair = *context.rules[tie.pair].pair;
+  tie.share = near_pair.share;
+  tie.area = near_pair.share * context.kinematics.area_against(node, point->normal);
+  const PenaltyProperties& other =
+      context.kinematics.contact_mesh().faces[near_pair.second].penalty_properties;
+  const double stiffness = make_pair_penalty(node.penalty_properties, &other, pair).stiffness * tie.area;
+  tie_node(context.kinematics.x(node.node), moving, corner_weights(point->xi, point->eta, moving.is_triangle),
            stiffness, tie);
   return tie;
 }
@@ -116,75 +121,81 @@ std::optional<Tie> make_node_tie(const ContactScene& scene, const NearPlace& pla
 namespace {
 
 /// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
-bool is_facing(const ContactScene& scene, const SurfaceNode& node, const Eigen::Vector3d& normal) {
-  const ContactFaces& faces = scene.surface.faces();
+bool is_facing(const ContactStepContext& context, const SurfaceNode& node, const Eigen::Vector3d& normal) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   bool has_faces = false;
-  for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
-    if (faces.faces[own].surface != node.surface) continue;
-    const Eigen::Vector3d area = scene.surface.area(faces.faces[own]);
+  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+    if (contact_mesh.faces[own].surface != node.surface) continue;
+    const Eigen::Vector3d area = context.kinematics.area(contact_mesh.faces[own]);
     if (area.dot(normal) < most_aside * area.norm()) return true;
     has_faces = true;
   }
   return !has_faces;
 }
 
-/// The nearest of the faces that a node stands over and is held to; one that looks at the node's own faces
-/// before all others. On the rim of a joint the sides of the other body are as near as what the joint joins.
-std::optional<NearPlace> find_nearest(const ContactScene& scene, const PairLists& node_faces,
-                                      std::uint32_t row, double size_share, const HoldsPlace& holds) {
-  const ContactFaces& faces = scene.surface.faces();
-  std::optional<NearPlace> best;
+/// The nearest of the faces that a node projects inside and is held to; one that looks at the node's own
+/// faces before all others. On the rim of a joint the sides of the other body are as near as what the joint
+/// joins.
+std::optional<NearPair> find_nearest(const ContactStepContext& context, const PairLists& node_faces,
+                                     std::uint32_t row, double size_share, const HoldsPair& holds) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  std::optional<NearPair> best;
   Eigen::Vector4d weights;
   double nearest = std::numeric_limits<double>::infinity();
   bool faces_best = false;
   for (const std::uint32_t face : node_faces.of(row)) {
-    const std::uint32_t pair = scene.rules.find(faces.surface_nodes[row].surface, faces.faces[face].surface);
-    if (pair == PairRules::none || !scene.rules[pair].is_active || !holds(scene.rules.of_node(pair, row)))
+    const std::uint32_t pair =
+        context.rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
+    if (pair == PairRules::none || !context.rules[pair].is_active || !holds(context.rules.of_node(pair, row)))
       continue;
-    const double tolerance = tolerance_of(*scene.rules[pair].pair, scene.surface.bound(face), size_share);
-    const auto foot = find_foot(scene, row, face, tolerance);
-    if (!foot) continue;
-    const double distance = std::abs(foot->gap) + foot->beyond;
-    const bool faces_node = is_facing(scene, faces.surface_nodes[row], foot->normal);
+    const double tolerance =
+        tolerance_of(*context.rules[pair].pair, context.kinematics.bound(face), size_share);
+    const auto closest = find_closest_point(context, row, face, tolerance);
+    if (!closest) continue;
+    const double distance = std::abs(closest->gap) + closest->beyond;
+    const bool faces_node = is_facing(context, contact_mesh.surface_nodes[row], closest->normal);
     if (faces_node == faces_best ? distance >= nearest : faces_best) continue;
     nearest = distance;
     faces_best = faces_node;
     best = {row, face, pair, true, tolerance};
-    weights = corner_weights(foot->xi, foot->eta, faces.faces[face].is_triangle());
+    weights = corner_weights(closest->xi, closest->eta, contact_mesh.faces[face].is_triangle());
   }
-  if (best) best->share = share_of_node(scene, node_faces, *best, weights);
+  if (best) best->share = share_of_node(context, node_faces, *best, weights);
   return best;
 }
 
 }  // namespace
 
-std::vector<NearPlace> find_near_places(const ContactScene& scene, const PairLists& face_partners,
-                                        const PairLists& node_faces, double size_share,
-                                        const HoldsPlace& holds) {
-  const ContactFaces& faces = scene.surface.faces();
-  std::vector<NearPlace> places;
+std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const PairLists& face_partners,
+                                      const PairLists& node_faces, double size_share,
+                                      const HoldsPair& holds) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  std::vector<NearPair> near_pairs;
   for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
     for (const std::uint32_t second : face_partners.of(first)) {
-      const std::uint32_t pair = scene.rules.find(faces.faces[first].surface, faces.faces[second].surface);
-      if (pair == PairRules::none || !scene.rules[pair].is_active) continue;
-      if (!holds(scene.rules.of_faces(pair, first, second))) continue;
-      const double tolerance = tolerance_of(*scene.rules[pair].pair, scene.surface.bound(first), size_share);
-      places.push_back({first, second, pair, false, tolerance});
+      const std::uint32_t pair =
+          context.rules.find(contact_mesh.faces[first].surface, contact_mesh.faces[second].surface);
+      if (pair == PairRules::none || !context.rules[pair].is_active) continue;
+      if (!holds(context.rules.of_faces(pair, first, second))) continue;
+      const double tolerance =
+          tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);
+      near_pairs.push_back({first, second, pair, false, tolerance});
     }
   }
   for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    if (const auto nearest = find_nearest(scene, node_faces, row, size_share, holds))
-      places.push_back(*nearest);
+    if (const auto nearest = find_nearest(context, node_faces, row, size_share, holds))
+      near_pairs.push_back(*nearest);
   }
-  return places;
+  return near_pairs;
 }
 
-std::vector<Tie> make_ties(const ContactScene& scene, const PairLists& face_partners,
-                           const PairLists& node_faces, double size_share, const HoldsPlace& holds) {
+std::vector<Tie> make_ties(const ContactStepContext& context, const PairLists& face_partners,
+                           const PairLists& node_faces, double size_share, const HoldsPair& holds) {
   std::vector<Tie> ties;
-  for (const NearPlace& place : find_near_places(scene, face_partners, node_faces, size_share, holds)) {
-    const auto tie = place.is_node ? make_node_tie(scene, place)
-                                   : make_face_tie(scene, place.first, place.second, place.tolerance);
+  for (const NearPair& near_pair : find_near_pairs(context, face_partners, node_faces, size_share, holds)) {
+    const auto tie = near_pair.is_node
+                         ? make_node_tie(context, near_pair)
+                         : make_face_tie(context, near_pair.first, near_pair.second, near_pair.tolerance);
     if (tie) ties.push_back(*tie);
   }
   return ties;

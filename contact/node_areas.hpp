@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_scene.hpp"
+#include "contact/contact_step_context.hpp"
 
 namespace contactsim {
 
@@ -16,18 +16,18 @@ namespace contactsim {
 class NodeAreas {
  public:
   /// Multiplies what goes with the area of contact points of nodes: area, force, stiffness, energies.
-  ///   records  contact points of nodes with faces, as NodeFaceContacts finds them, of all rows
+  ///   contact_points  contact points of nodes with faces, as NodeFaceContacts finds them, of all rows
   /// Source: the two-pass idea of Taylor and Papadopoulos (1991) as a problem of matrix scaling: weights that
   /// are products of factors, found by multiplicative iteration (Lucy, Astron. J. 79 (1974) 745-754).
-  void share_out(const ContactScene& scene, std::span<ContactRecord> records);
+  void share_out(const ContactStepContext& context, std::span<ContactPoint> contact_points);
 
  private:
-  bool is_covered(const ContactScene& scene, const ContactRecord& record) const;
-  void sum_areas(std::span<const ContactRecord> records);
-  void set_first_areas(const ContactScene& scene, std::span<const ContactRecord> records);
-  void correct(std::span<const ContactRecord> records);
+  bool is_covered(const ContactStepContext& context, const ContactPoint& contact_point) const;
+  void sum_areas(std::span<const ContactPoint> contact_points);
+  void set_first_areas(const ContactStepContext& context, std::span<const ContactPoint> contact_points);
+  void correct(std::span<const ContactPoint> contact_points);
 
-  std::vector<std::uint32_t> both_ways_;  // positions of records
+  std::vector<std::uint32_t> both_ways_;  // positions of contact points
   std::vector<double> areas_;             // of these [length^2]
   std::vector<double> wanted_, found_;    // [n_contact_nodes] 0 of nodes without a contact point [length^2]
   std::vector<std::uint8_t> is_covered_;  // [n_contact_nodes]

@@ -20,11 +20,11 @@ Tangents tangents_at(const FaceMap& map, double xi, double eta) {
 }
 
 /// The coordinates at which the vector to the point stands upright on the face.
-bool find_foot(const FaceMap& map, const Eigen::Vector3d& point, double& xi, double& eta) {
+bool find_closest_point(const FaceMap& map, const Eigen::Vector3d& point, double& xi, double& eta) {
   constexpr int max_iterations = 20;
   constexpr double accuracy =
       1e-8;  // of the coordinates, which are of order one: the next step would be its square
-  constexpr double far_away = 10.0;  // such points stand over other faces
+  constexpr double far_away = 10.0;  // such points project inside other faces
   for (int i = 0; i < max_iterations; ++i) {
     const auto [a, b] = tangents_at(map, xi, eta);
     const Eigen::Vector3d away = point - map.at(xi, eta);
@@ -64,26 +64,26 @@ int move_inside(bool is_triangle, double& xi, double& eta) {
 
 }  // namespace
 
-std::optional<FacePoint> project_onto_face(const FaceCorners& x, bool is_triangle,
-                                           const Eigen::Vector3d& point) {
+std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_triangle,
+                                              const Eigen::Vector3d& point) {
   const FaceMap map = make_face_map(x, is_triangle);
-  FacePoint found;
-  if (!find_foot(map, point, found.xi, found.eta)) return std::nullopt;
-  const Eigen::Vector3d foot = map.at(found.xi, found.eta);
+  ClosestPoint found;
+  if (!find_closest_point(map, point, found.xi, found.eta)) return std::nullopt;
+  const Eigen::Vector3d closest = map.at(found.xi, found.eta);
   const auto [a, b] = tangents_at(map, found.xi, found.eta);
   found.normal = a.cross(b).normalized();
-  found.gap = (point - foot).dot(found.normal);
+  found.gap = (point - closest).dot(found.normal);
   double xi = found.xi, eta = found.eta;
   found.edge = move_inside(is_triangle, xi, eta);
-  if (found.edge >= 0) found.beyond = (foot - map.at(xi, eta)).norm();
+  if (found.edge >= 0) found.beyond = (closest - map.at(xi, eta)).norm();
   return found;
 }
 
-std::optional<FacePoint> project_ball(const FaceCorners& x, bool is_triangle, const Eigen::Vector3d& centre,
-                                      double radius) {
+std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangle,
+                                           const Eigen::Vector3d& centre, double radius) {
   auto flat = project_onto_face(x, is_triangle, centre);
   if (!flat || radius == 0.0) return flat;
-  FacePoint found = *flat;
+  ClosestPoint found = *flat;
   found.gap -= radius;
   if (flat->edge < 0) return found;
   if (flat->gap < 0.0) return std::nullopt;

@@ -4,36 +4,38 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/moving_surface.hpp"
-#include "contact/sharp_edges.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/feature_edges.hpp"
 
 namespace contactsim {
 
 namespace {
 
-std::vector<OverlapFace> measure_faces(const MovingSurface& start, const Mesh& mesh) {
+std::vector<OverlapFace> measure_faces(const ContactKinematics& start, const Mesh& mesh) {
   std::vector<OverlapFace> measured;
-  for (const ContactFace& face : start.faces().faces) {
+  for (const ContactFace& face : start.contact_mesh().faces) {
     const double area = start.area(face).norm();
-    const bool has_thickness = start.faces().is_lofted(face) || is_solid(mesh, face.side);
-    measured.push_back({std::sqrt(area), has_thickness && area > 0.0 ? 0.5 * face.backing.thickness : 0.0});
+    const bool has_thickness = start.contact_mesh().is_lofted(face) || is_solid(mesh, face.side);
+    measured.push_back(
+        {std::sqrt(area), has_thickness && area > 0.0 ? 0.5 * face.penalty_properties.thickness : 0.0});
   }
   return measured;
 }
 
-std::vector<OverlapNode> measure_nodes(const MovingSurface& start, std::span<const OverlapFace> of_face) {
-  const ContactFaces& faces = start.faces();
+std::vector<OverlapNode> measure_nodes(const ContactKinematics& start, std::span<const OverlapFace> of_face) {
+  const ContactMesh& contact_mesh = start.contact_mesh();
   std::vector<OverlapNode> measured;
-  for (const SurfaceNode& node : faces.surface_nodes) {
+  for (const SurfaceNode& node : contact_mesh.surface_nodes) {
     OverlapNode& made = measured.emplace_back();
-    made.reach = node.radius;
+    made.half_thickness = node.radius;
     if (node.radius > 0.0f) continue;
     bool is_first = true;
-    for (const std::uint32_t face : faces.faces_of_node.of(node.node)) {
-      if (faces.faces[face].surface != node.surface) continue;
-      made.normal += start.area(faces.faces[face]);
+    for (const std::uint32_t face : contact_mesh.faces_of_node.of(node.node)) {
+      if (contact_mesh.faces[face].surface != node.surface) continue;
+      made.normal += start.area(contact_mesh.faces[face]);
       made.size = std::max(made.size, of_face[face].size);
-      made.reach = is_first ? of_face[face].reach : std::min(made.reach, of_face[face].reach);
+      made.half_thickness = is_first ? of_face[face].half_thickness
+                                     : std::min(made.half_thickness, of_face[face].half_thickness);
       is_first = false;
     }
   }
@@ -49,9 +51,9 @@ bool is_solid(const Mesh& mesh, ElementSide side) {
 OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefinition& definition,
                                 const Mesh& mesh) {
   OverlapParts parts;
-  parts.faces = make_contact_faces(model, mesh);
-  const MovingSurface start = surface_of_mesh(parts.faces, mesh);
-  choose_edges(definition.surface_options, model.surfaces.surfaces, start, parts.faces);
+  parts.contact_mesh = make_contact_mesh(model, mesh);
+  const ContactKinematics start = kinematics_of_mesh(parts.contact_mesh, mesh);
+  choose_feature_edges(definition.surface_options, model.surfaces.surfaces, start, parts.contact_mesh);
   parts.of_face = measure_faces(start, mesh);
   parts.of_node = measure_nodes(start, parts.of_face);
   return parts;

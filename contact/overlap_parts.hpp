@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "contact/contact_faces.hpp"
+#include "contact/contact_mesh.hpp"
 #include "contact/contact_model.hpp"
 #include "core/definition/contact.hpp"
 
@@ -12,8 +12,8 @@ namespace contactsim {
 
 /// What overlap removal knows of a contact face.
 struct OverlapFace {
-  double size = 0.0;   ///< root of its area [length]
-  double reach = 0.0;  ///< half the thickness of its solid, or of its lofted shell; else 0 [length]
+  double size = 0.0;            ///< root of its area [length]
+  double half_thickness = 0.0;  ///< half the thickness of its solid, or of its lofted shell; else 0 [length]
 };
 
 /// What overlap removal knows of a node of a contact surface; one on several surfaces stands once for each.
@@ -21,17 +21,17 @@ struct OverlapNode {
   Eigen::Vector3d normal =
       Eigen::Vector3d::Zero();  ///< sum of its faces' area vectors; 0 without any [length^2]
   double size = 0.0;            ///< of its largest face; 0 without any [length]
-  double reach = 0.0;           ///< least of its faces, radius of a ball; else 0 [length]
+  double half_thickness = 0.0;  ///< least of its faces, radius of a sphere; else 0 [length]
 };
 
 /// What the surfaces of a model are made of, as overlap removal needs it.
 struct OverlapParts {
-  ContactFaces faces;
+  ContactMesh contact_mesh;
   std::vector<OverlapFace> of_face;  ///< [n_faces]
   std::vector<OverlapNode> of_node;  ///< [n_surface_nodes]
 
   bool is_lofted(const SurfaceNode& node) const {
-    return node.radius > 0.0f || node.node >= faces.n_mesh_points();
+    return node.radius > 0.0f || node.node >= contact_mesh.n_mesh_points();
   }
 };
 

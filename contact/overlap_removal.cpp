@@ -5,7 +5,7 @@
 #include <map>
 
 #include "contact/body_parting.hpp"
-#include "contact/overlap_places.hpp"
+#include "contact/overlap_detection.hpp"
 #include "core/mesh/turned_elements.hpp"
 
 namespace contactsim {
@@ -26,7 +26,7 @@ class OverlapRemover {
         mesh_(mesh),
         settings_(definition.overlap_removal),
         parts_(make_overlap_parts(model, definition, mesh)),
-        points_(parts_.faces, mesh),
+        points_(parts_.contact_mesh, mesh),
         search_(model, definition, mesh, parts_),
         places_(model, parts_, search_, points_, settings_.shell_tolerance),
         bodies_(model, mesh, parts_),
@@ -61,14 +61,14 @@ class OverlapRemover {
   bool resolve_rest(std::uint32_t pair, const Overlap& overlap, double share);
   bool resolve(std::uint32_t pair, const Overlap& overlap, double way);
   /// Moves a side by moving its free nodes, those more that have more of it.
-  void move(std::uint32_t pair, const RecordSide& side, const Eigen::Vector3d& way);
+  void move(std::uint32_t pair, const ContactPointSide& side, const Eigen::Vector3d& way);
   /// The sum of the squares of the free nodes' weights [1].
-  double mobility(const RecordSide& side) const;
-  bool can_move(const RecordSide& side) const { return mobility(side) > held_share * held_share; }
+  double mobility(const ContactPointSide& side) const;
+  bool can_move(const ContactPointSide& side) const { return mobility(side) > held_share * held_share; }
   /// Half the way when the nodes of the other side, which go out on their own account, can move.
   double share_of_first(std::uint32_t pair, const Overlap& overlap) const;
   bool is_held(std::uint32_t point) const {
-    return !is_held_.empty() && is_held_[parts_.faces.mesh_nodes[point]] == held_fully;
+    return !is_held_.empty() && is_held_[parts_.contact_mesh.mesh_nodes[point]] == held_fully;
   }
 
   const ContactModel& model_;
@@ -77,7 +77,7 @@ class OverlapRemover {
   const OverlapParts parts_;
   ShiftedPoints points_;
   OverlapSearch search_;
-  OverlapPlaces places_;
+  OverlapDetection places_;
   BodyParting bodies_;
   std::span<const std::uint8_t> is_held_;
   std::int64_t n_parted_ = 0;                                    ///< passes that moved bodies
@@ -102,7 +102,7 @@ void OverlapRemover::part_bodies() {
   }
 }
 
-double OverlapRemover::mobility(const RecordSide& side) const {
+double OverlapRemover::mobility(const ContactPointSide& side) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
@@ -119,14 +119,14 @@ double OverlapRemover::share_of_first(std::uint32_t pair, const Overlap& overlap
   return overlap.mover == OverlapMover::first && is_face && has_two_sides && !is_all_held ? 0.5 : 1.0;
 }
 
-void OverlapRemover::move(std::uint32_t pair, const RecordSide& side, const Eigen::Vector3d& way) {
+void OverlapRemover::move(std::uint32_t pair, const ContactPointSide& side, const Eigen::Vector3d& way) {
   const double sum = mobility(side);
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
     if (weight == 0.0 || is_held(side.nodes[k])) continue;
     const Eigen::Vector3d step = weight / sum * way;
     points_.shift(side.nodes[k], step);
-    const std::uint32_t node = parts_.faces.mesh_nodes[side.nodes[k]];
+    const std::uint32_t node = parts_.contact_mesh.mesh_nodes[side.nodes[k]];
     moved_[pair].try_emplace(node, Eigen::Vector3d::Zero()).first->second += step;
   }
 }

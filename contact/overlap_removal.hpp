@@ -43,18 +43,18 @@ struct OverlapRemoved {
 /// faces that are held, and one by one in the last pass. A pass takes the pairs in order. A node lies behind
 /// a face when it is over it, no deeper than the pair's overlap normal tolerance (automatic: half the
 /// thickness of the element behind the face; behind a plane, of the node's own elements), and its own surface
-/// looks against the face. Beside a face counts as over it up to a quarter of the depth, or the pair's
+/// is turned towards the face. Beside a face counts as over it up to a quarter of the depth, or the pair's
 /// overlap tangential tolerance.
 ///
 /// Points of lofted shells are such nodes, and their normals those of any of their faces; they take the node
 /// of the mesh along that they hang on, with all that hangs on it, so that shells keep their thickness. Edges
 /// of shells that cross others where no node lies as deep part by half the way each. Balls around particles
 /// and around the nodes of lines go out of faces all the way; a held one has the face give way. Rods and
-/// balls in each other, and rods in sharp edges, part by half the way each. These may automatically be as
-/// deep as their radius. Passes over lofts have a limit of their own, SHELL OVERLAP ITERATIONS, and overlap
-/// of lofts no deeper than the SHELL OVERLAP TOLERANCE is left. What the mesh joins within its thickness
-/// never counts as overlap. Bodies that lie deeper in solids of others than half an element go apart as
-/// wholes before that (BodyParting).
+/// spheres in each other, and capsules in sharp edges, part by half the way each. These may automatically be
+/// as deep as their radius. Passes over lofts have a limit of their own, SHELL OVERLAP ITERATIONS, and
+/// overlap of lofts no deeper than the SHELL OVERLAP TOLERANCE is left. What the mesh joins within its
+/// thickness never counts as overlap. Bodies that lie deeper in solids of others than half an element go
+/// apart as wholes before that (BodyParting).
 ///   definition  of the model
 ///   is_held     [n_nodes] 0 moves, held_fully stays, the body of held_in_part does not go as a whole; or
 ///   empty

@@ -4,16 +4,16 @@
 #include <optional>
 #include <vector>
 
+#include "contact/adjacent_faces.hpp"
 #include "contact/broad_phase.hpp"
 #include "contact/contact_search.hpp"
-#include "contact/joined_faces.hpp"
 #include "contact/overlap_parts.hpp"
 
 namespace contactsim {
 
 /// Two things that may lie in each other.
 struct OverlapCandidate {
-  std::uint32_t place = 0;    ///< a surface node, an edge or a face
+  std::uint32_t entity = 0;   ///< a surface node, an edge or a face
   std::uint32_t partner = 0;  ///< a face, a plane of the region or another edge
 };
 
@@ -26,8 +26,8 @@ struct OverlapSites {
 /// Where a pair of surfaces has to be looked at.
 struct PairSites {
   OverlapSites meshed;                  ///< neither side is lofted
-  OverlapSites lofted;                  ///< one of them is: a point or a face of a brick, a ball
-  std::vector<OverlapCandidate> edges;  ///< rods and balls with each other and with sharp edges
+  OverlapSites lofted;                  ///< one of them is: a point or a face of a brick, a sphere
+  std::vector<OverlapCandidate> edges;  ///< capsules and spheres with each other and with sharp edges
   std::vector<OverlapCandidate> rims;   ///< faces, one of them lofted, whose edges may cross
 
   bool has_lofts() const {
@@ -48,36 +48,36 @@ class OverlapSearch {
   OverlapSearch& operator=(const OverlapSearch&) = delete;
 
   /// Fills in all sites of the pairs.
-  void find(const MovingSurface& surface);
+  void find(const ContactKinematics& kinematics);
   /// Fills in those of lofts again where something has moved too far for the last time: thick bodies may push
   /// thin ones far.
-  void renew_lofts(const MovingSurface& surface);
+  void renew_lofts(const ContactKinematics& kinematics);
 
   const std::vector<PairSites>& sites() const { return sites_; }  ///< [n_pairs]
-  const JoinedFaces& joined() const { return joined_; }
+  const AdjacentFaces& joined() const { return adjacent_; }
 
  private:
   void add_planes();
-  void add_faces(const MovingSurface& surface, bool is_of_lofts_only);
-  void add_edges(const MovingSurface& surface);
-  void add_rims(const MovingSurface& surface);
+  void add_faces(const ContactKinematics& kinematics, bool is_of_lofts_only);
+  void add_edges(const ContactKinematics& kinematics);
+  void add_rims(const ContactKinematics& kinematics);
   /// Whether a contact node has moved by more than the spare way since faces were searched.
-  bool is_due(const MovingSurface& surface) const;
-  void note_places(const MovingSurface& surface);
-  Box box_of_node(const MovingSurface& surface, std::uint32_t row) const;
-  Box box_of_face(const MovingSurface& surface, std::uint32_t face) const;
+  bool is_due(const ContactKinematics& kinematics) const;
+  void note_places(const ContactKinematics& kinematics);
+  Box box_of_node(const ContactKinematics& kinematics, std::uint32_t row) const;
+  Box box_of_face(const ContactKinematics& kinematics, std::uint32_t face) const;
   bool may_meet(std::uint32_t row, std::uint32_t face) const;
-  bool may_cross(const MovingSurface& surface, std::uint32_t first, std::uint32_t second) const;
+  bool may_cross(const ContactKinematics& kinematics, std::uint32_t first, std::uint32_t second) const;
   bool is_lofted(std::uint32_t row, std::uint32_t face) const {
-    return parts_.is_lofted(parts_.faces.surface_nodes[row]) ||
-           parts_.faces.is_lofted(parts_.faces.faces[face]);
+    return parts_.is_lofted(parts_.contact_mesh.surface_nodes[row]) ||
+           parts_.contact_mesh.is_lofted(parts_.contact_mesh.faces[face]);
   }
 
   const ContactModel& model_;
   const Mesh& mesh_;
   const OverlapParts& parts_;
   PairRules rules_;
-  JoinedFaces joined_;
+  AdjacentFaces adjacent_;
   bool has_lofts_ = false;
   double deepest_ = 0.0;          // that a pair allows [length]
   double spare_ = 0.0;            // way that each side may go between two searches of faces [length]

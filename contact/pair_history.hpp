@@ -9,15 +9,15 @@
 namespace contactsim {
 
 /// How near the two surfaces of a pair are before the first step.
-struct PairStart {
+struct InitialGap {
   double smallest_gap = std::numeric_limits<double>::quiet_NaN();  ///< < 0 overlaps; NaN: none known [length]
   std::uint64_t n_in_reach = 0;  ///< pairs of a node or face and a face that the search found
 };
 
 /// What a pair of surfaces has done in a run. A pair that never touched keeps all zero.
 struct PairHistory {
-  double contact_time = 0.0;                          ///< time with at least one touching place [time]
-  double peak_force = 0.0;                            ///< largest norm of the net force [force]
+  double contact_time = 0.0;  ///< time with at least one contact point that touches [time]
+  double peak_force = 0.0;    ///< largest norm of the net force [force]
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< of the net force on `second` [force time]
   double work = 0.0;                                  ///< stored in its springs and lost [energy]
   double friction_work = 0.0;                         ///< lost to friction, >= 0 [energy]

@@ -62,18 +62,18 @@ PairLists list_by_row(std::size_t n_rows, const Visit& visit) {
 /// What is known of the pairs of some lists, for other lists: that of the pairs in both, else a value.
 ///   known  [n_pairs of `old`]
 template <class Value>
-std::vector<Value> carry_over(const PairLists& old, std::span<const Value> known, const PairLists& lists,
-                              const Value& otherwise) {
-  std::vector<Value> carried(lists.partners.size(), otherwise);
+std::vector<Value> transfer_pairs(const PairLists& old, std::span<const Value> known, const PairLists& lists,
+                                  const Value& otherwise) {
+  std::vector<Value> transferred(lists.partners.size(), otherwise);
   const std::size_t n_rows = std::min(old.n_rows(), lists.n_rows());
   for (std::size_t row = 0; row < n_rows; ++row) {
     std::size_t from = old.begin[row];
     for (std::size_t k = lists.begin[row]; k < lists.begin[row + 1]; ++k) {
       while (from < old.begin[row + 1] && old.partners[from] < lists.partners[k]) ++from;
-      if (from < old.begin[row + 1] && old.partners[from] == lists.partners[k]) carried[k] = known[from];
+      if (from < old.begin[row + 1] && old.partners[from] == lists.partners[k]) transferred[k] = known[from];
     }
   }
-  return carried;
+  return transferred;
 }
 
 }  // namespace contactsim

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_record.hpp"
-#include "contact/moving_surface.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/contact_point.hpp"
 #include "contact/ties.hpp"
 
 namespace contactsim {
@@ -21,12 +21,13 @@ class PairWork {
 
   /// Begins a step: the forces of the step before work along its first half.
   ///   dt  of the step [time]
-  void begin_step(const MovingSurface& surface, double dt);
+  void begin_step(const ContactKinematics& kinematics, double dt);
   /// Takes a force of the step over.
-  void add(const MovingSurface& surface, const ContactRecord& record);
-  void add(const MovingSurface& surface, const HeldPlace& place, const TieForces& forces);
+  void add(const ContactKinematics& kinematics, const ContactPoint& point);
+  void add(const ContactKinematics& kinematics, const InterfaceConstraint& constraint,
+           const TieForces& forces);
   /// What add() would count for a contact point: the work along the half step behind its time [energy].
-  double work_behind(const MovingSurface& surface, const ContactRecord& record) const;
+  double work_behind(const ContactKinematics& kinematics, const ContactPoint& point) const;
   /// The contact nodes have other numbers from now on: forces of the step before are over.
   void forget_forces() { forces_.clear(); }
 
@@ -41,7 +42,7 @@ class PairWork {
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [force length]
   };
-  void add(const MovingSurface& surface, const NodeForce& force);
+  void add(const ContactKinematics& kinematics, const NodeForce& force);
 
   std::vector<double> taken_, coming_;  // until now; in the half step to come, as far as forces know it
   std::vector<NodeForce> forces_;       // of the last step, whose work is not known before its second half

@@ -20,7 +20,8 @@ constexpr double first_share = 0.05, last_share = 0.25, stiffest = 100.0;
 double in_series(double a, double b) { return a * b / (a + b); }
 
 /// The same of a property of two sides of which a rigid one has an infinite one; of two rigid ones their own.
-double of_sides(const Backing& first, const Backing* second, double Backing::*property) {
+double of_sides(const PenaltyProperties& first, const PenaltyProperties* second,
+                double PenaltyProperties::*property) {
   if (second == nullptr || (second->is_rigid && !first.is_rigid)) return first.*property;
   if (first.is_rigid && !second->is_rigid) return second->*property;
   return in_series(first.*property, second->*property);
@@ -29,14 +30,14 @@ double of_sides(const Backing& first, const Backing* second, double Backing::*pr
 /// What the stiffness behind nodes may be.
 class StiffnessLimits {
  public:
-  StiffnessLimits(const MovingSurface& surface, const ContactMobility& mobility, double stable_step)
-      : surface_(surface),
-        faces_(surface.faces()),
+  StiffnessLimits(const ContactKinematics& kinematics, const ContactMobility& mobility, double stable_step)
+      : surface_(kinematics),
+        faces_(kinematics.contact_mesh()),
         mobility_(mobility),
         rate_(4.0 * penalty_share / (stable_step * stable_step)),
         areas_(faces_.n_nodes(), Eigen::Matrix3d::Zero()) {
     for (std::uint32_t i = 0; i < faces_.faces.size(); ++i) {
-      const Eigen::Vector3d share = surface.corner_area(i);
+      const Eigen::Vector3d share = kinematics.corner_area(i);
       normals_.push_back(share.normalized());
       for (const std::uint32_t corner : corners(faces_.faces[i]))
         areas_[corner] += share * normals_[i].transpose();
@@ -69,18 +70,18 @@ class StiffnessLimits {
   }
 
  private:
-  const MovingSurface& surface_;
-  const ContactFaces& faces_;
+  const ContactKinematics& surface_;
+  const ContactMesh& faces_;
   const ContactMobility& mobility_;
   double rate_;
   std::vector<Eigen::Matrix3d> areas_;  // of normal x normal, at each node [length^2]
   std::vector<Eigen::Vector3d> normals_;
 };
 
-void limit_node(const StiffnessLimits& limits, const ContactFaces& faces, SurfaceNode& node) {
-  double& stiffness = node.backing.stiffness;
-  const auto own = faces.faces_of_node.of(node.node);
-  node.backing.is_rigid =
+void limit_node(const StiffnessLimits& limits, const ContactMesh& contact_mesh, SurfaceNode& node) {
+  double& stiffness = node.penalty_properties.stiffness;
+  const auto own = contact_mesh.faces_of_node.of(node.node);
+  node.penalty_properties.is_rigid =
       own.empty()
           ? limits.is_rigid(node.node)
           : std::ranges::all_of(own, [&](std::uint32_t face) { return limits.is_rigid(node.node, face); });
@@ -91,35 +92,37 @@ void limit_node(const StiffnessLimits& limits, const ContactFaces& faces, Surfac
 
 }  // namespace
 
-void limit_stiffness(const MovingSurface& surface, const ContactMobility& mobility, double stable_step,
-                     ContactFaces& faces) {
-  const StiffnessLimits limits(surface, mobility, stable_step);
-  for (std::uint32_t i = 0; i < faces.faces.size(); ++i) {
-    Backing& backing = faces.faces[i].backing;
-    const auto corners = StiffnessLimits::corners(faces.faces[i]);
-    backing.is_rigid =
+void limit_stiffness(const ContactKinematics& kinematics, const ContactMobility& mobility, double stable_step,
+                     ContactMesh& contact_mesh) {
+  const StiffnessLimits limits(kinematics, mobility, stable_step);
+  for (std::uint32_t i = 0; i < contact_mesh.faces.size(); ++i) {
+    PenaltyProperties& penalty_properties = contact_mesh.faces[i].penalty_properties;
+    const auto corners = StiffnessLimits::corners(contact_mesh.faces[i]);
+    penalty_properties.is_rigid =
         std::ranges::all_of(corners, [&](std::uint32_t corner) { return limits.is_rigid(corner, i); });
     for (const std::uint32_t corner : corners)
-      backing.stiffness = std::min(backing.stiffness, limits.at_face(corner, i));
+      penalty_properties.stiffness = std::min(penalty_properties.stiffness, limits.at_face(corner, i));
   }
-  for (ContactEdge& edge : faces.edges) {
-    edge.backing.is_rigid =
+  for (ContactEdge& edge : contact_mesh.edges) {
+    edge.penalty_properties.is_rigid =
         std::ranges::all_of(edge.nodes, [&](std::uint32_t node) { return limits.is_rigid(node); });
     for (const std::uint32_t node : edge.nodes)
-      edge.backing.stiffness =
-          std::min(edge.backing.stiffness, limits.all_round(node, edge.width * edge.width));
+      edge.penalty_properties.stiffness =
+          std::min(edge.penalty_properties.stiffness, limits.all_round(node, edge.width * edge.width));
   }
-  for (SurfaceNode& node : faces.surface_nodes) limit_node(limits, faces, node);
+  for (SurfaceNode& node : contact_mesh.surface_nodes) limit_node(limits, contact_mesh, node);
 }
 
-PairPenalty make_pair_penalty(const Backing& first, const Backing* second, const SurfacePair& pair) {
+PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyProperties* second,
+                              const SurfacePair& pair) {
   // Of the thinner element. What is right in its middle, such as a sheet that stands on another's, is on
   // neither side of it.
   constexpr double deep = 0.5 * (1.0 - 1e-6);
   PairPenalty penalty;
   penalty.stiffness =
-      pair.penalty_stiffness.value_or(of_sides(first, second, &Backing::stiffness)) * pair.penalty_scale;
-  const double mass = of_sides(first, second, &Backing::mass_per_area);
+      pair.penalty_stiffness.value_or(of_sides(first, second, &PenaltyProperties::stiffness)) *
+      pair.penalty_scale;
+  const double mass = of_sides(first, second, &PenaltyProperties::mass_per_area);
   penalty.damping = 2.0 * pair.damping_fraction * std::sqrt(penalty.stiffness * mass);
   const double thickness = second ? std::min(first.thickness, second->thickness) : first.thickness;
   penalty.depth = pair.normal_tolerance.value_or(deep * thickness);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/contact_faces.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/contact_mesh.hpp"
 #include "contact/contact_mobility.hpp"
 #include "contact/face_face.hpp"
-#include "contact/moving_surface.hpp"
 #include "contact/surface_pairs.hpp"
 
 namespace contactsim {
@@ -24,8 +24,8 @@ inline constexpr double penalty_share = 0.25;
 ///   faces        with the stiffness of their elements
 /// Source: bound on the frequency of a mass between springs; Belytschko and Neal, Int. J. Numer. Meth. Eng.
 /// 31 (1991) 547-572, choose the penalty by masses and step likewise.
-void limit_stiffness(const MovingSurface& surface, const ContactMobility& mobility, double stable_step,
-                     ContactFaces& faces);
+void limit_stiffness(const ContactKinematics& kinematics, const ContactMobility& mobility, double stable_step,
+                     ContactMesh& contact_mesh);
 
 /// Stiffness and damping of two sides that meet: the springs of both sides in series, K/t of each the bulk
 /// modulus over the thickness of its element, times the pair's scale; or the pair's own stiffness. A rigid,
@@ -36,6 +36,7 @@ void limit_stiffness(const MovingSurface& surface, const ContactMobility& mobili
 /// either side had at the start on: what overlaps there is pushed out by a spring.
 ///   second  absent: rigid
 /// Source: element penalty of LS-DYNA and Tribol, 1/(t1/K1 + t2/K2); Hallquist et al. (1985).
-PairPenalty make_pair_penalty(const Backing& first, const Backing* second, const SurfacePair& pair);
+PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyProperties* second,
+                              const SurfacePair& pair);
 
 }  // namespace contactsim

@@ -16,25 +16,25 @@ void PenetrationDepths::begin_step(std::size_t n_faces) {
   next_.assign(n_faces, 0.0);
 }
 
-void PenetrationDepths::note(const MovingSurface& surface, const ContactRecord& record) {
-  const bool touches = record.gap < 0.0 || record.force > 0.0 || record.is_balanced;
-  if (!touches || record.is_of_edges) return;
-  const ContactFaces& faces = surface.faces();
-  const double depth = std::max(-record.gap, std::numeric_limits<double>::min());
+void PenetrationDepths::note(const ContactKinematics& kinematics, const ContactPoint& point) {
+  const bool touches = point.gap < 0.0 || point.force > 0.0 || point.is_balanced;
+  if (!touches || point.is_of_edges) return;
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  const double depth = std::max(-point.gap, std::numeric_limits<double>::min());
   const auto deepen = [&](std::uint32_t face) { next_[face] = std::max(next_[face], depth); };
-  const bool has_second_face = !record.second.weights.isZero(0.0);
-  if (has_second_face) deepen(record.second_place);
-  if (!record.first.is_node()) return deepen(record.first_place);
-  const SurfaceNode& node = faces.surface_nodes[record.first_place];
-  for (const std::uint32_t own : faces.faces_of_node.of(node.node)) {
-    if (faces.faces[own].surface != node.surface) continue;
-    if (surface.bound(own).normal().cast<double>().dot(record.normal) < most_aside) deepen(own);
+  const bool has_second_face = !point.second.weights.isZero(0.0);
+  if (has_second_face) deepen(point.second_entity);
+  if (!point.first.is_node()) return deepen(point.first_entity);
+  const SurfaceNode& node = contact_mesh.surface_nodes[point.first_entity];
+  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+    if (contact_mesh.faces[own].surface != node.surface) continue;
+    if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < most_aside) deepen(own);
   }
 }
 
-void PenetrationDepths::renumber(const ContactRenumbering& places) {
-  carry(places.faces, places.n_faces_after, 0.0, last_);
-  carry(places.faces, places.n_faces_after, 0.0, next_);
+void PenetrationDepths::remap(const ContactRemap& remap) {
+  transfer(remap.faces, remap.n_faces_after, 0.0, last_);
+  transfer(remap.faces, remap.n_faces_after, 0.0, next_);
 }
 
 void PenetrationDepths::archive(StateArchive& saved) {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "contact/contact_record.hpp"
-#include "contact/contact_renumbering.hpp"
-#include "contact/moving_surface.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/contact_point.hpp"
+#include "contact/contact_remap.hpp"
 
 namespace contactsim {
 
@@ -19,9 +19,9 @@ class PenetrationDepths {
   void begin_step(std::size_t n_faces);
   /// Adds a contact point to what is known of its faces in the next step. Of a node these are the faces of
   /// its surface that are turned towards the other side.
-  void note(const MovingSurface& surface, const ContactRecord& record);
+  void note(const ContactKinematics& kinematics, const ContactPoint& point);
   /// Goes over to other faces.
-  void renumber(const ContactRenumbering& places);
+  void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);
 
  private:

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include "contact/contact_place.hpp"
+#include "contact/cohesive_traction.hpp"
+#include "contact/contact_point_law.hpp"
 #include "contact/friction.hpp"
-#include "contact/gap_pull.hpp"
 #include "contact/penalty.hpp"
 #include "core/state_archive.hpp"
 
@@ -29,74 +29,78 @@ void PlaneContacts::add_places(const ContactSurfaces& surfaces, std::span<const 
 
 void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, std::uint32_t index,
                                const AnalyticPlane& plane) {
-  for (std::uint32_t node = faces_.first_node[surface]; node < faces_.first_node[surface + 1]; ++node)
-    places_.push_back({node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
+  for (std::uint32_t node = contact_mesh_.first_node[surface]; node < contact_mesh_.first_node[surface + 1];
+       ++node)
+    node_plane_pairs_.push_back(
+        {node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
 }
 
-void PlaneContacts::renumber(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
-                             const PairRules& rules, const ContactRenumbering& places) {
-  const std::vector<Place> before = std::exchange(places_, {});
+void PlaneContacts::remap(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
+                          const PairRules& rules, const ContactRemap& remap) {
+  const std::vector<NodePlanePair> before = std::exchange(node_plane_pairs_, {});
   add_places(surfaces, planes, rules);
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // pair, plane, node
-  std::map<Key, Place*> known;
-  for (Place& place : places_) known[{place.pair, place.plane, place.node}] = &place;
-  for (const Place& old : before) {
-    const auto found = known.find({old.pair, old.plane, places.rows[old.node]});
-    if (found != known.end()) found->second->elastic = old.elastic;
+  std::map<Key, NodePlanePair*> known;
+  for (NodePlanePair& pair_of_node : node_plane_pairs_)
+    known[{pair_of_node.pair, pair_of_node.plane, pair_of_node.node}] = &pair_of_node;
+  for (const NodePlanePair& old : before) {
+    const auto found = known.find({old.pair, old.plane, remap.rows[old.node]});
+    if (found != known.end()) found->second->elastic_slip = old.elastic_slip;
   }
 }
 
 void PlaneContacts::archive(StateArchive& saved) {
-  saved.fixed_rows("contact/planes/elastic_slip", places_,
-                   [](Place& place, RowNumbers& row) { row(place.elastic); });
+  saved.fixed_rows("contact/planes/elastic_slip", node_plane_pairs_,
+                   [](NodePlanePair& pair_of_node, RowNumbers& row) { row(pair_of_node.elastic_slip); });
 }
 
-void PlaneContacts::find(const ContactScene& scene, std::size_t begin, std::size_t end,
-                         std::vector<ContactRecord>& records) {
+void PlaneContacts::find(const ContactStepContext& context, std::size_t begin, std::size_t end,
+                         std::vector<ContactPoint>& points) {
   for (std::size_t row = begin; row < end; ++row) {
-    Place& place = places_[row];
-    const PairRule& rule = scene.rules.of_node(place.pair, place.node);
-    if (rule.is_balanced != scene.balances) continue;
-    const SurfaceNode& node = faces_.surface_nodes[place.node];
-    const double gap = (scene.surface.x(node.node) - place.origin).dot(place.normal) - node.radius;
-    const Eigen::Vector3d velocity =
-        scene.surface.velocity_beside(node.node, -static_cast<double>(node.radius) * place.normal);
-    const double speed = velocity.dot(place.normal);
-    const double margin = scene.balances ? closed_share * node.backing.thickness : 0.0;
-    if (!rule.is_active || gap > std::max({rule.reach, margin, -scene.ahead() * speed})) {
-      place.elastic.setZero();
+    NodePlanePair& pair_of_node = node_plane_pairs_[row];
+    const PairRule& rule = context.rules.of_node(pair_of_node.pair, pair_of_node.node);
+    if (rule.is_balanced != context.balances) continue;
+    const SurfaceNode& node = contact_mesh_.surface_nodes[pair_of_node.node];
+    const double gap =
+        (context.kinematics.x(node.node) - pair_of_node.origin).dot(pair_of_node.normal) - node.radius;
+    const Eigen::Vector3d velocity = context.kinematics.velocity_beside(
+        node.node, -static_cast<double>(node.radius) * pair_of_node.normal);
+    const double speed = velocity.dot(pair_of_node.normal);
+    const double margin = context.balances ? closed_share * node.penalty_properties.thickness : 0.0;
+    if (!rule.is_active || gap > std::max({rule.activation_distance, margin, -context.ahead() * speed})) {
+      pair_of_node.elastic_slip.setZero();
       continue;
     }
-    const PairPenalty penalty = make_pair_penalty(node.backing, nullptr, *rule.pair);
-    ContactRecord& record = records.emplace_back();
-    record.pair = place.pair;
-    record.is_swapped = node.surface != rule.pair->first;
-    record.first_place = place.node;
-    record.part = static_cast<std::uint8_t>(place.plane);
-    record.first.nodes.fill(node.node);
-    record.first.weights = Eigen::Vector4d::UnitX();
-    record.first.radius = node.radius;
-    record.normal = place.normal;
-    record.gap = gap;
-    const double area = scene.surface.area_against(node, place.normal);
-    const NodePush push{
-        penalty,
-        rule.pair->damping_fraction,
-        area,
-        velocity,
-        scene.dt,
-        scene.coming_dt,
-        scene.surface.last_velocity_beside(node.node, -static_cast<double>(node.radius) * place.normal)};
-    push_node(push, record);
+    const PairPenalty penalty = make_pair_penalty(node.penalty_properties, nullptr, *rule.pair);
+    ContactPoint& point = points.emplace_back();
+    point.pair = pair_of_node.pair;
+    point.is_swapped = node.surface != rule.pair->first;
+    point.first_entity = pair_of_node.node;
+    point.part = static_cast<std::uint8_t>(pair_of_node.plane);
+    point.first.nodes.fill(node.node);
+    point.first.weights = Eigen::Vector4d::UnitX();
+    point.first.radius = node.radius;
+    point.normal = pair_of_node.normal;
+    point.gap = gap;
+    const double area = context.kinematics.area_against(node, pair_of_node.normal);
+    const NodePenaltyInput push{penalty,
+                                rule.pair->damping_fraction,
+                                area,
+                                velocity,
+                                context.dt,
+                                context.coming_dt,
+                                context.kinematics.last_velocity_beside(
+                                    node.node, -static_cast<double>(node.radius) * pair_of_node.normal)};
+    push_node(push, point);
     if (rule.acts_apart()) {
-      record.elastic = place.elastic;
-      pull_node(*rule.place, push, record);
-      place.elastic = record.elastic;
+      point.elastic_slip = pair_of_node.elastic_slip;
+      add_node_traction(*rule.interface_law, push, point);
+      pair_of_node.elastic_slip = point.elastic_slip;
     }
-    if (!record.touches() || rule.friction == 0.0 || record.is_balanced) continue;
-    record.elastic = place.elastic;
-    add_friction(penalty.stiffness * area, rule.slip_limit(record, scene.dt), record);
-    place.elastic = record.elastic;
+    if (!point.touches() || rule.friction == 0.0 || point.is_balanced) continue;
+    point.elastic_slip = pair_of_node.elastic_slip;
+    add_friction(penalty.stiffness * area, rule.slip_limit(point, context.dt), point);
+    pair_of_node.elastic_slip = point.elastic_slip;
   }
 }
 

@@ -15,7 +15,7 @@ struct ProjectedPair {
   FaceMap map_1, map_2;
 };
 
-/// Both faces as seen along the normal of now; nothing when they do not look at each other.
+/// Both faces as seen along the normal of now; nothing when they do not face each other.
 ///   ahead  heights are those after this time [time]
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second,
                                           double ahead = 0.0);
@@ -23,14 +23,16 @@ std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingF
 /// Whether two faces in the coordinates of one plane may overlap: their boxes do.
 bool boxes_meet(const FaceCorners& first, const FaceCorners& second);
 
-/// Whether some point of the first face may be nearer to the second than the reach, and none is too deep.
-inline bool is_near(const ProjectedPair& pair, double reach, double depth) {
-  return pair.least_gap < reach && -pair.most_gap < depth && boxes_meet(pair.first, pair.second);
+/// Whether some point of the first face may be nearer to the second than the activation distance, and none is
+/// too deep.
+inline bool is_near(const ProjectedPair& pair, double activation_distance, double depth) {
+  return pair.least_gap < activation_distance && -pair.most_gap < depth &&
+         boxes_meet(pair.first, pair.second);
 }
 
 /// Whether no gap is beyond what counts as closed, nor deeper than what is another wall.
-inline bool is_whole_near(const ProjectedPair& pair, const ConstraintReach& reach) {
-  return pair.least_gap >= -reach.depth && pair.most_gap <= reach.margin;
+inline bool is_whole_near(const ProjectedPair& pair, const ConstraintActivation& activation) {
+  return pair.least_gap >= -activation.depth && pair.most_gap <= activation.margin;
 }
 
 inline void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair& pair) {

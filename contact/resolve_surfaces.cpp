@@ -5,8 +5,8 @@
 
 #include <map>
 
-#include "contact/candidates.hpp"
 #include "contact/claims.hpp"
+#include "contact/skin_faces.hpp"
 #include "contact/sort_once.hpp"
 #include "contact/surface_request.hpp"
 #include "core/mesh/face_geometry.hpp"
@@ -25,10 +25,10 @@ constexpr double subset_tie = 1e-9;
 /// Gives candidates to surfaces in deck order.
 class Ownership {
  public:
-  Ownership(const Mesh& mesh, const ContactDomain& domain, Candidates candidates)
+  Ownership(const Mesh& mesh, const ContactDomain& domain, SkinFaces skin_faces)
       : mesh_(mesh),
         domain_(domain),
-        candidates_(std::move(candidates)),
+        candidates_(std::move(skin_faces)),
         face_owner_(candidates_.faces.size(), no_owner),
         loft_owner_(candidates_.lofted.size(), no_owner) {}
 
@@ -45,7 +45,7 @@ class Ownership {
 
   const Mesh& mesh_;
   const ContactDomain& domain_;
-  Candidates candidates_;
+  SkinFaces candidates_;
   std::vector<std::uint32_t> face_owner_;  ///< [n_faces] position of the owning surface
   std::vector<std::uint32_t> loft_owner_;  ///< [n_lofted]
   std::vector<std::uint32_t> node_owner_;  ///< [n_nodes] among surfaces of nodes; empty until one is made
@@ -144,14 +144,14 @@ std::vector<ContactSurface> Ownership::take() {
 }
 
 /// Faces between present blocks that the block forms would build from skins of single blocks.
-std::uint32_t count_ignored_faces(std::span<const SurfaceRequest> requests, const Candidates& candidates) {
+std::uint32_t count_ignored_faces(std::span<const SurfaceRequest> requests, const SkinFaces& skin_faces) {
   std::vector<std::uint32_t> blocks;
   for (const SurfaceRequest& request : requests) {
     if (request.is_block_form) blocks.insert(blocks.end(), request.blocks.begin(), request.blocks.end());
   }
   sort_once(blocks);
   std::uint32_t n = 0;
-  for (const std::uint32_t block : blocks) n += candidates.in_between[block];
+  for (const std::uint32_t block : blocks) n += skin_faces.in_between[block];
   return n;
 }
 
@@ -222,10 +222,10 @@ ContactSurfaces resolve_surfaces(const ContactDefinition& contact, const RegionN
                                  std::span<const std::uint8_t> alive, Diagnostics& diagnostics) {
   const auto requests = make_surface_requests(contact, names, mesh, diagnostics);
   const ContactDomain domain(mesh, contact.subdomain, alive);
-  Candidates candidates = make_candidates(requests, mesh, domain);
+  SkinFaces skin_faces = make_skin_faces(requests, mesh, domain);
   ContactSurfaces result;
-  result.interior_faces_ignored = count_ignored_faces(requests, candidates);
-  Ownership ownership(mesh, domain, std::move(candidates));
+  result.interior_faces_ignored = count_ignored_faces(requests, skin_faces);
+  Ownership ownership(mesh, domain, std::move(skin_faces));
   for (const SurfaceRequest& request : requests) ownership.add(request);
   result.surfaces = ownership.take();
   set_surface_warnings(requests, mesh, result);

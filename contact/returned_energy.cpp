@@ -16,15 +16,15 @@ constexpr double reserve = 0.3;
 /// The share of a spring's force that one would have which has got longer in this step alone: without any
 /// energy something must resist what presses on.
 ///   taken  by the point in half a step
-double share_of_step(const ContactRecord& record, double taken) {
-  const double held = -record.force * record.gap;
+double share_of_step(const ContactPoint& contact_point, double taken) {
+  const double held = -contact_point.force * contact_point.gap;
   return held > 0.0 ? std::clamp(2.0 * taken / held, 0.0, 1.0) : 1.0;
 }
 
 /// A point without its friction.
-ContactRecord without_friction(ContactRecord record) {
-  record.tangential.setZero();
-  return record;
+ContactPoint without_friction(ContactPoint contact_point) {
+  contact_point.tangential.setZero();
+  return contact_point;
 }
 
 /// What a point takes from the bodies in the half step behind it.
@@ -38,10 +38,12 @@ struct PointWork {
   double excess = 0.0;
 
   PointWork() = default;
-  PointWork(const MovingSurface& surface, const PairWork& work, const ContactRecord& record)
-      : taken(work.work_behind(surface, record)),
-        normal(record.tangential.isZero(0.0) ? taken : work.work_behind(surface, without_friction(record))),
-        excess(std::max(0.0, std::abs(normal) + 0.5 * record.force * record.gap)) {}
+  PointWork(const ContactKinematics& kinematics, const PairWork& work, const ContactPoint& contact_point)
+      : taken(work.work_behind(kinematics, contact_point)),
+        normal(contact_point.tangential.isZero(0.0)
+                   ? taken
+                   : work.work_behind(kinematics, without_friction(contact_point))),
+        excess(std::max(0.0, std::abs(normal) + 0.5 * contact_point.force * contact_point.gap)) {}
 
   bool meets() const { return normal > 0.0; }
   /// The factor of the force with which the work has a share of its excess less.
@@ -55,7 +57,7 @@ struct PairEnergy {
   double stored = 0.0, lost = 0.0, taken = 0.0;
   double of_meeting = 0.0, of_parting = 0.0;  ///< excess of points that have just met, that will part
 
-  void add(const ContactRecord& point, const PointWork& work) {
+  void add(const ContactPoint& point, const PointWork& work) {
     stored += point.stored();
     lost += point.dissipated + point.damped;
     taken += work.taken;
@@ -85,24 +87,25 @@ struct PairEnergy {
   }
 };
 
-void scale(double factor, ContactRecord& record) {
-  record.force *= factor;
-  record.tangential *= factor;
-  record.dissipated *= factor;
-  record.damped *= factor;
-  record.beyond_spring *= factor;
+void scale(double factor, ContactPoint& contact_point) {
+  contact_point.force *= factor;
+  contact_point.tangential *= factor;
+  contact_point.dissipated *= factor;
+  contact_point.damped *= factor;
+  contact_point.beyond_spring *= factor;
 }
 
 }  // namespace
 
-void limit_returned_energy(const MovingSurface& surface, const PairWork& work, std::span<const double> energy,
-                           std::span<const double> least, std::span<ContactRecord> points) {
+void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& work,
+                           std::span<const double> energy, std::span<const double> least,
+                           std::span<ContactPoint> points) {
   std::vector<PairEnergy> pairs(energy.size());
   std::vector<PointWork> works(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const ContactRecord& point = points[i];
+    const ContactPoint& point = points[i];
     if (!point.touches() || std::isnan(energy[point.pair])) continue;
-    works[i] = PointWork(surface, work, point);
+    works[i] = PointWork(kinematics, work, point);
     pairs[point.pair].add(point, works[i]);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -21,7 +21,8 @@ namespace contactsim {
 ///   least   [n_pairs] the least of it so far, <= 0: it is no debt, for paying it back would let through what
 ///           presses on [energy]
 ///   points  of the step, not yet added to the work
-void limit_returned_energy(const MovingSurface& surface, const PairWork& work, std::span<const double> energy,
-                           std::span<const double> least, std::span<ContactRecord> points);
+void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& work,
+                           std::span<const double> energy, std::span<const double> least,
+                           std::span<ContactPoint> points);
 
 }  // namespace contactsim

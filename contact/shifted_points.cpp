@@ -3,16 +3,16 @@
 
 namespace contactsim {
 
-ShiftedPoints::ShiftedPoints(const ContactFaces& faces, const Mesh& mesh)
-    : faces_(faces), coordinates_(mesh.coordinates()), renewed_(faces) {
+ShiftedPoints::ShiftedPoints(const ContactMesh& contact_mesh, const Mesh& mesh)
+    : contact_mesh_(contact_mesh), coordinates_(mesh.coordinates()), renewed_(contact_mesh) {
   renew();
 }
 
 Eigen::Vector3d ShiftedPoints::at(std::uint32_t point) const {
-  const Eigen::Vector3d node = coordinates_.col(faces_.mesh_nodes[point]);
-  const std::size_t first = faces_.n_mesh_points();
+  const Eigen::Vector3d node = coordinates_.col(contact_mesh_.mesh_nodes[point]);
+  const std::size_t first = contact_mesh_.n_mesh_points();
   if (point < first) return node;
-  return node + renewed_.arms().col(static_cast<Eigen::Index>(point - first));
+  return node + renewed_.offsets().col(static_cast<Eigen::Index>(point - first));
 }
 
 FaceCorners ShiftedPoints::corners(const ContactFace& face) const {
@@ -21,7 +21,7 @@ FaceCorners ShiftedPoints::corners(const ContactFace& face) const {
   return x;
 }
 
-Eigen::Vector3d ShiftedPoints::way_of(const RecordSide& side) const {
+Eigen::Vector3d ShiftedPoints::way_of(const ContactPointSide& side) const {
   Eigen::Vector3d way = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k)
     way += side.weights[static_cast<Eigen::Index>(k)] * (at(side.nodes[k]) - renewed_.x(side.nodes[k]));

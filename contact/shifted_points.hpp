@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/contact_record.hpp"
-#include "contact/moving_surface.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/contact_point.hpp"
 
 namespace contactsim {
 
@@ -11,7 +11,7 @@ namespace contactsim {
 class ShiftedPoints {
  public:
   /// The faces must outlive this.
-  ShiftedPoints(const ContactFaces& faces, const Mesh& mesh);
+  ShiftedPoints(const ContactMesh& contact_mesh, const Mesh& mesh);
   ShiftedPoints(const ShiftedPoints&) = delete;
   ShiftedPoints& operator=(const ShiftedPoints&) = delete;
 
@@ -19,27 +19,27 @@ class ShiftedPoints {
   Eigen::Vector3d at(std::uint32_t point) const;
   FaceCorners corners(const ContactFace& face) const;
   /// How far a side has gone since the last renewal [length].
-  Eigen::Vector3d way_of(const RecordSide& side) const;
+  Eigen::Vector3d way_of(const ContactPointSide& side) const;
 
   /// Moves the mesh node of a contact node.
   void shift(std::uint32_t point, const Eigen::Vector3d& step) {
-    coordinates_.col(faces_.mesh_nodes[point]) += step;
+    coordinates_.col(contact_mesh_.mesh_nodes[point]) += step;
   }
   void shift(NodeIndex node, const Eigen::Vector3d& step) { coordinates_.col(node.value) += step; }
   /// Stands the lofts off along the shells' normals as they are now.
   void renew() { renewed_.move_nodes({0.0, 0.0, coordinates_, coordinates_}); }
 
   /// The contact nodes at the last renewal.
-  const MovingSurface& renewed() const { return renewed_; }
+  const ContactKinematics& renewed() const { return renewed_; }
   /// Where the nodes of the mesh are now [3 x n_nodes] [length].
   const Eigen::Matrix3Xd& coordinates() const { return coordinates_; }
   /// Hands out the nodes of the mesh [3 x n_nodes] [length].
   Eigen::Matrix3Xd take() { return std::move(coordinates_); }
 
  private:
-  const ContactFaces& faces_;
+  const ContactMesh& contact_mesh_;
   Eigen::Matrix3Xd coordinates_;  // of the mesh's nodes [length]
-  MovingSurface renewed_;
+  ContactKinematics renewed_;
 };
 
 }  // namespace contactsim

@@ -5,23 +5,24 @@
 #include <set>
 
 #include "contact/deep_overlaps.hpp"
-#include "contact/overlap_places.hpp"
+#include "contact/overlap_detection.hpp"
 
 namespace contactsim {
 
 namespace {
 
 /// The mesh node with the largest weight of a side.
-NodeIndex main_node(const ContactFaces& faces, const RecordSide& side) {
+NodeIndex main_node(const ContactMesh& contact_mesh, const ContactPointSide& side) {
   Eigen::Index k = 0;
   side.weights.maxCoeff(&k);
-  return {faces.mesh_nodes[side.nodes[static_cast<std::size_t>(k)]]};
+  return {contact_mesh.mesh_nodes[side.nodes[static_cast<std::size_t>(k)]]};
 }
 
 /// Gathers the overlaps of one pair.
 class PairGatherer {
  public:
-  PairGatherer(const ContactFaces& faces, const MovingSurface& surface) : faces_(faces), surface_(surface) {}
+  PairGatherer(const ContactMesh& contact_mesh, const ContactKinematics& kinematics)
+      : faces_(contact_mesh), surface_(kinematics) {}
 
   void add(const Overlap& overlap) {
     add_nodes(overlap.first);
@@ -54,7 +55,7 @@ class PairGatherer {
   }
 
  private:
-  void add_nodes(const RecordSide& side) {
+  void add_nodes(const ContactPointSide& side) {
     for (std::size_t k = 0; k < 4; ++k) {
       if (side.weights[static_cast<Eigen::Index>(k)] > 0.0) nodes_.insert(faces_.mesh_nodes[side.nodes[k]]);
     }
@@ -65,8 +66,8 @@ class PairGatherer {
     return std::max(across, (surface_.x(corners[1]) - surface_.x(corners[3])).norm());
   }
 
-  const ContactFaces& faces_;
-  const MovingSurface& surface_;
+  const ContactMesh& faces_;
+  const ContactKinematics& surface_;
   StartOverlap found_;
   std::set<std::uint32_t> nodes_;
   std::set<std::array<std::uint32_t, 4>> sides_;
@@ -77,11 +78,11 @@ class PairGatherer {
 std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const Mesh& mesh,
                                               const ContactDefinition& definition) {
   const OverlapParts parts = make_overlap_parts(model, definition, mesh);
-  const ShiftedPoints points(parts.faces, mesh);
+  const ShiftedPoints points(parts.contact_mesh, mesh);
   OverlapSearch search(model, definition, mesh, parts);
   search.find(points.renewed());
-  const OverlapPlaces places(model, parts, search, points, 0.0);
-  std::vector<PairGatherer> gatherers(model.pairs.size(), PairGatherer(parts.faces, points.renewed()));
+  const OverlapDetection places(model, parts, search, points, 0.0);
+  std::vector<PairGatherer> gatherers(model.pairs.size(), PairGatherer(parts.contact_mesh, points.renewed()));
   std::set<std::uint32_t> told;  // contact nodes behind faces
   for (std::uint32_t p = 0; p < model.pairs.size(); ++p) {
     places.visit_all(p, [&](const Overlap& overlap) {
@@ -91,7 +92,7 @@ std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const M
   }
   for (const DeepOverlap& overlap :
        DeepOverlaps(model, mesh, parts).find(mesh.coordinates(), points.renewed())) {
-    if (!overlap.is_deep && told.contains(parts.faces.surface_nodes[overlap.row].node)) continue;
+    if (!overlap.is_deep && told.contains(parts.contact_mesh.surface_nodes[overlap.row].node)) continue;
     gatherers[overlap.pair].add(overlap);
   }
   std::vector<StartOverlap> found;

@@ -20,11 +20,11 @@ struct StartOverlap {
   NodeIndex node;             ///< that lies there, the nearest one of an edge
   std::optional<NodeIndex> other;  ///< the nearest one of the other side; absent: a plane
   double size =
-      0.0;  ///< of the face that it lies behind: its longest diagonal; 0 of planes and balls [length]
+      0.0;  ///< of the face that it lies behind: its longest diagonal; 0 of planes and spheres [length]
 };
 
-/// Finds what overlaps on a mesh: nodes behind faces, planes and in balls, edges that cross, and nodes of one
-/// body inside the solids of another, however deep.
+/// Finds what overlaps on a mesh: nodes behind faces, planes and in spheres, edges that cross, and nodes of
+/// one body inside the solids of another, however deep.
 ///   definition  of the model
 /// Returns a row for each pair that overlaps, in order. Throws SolveError when a line or particle is nowhere.
 std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const Mesh& mesh,

@@ -15,7 +15,7 @@ namespace {
 /// Adds a face's share to one of its corners.
 void add_share(double area, double thickness, ElementSide side, SurfaceNode& node) {
   node.area += area;
-  node.backing.thickness += area * thickness;
+  node.penalty_properties.thickness += area * thickness;
   node.side = side;
 }
 
@@ -57,7 +57,7 @@ std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace>
       SurfaceNode& node = of_node_[face.corners[k]];
       if (node.node == not_taken) nodes.push_back(face.corners[k]);
       node.node = face.corners[k];
-      add_share(share, face.backing.thickness, face.side, node);
+      add_share(share, face.penalty_properties.thickness, face.side, node);
     }
   }
   std::ranges::sort(nodes);
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace>
 }
 
 /// Adds an element to the nodes of a set that have no outside face: those of lines, particles and inside of
-/// solids. What they stand for is left to add_backing().
+/// solids. What they stand for is left to add_penalty_properties().
 ///   is_in  [n_nodes] 1 of such nodes
 void SurfaceNodes::add_elements(std::span<const std::uint8_t> is_in) {
   const Mesh& mesh = numbers_.mesh();
@@ -74,7 +74,7 @@ void SurfaceNodes::add_elements(std::span<const std::uint8_t> is_in) {
       if (is_in[node.value] == 0) continue;
       SurfaceNode& own = of_node_[numbers_[node]];
       own.side = ElementSide({i}, 1);
-      own.backing.thickness = std::numeric_limits<double>::quiet_NaN();
+      own.penalty_properties.thickness = std::numeric_limits<double>::quiet_NaN();
     }
   }
 }
@@ -107,15 +107,15 @@ std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nod
   return taken;
 }
 
-void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, ContactFaces& made) {
+void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made) {
   const auto nodes = surface.kind == SurfaceKind::node
                          ? take_set(surface.nodes)
                          : take_faces(std::span<const ContactFace>(made.faces).last(surface.faces.size()));
   for (const std::uint32_t node : nodes) {
     SurfaceNode own = of_node_[node];
     if (own.area > 0.0) {
-      own.backing.thickness /= own.area;
-    } else if (!std::isnan(own.backing.thickness)) {
+      own.penalty_properties.thickness /= own.area;
+    } else if (!std::isnan(own.penalty_properties.thickness)) {
       continue;  // of no element
     }
     own.node = node;
@@ -124,11 +124,11 @@ void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, Co
   }
 }
 
-void SurfaceNodes::add_free(std::span<const FreeNode> free_nodes, std::uint32_t position, bool is_of_nodes,
-                            ContactFaces& made) const {
+void SurfaceNodes::add_free(std::span<const ErodedNode> eroded_nodes, std::uint32_t position,
+                            bool is_of_nodes, ContactMesh& made) const {
   const Mesh& mesh = numbers_.mesh();
   const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
-  for (const FreeNode& free : free_nodes) {
+  for (const ErodedNode& free : eroded_nodes) {
     if (free.surface != position) continue;
     SurfaceNode own;
     own.node = numbers_[free.node];
@@ -136,11 +136,11 @@ void SurfaceNodes::add_free(std::span<const FreeNode> free_nodes, std::uint32_t 
     own.side = free.side;
     own.is_free = true;
     if (is_of_nodes) {
-      own.backing.thickness = std::numeric_limits<double>::quiet_NaN();
+      own.penalty_properties.thickness = std::numeric_limits<double>::quiet_NaN();
     } else {
       const auto corners = mesh.side_nodes(free.side);
       own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
-      own.backing.thickness = thickness_behind(mesh, free.side);
+      own.penalty_properties.thickness = thickness_behind(mesh, free.side);
     }
     made.surface_nodes.push_back(own);
   }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/contact_faces.hpp"
+#include "contact/contact_mesh.hpp"
 
 namespace contactsim {
 
@@ -34,12 +34,12 @@ class SurfaceNodes {
 
   /// Adds the nodes of a surface, those of its faces or its own.
   ///   made  has the faces of the surface as its last
-  void add(const ContactSurface& surface, std::uint32_t position, ContactFaces& made);
+  void add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made);
 
   /// Adds free nodes of a surface, among its nodes.
   ///   is_of_nodes  whether it is a surface of nodes, which stand for their masses
-  void add_free(std::span<const FreeNode> free_nodes, std::uint32_t position, bool is_of_nodes,
-                ContactFaces& made) const;
+  void add_free(std::span<const ErodedNode> eroded_nodes, std::uint32_t position, bool is_of_nodes,
+                ContactMesh& made) const;
 
  private:
   template <class IsWanted>

@@ -98,15 +98,16 @@ void balance(const TieVectors& arms, TieVectors& forces) {
 
 std::array<Eigen::Matrix3d, 4> carry_point(const FaceCorners& x, const Eigen::Vector4d& weights,
                                            const Eigen::Vector3d& offset) {
-  std::array<Eigen::Matrix3d, 4> carried;
-  for (int k = 0; k < 4; ++k) carried[static_cast<std::size_t>(k)] = weights[k] * Eigen::Matrix3d::Identity();
-  if (offset.isZero(0.0)) return carried;
+  std::array<Eigen::Matrix3d, 4> transferred;
+  for (int k = 0; k < 4; ++k)
+    transferred[static_cast<std::size_t>(k)] = weights[k] * Eigen::Matrix3d::Identity();
+  if (offset.isZero(0.0)) return transferred;
   // The face turns by inverse_inertia * sum of arm x velocity, and moves the point by turn x offset.
   const CornerMasses masses = corner_masses(x);
   const Eigen::Matrix3d of_turn = -cross_matrix(offset) * masses.inverse_inertia;
   for (int k = 0; k < masses.n; ++k)
-    carried[static_cast<std::size_t>(k)] += of_turn * cross_matrix(x.col(k) - masses.mean);
-  return carried;
+    transferred[static_cast<std::size_t>(k)] += of_turn * cross_matrix(x.col(k) - masses.mean);
+  return transferred;
 }
 
 bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "contact/contact_kinematics.hpp"
 #include "contact/face_face.hpp"
-#include "contact/moving_surface.hpp"
 
 namespace contactsim {
 
@@ -14,16 +14,16 @@ namespace contactsim {
 using TieVectors = Eigen::Matrix<double, 3, 8>;
 
 /// A face, or a node, that something holds to a face.
-struct HeldPlace {
+struct InterfaceConstraint {
   std::uint32_t pair = 0;
-  bool is_swapped = false;                          ///< the first side is of the pair's second surface
-  std::uint32_t first_place = 0, second_place = 0;  ///< face or surface node; face
-  bool is_node = false;                             ///< the first side is a node
-  std::array<std::uint32_t, 8> nodes{};             ///< contact nodes of the corners
+  bool is_swapped = false;                            ///< the first side is of the pair's second surface
+  std::uint32_t first_entity = 0, second_entity = 0;  ///< face or surface node; face
+  bool is_node = false;                               ///< the first side is a node
+  std::array<std::uint32_t, 8> nodes{};               ///< contact nodes of the corners
   Eigen::Matrix<double, 8, 1> springs =
       Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of the springs [force/length]
   double area = 0.0;                        ///< [length^2]
-  double share = 1.0;                       ///< of a whole place, where pairs that go both ways share it [1]
+  double share = 1.0;  ///< of a whole constraint, where pairs that go both ways share it [1]
 };
 
 /// A point of a tie that momentum balance holds where it was tied.
@@ -37,17 +37,17 @@ struct TiePoint {
 
 /// A face, or a node, tied to a face. The springs between the points of both add up to one stiffness between
 /// their corners, so that a tie of faces passes uniform stress and keeps what gap there was.
-struct Tie : HeldPlace {
+struct Tie : InterfaceConstraint {
   Eigen::Matrix<double, 8, 8> stiffness = Eigen::Matrix<double, 8, 8>::Zero();  ///< [force/length]
   TieVectors rest =
       TieVectors::Zero();    ///< forces that hold the gaps open, in axes of the second face [force]
-  double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed; of a glued place also what
+  double rest_energy = 0.0;  ///< that the springs would hold were the gaps closed; of a glued pair also what
                              ///< it held before [energy]
   std::uint32_t n_points = 0;
   std::array<TiePoint, 4> points{};  ///< for momentum balance
 };
 
-/// The forces of what holds a place on its corners; all 0 of a tie that does not act.
+/// The forces of an interface constraint on its corners; all 0 of a tie that does not act.
 struct TieForces {
   TieVectors forces;        ///< [force]
   Eigen::Vector3d normal;   ///< of the second side, unit [1]
@@ -63,7 +63,7 @@ Eigen::Matrix3d axes_of(const FaceCorners& x);
 void balance(const TieVectors& arms, TieVectors& forces);
 
 /// Ties all points of two faces whose gap is at most the tolerance either way. Returns whether there are any.
-///   tie  nodes and places are set, the rest is filled in
+///   tie  nodes and entities are set, the rest is filled in
 bool tie_faces(const MovingFace& first, const MovingFace& second, double stiffness, double tolerance,
                Tie& tie);
 

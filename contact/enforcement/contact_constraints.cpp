@@ -31,8 +31,8 @@ NodeVector node_vector(const Eigen::Vector3d& vector) { return {vector.x(), vect
 
 }  // namespace
 
-void ContactConstraints::begin(const MovingSurface& surface, double dt_before, double dt) {
-  surface_ = &surface;
+void ContactConstraints::begin(const ContactKinematics& kinematics, double dt_before, double dt) {
+  kinematics_ = &kinematics;
   dt_before_ = dt_before;
   dt_ = dt;
   points_.clear();
@@ -52,8 +52,8 @@ void ContactConstraints::visit_rows(const Visit& visit) const {
 }
 
 /// Finds a point's shares of plain carriers, beside those that its group has. Returns whether that is all.
-bool ContactConstraints::find_plain_terms(const ContactRecord& record, Group& group, Weights& weights) {
-  const auto find_side = [&](const RecordSide& side, double sign, std::uint8_t first_corner) {
+bool ContactConstraints::find_plain_terms(const ContactPoint& contact_point, Group& group, Weights& weights) {
+  const auto find_side = [&](const ContactPointSide& side, double sign, std::uint8_t first_corner) {
     for (std::uint8_t k = 0; k < 4; ++k) {
       const double weight = side.weights[k];
       if (weight == 0.0) continue;
@@ -71,15 +71,16 @@ bool ContactConstraints::find_plain_terms(const ContactRecord& record, Group& gr
     }
     return true;
   };
-  return find_side(record.first, 1.0, 0) && find_side(record.second, -1.0, 4);
+  return find_side(contact_point.first, 1.0, 0) && find_side(contact_point.second, -1.0, 4);
 }
 
-void ContactConstraints::find_general_terms(const ContactRecord& record, Group& group, Weights& weights) {
+void ContactConstraints::find_general_terms(const ContactPoint& contact_point, Group& group,
+                                            Weights& weights) {
   group.n_terms = 0;
   group.first_arm = static_cast<std::uint32_t>(arms_.size());
-  const auto add_side = [&](const RecordSide& side, double sign) {
+  const auto add_side = [&](const ContactPointSide& side, double sign) {
     carriers_.clear();
-    const Eigen::Vector3d beside = -sign * side.radius * record.normal;
+    const Eigen::Vector3d beside = -sign * side.radius * contact_point.normal;
     for (std::size_t k = 0; k < 4; ++k) {
       const double weight = side.weights[static_cast<Eigen::Index>(k)];
       if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
@@ -90,63 +91,63 @@ void ContactConstraints::find_general_terms(const ContactRecord& record, Group& 
       arms_.push_back(term.weight * term.arm);
     }
   };
-  add_side(record.first, 1.0);
-  add_side(record.second, -1.0);
+  add_side(contact_point.first, 1.0);
+  add_side(contact_point.second, -1.0);
 }
 
-/// Whether a point is between the places of the last row, and seen along the same normal.
-bool ContactConstraints::is_of_last_group(const ContactRecord& record) const {
+/// Whether a point is between the entities of the last row, and seen along the same normal.
+bool ContactConstraints::is_of_last_group(const ContactPoint& contact_point) const {
   if (rows_.empty() || groups_.back().first_arm != none) return false;
-  const ContactRecord& last = points_[rows_.back().point];
-  return record.first.nodes == last.first.nodes && record.second.nodes == last.second.nodes &&
-         record.normal == last.normal;
+  const ContactPoint& last = points_[rows_.back().point];
+  return contact_point.first.nodes == last.first.nodes && contact_point.second.nodes == last.second.nodes &&
+         contact_point.normal == last.normal;
 }
 
-void ContactConstraints::add_friction(const ContactRecord& record, const PairRule& rule, Row& row) {
+void ContactConstraints::add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row) {
   row.grip = static_cast<std::uint32_t>(grips_.size());
   Grip& grip = grips_.emplace_back();
   grip.rule = &rule;
-  grip.limit_per_force = rule.place == nullptr ? rule.friction : -1.0;
-  grip.slip = dt_ * in_plane(relative_velocity(record, false), record.normal);
+  grip.limit_per_force = rule.interface_law == nullptr ? rule.friction : -1.0;
+  grip.slip = dt_ * in_plane(relative_velocity(contact_point, false), contact_point.normal);
 }
 
 /// Begins with a share of the forces of the step before.
-void ContactConstraints::take_over(const ContactRecord& record, double allowed, Row& row) {
-  ContactMemory::Entry known;
-  if (!memory_.recall(record, known)) return;
+void ContactConstraints::take_over(const ContactPoint& contact_point, double allowed, Row& row) {
+  ContactHistory::Entry known;
+  if (!history_.recall(contact_point, known)) return;
   row.start -= std::min(known.left, allowed);
-  const double share = taken_over * record.area;
-  Eigen::Vector3d force = share * known.pressure * record.normal;
+  const double share = taken_over * contact_point.area;
+  Eigen::Vector3d force = share * known.pressure * contact_point.normal;
   if (row.grip != none) {
-    force += share * in_plane(known.traction, record.normal);
-    grips_[row.grip].held = in_plane(known.held, record.normal);
+    force += share * in_plane(known.traction, contact_point.normal);
+    grips_[row.grip].held = in_plane(known.held, contact_point.normal);
   }
   row.force = node_vector(force);
 }
 
-void ContactConstraints::add(const ContactRecord& record, const PairRule& rule, double thickness) {
-  const bool is_constraint = record.is_balanced && record.area > 0.0;
-  const bool is_of_last = is_constraint && is_of_last_group(record);
-  points_.push_back(record);
-  if (!is_constraint && !record.touches()) return;
+void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& rule, double thickness) {
+  const bool is_constraint = contact_point.is_balanced && contact_point.area > 0.0;
+  const bool is_of_last = is_constraint && is_of_last_group(contact_point);
+  points_.push_back(contact_point);
+  if (!is_constraint && !contact_point.touches()) return;
   Weights weights{};
   Group alone;
   Group* group = is_of_last ? &groups_.back() : &alone;
-  if (!find_plain_terms(record, *group, weights)) {
+  if (!find_plain_terms(contact_point, *group, weights)) {
     group = &alone;
     weights = {};
-    find_general_terms(record, alone, weights);
+    find_general_terms(contact_point, alone, weights);
   }
-  if (record.touches()) push(*group, weights, node_vector(record.force_on_first()));
+  if (contact_point.touches()) push(*group, weights, node_vector(contact_point.force_on_first()));
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
-  const double allowed = left_penetration(record.gap, thickness);
-  row.start = record.gap - record.closing + allowed;
-  if (rule.friction > 0.0) add_friction(record, rule, row);
-  take_over(record, allowed, row);
+  const double allowed = left_penetration(contact_point.gap, thickness);
+  row.start = contact_point.gap - contact_point.closing + allowed;
+  if (rule.friction > 0.0) add_friction(contact_point, rule, row);
+  take_over(contact_point, allowed, row);
   if (group == &alone) {
-    alone.normal = node_vector(record.normal);
+    alone.normal = node_vector(contact_point.normal);
     alone.first_row = static_cast<std::uint32_t>(rows_.size());
     groups_.push_back(alone);
   }
@@ -326,10 +327,10 @@ void ContactConstraints::push_forces() {
 double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed, double normal_force) const {
   const Grip& grip = grips_[row.grip];
   if (grip.limit_per_force >= 0.0) return grip.limit_per_force * normal_force;
-  ContactRecord record = points_[row.point];
-  record.force = normal_force;
-  record.slip = grip.slip + in_plane(changed.head<3>(), record.normal);
-  return grip.rule->slip_limit(record, dt_);
+  ContactPoint contact_point = points_[row.point];
+  contact_point.force = normal_force;
+  contact_point.slip = grip.slip + in_plane(changed.head<3>(), contact_point.normal);
+  return grip.rule->slip_limit(contact_point, dt_);
 }
 
 /// Closes the gap: max(0, force - gap / softness), and the slip likewise, back on the cone. On light carriers
@@ -363,36 +364,37 @@ ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& li
 
 /// The velocity of the first side against the second, in the step before or in the coming one without these
 /// forces [length/time].
-Eigen::Vector3d ContactConstraints::relative_velocity(const ContactRecord& record, bool is_before) const {
+Eigen::Vector3d ContactConstraints::relative_velocity(const ContactPoint& contact_point,
+                                                      bool is_before) const {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  const auto add_side = [&](const RecordSide& side, double sign) {
-    const Eigen::Vector3d beside = -sign * side.radius * record.normal;
+  const auto add_side = [&](const ContactPointSide& side, double sign) {
+    const Eigen::Vector3d beside = -sign * side.radius * contact_point.normal;
     for (std::size_t k = 0; k < 4; ++k) {
       const double weight = sign * side.weights[static_cast<Eigen::Index>(k)];
       if (weight == 0.0) continue;
-      velocity += weight * (is_before ? surface_->last_velocity_beside(side.nodes[k], beside)
-                                      : surface_->velocity_beside(side.nodes[k], beside));
+      velocity += weight * (is_before ? kinematics_->last_velocity_beside(side.nodes[k], beside)
+                                      : kinematics_->velocity_beside(side.nodes[k], beside));
     }
   };
-  add_side(record.first, 1.0);
-  add_side(record.second, -1.0);
+  add_side(contact_point.first, 1.0);
+  add_side(contact_point.second, -1.0);
   return velocity;
 }
 
 ContactLoss ContactConstraints::finish() {
   ContactLoss loss;
-  memory_.begin();
+  history_.begin();
   visit_rows([&](const Group& group, std::uint32_t i) {
     finish(rows_[i], rows_[i].force.dot(group.normal), dt_ * change(group, weights_[i]), loss);
   });
-  memory_.end();
+  history_.end();
   return loss;
 }
 
 /// What a force loses in half of the step before. Before the first step the leapfrog stands mirrored.
 ///   before   way of the first side along the second in the step before [length]
 ///   changed  by which all forces change that of the coming step [length]
-double ContactConstraints::lost_before(const Eigen::Vector3d& force, const ContactRecord& point,
+double ContactConstraints::lost_before(const Eigen::Vector3d& force, const ContactPoint& point,
                                        const Eigen::Vector3d& before, const Eigen::Vector3d& changed) const {
   if (dt_before_ > 0.0) return -0.5 * force.dot(before);
   const Eigen::Vector3d begun = relative_velocity(point, false) - relative_velocity(point, true);
@@ -401,7 +403,7 @@ double ContactConstraints::lost_before(const Eigen::Vector3d& force, const Conta
 
 void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
   if (!(force > 0.0)) return;
-  ContactRecord& point = points_[row.point];
+  ContactPoint& point = points_[row.point];
   const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
   const double impact_before = lost_before(force * point.normal, point, before, changed),
                impact_after = 0.5 * force * (point.closing - point.normal.dot(changed));
@@ -412,7 +414,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   point.work_before = impact_before;
   point.work_after = impact_after;
   point.force += force;
-  ContactMemory::Entry entry{force / point.area};
+  ContactHistory::Entry entry{force / point.area};
   const double left = -(row.start + point.normal.dot(changed));
   entry.area = point.area;
   entry.left = std::clamp(left, 0.0, most_made_up * force * row.softness);
@@ -430,11 +432,11 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
     point.tangential += tangential;
     const bool slides = tangential.norm() >= (1.0 - 1e-9) * slip_limit(row, change, force);
     if (slides) point.slip = slip;
-    point.elastic = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
+    point.elastic_slip = slides ? Eigen::Vector3d::Zero() : Eigen::Vector3d(grip.held + slip);
     entry.traction = tangential / point.area;
-    entry.held = point.elastic;
+    entry.held = point.elastic_slip;
   }
-  memory_.remember(point, entry);
+  history_.remember(point, entry);
 }
 
 }  // namespace contactsim

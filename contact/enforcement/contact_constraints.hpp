@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact_record.hpp"
-#include "contact/contact_scene.hpp"
+#include "contact/contact_point.hpp"
+#include "contact/contact_step_context.hpp"
 #include "contact/enforcement/constraint_pass.hpp"
-#include "contact/enforcement/contact_memory.hpp"
+#include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/node_mobility.hpp"
 
 namespace contactsim {
@@ -28,11 +28,11 @@ class ContactConstraints {
 
   /// Begins a step.
   ///   dt_before, dt  of the step that ended, of the coming one [time]
-  void begin(const MovingSurface& surface, double dt_before, double dt);
+  void begin(const ContactKinematics& kinematics, double dt_before, double dt);
   /// Adds a contact point, or a law's force that acts besides.
   ///   rule       of its pair, which must outlive the step
   ///   thickness  of the thinner side [length]
-  void add(const ContactRecord& record, const PairRule& rule, double thickness);
+  void add(const ContactPoint& contact_point, const PairRule& rule, double thickness);
 
   /// Adds the areas of the points to those of their carriers.
   void add_areas(LeaningAreas& areas) const;
@@ -54,10 +54,10 @@ class ContactConstraints {
   ContactLoss finish();
 
   /// The points in the order of add(), with force, friction, slip and what is lost.
-  std::span<const ContactRecord> points() const { return points_; }
+  std::span<const ContactPoint> points() const { return points_; }
   /// Hands over the points, for others in exchange.
-  void swap_points(std::vector<ContactRecord>& points) { points_.swap(points); }
-  ContactMemory& memory() { return memory_; }
+  void swap_points(std::vector<ContactPoint>& points) { points_.swap(points); }
+  ContactHistory& memory() { return history_; }
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
@@ -75,7 +75,7 @@ class ContactConstraints {
     std::uint32_t grip = none;   // of a point with friction
     std::uint32_t light = none;  // its row among those with light carriers
   };
-  /// Contact points between the same places, which have the same carriers.
+  /// Contact points between the same entities, which have the same carriers.
   struct Group {
     NodeVector normal = NodeVector::Zero();  // [1]
     std::array<std::uint32_t, most_terms> carriers{};
@@ -95,11 +95,11 @@ class ContactConstraints {
 
   template <class Visit>
   void visit_rows(const Visit& visit) const;
-  bool find_plain_terms(const ContactRecord& record, Group& group, Weights& weights);
-  void find_general_terms(const ContactRecord& record, Group& group, Weights& weights);
-  bool is_of_last_group(const ContactRecord& record) const;
-  void add_friction(const ContactRecord& record, const PairRule& rule, Row& row);
-  void take_over(const ContactRecord& record, double allowed, Row& row);
+  bool find_plain_terms(const ContactPoint& contact_point, Group& group, Weights& weights);
+  void find_general_terms(const ContactPoint& contact_point, Group& group, Weights& weights);
+  bool is_of_last_group(const ContactPoint& contact_point) const;
+  void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
+  void take_over(const ContactPoint& contact_point, double allowed, Row& row);
   double turn_size(const Group& group, const Row& row, std::size_t term) const;
   double share(const Group& group, std::uint32_t row, std::size_t term, const LeaningAreas& areas) const;
   double slip_softness(const Group& group, std::uint32_t row, const LeaningAreas& areas) const;
@@ -111,15 +111,15 @@ class ContactConstraints {
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
                                  const NodeVector& changed) const;
-  Eigen::Vector3d relative_velocity(const ContactRecord& record, bool is_before) const;
-  double lost_before(const Eigen::Vector3d& force, const ContactRecord& point, const Eigen::Vector3d& before,
+  Eigen::Vector3d relative_velocity(const ContactPoint& contact_point, bool is_before) const;
+  double lost_before(const Eigen::Vector3d& force, const ContactPoint& point, const Eigen::Vector3d& before,
                      const Eigen::Vector3d& changed) const;
   void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
 
   NodeMobility& mobility_;
-  const MovingSurface* surface_ = nullptr;
+  const ContactKinematics* kinematics_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
-  std::vector<ContactRecord> points_;
+  std::vector<ContactPoint> points_;
   std::vector<Group> groups_;
   std::vector<Row> rows_;
   std::vector<Weights> weights_;                                      // [n_rows]
@@ -127,7 +127,7 @@ class ContactConstraints {
   std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
   std::vector<Grip> grips_;
   std::vector<CarrierTerm> carriers_;  // scratch
-  ContactMemory memory_;
+  ContactHistory history_;
 };
 
 }  // namespace contactsim

@@ -24,11 +24,11 @@ double momentum_after(double n_passes) { return n_passes / (n_passes + 0.5); }
 
 }  // namespace
 
-void MomentumBalance::begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
-                            const State& state) {
-  mobility_.begin(model, free, surface, state);
-  contacts_.begin(surface, state.dt, state.next_dt);
-  ties_.begin(surface, state.next_dt);
+void MomentumBalance::begin(const Model& model, const ModelFreeDirections& free,
+                            const ContactKinematics& kinematics, const State& state) {
+  mobility_.begin(model, free, kinematics, state);
+  contacts_.begin(kinematics, state.dt, state.next_dt);
+  ties_.begin(kinematics, state.next_dt);
   loss_ = {};
 }
 
@@ -144,9 +144,9 @@ void MomentumBalance::archive(StateArchive& saved) {
   contacts_.memory().archive(saved);
 }
 
-void MomentumBalance::renumber(const ContactRenumbering& places) {
+void MomentumBalance::remap(const ContactRemap& remap) {
   mobility_.forget();
-  contacts_.memory().renumber(places);
+  contacts_.memory().remap(remap);
 }
 
 }  // namespace contactsim

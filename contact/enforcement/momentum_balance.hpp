@@ -40,20 +40,20 @@ class MomentumBalance {
  public:
   /// Begins a step.
   ///   surface  sees the velocities of the coming step without these forces
-  void begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
+  void begin(const Model& model, const ModelFreeDirections& free, const ContactKinematics& kinematics,
              const State& state);
   /// Adds a contact point, or a law's force that acts besides.
   ///   rule  of its pair, which must outlive the step
   ///   thickness  of the thinner side [length]
-  void add(const ContactRecord& record, const PairRule& rule, double thickness) {
-    contacts_.add(record, rule, thickness);
+  void add(const ContactPoint& point, const PairRule& rule, double thickness) {
+    contacts_.add(point, rule, thickness);
   }
   /// Adds the points of a tie, which must outlive the step; find_forces() answers for it afterwards.
   void add(Tie& tie) { ties_.add(tie); }
   /// Finds the forces.
   BalanceReport solve(int max_iterations);
   /// The points in the order of add(), with force, friction, slip and what is lost.
-  std::span<const ContactRecord> points() const { return contacts_.points(); }
+  std::span<const ContactPoint> points() const { return contacts_.points(); }
   /// The forces of a tie on its corners.
   TieForces find_forces(const Tie& tie) const { return ties_.find_forces(tie); }
   const ContactLoss& loss() const { return loss_; }
@@ -62,10 +62,10 @@ class MomentumBalance {
   /// To be called when conditions on nodes or bodies have changed.
   void forget_mobility() { mobility_.forget(); }
   /// Hands over the points, for others in exchange.
-  void swap_points(std::vector<ContactRecord>& points) { contacts_.swap_points(points); }
+  void swap_points(std::vector<ContactPoint>& points) { contacts_.swap_points(points); }
 
   /// Goes over to other faces and nodes.
-  void renumber(const ContactRenumbering& places);
+  void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);
 
  private:

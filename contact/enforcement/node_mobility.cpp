@@ -21,9 +21,9 @@ bool is_positive(double mass) { return mass > minimum_nodal_mass; }
 
 }  // namespace
 
-void NodeMobility::begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
-                         const State& state) {
-  surface_ = &surface;
+void NodeMobility::begin(const Model& model, const ModelFreeDirections& free,
+                         const ContactKinematics& kinematics, const State& state) {
+  kinematics_ = &kinematics;
   rigid_ = &model.rigid.nodes;
   state_ = &state;
   half_steps_ = 0.5 * (state.dt + state.next_dt);
@@ -37,7 +37,7 @@ void NodeMobility::begin(const Model& model, const ModelFreeDirections& free, co
     changes->turnings.clear();
   }
   if (inverse_mass_.empty()) {
-    const std::size_t n_bodies = surface.faces().n_nodes() + model.rigid.bodies.size();
+    const std::size_t n_bodies = kinematics.contact_mesh().n_nodes() + model.rigid.bodies.size();
     general_.assign(n_bodies, none);
     inverse_mass_.assign(n_bodies, 0.0);
     carrier_.assign(n_bodies, none);
@@ -54,19 +54,19 @@ NodeMobility::General& NodeMobility::make_general(std::uint32_t body) {
 }
 
 void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& directions) {
-  const ContactFaces& faces = surface_->faces();
+  const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool turns = model.inertia.cols() > 0;
   const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
   contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), none);
-  for (std::uint32_t i = 0; i < faces.n_nodes(); ++i) {
-    const NodeIndex node{faces.mesh_nodes[i]};
-    if (faces.first_alike[i] == i) contact_node_[node.value] = i;
+  for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i) {
+    const NodeIndex node{contact_mesh.mesh_nodes[i]};
+    if (contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
     const double mass = model.mass(0, node.value);
-    if (faces.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
+    if (contact_mesh.first_alike[i] != i || !rigid_->is_free(node) || !is_positive(mass)) continue;
     const Eigen::Matrix3d* free = directions.of_node(node.value);
     const double inertia = turns ? model.inertia(0, node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
-    const bool has_ring = surface_->spins().find(node.value) != LoftSpins::none;
+    const bool has_ring = kinematics_->spins().find(node.value) != LoftSpins::none;
     if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {
       inverse_mass_[i] = is_held ? 0.0 : 1.0 / mass;
       continue;
@@ -81,7 +81,7 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
 
 void NodeMobility::set_bodies(const Model& model, const ModelFreeDirections& directions) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
-    General& general = make_general(static_cast<std::uint32_t>(surface_->faces().n_nodes()) + i);
+    General& general = make_general(static_cast<std::uint32_t>(kinematics_->contact_mesh().n_nodes()) + i);
     const Eigen::Matrix3d* free = directions.of_body(i);
     general.translation =
         (free != nullptr ? *free : Eigen::Matrix3d::Identity()) / model.rigid.bodies[i].mass;
@@ -92,7 +92,7 @@ void NodeMobility::turn_bodies(const Model& model, const ModelFreeDirections& di
                                const State& state) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
     const RigidBody& body = model.rigid.bodies[i];
-    General& general = generals_[general_[surface_->faces().n_nodes() + i]];
+    General& general = generals_[general_[kinematics_->contact_mesh().n_nodes() + i]];
     const Eigen::Matrix3d axes = state.rigid[i].orientation.toRotationMatrix();
     const Eigen::Matrix3d* free = directions.of_body_turns(i);
     if (free == nullptr) {
@@ -121,45 +121,46 @@ std::uint32_t NodeMobility::use(std::uint32_t body) {
 
 std::uint32_t NodeMobility::use_node(std::uint32_t node) {
   const std::size_t n_before = carriers_.size();
-  const std::uint32_t carrier = use(surface_->faces().first_alike[node]);
-  if (carriers_.size() > n_before) mesh_nodes_.push_back(surface_->faces().mesh_nodes[node]);
+  const std::uint32_t carrier = use(kinematics_->contact_mesh().first_alike[node]);
+  if (carriers_.size() > n_before) mesh_nodes_.push_back(kinematics_->contact_mesh().mesh_nodes[node]);
   return carrier;
 }
 
 /// Has a node of a lofted shell turn with the nodes around.
 void NodeMobility::use_ring(std::uint32_t carrier, std::uint32_t mesh_node) {
-  const std::uint32_t spin = surface_->spins().find(mesh_node);
+  const std::uint32_t spin = kinematics_->spins().find(mesh_node);
   if (spin == LoftSpins::none || carriers_[carrier].ring != none) return;
   carriers_[carrier].ring = static_cast<std::uint32_t>(rings_.size());
   carriers_[carrier].turn_bound = 1.0;
   rings_.push_back({carrier, spin, static_cast<std::uint32_t>(ring_carriers_.size())});
-  for (const std::uint32_t other : surface_->spins().neighbours(spin))
+  for (const std::uint32_t other : kinematics_->spins().neighbours(spin))
     ring_carriers_.push_back(use_node(contact_node_[other]));
 }
 
 std::optional<std::uint32_t> NodeMobility::plain_carrier(std::uint32_t node) {
-  const ContactFaces& faces = surface_->faces();
+  const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool is_plain =
-      rigid_->is_free({faces.mesh_nodes[node]}) && general_[faces.first_alike[node]] == none;
+      rigid_->is_free({contact_mesh.mesh_nodes[node]}) && general_[contact_mesh.first_alike[node]] == none;
   return is_plain ? std::optional(use_node(node)) : std::nullopt;
 }
 
 void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vector3d& beside,
                              std::vector<CarrierTerm>& terms) {
-  const ContactFaces& faces = surface_->faces();
-  const NodeIndex mesh_node{faces.mesh_nodes[node]};
+  const ContactMesh& contact_mesh = kinematics_->contact_mesh();
+  const NodeIndex mesh_node{contact_mesh.mesh_nodes[node]};
   if (rigid_->is_free(mesh_node)) {
     Eigen::Vector3d arm = beside;
-    const std::size_t n_mesh_points = faces.n_mesh_points();
-    if (node >= n_mesh_points) arm += surface_->arms().col(static_cast<Eigen::Index>(node - n_mesh_points));
+    const std::size_t n_mesh_points = contact_mesh.n_mesh_points();
+    if (node >= n_mesh_points)
+      arm += kinematics_->offsets().col(static_cast<Eigen::Index>(node - n_mesh_points));
     const std::uint32_t carrier = use_node(node);
     use_ring(carrier, mesh_node.value);
     terms.push_back({carrier, weight, arm});
     return;
   }
   const auto body = static_cast<std::uint32_t>(rigid_->body_of[mesh_node.value]);
-  const std::uint32_t carrier = use(static_cast<std::uint32_t>(faces.n_nodes()) + body);
-  const Eigen::Vector3d arm = surface_->x(node) + beside - state_->rigid[body].position;
+  const std::uint32_t carrier = use(static_cast<std::uint32_t>(contact_mesh.n_nodes()) + body);
+  const Eigen::Vector3d arm = kinematics_->x(node) + beside - state_->rigid[body].position;
   const auto same = std::ranges::find_if(
       terms, [&](const CarrierTerm& term) { return term.carrier == carrier && term.weight * weight > 0.0; });
   if (same == terms.end()) {
@@ -186,7 +187,7 @@ CarrierMobility NodeMobility::mobility(std::uint32_t carrier) const {
 }
 
 void NodeMobility::spread_areas(LeaningAreas& areas) const {
-  const LoftSpins& spins = surface_->spins();
+  const LoftSpins& spins = kinematics_->spins();
   for (const Ring& ring : rings_) {
     const double area = areas[ring.carrier][1];
     areas[ring.carrier][0] += area * spins.own_bound(ring.spin);
@@ -206,7 +207,7 @@ void NodeMobility::spread_areas(LeaningAreas& areas) const {
 
 /// Gives the moments on rings to the nodes around, and then turns the rings as these move.
 void NodeMobility::turn_rings(Changes& of) const {
-  const LoftSpins& spins = surface_->spins();
+  const LoftSpins& spins = kinematics_->spins();
   for (const Ring& ring : rings_) {
     const Eigen::Vector3d moment = of.turnings[ring.carrier].head<3>();
     if (moment.isZero(0.0)) continue;

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "contact/contact_kinematics.hpp"
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/light_carriers.hpp"
 #include "contact/free_directions.hpp"
-#include "contact/moving_surface.hpp"
 #include "core/elements/gather.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
@@ -34,7 +34,7 @@ class NodeMobility {
   /// Begins a step without carriers.
   ///   state  between two steps, the size of the next one is known
   ///   free   where conditions leave nodes and bodies free
-  void begin(const Model& model, const ModelFreeDirections& free, const MovingSurface& surface,
+  void begin(const Model& model, const ModelFreeDirections& free, const ContactKinematics& kinematics,
              const State& state);
   /// To be called when the contact nodes or the conditions are others.
   void forget() { inverse_mass_.clear(); }
@@ -54,7 +54,9 @@ class NodeMobility {
   double translation_bound(std::uint32_t carrier) const { return carriers_[carrier].mobility; }
   bool has_bodies() const { return !state_->rigid.empty(); }
   /// Whether a carrier is a rigid body.
-  bool is_body(std::uint32_t carrier) const { return carriers_[carrier].body >= surface_->faces().n_nodes(); }
+  bool is_body(std::uint32_t carrier) const {
+    return carriers_[carrier].body >= kinematics_->contact_mesh().n_nodes();
+  }
   /// How a carrier answers over the coming step.
   CarrierMobility mobility(std::uint32_t carrier) const;
   /// The square root of the change of angular velocity about a direction per moment, times its length.
@@ -117,7 +119,7 @@ class NodeMobility {
   void turn_rings(Changes& of) const;
   Eigen::Vector3d moved_by(std::uint32_t carrier, const Eigen::Vector3d& force) const;
 
-  const MovingSurface* surface_ = nullptr;
+  const ContactKinematics* kinematics_ = nullptr;
   const RigidNodes* rigid_ = nullptr;
   const State* state_ = nullptr;
   // Bodies: contact nodes, then rigid bodies.

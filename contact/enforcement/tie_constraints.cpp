@@ -16,8 +16,8 @@ double bound_of(const Eigen::Matrix3d& matrix) {
 
 }  // namespace
 
-void TieConstraints::begin(const MovingSurface& surface, double dt) {
-  surface_ = &surface;
+void TieConstraints::begin(const ContactKinematics& kinematics, double dt) {
+  kinematics_ = &kinematics;
   dt_ = dt;
   rows_.clear();
   terms_.clear();
@@ -25,7 +25,7 @@ void TieConstraints::begin(const MovingSurface& surface, double dt) {
 
 TieConstraints::Sides TieConstraints::sides_of(const Tie& tie) const {
   Sides sides;
-  for (std::size_t k = 0; k < 8; ++k) sides.x[k] = surface_->x(tie.nodes[k]);
+  for (std::size_t k = 0; k < 8; ++k) sides.x[k] = kinematics_->x(tie.nodes[k]);
   for (int k = 0; k < 4; ++k) sides.second.col(k) = sides.x[static_cast<std::size_t>(k) + 4];
   sides.axes = axes_of(sides.second);
   return sides;
@@ -59,7 +59,7 @@ void TieConstraints::add_first_terms(const Tie& tie, const TiePoint& point) {
 }
 
 void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,
-                                      const std::array<Eigen::Matrix3d, 4>& carried) {
+                                      const std::array<Eigen::Matrix3d, 4>& transferred) {
   carriers_.clear();
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = point.weights_2[static_cast<Eigen::Index>(k)];
@@ -72,28 +72,29 @@ void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, con
     return;
   }
   for (std::size_t k = 0; k < 4; ++k) {
-    if (carried[k].isZero(0.0)) continue;
+    if (transferred[k].isZero(0.0)) continue;
     carriers_.clear();
     mobility_.add_terms(tie.nodes[k + 4], 1.0, Eigen::Vector3d::Zero(), carriers_);
-    terms_.push_back({carriers_[0].carrier, -carried[k], carriers_[0].arm});
+    terms_.push_back({carriers_[0].carrier, -transferred[k], carriers_[0].arm});
   }
 }
 
 void TieConstraints::add_point(Tie& tie, std::uint32_t index, const Sides& sides) {
   const TiePoint& point = tie.points[index];
   const Eigen::Vector3d offset = offset_of(sides, point);
-  const auto carried = carry_point(sides.second, point.weights_2, offset);
+  const auto transferred = carry_point(sides.second, point.weights_2, offset);
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
-    velocity += point.weights_1[i] * surface_->v(tie.nodes[k]) - carried[k] * surface_->v(tie.nodes[k + 4]);
+    velocity +=
+        point.weights_1[i] * kinematics_->v(tie.nodes[k]) - transferred[k] * kinematics_->v(tie.nodes[k + 4]);
   }
   Row& row = rows_.emplace_back();
   row.tie = &tie;
   row.point = index;
   row.first_term = static_cast<std::uint32_t>(terms_.size());
   add_first_terms(tie, point);
-  add_second_terms(tie, point, offset, carried);
+  add_second_terms(tie, point, offset, transferred);
   row.n_terms = static_cast<std::uint32_t>(terms_.size()) - row.first_term;
   row.start = offset - sides.axes * point.offset + dt_ * velocity;
   row.force = taken_over * sides.axes * point.force;
@@ -222,9 +223,9 @@ TieForces TieConstraints::find_forces(const Tie& tie) const {
     const TiePoint& point = tie.points[p];
     const Eigen::Vector3d force = sides.axes * point.force;
     found.forces.leftCols<4>() += force * point.weights_1.transpose();
-    const auto carried = carry_point(sides.second, point.weights_2, offset_of(sides, point));
+    const auto transferred = carry_point(sides.second, point.weights_2, offset_of(sides, point));
     for (std::size_t k = 0; k < 4; ++k)
-      found.forces.col(static_cast<Eigen::Index>(k) + 4) -= carried[k].transpose() * force;
+      found.forces.col(static_cast<Eigen::Index>(k) + 4) -= transferred[k].transpose() * force;
   }
   return found;
 }

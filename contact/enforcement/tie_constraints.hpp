@@ -18,7 +18,7 @@ class TieConstraints {
 
   /// Begins a step.
   ///   dt  the coming one [time]
-  void begin(const MovingSurface& surface, double dt);
+  void begin(const ContactKinematics& kinematics, double dt);
   /// Adds the points of a tie, which must outlive the step; find_forces() answers for it afterwards.
   void add(Tie& tie);
   bool empty() const { return rows_.empty(); }
@@ -70,7 +70,7 @@ class TieConstraints {
   void add_point(Tie& tie, std::uint32_t index, const Sides& sides);
   void add_first_terms(const Tie& tie, const TiePoint& point);
   void add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,
-                        const std::array<Eigen::Matrix3d, 4>& carried);
+                        const std::array<Eigen::Matrix3d, 4>& transferred);
   double turn_size(const Term& term) const;
   Eigen::Vector3d change(const Row& row) const;
   double share(const Term& term, const LeaningAreas& areas) const;
@@ -78,7 +78,7 @@ class TieConstraints {
   void push(const Row& row);
 
   NodeMobility& mobility_;
-  const MovingSurface* surface_ = nullptr;
+  const ContactKinematics* kinematics_ = nullptr;
   double dt_ = 0.0;
   std::vector<Row> rows_;
   std::vector<Term> terms_;

@@ -16,8 +16,8 @@ struct Tangents {
   explicit Tangents(const Corners& x)
       : along_r(0.25 * (x.col(1) - x.col(0) + x.col(2) - x.col(3))),
         along_s(0.25 * (x.col(3) - x.col(0) + x.col(2) - x.col(1))),
-        twist(0.25 * (x.col(0) - x.col(1) + x.col(2) - x.col(3))) {}
-  Eigen::Vector3d along_r, along_s, twist;
+        warp(0.25 * (x.col(0) - x.col(1) + x.col(2) - x.col(3))) {}
+  Eigen::Vector3d along_r, along_s, warp;
 };
 
 /// Calls add(shape functions, normal times the area that the point stands for) at each Gauss point; all
@@ -30,8 +30,8 @@ void for_each_point(const Corners& x, const Add& add) {
     const double r = at * sign_r[point], s = at * sign_s[point];
     Eigen::Vector4d shape;
     for (int a = 0; a < 4; ++a) shape(a) = 0.25 * (1.0 + r * sign_r[a]) * (1.0 + s * sign_s[a]);
-    const Eigen::Vector3d tangent_r = tangents.along_r + s * tangents.twist;
-    const Eigen::Vector3d tangent_s = tangents.along_s + r * tangents.twist;
+    const Eigen::Vector3d tangent_r = tangents.along_r + s * tangents.warp;
+    const Eigen::Vector3d tangent_s = tangents.along_s + r * tangents.warp;
     add(shape, Eigen::Vector3d(tangent_r.cross(tangent_s)));
   }
 }
@@ -51,8 +51,8 @@ Corners pressure_forces(const Corners& corners, const Eigen::Vector4d& pressure)
 Corners pressure_forces(const Corners& corners, double pressure) {
   const Tangents tangents(corners);
   const Eigen::Vector3d middle = -pressure * tangents.along_r.cross(tangents.along_s);
-  const Eigen::Vector3d along_r = -pressure / 3.0 * tangents.along_r.cross(tangents.twist);
-  const Eigen::Vector3d along_s = -pressure / 3.0 * tangents.twist.cross(tangents.along_s);
+  const Eigen::Vector3d along_r = -pressure / 3.0 * tangents.along_r.cross(tangents.warp);
+  const Eigen::Vector3d along_s = -pressure / 3.0 * tangents.warp.cross(tangents.along_s);
   Corners forces;
   for (int a = 0; a < 4; ++a) forces.col(a) = middle + sign_r[a] * along_r + sign_s[a] * along_s;
   return forces;

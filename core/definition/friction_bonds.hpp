@@ -8,8 +8,8 @@
 #include "core/definition/condition_lines.hpp"
 
 /// The friction models that hold what touches at the start until it fails. Their words are those of
-/// friction.hpp: gap, slip, and pulls that are positive. Forces, unlike tractions, are those of one place of
-/// contact: a node, or a pair of faces.
+/// friction.hpp: gap, slip, and pulls that are positive. Forces, unlike tractions, are those of one contact
+/// point: a node, or a pair of faces.
 namespace contactsim {
 
 /// What a weld does once it fails: the force at that time fades along a straight line, while another model

@@ -15,7 +15,7 @@ struct Across {
 };
 
 /// Turns what is at right angles to one unit vector the shortest way to another. Source: Rodrigues' formula.
-VectorLanes carried(const VectorLanes& t, const VectorLanes& from, const VectorLanes& to) {
+VectorLanes transferred(const VectorLanes& t, const VectorLanes& from, const VectorLanes& to) {
   const Lanes factor = dot(t, to) / (1.0 + dot(from, to));
   return {t[0] - factor * (from[0] + to[0]), t[1] - factor * (from[1] + to[1]),
           t[2] - factor * (from[2] + to[2])};
@@ -175,9 +175,9 @@ void Beam::advance(const ModelBlock& block, std::size_t, const LineMotion& motio
   const VectorLanes t = is_new ? first_t(block.beam.t_axis, start.axis) : VectorLanes{own[0], own[1], own[2]};
   const Turning turning(motion.w);
   // Along a chord the turn about the axis is this, whatever the axis does meanwhile.
-  const Lanes twist = 0.25 * motion.dt * (dot(turning.mean, start.axis) + dot(turning.mean, end.axis));
-  const Across amid = turned(carried(t, start.axis, middle.axis), middle.axis, 0.5 * twist);
-  const Across at_end = turned(carried(t, start.axis, end.axis), end.axis, twist);
+  const Lanes warp = 0.25 * motion.dt * (dot(turning.mean, start.axis) + dot(turning.mean, end.axis));
+  const Across amid = turned(transferred(t, start.axis, middle.axis), middle.axis, 0.5 * warp);
+  const Across at_end = turned(transferred(t, start.axis, end.axis), end.axis, warp);
   for (std::size_t i = 0; i < 3; ++i) own[i] = at_end.t[i];
 
   const VectorLanes v = motion.velocity_difference();

@@ -79,7 +79,7 @@ TEST_CASE("the pair table says how surfaces meet, before they are searched", "[a
 }
 
 TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defaults", "[app][pairs]") {
-  const std::vector<PairStart> starts{{-0.125, 40}, {}, {}};
+  const std::vector<InitialGap> starts{{-0.125, 40}, {}, {}};
   const std::string text = format_pairs(three_pairs(), three_summaries(), starts);
   CHECK_THAT(text, Contains("        -0.125        40\n"));
   CHECK_THAT(text, !Contains("lid                          dust"));

@@ -147,7 +147,7 @@ void contact_of_spheres(benchmark::State& bench) {
     wall += end.wall - begin.wall;
     cpu += end.cpu - begin.cpu;
   }
-  const auto n_nodes = static_cast<double>(force.faces().n_nodes());
+  const auto n_nodes = static_cast<double>(force.contact_mesh().n_nodes());
   std::size_t n_pushed = 0;
   for (const auto& f : forces.colwise()) n_pushed += f.squaredNorm() > 0.0 ? 1 : 0;
   bench.counters["bytes_per_face"] = (memory_in_use() - before) / (2.0 * n_faces);

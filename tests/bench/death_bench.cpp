@@ -9,8 +9,8 @@
 
 #include "bench_meshes.hpp"
 #include "contact/contact_force.hpp"
-#include "contact/free_nodes.hpp"
-#include "contact/living_surfaces.hpp"
+#include "contact/eroded_nodes.hpp"
+#include "contact/surface_tracker.hpp"
 #include "core/elements/elements.hpp"
 #include "core/integrator.hpp"
 #include "core/internal_force.hpp"
@@ -68,9 +68,10 @@ void mass_death(benchmark::State& bench) {
   ContactModel contact = make_contact_model(definition, region, mesh, {}, told);
   const NodeElements elements(mesh);
   const FaceGroups faces(mesh, elements);
-  ClaimRules rules(find_surface_requests(definition, region, mesh, told), mesh, region.contact->subdomain);
-  LivingSurfaces living(std::move(rules), faces, {}, contact.surfaces);
-  FreeNodes free_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), 0));
+  OwnershipRules rules(find_surface_requests(definition, region, mesh, told), mesh,
+                       region.contact->subdomain);
+  SurfaceTracker living(std::move(rules), faces, {}, contact.surfaces);
+  ErodedNodes eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), 0));
   const std::vector<TimeSteppingBlock> blocks(1);
   ContactForce force({*region.contact, contact, model, blocks});
   State state = make_state(mesh.coordinates(), model.blocks, 0.0);
@@ -95,9 +96,9 @@ void mass_death(benchmark::State& bench) {
       alive[element.value] = 0;
       state.blocks[0].life[element.value / n_lanes](element.value % n_lanes) = 0.0;
     }
-    living.bury(dead, contact.surfaces);
-    free_nodes.add(dead, alive);
-    force.take_surfaces({state.time, state.dt, state.coordinates, state.velocity}, free_nodes.nodes());
+    living.update_for_deaths(dead, contact.surfaces);
+    eroded_nodes.add(dead, alive);
+    force.rebuild_surfaces({state.time, state.dt, state.coordinates, state.velocity}, eroded_nodes.nodes());
     advance(model, terms, control, state);
     const double death = now() - begun;
     bench.counters["step"] = step;

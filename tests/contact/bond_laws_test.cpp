@@ -10,15 +10,15 @@ namespace {
 
 const LawCurve hump({{0, 0}, {0.5, 10}, {1, 0}}), line({{0, 0}, {0.1, 50}});
 
-std::vector<Hold> bonds() {
-  return {SpringHold{line, line, 2.0}, ThreadHold{line, line, {}, 1.0, 1e9, 1e9, 2.0},
-          CohesiveHold{hump, 0.1, 0.2}};
+std::vector<BondLaw> bonds() {
+  return {SpringWeldLaw{line, line, 2.0}, ThreadedJointLaw{line, line, {}, 1.0, 1e9, 1e9, 2.0},
+          CohesiveLaw{hump, 0.1, 0.2}};
 }
 
 }  // namespace
 
 TEST_CASE("what bonds store and lose is the work done on them", "[contact][bonds]") {
-  for (const Hold& hold : bonds()) {
+  for (const BondLaw& hold : bonds()) {
     Random random(1);
     BondHistory history;
     double work = 0.0, lost = 0.0;
@@ -44,7 +44,7 @@ TEST_CASE("what bonds store and lose is the work done on them", "[contact][bonds
 }
 
 TEST_CASE("no bond is stiffer than it says", "[contact][bonds]") {
-  for (const Hold& hold : bonds()) {
+  for (const BondLaw& hold : bonds()) {
     const double stiffest = bond_stiffness(hold, 2.0, 1e6);
     constexpr double step = 1e-7;
     for (double x = 0.001; x < 0.099; x += 0.0037) {
@@ -61,7 +61,7 @@ TEST_CASE("no bond is stiffer than it says", "[contact][bonds]") {
 }
 
 TEST_CASE("a cohesive zone that begins rigidly begins with the penalty", "[contact][bonds]") {
-  const Hold hold = CohesiveHold{LawCurve({{0, 10}, {1, 0}}), 0.1, 0.1};
+  const BondLaw hold = CohesiveLaw{LawCurve({{0, 10}, {1, 0}}), 0.1, 0.1};
   BondHistory history;
   CHECK(answer(hold, {0.001, {0, 0}}, 1.0, 1000.0, history).normal == Approx(1.0));
   CHECK(answer(hold, {0.05, {0, 0}}, 1.0, 1000.0, history).normal == Approx(5.0));
@@ -69,7 +69,7 @@ TEST_CASE("a cohesive zone that begins rigidly begins with the penalty", "[conta
 }
 
 TEST_CASE("bonds answer slip under pressure, but do not push", "[contact][bonds]") {
-  for (const Hold& hold : bonds()) {
+  for (const BondLaw& hold : bonds()) {
     BondHistory history;
     const BondAnswer pressed = answer(hold, {-0.01, {0.03, 0.0}}, 1.0, 1e6, history);
     CHECK(pressed.normal == 0.0);

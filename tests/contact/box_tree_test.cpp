@@ -78,7 +78,7 @@ TEST_CASE("branches are disjoint, hold all boxes and lie below the crown", "[con
   for (const std::uint32_t branch : tree.branches)
     REQUIRE(mark_boxes(tree, tree.nodes[branch], boxes, marked));
   CHECK(std::count(marked.begin(), marked.end(), true) == n);
-  CHECK(tree.branches.size() == tree.crown.size() + 1);
+  CHECK(tree.branches.size() == tree.top_levels.size() + 1);
   CHECK(tree.branches.size() >= 64);
 }
 

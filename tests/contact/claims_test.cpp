@@ -38,9 +38,9 @@ Claims claims_of(const std::string& lines, const std::vector<std::uint8_t>& aliv
   const auto requests = make_surface_requests(contact, {}, mesh, diagnostics);
   REQUIRE(diagnostics.empty());
   const ContactDomain domain(mesh, contact.subdomain, alive);
-  const Candidates candidates = make_candidates(requests, mesh, domain);
+  const SkinFaces skin_faces = make_skin_faces(requests, mesh, domain);
   const SurfaceRequest& last = requests.back();
-  return {claimed_faces(last, mesh, candidates), claimed_lofted(last, mesh, candidates),
+  return {claimed_faces(last, mesh, skin_faces), claimed_lofted(last, mesh, skin_faces),
           claimed_nodes(last, mesh, domain)};
 }
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "contact/free_nodes.hpp"
-#include "contact/living_surfaces.hpp"
+#include "contact/eroded_nodes.hpp"
+#include "contact/surface_tracker.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 
@@ -39,28 +39,28 @@ struct DyingBodies : ContactBodies {
         faces(mesh, elements),
         living(make_rules(), faces, alive, definition.surfaces,
                std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)),
-        free_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
+        eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
 
   void kill(const std::vector<ElementIndex>& dead) {
     for (const ElementIndex element : dead) alive[element.value] = 0;
-    living.bury(dead, definition.surfaces);
-    free_nodes.add(dead, alive);
-    contact.take_surfaces(motion(), free_nodes.nodes());
+    living.update_for_deaths(dead, definition.surfaces);
+    eroded_nodes.add(dead, alive);
+    contact.rebuild_surfaces(motion(), eroded_nodes.nodes());
   }
   std::size_t n_free_rows() const {
     std::size_t n = 0;
-    for (const SurfaceNode& node : contact.faces().surface_nodes) n += node.is_free ? 1 : 0;
+    for (const SurfaceNode& node : contact.contact_mesh().surface_nodes) n += node.is_free ? 1 : 0;
     return n;
   }
 
   std::vector<std::uint8_t> alive;
   NodeElements elements;
   FaceGroups faces;
-  LivingSurfaces living;
-  FreeNodes free_nodes;
+  SurfaceTracker living;
+  ErodedNodes eroded_nodes;
 
  private:
-  ClaimRules make_rules() const {
+  OwnershipRules make_rules() const {
     Diagnostics diagnostics;
     return {make_surface_requests(*region.contact, {}, mesh, diagnostics), mesh, region.contact->subdomain};
   }
@@ -142,15 +142,15 @@ TEST_CASE("nodes of dead elements only stay as free masses, or leave with NODAL 
   }
   REQUIRE(staying.n_free_rows() == 1);
   CHECK(eroding.n_free_rows() == 0);
-  CHECK(staying.free_nodes.nodes()[0].surface == 0);
-  CHECK(staying.mesh.coordinates().col(staying.free_nodes.nodes()[0].node.value).isZero());
+  CHECK(staying.eroded_nodes.nodes()[0].surface == 0);
+  CHECK(staying.mesh.coordinates().col(staying.eroded_nodes.nodes()[0].node.value).isZero());
 }
 
 TEST_CASE("a free node meets faces as a mass of its own", "[contact][death]") {
   DyingBodies bodies("");
   bodies.ask();
   bodies.kill({{0}});
-  const std::uint32_t node = bodies.free_nodes.nodes()[0].node.value;
+  const std::uint32_t node = bodies.eroded_nodes.nodes()[0].node.value;
   // It comes down on the middle of the cube's top, 2.79 high.
   bodies.x.col(node) = Eigen::Vector3d(2.5, 1.5, 2.7901);
   bodies.v.col(node) = Eigen::Vector3d(0, 0, -0.01);

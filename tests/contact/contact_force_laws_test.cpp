@@ -151,8 +151,8 @@ TEST_CASE("a corner that runs ahead of its face stirs it by what it is faster th
   v(2, 1) = 4.0;
   const FaceBound bound(x, v, false);
   CHECK(bound.velocity().z() == 1.0f);
-  CHECK(bound.stir() == Approx(3.0));
-  CHECK(FaceBound(x, -v, false).stir() == Approx(1.0));
+  CHECK(bound.normal_velocity_spread() == Approx(3.0));
+  CHECK(FaceBound(x, -v, false).normal_velocity_spread() == Approx(1.0));
 }
 
 TEST_CASE("automatic penalties cost little of the elements' step", "[contact][contact_force]") {
@@ -187,5 +187,5 @@ TEST_CASE("contact acts in its periods only, ties too", "[contact][contact_force
   CHECK(norm_at(0.5) > 1.0);
   CHECK(norm_at(1.5) == 0.0);
   CHECK(force.points().empty());
-  for (const HeldForces& held : force.held_forces()) CHECK(held.forces.forces.norm() == 0.0);
+  for (const ConstraintForces& held : force.constraint_forces()) CHECK(held.forces.forces.norm() == 0.0);
 }

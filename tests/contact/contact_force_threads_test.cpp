@@ -51,7 +51,7 @@ TEST_CASE("forces of contact have the same bits with one thread and with two", "
   CHECK(std::equal(works.begin(), works.begin() + 6, works.begin() + 6));
 }
 
-TEST_CASE("looking at the places of contact between steps changes no bit", "[contact][contact_force]") {
+TEST_CASE("looking at the contact points between steps changes no bit", "[contact][contact_force]") {
   const std::string formulation =
       GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
   SlidingPlates quiet(formulation), watched(formulation);

@@ -52,15 +52,15 @@ TEST_CASE("a free node gives way by its mass, a held one along what is free", "[
   ContactMobility mobility(cubes.model);
   CHECK(mobility.update(0.0));
   CHECK_FALSE(mobility.update(1.0));
-  const MovingSurface& surface = cubes.parts.surface;
-  CHECK(mobility.mobility(surface, 0, &z) == 2.0);
-  CHECK(mobility.mobility(surface, 3, &z) == 0.0);
-  CHECK(mobility.mobility(surface, 3, &x) == 2.0);
-  CHECK(mobility.mobility(surface, 3, nullptr) == 2.0);
-  CHECK(mobility.is_held(surface, 3, &z));
-  CHECK_FALSE(mobility.is_held(surface, 3, &x));
-  CHECK_FALSE(mobility.is_held(surface, 3, nullptr));
-  CHECK_FALSE(mobility.is_held(surface, 0, &z));
+  const ContactKinematics& kinematics = cubes.parts.kinematics;
+  CHECK(mobility.mobility(kinematics, 0, &z) == 2.0);
+  CHECK(mobility.mobility(kinematics, 3, &z) == 0.0);
+  CHECK(mobility.mobility(kinematics, 3, &x) == 2.0);
+  CHECK(mobility.mobility(kinematics, 3, nullptr) == 2.0);
+  CHECK(mobility.is_held(kinematics, 3, &z));
+  CHECK_FALSE(mobility.is_held(kinematics, 3, &x));
+  CHECK_FALSE(mobility.is_held(kinematics, 3, nullptr));
+  CHECK_FALSE(mobility.is_held(kinematics, 0, &z));
 }
 
 TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][contact_mobility]") {
@@ -68,10 +68,10 @@ TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][conta
   cubes.make_rigid();
   ContactMobility mobility(cubes.model);
   mobility.update(0.0);
-  const MovingSurface& surface = cubes.parts.surface;
-  CHECK(mobility.is_of_body(surface.faces(), 9));
+  const ContactKinematics& kinematics = cubes.parts.kinematics;
+  CHECK(mobility.is_of_body(kinematics.contact_mesh(), 9));
   // A corner is sqrt(0.75) from the centre; the least moment of inertia is 2.
-  CHECK(mobility.mobility(surface, 9, &z) == Approx(1.0 / 8 + 0.75 / 2));
+  CHECK(mobility.mobility(kinematics, 9, &z) == Approx(1.0 / 8 + 0.75 / 2));
 }
 
 TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
@@ -80,14 +80,14 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
   cubes.make_rigid();
   ContactMobility mobility(cubes.model);
   mobility.update(0.0);
-  ContactRecord point;
+  ContactPoint point;
   point.stiffness = 3.0;
   point.normal = z;
   point.first = {{8, 9, 10, 11}, {0.25, 0.25, 0.25, 0.25}, 0.0};
   point.second = {{4, 5, 6, 7}, {0.5, 0.5, 0.0, 0.0}, 0.0};
-  const std::vector<ContactRecord> points{point, point};
+  const std::vector<ContactPoint> points{point, point};
   const std::vector<std::uint8_t> slips{0};
-  const auto rates = mobility.find_rates(cubes.parts.surface, points, {}, slips);
+  const auto rates = mobility.find_rates(cubes.parts.kinematics, points, {}, slips);
   CHECK(rates[4] == Approx(2 * 0.5 * 3.0 * 2.0));
   CHECK(rates[6] == 0.0);
   CHECK(rates[8] == Approx(2 * 3.0 * 0.5));

@@ -73,14 +73,15 @@ struct Span {
 
 /// Corners now and a step ago, corners moved inwards, all that by a margin wider.
 Span span_of_face(const ContactParts& parts, std::uint32_t index, double dt) {
-  const ContactFace& face = parts.faces.faces[index];
+  const ContactFace& face = parts.contact_mesh.faces[index];
   Span span;
-  const double margin = 0.15 * std::sqrt(area_vector(parts.surface.face(index).x).norm());
+  const double margin = 0.15 * std::sqrt(area_vector(parts.kinematics.face(index).x).norm());
   for (const std::uint32_t corner : face.corners) {
-    const Vector3d x = parts.surface.x(corner);
+    const Vector3d x = parts.kinematics.x(corner);
     span.add(x);
-    span.add(x - dt * parts.surface.v(corner));
-    span.add(x - 0.8 * face.backing.thickness * parts.surface.bound(index).normal().cast<double>());
+    span.add(x - dt * parts.kinematics.v(corner));
+    span.add(x -
+             0.8 * face.penalty_properties.thickness * parts.kinematics.bound(index).normal().cast<double>());
   }
   span.low.array() -= margin;
   span.high.array() += margin;
@@ -96,12 +97,12 @@ bool have_common_node(const Mesh& mesh, ElementIndex first, ElementIndex second)
 /// All pairs of faces of bodies whose widened boxes meet.
 Pairs sweep_faces(const ContactParts& parts, double dt) {
   Pairs pairs;
-  const auto n = static_cast<std::uint32_t>(parts.faces.faces.size());
+  const auto n = static_cast<std::uint32_t>(parts.contact_mesh.faces.size());
   std::vector<Span> spans;
   for (std::uint32_t i = 0; i < n; ++i) spans.push_back(span_of_face(parts, i, dt));
   for (std::uint32_t a = 0; a < n; ++a) {
     for (std::uint32_t b = a + 1; b < n; ++b) {
-      const ContactFace &first = parts.faces.faces[a], &second = parts.faces.faces[b];
+      const ContactFace &first = parts.contact_mesh.faces[a], &second = parts.contact_mesh.faces[b];
       if (have_common_node(parts.mesh, first.side.element(), second.side.element())) continue;
       if (parts.rules.find(first.surface, second.surface) == PairRules::none) continue;
       if (spans[a].meets(spans[b])) pairs.insert({a, b});
@@ -117,13 +118,13 @@ TEST_CASE("the candidates of flying bricks equal a sweep of all pairs of faces",
   Random random(1);
   const bool is_self = GENERATE(false, true);
   ContactParts parts(scattered_bricks(random), general_contact(is_self ? "self contact = on\n" : ""));
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
+  ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
   const double dt = 0.01;
   std::size_t n_found = 0;
   for (int step = 0; step < 20; ++step) {
     if (step > 0) fly(parts, random, dt);
     parts.move();
-    search.find(parts.surface, parts.motion(dt), {parts.face_partners, parts.node_faces});
+    search.find(parts.kinematics, parts.motion(dt), {parts.face_partners, parts.node_faces});
     const Pairs fast = in_set(parts.face_partners);
     CHECK(fast == sweep_faces(parts, dt));
     n_found += fast.size();
@@ -145,10 +146,11 @@ TEST_CASE("the opposite skins of a plate do not meet, however thin it is; those 
   const Pairs faces = in_set(parts.face_partners);
   std::size_t n_nodes = 0;
   for (const auto& [row, face] : in_set(parts.node_faces))
-    n_nodes += parts.faces.surface_nodes[row].surface != parts.faces.faces[face].surface ? 1 : 0;
+    n_nodes +=
+        parts.contact_mesh.surface_nodes[row].surface != parts.contact_mesh.faces[face].surface ? 1 : 0;
   CHECK((formulation.empty() ? faces.size() : n_nodes) > 0);
   for (const auto& [first, second] : faces)
-    CHECK(parts.faces.faces[first].surface != parts.faces.faces[second].surface);
+    CHECK(parts.contact_mesh.faces[first].surface != parts.contact_mesh.faces[second].surface);
 }
 
 TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][contact_search]") {
@@ -162,8 +164,8 @@ TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][c
   for (const int second : {0, 1, -1}) {  // the first body's number is 0, no body's -1
     std::vector<std::int32_t> body_of(n_nodes, second);
     std::fill_n(body_of.begin(), n_of_first, 0);
-    ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {}, body_of);
-    search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+    ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {}, body_of);
+    search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
     const std::size_t n_found = parts.face_partners.partners.size() + parts.node_faces.partners.size();
     CHECK((n_found == 0) == (second == 0));
   }
@@ -172,26 +174,26 @@ TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][c
 TEST_CASE("the candidates of nodes equal a sweep of all nodes and faces", "[contact][contact_search]") {
   Random random(1);
   ContactParts parts(scattered_bricks(random), general_contact("constraint formulation = node_face\n"));
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
+  ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
   const double dt = 0.01;
   std::size_t n_needed = 0;
   for (int step = 0; step < 20; ++step) {
     if (step > 0) fly(parts, random, dt);
     parts.move();
-    search.find(parts.surface, parts.motion(dt), {parts.face_partners, parts.node_faces});
+    search.find(parts.kinematics, parts.motion(dt), {parts.face_partners, parts.node_faces});
     const Pairs fast = in_set(parts.node_faces);
     CHECK(parts.face_partners.partners.empty());
     // Whatever is within the face's box alone must be there; what is there, within both margins.
-    for (std::uint32_t row = 0; row < parts.faces.surface_nodes.size(); ++row) {
-      const SurfaceNode& node = parts.faces.surface_nodes[row];
+    for (std::uint32_t row = 0; row < parts.contact_mesh.surface_nodes.size(); ++row) {
+      const SurfaceNode& node = parts.contact_mesh.surface_nodes[row];
       Span exact;
-      exact.add(parts.surface.x(node.node));
-      exact.add(parts.surface.x(node.node) - dt * parts.surface.v(node.node));
+      exact.add(parts.kinematics.x(node.node));
+      exact.add(parts.kinematics.x(node.node) - dt * parts.kinematics.v(node.node));
       Span wide = exact;
       wide.low.array() -= 0.3;  // above every margin
       wide.high.array() += 0.3;
-      for (std::uint32_t f = 0; f < parts.faces.faces.size(); ++f) {
-        const bool is_own = node.surface == parts.faces.faces[f].surface;
+      for (std::uint32_t f = 0; f < parts.contact_mesh.faces.size(); ++f) {
+        const bool is_own = node.surface == parts.contact_mesh.faces[f].surface;
         const Span face = span_of_face(parts, f, dt);
         const bool is_there = fast.count({row, f}) > 0;
         if (!is_own && face.meets(exact)) ++n_needed;
@@ -210,8 +212,8 @@ TEST_CASE("nothing gets past another in a step larger than the margin", "[contac
   b.add_hexes({.id = 2, .origin = {1.7, 1.7, 1.0}, .size = {0.2, 0.2, 0.2}});
   for (const char* formulation : {"", "constraint formulation = node_face\n"}) {
     ContactParts parts(b, general_contact(formulation));
-    ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
-    search.find(parts.surface, parts.motion(0.1), {parts.face_partners, parts.node_faces});
+    ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
+    search.find(parts.kinematics, parts.motion(0.1), {parts.face_partners, parts.node_faces});
     CHECK(parts.face_partners.partners.empty());
     CHECK(parts.node_faces.partners.empty());
     for (Eigen::Index i = parts.x.cols() - 8; i < parts.x.cols(); ++i) {
@@ -219,8 +221,8 @@ TEST_CASE("nothing gets past another in a step larger than the margin", "[contac
       parts.v(2, i) = -50.0;
     }
     parts.move();
-    CHECK(search.is_due(parts.surface));
-    search.find(parts.surface, parts.motion(0.1), {parts.face_partners, parts.node_faces});
+    CHECK(search.is_due(parts.kinematics));
+    search.find(parts.kinematics, parts.motion(0.1), {parts.face_partners, parts.node_faces});
     CHECK(parts.face_partners.partners.size() + parts.node_faces.partners.size() > 5);
   }
 }
@@ -232,16 +234,16 @@ TEST_CASE("between two searches nothing can come to touch that is no candidate",
   b.add_hexes({.id = 1, .cells = {4, 4, 1}, .size = {4, 4, 1}});
   b.add_hexes({.id = 2, .origin = {0.3, 0.3, 2.0}});
   ContactParts parts(b, general_contact());
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
+  ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
   const Vector3d way(0.011, 0.013, -0.017);
   int n_touching = 0;
   for (int step = 0; step < 100; ++step) {
-    if (search.is_due(parts.surface))
-      search.find(parts.surface, parts.motion(1.0), {parts.face_partners, parts.node_faces});
+    if (search.is_due(parts.kinematics))
+      search.find(parts.kinematics, parts.motion(1.0), {parts.face_partners, parts.node_faces});
     const Pairs candidates = in_set(parts.face_partners);
     for (const auto& pair : sweep_faces(parts, 0.0)) {
       // Of faces that touch: sweep_faces also has those within the margins.
-      const MovingFace a = parts.surface.face(pair.first), c = parts.surface.face(pair.second);
+      const MovingFace a = parts.kinematics.face(pair.first), c = parts.kinematics.face(pair.second);
       if (!(find_face_face_contact(a, c, {1.0, 0.0, 0.5, {}}, 0.0).force > 0.0)) continue;
       ++n_touching;
       if (candidates.count(pair) == 0) FAIL("faces touch that are no candidates");
@@ -262,13 +264,13 @@ TEST_CASE("what slides infinitesimally keeps its first partners", "[contact][con
   b.add_hexes({.id = 1, .cells = {4, 1, 1}, .size = {4, 1, 1}});
   b.add_hexes({.id = 2, .origin = {0.1, 0, 1.0}});
   ContactParts parts(b, general_contact("interaction behavior = infinitesimal_sliding\n"));
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, {});
-  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+  ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
+  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
   const Pairs first = in_set(parts.face_partners);
   CHECK(!first.empty());
   for (Eigen::Index i = parts.x.cols() - 8; i < parts.x.cols(); ++i) parts.x(0, i) += 1.0;
   parts.move();
-  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
+  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
   const Pairs later = in_set(parts.face_partners);
   CHECK(std::includes(first.begin(), first.end(), later.begin(), later.end()));
   CHECK(later.size() < sweep_faces(parts, 0.0).size());

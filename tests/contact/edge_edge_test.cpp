@@ -38,12 +38,13 @@ TEST_CASE("the nearest points of two segments are the nearest", "[contact][edge_
     const Segment first = segment(point(), point());
     const Segment second =
         i % 5 == 0 ? segment(point(), point()).col(0).replicate<1, 2>() : segment(point(), point());
-    const EdgePlace place = nearest_points(first, second);
-    REQUIRE(place.s >= 0.0);
-    REQUIRE(place.s <= 1.0);
-    REQUIRE(place.t >= 0.0);
-    REQUIRE(place.t <= 1.0);
-    const double found = distance(first, place.s, second, place.t), slow = slow_distance(first, second);
+    const EdgePairPoint pair_point = nearest_points(first, second);
+    REQUIRE(pair_point.s >= 0.0);
+    REQUIRE(pair_point.s <= 1.0);
+    REQUIRE(pair_point.t >= 0.0);
+    REQUIRE(pair_point.t <= 1.0);
+    const double found = distance(first, pair_point.s, second, pair_point.t),
+                 slow = slow_distance(first, second);
     CHECK(found <= slow + 1e-12);
     CHECK(found >= slow - 0.02);
   }
@@ -51,7 +52,7 @@ TEST_CASE("the nearest points of two segments are the nearest", "[contact][edge_
 
 TEST_CASE("two points are as far apart as they are", "[contact][edge_edge]") {
   const Eigen::Vector3d a(1, 2, 3), b(1, 2, 5);
-  const EdgePlaces places(segment(a, a), segment(b, b));
+  const EdgePairPoints places(segment(a, a), segment(b, b));
   REQUIRE(places.get().size() == 1);
   CHECK(distance(segment(a, a), places.get()[0].s, segment(b, b), places.get()[0].t) == 2.0);
 }
@@ -59,12 +60,12 @@ TEST_CASE("two points are as far apart as they are", "[contact][edge_edge]") {
 TEST_CASE("crossing segments meet in one place, parallel ones along the part that they share",
           "[contact][edge_edge]") {
   const Segment first = segment({0, 0, 0}, {4, 0, 0});
-  const EdgePlaces crossing(first, segment({1, -1, 0.5}, {1, 1, 0.5}));
+  const EdgePairPoints crossing(first, segment({1, -1, 0.5}, {1, 1, 0.5}));
   REQUIRE(crossing.get().size() == 1);
   CHECK(crossing.get()[0].s == Approx(0.25));
   CHECK(crossing.get()[0].t == Approx(0.5));
   CHECK(crossing.get()[0].length == 0.0);
-  const EdgePlaces along(first, segment({5, 0, 1}, {1, 0, 1}));
+  const EdgePairPoints along(first, segment({5, 0, 1}, {1, 0, 1}));
   REQUIRE(along.get().size() == 2);
   CHECK(along.get()[0].s == Approx(0.25));
   CHECK(along.get()[0].t == Approx(1.0));
@@ -72,7 +73,7 @@ TEST_CASE("crossing segments meet in one place, parallel ones along the part tha
   CHECK(along.get()[1].t == Approx(0.25));
   CHECK(along.get()[0].length + along.get()[1].length == Approx(3.0));
   // Parallel, but one after the other.
-  CHECK(EdgePlaces(first, segment({5, 0, 1}, {6, 0, 1})).get().size() == 1);
+  CHECK(EdgePairPoints(first, segment({5, 0, 1}, {6, 0, 1})).get().size() == 1);
 }
 
 TEST_CASE("a place next to a node by round-off is at the node", "[contact][edge_edge]") {

@@ -3,7 +3,7 @@
 // leave to ties what these hold.
 #include "contact/contact_search.hpp"
 #include "contact/edge_contacts.hpp"
-#include "contact/sharp_edges.hpp"
+#include "contact/feature_edges.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 #include "support/lofted_meshes.hpp"
@@ -30,7 +30,7 @@ MeshBuilder crossed_rods(double gap) {
 std::size_t n_touching_edges(const ContactBodies& bodies) {
   return static_cast<std::size_t>(
       std::ranges::count_if(bodies.contact.points(),
-                            [](const ContactRecord& point) { return point.is_of_edges && point.touches(); }));
+                            [](const ContactPoint& point) { return point.is_of_edges && point.touches(); }));
 }
 
 }  // namespace
@@ -63,30 +63,32 @@ TEST_CASE("sharp edges push under a GLUED model as long as nothing is glued", "[
 
 TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact][edges]") {
   ContactParts parts(crossed_bars(-0.01), general_contact("penalty stiffness = 1000\n" + glued));
-  choose_edges(parts.definition.surface_options, parts.model.surfaces.surfaces, parts.surface, parts.faces);
-  for (ContactEdge& edge : parts.faces.edges) {
-    edge.backing = parts.faces.faces[edge.faces[0]].backing;
+  choose_feature_edges(parts.definition.surface_options, parts.model.surfaces.surfaces, parts.kinematics,
+                       parts.contact_mesh);
+  for (ContactEdge& edge : parts.contact_mesh.edges) {
+    edge.penalty_properties = parts.contact_mesh.faces[edge.faces[0]].penalty_properties;
     edge.width = 1.0;
   }
-  EdgeContacts edges(parts.faces);
-  ContactSearch search(parts.faces, parts.mesh, parts.rules, {}, parts.definition.dash);
-  search.find(parts.surface, parts.motion(), {parts.face_partners, parts.node_faces});
-  search.find_edges(parts.surface, parts.motion(), edges.next_candidates(), {});
+  EdgeContacts edges(parts.contact_mesh);
+  ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, parts.definition.dash);
+  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+  search.find_edges(parts.kinematics, parts.motion(), edges.next_candidates(), {});
   edges.take_candidates();
   const auto find = [&] {
-    std::vector<ContactRecord> records;
-    edges.find(parts.scene(), 0, edges.n_rows(), records);
-    std::erase_if(records, [](const ContactRecord& record) { return !record.touches(); });
-    return records;
+    std::vector<ContactPoint> contact_points;
+    edges.find(parts.context(), 0, edges.n_rows(), contact_points);
+    std::erase_if(contact_points, [](const ContactPoint& contact_point) { return !contact_point.touches(); });
+    return contact_points;
   };
-  const std::vector<ContactRecord> free = find();
+  const std::vector<ContactPoint> free = find();
   REQUIRE(free.size() == 1);
-  const ContactEdge &first = parts.faces.edges[free[0].first_place],
-                    &second = parts.faces.edges[free[0].second_place];
-  parts.glued.add_faces(second.faces[1], first.faces[0]);
+  const ContactEdge &first = parts.contact_mesh.edges[free[0].first_entity],
+                    &second = parts.contact_mesh.edges[free[0].second_entity];
+  parts.constrained.add_faces(second.faces[1], first.faces[0]);
   CHECK(find().empty());
-  parts.glued.remove(false, second.faces[1], first.faces[0]);
+  parts.constrained.remove(false, second.faces[1], first.faces[0]);
   CHECK(find().size() == 1);
-  parts.glued.add_node(parts.faces.find_row(first.nodes[1], first.surface).value(), free[0].pair);
+  parts.constrained.add_node(parts.contact_mesh.find_row(first.nodes[1], first.surface).value(),
+                             free[0].pair);
   CHECK(find().empty());
 }

@@ -19,7 +19,7 @@ constexpr double stiffness = 1000.0;
 struct CubeOnPlate : ContactParts {
   explicit CubeOnPlate(const std::string& lines = "", bool cube_first = false)
       : ContactParts(make(cube_first), general_contact("penalty stiffness = 1000\n" + lines)),
-        contacts(faces, rules.has_friction()),
+        contacts(contact_mesh, rules.has_friction()),
         cube(cube_first ? 0 : 1) {
     search();
     contacts.next_candidates() = face_partners;
@@ -56,18 +56,18 @@ struct CubeOnPlate : ContactParts {
     contacts.next_candidates() = face_partners;
     contacts.take_candidates();
   }
-  std::vector<ContactRecord> find() {
-    std::vector<ContactRecord> records;
+  std::vector<ContactPoint> find() {
+    std::vector<ContactPoint> points;
     contacts.begin_step();
-    contacts.find(scene(size), 0, contacts.n_rows(), records);
-    for (const ContactRecord& record : records) contacts.note(record);
-    return records;
+    contacts.find(context(size), 0, contacts.n_rows(), points);
+    for (const ContactPoint& point : points) contacts.note(point);
+    return points;
   }
   /// The sum of the forces on the cube.
-  Vector3d force_on_cube(const std::vector<ContactRecord>& records) const {
+  Vector3d force_on_cube(const std::vector<ContactPoint>& points) const {
     Vector3d sum = Vector3d::Zero();
-    for (const ContactRecord& record : records)
-      sum += (faces.faces[record.first_place].surface == cube ? 1.0 : -1.0) * record.force_on_first();
+    for (const ContactPoint& point : points)
+      sum += (contact_mesh.faces[point.first_entity].surface == cube ? 1.0 : -1.0) * point.force_on_first();
     return sum;
   }
 };
@@ -78,15 +78,15 @@ TEST_CASE("a cube in a plate is pushed out by stiffness, area and depth", "[cont
   const bool cube_first = GENERATE(false, true);
   CubeOnPlate parts("", cube_first);
   parts.move_cube({0, 0, -0.01}, false);
-  const auto records = parts.find();
-  CHECK((parts.force_on_cube(records) - Vector3d(0, 0, 2.5)).norm() < 1e-12);
-  REQUIRE(records.size() == 1);
-  CHECK(records[0].area == Approx(0.25));
-  CHECK(records[0].gap == Approx(-0.01));
-  CHECK(records[0].stiffness == Approx(250.0));
-  CHECK(records[0].first_place < records[0].second_place);
-  CHECK(records[0].first.weights.sum() == Approx(1.0));
-  CHECK(records[0].is_swapped == false);
+  const auto points = parts.find();
+  CHECK((parts.force_on_cube(points) - Vector3d(0, 0, 2.5)).norm() < 1e-12);
+  REQUIRE(points.size() == 1);
+  CHECK(points[0].area == Approx(0.25));
+  CHECK(points[0].gap == Approx(-0.01));
+  CHECK(points[0].stiffness == Approx(250.0));
+  CHECK(points[0].first_entity < points[0].second_entity);
+  CHECK(points[0].first.weights.sum() == Approx(1.0));
+  CHECK(points[0].is_swapped == false);
   parts.move_cube({0.55, 0, 0}, false);  // over two cells
   parts.renew_candidates();
   CHECK(parts.find().size() == 2);
@@ -104,9 +104,9 @@ TEST_CASE("contact begins up to half an element deep, and goes on however deep i
   for (int step = 1; step <= 6; ++step) {  // far through the plate, which is 1 thick
     pushed.move_cube({0, 0, -0.25});
     if (step % 2 == 0) pushed.renew_candidates();
-    const auto records = pushed.find();
-    REQUIRE(records.size() == 1);
-    CHECK(records[0].gap == Approx(-0.3 - 0.25 * step));
+    const auto points = pushed.find();
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].gap == Approx(-0.3 - 0.25 * step));
   }
   std::vector<LostContact> lost;
   pushed.contacts.find_lost(pushed.rules, lost);
@@ -145,9 +145,9 @@ TEST_CASE("friction goes on when a face slides from one partner to the next",
   for (int step = 0; step < 100; ++step) {
     parts.move_cube({0.01, 0, 0});
     if (step % 10 == 0) parts.renew_candidates();
-    const auto records = parts.find();
+    const auto points = parts.find();
     slipped += 0.01;
-    const Vector3d force = parts.force_on_cube(records);
+    const Vector3d force = parts.force_on_cube(points);
     // It sticks all the way, over two edges. The sliver on a new partner, no wider than the way of a step,
     // may be a flush rim for that step.
     CHECK(force.z() == Approx(25.0).epsilon(0.021));
@@ -163,10 +163,10 @@ TEST_CASE("friction slides at its limit and tells what it takes", "[contact][fac
   parts.find();
   for (int step = 0; step < 10; ++step) {
     parts.move_cube({0.02, 0.0, 0});
-    const auto records = parts.find();
+    const auto points = parts.find();
     double lost = 0.0;
-    for (const ContactRecord& record : records) lost += record.dissipated;
-    const Vector3d force = parts.force_on_cube(records);
+    for (const ContactPoint& point : points) lost += point.dissipated;
+    const Vector3d force = parts.force_on_cube(points);
     CHECK(force.x() == Approx(-std::min(12.5, stiffness * 0.25 * 0.02 * (step + 1))));
     CHECK(lost == Approx(step < 2 ? 0.0 : step == 2 ? 12.5 * 0.01 : 12.5 * 0.02).margin(1e-12));
   }

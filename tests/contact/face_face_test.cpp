@@ -23,11 +23,11 @@ FaceFaceContact press(double depth, double shift, const PairPenalty& penalty = s
 }
 
 /// The height of a triangle's plane at a place inside it.
-std::optional<double> height_at(const FaceCorners& triangle, const Eigen::Vector2d& place) {
+std::optional<double> height_at(const FaceCorners& triangle, const Eigen::Vector2d& entity) {
   Eigen::Matrix2d sides;
   sides << triangle.col(1).head<2>() - triangle.col(0).head<2>(),
       triangle.col(2).head<2>() - triangle.col(0).head<2>();
-  const Eigen::Vector2d share = sides.inverse() * (place - triangle.col(0).head<2>());
+  const Eigen::Vector2d share = sides.inverse() * (entity - triangle.col(0).head<2>());
   if (share.minCoeff() < 0.0 || share.sum() > 1.0) return std::nullopt;
   const double z = triangle(2, 0);
   return z + share[0] * (triangle(2, 1) - z) + share[1] * (triangle(2, 2) - z);
@@ -144,8 +144,8 @@ TEST_CASE("triangles push as a sum over fine squares says", "[contact][face_face
     double force = 0.0, touched = 0.0, shared = 0.0;
     constexpr int n = 400;
     for (int k = 0; k < n * n; ++k) {
-      const Eigen::Vector2d place(-1.5 + 3.0 * (k % n + 0.5) / n, -1.5 + 3.0 * (k / n + 0.5) / n);
-      const auto z1 = height_at(first, place), z2 = height_at(second, place);
+      const Eigen::Vector2d entity(-1.5 + 3.0 * (k % n + 0.5) / n, -1.5 + 3.0 * (k / n + 0.5) / n);
+      const auto z1 = height_at(first, entity), z2 = height_at(second, entity);
       if (!z1 || !z2) continue;
       const double depth = *z2 - *z1, area = plane.spread * 9.0 / (n * n);
       shared += area;

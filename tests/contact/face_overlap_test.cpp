@@ -47,14 +47,14 @@ struct Overlap {
 /// The height of a face at the place of a point, by Newton's method.
 double height_over(const FaceCorners& face, bool is_triangle, const Eigen::Vector3d& at) {
   const FaceMap map = make_face_map(face, is_triangle);
-  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d entity = Eigen::Vector2d::Zero();
   for (int i = 0; i < 50; ++i) {
-    const Eigen::Vector3d by_xi = map.c[1] + place[1] * map.c[3], by_eta = map.c[2] + place[0] * map.c[3];
+    const Eigen::Vector3d by_xi = map.c[1] + entity[1] * map.c[3], by_eta = map.c[2] + entity[0] * map.c[3];
     Eigen::Matrix2d slope;
     slope << by_xi.head<2>(), by_eta.head<2>();
-    place += slope.inverse() * (at - map.at(place[0], place[1])).head<2>();
+    entity += slope.inverse() * (at - map.at(entity[0], entity[1])).head<2>();
   }
-  return map.at(place[0], place[1]).z();
+  return map.at(entity[0], entity[1]).z();
 }
 
 /// Where a line of constant v meets a convex face: its ends in u, the first above the second if it does not.

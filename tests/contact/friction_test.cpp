@@ -20,11 +20,11 @@ TEST_CASE("friction sticks elastically, slides at its limit and turns back elast
   CHECK((step.force - Vector3d(-0.5, 0, 0)).norm() < 1e-15);
   CHECK(step.slip == nothing);
   CHECK(step.dissipated == 0.0);
-  step = step_friction(up, step.elastic, {0.02, 0, 0}, 100.0, 1.0);
+  step = step_friction(up, step.elastic_slip, {0.02, 0, 0}, 100.0, 1.0);
   CHECK((step.force - Vector3d(-1, 0, 0)).norm() < 1e-14);
   CHECK((step.slip - Vector3d(0.015, 0, 0)).norm() < 1e-16);
   CHECK(step.dissipated == Approx(0.015).epsilon(1e-14));
-  step = step_friction(up, step.elastic, {-0.015, 0, 0}, 100.0, 1.0);
+  step = step_friction(up, step.elastic_slip, {-0.015, 0, 0}, 100.0, 1.0);
   CHECK((step.force - Vector3d(0.5, 0, 0)).norm() < 1e-14);
   CHECK(step.dissipated == 0.0);
 }
@@ -39,15 +39,15 @@ TEST_CASE("friction opposes the slip in any direction of the plane", "[contact][
 TEST_CASE("without a normal force nothing is held and nothing is lost", "[contact][friction]") {
   const FrictionStep step = step_friction(up, {0.01, 0, 0}, {0.1, 0, 0}, 100.0, 0.0);
   CHECK(step.force.norm() == 0.0);
-  CHECK(step.elastic.norm() == 0.0);
+  CHECK(step.elastic_slip.norm() == 0.0);
   CHECK(step.dissipated == 0.0);
 }
 
 TEST_CASE("what the spring holds turns with the plane and keeps its length", "[contact][friction]") {
   const Vector3d tilted = Vector3d(0, -0.6, 0.8);
   const FrictionStep step = step_friction(tilted, {0, 0.01, 0}, nothing, 100.0, 10.0);
-  CHECK((step.elastic - 0.01 * Vector3d(0, 0.8, 0.6)).norm() < 1e-16);
-  CHECK(step_friction(up, up, nothing, 1.0, 1.0).elastic == nothing);
+  CHECK((step.elastic_slip - 0.01 * Vector3d(0, 0.8, 0.6)).norm() < 1e-16);
+  CHECK(step_friction(up, up, nothing, 1.0, 1.0).elastic_slip == nothing);
 }
 
 TEST_CASE("work on the friction is what the spring keeps and what is lost", "[contact][friction]") {
@@ -61,7 +61,7 @@ TEST_CASE("work on the friction is what the spring keeps and what is lost", "[co
     const FrictionStep step = step_friction(up, elastic, slip, 100.0, 1.0);
     work -= step.force.dot(slip);
     lost += step.dissipated;
-    elastic = step.elastic;
+    elastic = step.elastic_slip;
   }
   const double kept = 0.5 * 100.0 * elastic.squaredNorm();
   CHECK(lost > 0.5);
@@ -69,13 +69,13 @@ TEST_CASE("work on the friction is what the spring keeps and what is lost", "[co
 }
 
 TEST_CASE("a record gets its friction", "[contact][friction]") {
-  ContactRecord record;
-  record.normal = up;
-  record.force = 10.0;
-  record.slip = {0.02, 0, 0};
-  add_friction(100.0, 0.1 * record.force, record);
-  CHECK((record.tangential - Vector3d(-1, 0, 0)).norm() < 1e-14);
-  CHECK((record.elastic - Vector3d(0.01, 0, 0)).norm() < 1e-16);
-  CHECK((record.slip - Vector3d(0.01, 0, 0)).norm() < 1e-16);
-  CHECK(record.dissipated == Approx(0.01));
+  ContactPoint point;
+  point.normal = up;
+  point.force = 10.0;
+  point.slip = {0.02, 0, 0};
+  add_friction(100.0, 0.1 * point.force, point);
+  CHECK((point.tangential - Vector3d(-1, 0, 0)).norm() < 1e-14);
+  CHECK((point.elastic_slip - Vector3d(0.01, 0, 0)).norm() < 1e-16);
+  CHECK((point.slip - Vector3d(0.01, 0, 0)).norm() < 1e-16);
+  CHECK(point.dissipated == Approx(0.01));
 }

@@ -25,8 +25,8 @@ Mesh named_mesh() {
 /// The error at an item of CONTACT SURFACE, without its place.
 std::string error_of(const std::string& item) {
   const std::string message = resolve(named_mesh(), "contact surface s contains " + item + "\n").messages;
-  const std::string place = "c.i:1:28: error: ";
-  return message.rfind(place, 0) == 0 ? message.substr(place.size()) : message;
+  const std::string entity = "c.i:1:28: error: ";
+  return message.rfind(entity, 0) == 0 ? message.substr(entity.size()) : message;
 }
 
 /// The errors of one line of a block form that also names block_2.

@@ -29,7 +29,7 @@ struct Roof {
   }
 
   ContactParts parts{roof(), general_contact()};
-  LoftSpins spins{parts.faces.loft, static_cast<std::size_t>(parts.x.cols()), RigidNodes{}};
+  LoftSpins spins{parts.contact_mesh.loft, static_cast<std::size_t>(parts.x.cols()), RigidNodes{}};
 };
 
 }  // namespace
@@ -88,7 +88,7 @@ TEST_CASE("bending that turns every other node the other way does not tilt a lof
   MeshBuilder b;
   add_plate(b, {.id = 1, .cells = {4, 4}, .u = {4, 0, 0}, .v = {0, 4, 0}}, 0.2);
   ContactParts parts(b, general_contact());
-  LoftSpins spins(parts.faces.loft, static_cast<std::size_t>(parts.x.cols()), RigidNodes{});
+  LoftSpins spins(parts.contact_mesh.loft, static_cast<std::size_t>(parts.x.cols()), RigidNodes{});
   spins.update(parts.x);
   Eigen::Matrix3Xd velocity = Eigen::Matrix3Xd::Zero(3, parts.x.cols());
   for (Eigen::Index i = 0; i < velocity.cols(); ++i)
@@ -108,7 +108,7 @@ TEST_CASE("nodes of rigid bodies have no spin of their own", "[contact][loft_spi
   RigidNodes rigid;
   rigid.body_of.assign(static_cast<std::size_t>(parts.x.cols()), RigidNodes::free);
   rigid.body_of[0] = 0;
-  LoftSpins spins(parts.faces.loft, static_cast<std::size_t>(parts.x.cols()), rigid);
+  LoftSpins spins(parts.contact_mesh.loft, static_cast<std::size_t>(parts.x.cols()), rigid);
   CHECK(spins.size() == static_cast<std::size_t>(parts.x.cols()) - 1);
   CHECK(spins.find(0) == LoftSpins::none);
   for (std::size_t i = 0; i < spins.size(); ++i) {

@@ -122,20 +122,20 @@ TEST_CASE("plates that turn carry their skins along", "[contact][lofted]") {
   ContactBodies bodies(two_plates(), general_contact());
   bodies.ask();
   bodies.turning.row(0).setConstant(0.25);
-  MovingSurface surface(bodies.contact.faces());
-  surface.step(bodies.motion());
-  const auto first = static_cast<std::uint32_t>(bodies.contact.faces().n_mesh_points());
-  REQUIRE(surface.arms().cols() == 2 * (9 + 16));
-  CHECK(surface.arms().colwise().norm().isApproxToConstant(1.0));
+  ContactKinematics kinematics(bodies.contact.contact_mesh());
+  kinematics.step(bodies.motion());
+  const auto first = static_cast<std::uint32_t>(bodies.contact.contact_mesh().n_mesh_points());
+  REQUIRE(kinematics.offsets().cols() == 2 * (9 + 16));
+  CHECK(kinematics.offsets().colwise().norm().isApproxToConstant(1.0));
   // Turning about x, what stands up goes along -y.
-  const double height = surface.arms()(2, 0);
-  CHECK((surface.v(first) - Eigen::Vector3d(0, -0.25 * height, 0)).norm() < 1e-12);
+  const double height = kinematics.offsets()(2, 0);
+  CHECK((kinematics.v(first) - Eigen::Vector3d(0, -0.25 * height, 0)).norm() < 1e-12);
   bodies.dt = 2.0;
-  surface.step(bodies.motion());
+  kinematics.step(bodies.motion());
   const Eigen::Vector3d turned(0, -std::sin(0.5) * height, std::cos(0.5) * height);
-  CHECK((surface.arms().col(0) - turned).norm() < 1e-12);
-  surface.move_nodes(bodies.motion());
-  CHECK((surface.arms().col(0) - turned).norm() < 1e-12);
+  CHECK((kinematics.offsets().col(0) - turned).norm() < 1e-12);
+  kinematics.move_nodes(bodies.motion());
+  CHECK((kinematics.offsets().col(0) - turned).norm() < 1e-12);
 }
 
 TEST_CASE("crossed beams touch when their axes are as far apart as both radii", "[contact][lofted]") {
@@ -262,7 +262,7 @@ TEST_CASE("a ball in a fold, however narrow, touches both walls", "[contact][lof
   ContactBodies bodies(b, general_contact(""));
   bodies.ask();
   const auto points = bodies.contact.points();
-  const auto touches = [](const ContactRecord& point) { return point.touches(); };
+  const auto touches = [](const ContactPoint& point) { return point.touches(); };
   CHECK(std::ranges::count_if(points, touches) == 2);
   CHECK(std::abs(bodies.force_on(1).x()) < 1e-9 * bodies.force_size());
   CHECK(bodies.force_on(1).z() > 0.0);

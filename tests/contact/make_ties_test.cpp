@@ -23,7 +23,7 @@ struct TiedBodies : ContactParts {
       : ContactParts(cube_over_floor(gap),
                      general_contact("friction model = tied\npenalty stiffness = 1000\n" + lines)) {
     search();
-    ties = make_ties(scene(), face_partners, node_faces, definition.dash.search_length_scaling);
+    ties = make_ties(context(), face_partners, node_faces, definition.dash.search_length_scaling);
   }
   std::vector<Tie> ties;
 
@@ -45,11 +45,11 @@ TEST_CASE("faces near each other are tied over their whole overlap", "[contact][
       CHECK(!tie.is_node);
       CHECK(!tie.is_swapped);
       CHECK(tie.area == Approx(0.5625));
-      CHECK(tied.faces.faces[tie.first_place].surface == 0);
-      CHECK(tied.faces.faces[tie.second_place].surface == 1);
+      CHECK(tied.contact_mesh.faces[tie.first_entity].surface == 0);
+      CHECK(tied.contact_mesh.faces[tie.second_entity].surface == 1);
       for (std::size_t k = 0; k < 4; ++k) {
-        CHECK(tie.nodes[k] == tied.faces.faces[tie.first_place].corners[k]);
-        CHECK(tie.nodes[k + 4] == tied.faces.faces[tie.second_place].corners[k]);
+        CHECK(tie.nodes[k] == tied.contact_mesh.faces[tie.first_entity].corners[k]);
+        CHECK(tie.nodes[k + 4] == tied.contact_mesh.faces[tie.second_entity].corners[k]);
       }
       // Moved alike, nothing pulls.
       CHECK(tie.stiffness.rowwise().sum().norm() < 1e-10);
@@ -91,10 +91,10 @@ TEST_CASE("nodes of a node set and particles are tied to the face that they touc
                             "begin interaction\nside a = floor\nside b = other\nfriction model = tied\n"
                             "constraint formulation = node_face\nend\n");
   parts.search();
-  const auto ties = make_ties(parts.scene(), parts.face_partners, parts.node_faces, 0.15);
+  const auto ties = make_ties(parts.context(), parts.face_partners, parts.node_faces, 0.15);
   REQUIRE(ties.size() == 1);
   CHECK(ties[0].is_node);
-  CHECK(parts.x.col(parts.faces.mesh_nodes[ties[0].nodes[0]]).y() == 0.25);
+  CHECK(parts.x.col(parts.contact_mesh.mesh_nodes[ties[0].nodes[0]]).y() == 0.25);
   CHECK(ties[0].share == 1.0);
 }
 
@@ -105,10 +105,10 @@ TEST_CASE("each node that stands over a face is tied once, to the nearest", "[co
   int n_of_cube = 0;
   for (const Tie& tie : tied.ties) {
     CHECK(tie.is_node);
-    const SurfaceNode& node = tied.faces.surface_nodes[tie.first_place];
+    const SurfaceNode& node = tied.contact_mesh.surface_nodes[tie.first_entity];
     CHECK(tie.nodes[0] == node.node);
     CHECK(tie.nodes[3] == node.node);
-    CHECK(tied.faces.faces[tie.second_place].surface != node.surface);
+    CHECK(tied.contact_mesh.faces[tie.second_entity].surface != node.surface);
     CHECK(tie.is_swapped == (node.surface == 1));
     n_of_cube += node.surface == 1 ? 1 : 0;
     // A node of the cube stands a quarter of the way to the node under the cube in each direction; of the
@@ -125,12 +125,12 @@ TEST_CASE("nothing is tied that slides, is not active or looks away", "[contact]
   ContactParts sliding(cube_over_floor(0.05), general_contact());
   sliding.search();
   CHECK(!sliding.face_partners.partners.empty());
-  CHECK(make_ties(sliding.scene(), sliding.face_partners, sliding.node_faces, 0.15).empty());
+  CHECK(make_ties(sliding.context(), sliding.face_partners, sliding.node_faces, 0.15).empty());
   TiedBodies tied(0.05, "");
   tied.rules.activate(0.0, false);
-  CHECK(make_ties(tied.scene(), tied.face_partners, tied.node_faces, 0.15).empty());
+  CHECK(make_ties(tied.context(), tied.face_partners, tied.node_faces, 0.15).empty());
   tied.rules.activate(0.0, true);
-  CHECK(make_ties(tied.scene(), tied.face_partners, tied.node_faces, 0.15).size() == 4);
+  CHECK(make_ties(tied.context(), tied.face_partners, tied.node_faces, 0.15).size() == 4);
 }
 
 TEST_CASE("a tie can be made of two faces, or a node and a face, at any gap", "[contact][make_ties]") {
@@ -138,14 +138,14 @@ TEST_CASE("a tie can be made of two faces, or a node and a face, at any gap", "[
   const Tie& known = tied.ties.front();
   tied.x.rightCols(8).row(2).array() += 0.4;
   tied.move();
-  CHECK(!make_face_tie(tied.scene(), known.first_place, known.second_place, 0.4));
-  const auto made = make_face_tie(tied.scene(), known.first_place, known.second_place, 0.5);
+  CHECK(!make_face_tie(tied.context(), known.first_entity, known.second_entity, 0.4));
+  const auto made = make_face_tie(tied.context(), known.first_entity, known.second_entity, 0.5);
   REQUIRE(made);
   CHECK(made->area == Approx(0.5625));
-  for (std::uint32_t row = tied.faces.first_node[1]; row < tied.faces.first_node[2]; ++row) {
-    const Eigen::Vector3d x = tied.surface.x(tied.faces.surface_nodes[row].node);
+  for (std::uint32_t row = tied.contact_mesh.first_node[1]; row < tied.contact_mesh.first_node[2]; ++row) {
+    const Eigen::Vector3d x = tied.kinematics.x(tied.contact_mesh.surface_nodes[row].node);
     const bool is_over = x.z() < 2.0 && x.x() < 1.0 && x.y() < 1.0;
-    CHECK(make_node_tie(tied.scene(), {row, known.first_place, known.pair, true, 0.5}).has_value() ==
+    CHECK(make_node_tie(tied.context(), {row, known.first_entity, known.pair, true, 0.5}).has_value() ==
           is_over);
   }
 }

@@ -22,7 +22,7 @@ struct TipOnFloor : ContactParts {
       : ContactParts(make(with_wall), general_contact("penalty stiffness = 1000\n" + lines,
                                                       "contact surface floor contains block_1\n"
                                                       "contact node set tip contains tip\n")),
-        contacts(faces) {}
+        contacts(contact_mesh) {}
   static MeshBuilder make(bool with_wall) {
     MeshBuilder b;
     b.add_hexes({.id = 3, .origin = {50, 0, 0}});
@@ -57,8 +57,8 @@ struct TipOnFloor : ContactParts {
   NodeFaceContacts contacts;
 
   /// Puts the tip somewhere, in a step of size 1 or without a velocity, and finds what it touches.
-  std::vector<ContactRecord> put(const Vector3d& place, bool in_a_step = false) {
-    const Vector3d way = place - x.col(8);
+  std::vector<ContactPoint> put(const Vector3d& entity, bool in_a_step = false) {
+    const Vector3d way = entity - x.col(8);
     v.setZero();
     for (Eigen::Index i = 8; i < 12; ++i) {
       x.col(i) += way;
@@ -69,10 +69,10 @@ struct TipOnFloor : ContactParts {
     contacts.candidates() = node_faces;
     return look(in_a_step ? 1.0 : 0.0);
   }
-  std::vector<ContactRecord> look(double dt) {
-    std::vector<ContactRecord> records;
-    contacts.find(scene(dt), 0, contacts.n_rows(), records);
-    return records;
+  std::vector<ContactPoint> look(double dt) {
+    std::vector<ContactPoint> points;
+    contacts.find(context(dt), 0, contacts.n_rows(), points);
+    return points;
   }
 };
 
@@ -83,20 +83,20 @@ const std::string rough =
 
 TEST_CASE("a node gets one force over a face, an edge and a corner, always the same",
           "[contact][node_face_contacts]") {
-  for (const Vector3d& place : {Vector3d(0.6, 0.7, 0), Vector3d(1.0, 0.7, 0), Vector3d(0.6, 1.0, 0),
-                                Vector3d(1.0, 1.0, 0), Vector3d(1.0 + 1e-12, 1.0 - 1e-12, 0)}) {
+  for (const Vector3d& entity : {Vector3d(0.6, 0.7, 0), Vector3d(1.0, 0.7, 0), Vector3d(0.6, 1.0, 0),
+                                 Vector3d(1.0, 1.0, 0), Vector3d(1.0 + 1e-12, 1.0 - 1e-12, 0)}) {
     TipOnFloor parts;
-    const auto records = parts.put(place - Vector3d(0, 0, 0.01));
-    REQUIRE(records.size() == 1);
-    CHECK(records[0].force == Approx(stiffness * tip_area * 0.01).epsilon(1e-12));
-    CHECK((records[0].normal - Vector3d::UnitZ()).norm() < 1e-12);
-    CHECK(records[0].gap == Approx(-0.01));
-    CHECK(records[0].first.nodes[0] == records[0].first.nodes[3]);
+    const auto points = parts.put(entity - Vector3d(0, 0, 0.01));
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].force == Approx(stiffness * tip_area * 0.01).epsilon(1e-12));
+    CHECK((points[0].normal - Vector3d::UnitZ()).norm() < 1e-12);
+    CHECK(points[0].gap == Approx(-0.01));
+    CHECK(points[0].first.nodes[0] == points[0].first.nodes[3]);
     // The face's share stands under the node.
     Vector3d under = Vector3d::Zero();
     for (std::size_t k = 0; k < 4; ++k)
-      under += records[0].second.weights[static_cast<int>(k)] * parts.surface.x(records[0].second.nodes[k]);
-    CHECK((under - place).norm() < 1e-12);
+      under += points[0].second.weights[static_cast<int>(k)] * parts.kinematics.x(points[0].second.nodes[k]);
+    CHECK((under - entity).norm() < 1e-12);
   }
 }
 
@@ -108,25 +108,25 @@ TEST_CASE("the faces of a ridge share a node behind it, and none pushes it aside
   for (Eigen::Index i = 12; i < parts.x.cols(); ++i) {
     if (parts.x(0, i) == 1.0 && parts.x(2, i) == 0.0) parts.x(2, i) = 0.1;
   }
-  const auto records = parts.put({1.0, 0.7, 0.09});
-  REQUIRE(records.size() == 2);
-  const Vector3d force = records[0].force_on_first() + records[1].force_on_first();
+  const auto points = parts.put({1.0, 0.7, 0.09});
+  REQUIRE(points.size() == 2);
+  const Vector3d force = points[0].force_on_first() + points[1].force_on_first();
   CHECK(std::abs(force[0]) < 1e-12 * force[2]);
-  CHECK(records[0].force == Approx(records[1].force).epsilon(1e-12));
+  CHECK(points[0].force == Approx(points[1].force).epsilon(1e-12));
   const double depth = 0.01 / std::sqrt(1.01);
-  CHECK(records[0].gap == Approx(-depth).epsilon(1e-9));
+  CHECK(points[0].gap == Approx(-depth).epsilon(1e-9));
   CHECK(force.norm() < stiffness * 1.1 * tip_area * depth);
 }
 
 TEST_CASE("a node that hangs over an edge leaves no moment", "[contact][node_face_contacts]") {
   TipOnFloor parts("tangential tolerance = 0.2\n");
   parts.put({-0.1, 0.7, 0.01});
-  const auto records = parts.put({-0.1, 0.7, -0.01}, true);
-  REQUIRE(records.size() == 1);
-  REQUIRE(records[0].touches());
+  const auto points = parts.put({-0.1, 0.7, -0.01}, true);
+  REQUIRE(points.size() == 1);
+  REQUIRE(points[0].touches());
   Vector3d under = Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k)
-    under += records[0].second.weights[static_cast<int>(k)] * parts.surface.x(records[0].second.nodes[k]);
+    under += points[0].second.weights[static_cast<int>(k)] * parts.kinematics.x(points[0].second.nodes[k]);
   CHECK((under - Vector3d(-0.1, 0.7, 0.0)).norm() < 1e-12);
 }
 
@@ -146,10 +146,10 @@ TEST_CASE("a node apart from a face gets no force, nor one beyond its edge",
 TEST_CASE("a node that comes near is told of before it touches", "[contact][node_face_contacts]") {
   TipOnFloor parts;
   parts.put({0.6, 0.7, 0.03});
-  const auto records = parts.put({0.6, 0.7, 0.015}, true);
-  REQUIRE(records.size() == 1);
-  CHECK(!records[0].touches());
-  CHECK(records[0].stiffness == Approx(stiffness * tip_area));
+  const auto points = parts.put({0.6, 0.7, 0.015}, true);
+  REQUIRE(points.size() == 1);
+  CHECK(!points[0].touches());
+  CHECK(points[0].stiffness == Approx(stiffness * tip_area));
   CHECK(parts.put({0.6, 0.7, 0.016}, true).empty());
 }
 
@@ -158,11 +158,11 @@ TEST_CASE("a node comes out where it went in", "[contact][node_face_contacts]") 
   parts.put({1.9, 0.7, 0.02});
   // It ends up nearer to the side at x = 2 than to the top.
   for (int step = 0; step < 10; ++step) {
-    const auto records = parts.put({1.9, 0.7, -0.02 * step}, true);
+    const auto points = parts.put({1.9, 0.7, -0.02 * step}, true);
     if (step == 0) continue;
-    REQUIRE(records.size() == 1);
-    CHECK((records[0].normal - Vector3d::UnitZ()).norm() < 1e-12);
-    CHECK(records[0].gap == Approx(-0.02 * step));
+    REQUIRE(points.size() == 1);
+    CHECK((points[0].normal - Vector3d::UnitZ()).norm() < 1e-12);
+    CHECK(points[0].gap == Approx(-0.02 * step));
   }
 }
 
@@ -186,9 +186,9 @@ TEST_CASE("a node that went in goes on touching however deep it gets", "[contact
   parts.put({0.6, 0.7, 0.02});
   std::vector<LostContact> lost;
   for (int step = 1; step <= 18; ++step) {  // far through the floor, which is 1 thick
-    const auto records = parts.put({0.6, 0.7, -0.1 * step}, true);
-    REQUIRE(records.size() == 1);
-    CHECK(records[0].gap == Approx(-0.1 * step));
+    const auto points = parts.put({0.6, 0.7, -0.1 * step}, true);
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].gap == Approx(-0.1 * step));
     parts.contacts.find_lost(lost);
   }
   CHECK(lost.empty());
@@ -200,12 +200,12 @@ TEST_CASE("a node that went in goes on touching however deep it gets", "[contact
 
 TEST_CASE("in a hollow a node touches both walls", "[contact][node_face_contacts]") {
   TipOnFloor parts("", true);
-  const auto records = parts.put({2.02, 0.7, -0.01});
-  REQUIRE(records.size() == 2);
+  const auto points = parts.put({2.02, 0.7, -0.01});
+  REQUIRE(points.size() == 2);
   double along_x = 0.0, along_z = 0.0;
-  for (const ContactRecord& record : records) {
-    along_x += record.force * record.normal.x();
-    along_z += record.force * record.normal.z();
+  for (const ContactPoint& point : points) {
+    along_x += point.force * point.normal.x();
+    along_z += point.force * point.normal.z();
   }
   CHECK(along_z == Approx(stiffness * tip_area * 0.01));
   CHECK(along_x < -1.0);
@@ -215,10 +215,10 @@ TEST_CASE("friction of a node goes on over the edges of faces", "[contact][node_
   TipOnFloor parts(rough);
   parts.put({0.9, 0.7, -0.1});
   for (int step = 1; step <= 20; ++step) {
-    const auto records = parts.put({0.9 + 0.01 * step, 0.7, -0.1}, true);
-    REQUIRE(records.size() == 1);
-    CHECK(records[0].tangential.x() == Approx(-stiffness * tip_area * 0.01 * step));
-    CHECK(records[0].elastic.x() == Approx(0.01 * step));
+    const auto points = parts.put({0.9 + 0.01 * step, 0.7, -0.1}, true);
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].tangential.x() == Approx(-stiffness * tip_area * 0.01 * step));
+    CHECK(points[0].elastic_slip.x() == Approx(0.01 * step));
   }
   parts.put({1.1, 0.7, 0.1}, true);
   REQUIRE(parts.put({1.1, 0.7, -0.1}, true).size() == 1);

@@ -27,7 +27,7 @@ double distance_by_sampling(const MovingFace& face, const Vector3d& point) {
   return least;
 }
 
-FacePoint project_on(const MovingFace& face, const Vector3d& point) {
+ClosestPoint project_on(const MovingFace& face, const Vector3d& point) {
   return project_onto_face(face.x, face.is_triangle, point).value();
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("a point over a warped face is found where it was put", "[contact][nod
     const Vector3d normal = (map.c[1] + eta * map.c[3]).cross(map.c[2] + xi * map.c[3]).normalized();
     const double gap = uniform(random, -0.2, 0.2);
     const Vector3d point = map.at(xi, eta) + gap * normal;
-    const FacePoint found = project_on(face, point);
+    const ClosestPoint found = project_on(face, point);
     CHECK(found.xi == Approx(xi).epsilon(1e-10));
     CHECK(found.eta == Approx(eta).epsilon(1e-10));
     CHECK(found.gap == Approx(gap).epsilon(1e-10).margin(1e-13));
@@ -61,7 +61,7 @@ TEST_CASE("a point beside a square is beyond the nearest edge by its distance", 
   const std::vector<std::pair<Vector3d, int>> points{
       {{0.5, -0.1, 0.3}, 0}, {{1.1, 0.5, 0.3}, 1}, {{0.5, 1.1, 0.3}, 2}, {{-0.1, 0.5, 0.3}, 3}};
   for (const auto& [point, edge] : points) {
-    const FacePoint found = project_on(square, point);
+    const ClosestPoint found = project_on(square, point);
     CHECK(found.edge == edge);
     CHECK(found.beyond == Approx(0.1));
     CHECK(found.gap == Approx(0.3));
@@ -91,12 +91,12 @@ TEST_CASE("a projection turns with the face and does not mind where corners are 
   for (int i = 0; i < 30; ++i) {
     const MovingFace face = random_face(random, i % 2 == 0, true, 0.0);
     const Vector3d point = face.x.rowwise().mean() + random_vector(random, 0.2);
-    const FacePoint found = project_on(face, point), other = project_on(renumbered(face), point);
+    const ClosestPoint found = project_on(face, point), other = project_on(renumbered(face), point);
     CHECK(other.gap == Approx(found.gap).margin(1e-12));
     CHECK((other.normal - found.normal).norm() < 1e-10);
     const Eigen::Matrix3d rotation = random_rotation(random);
     const Vector3d shift = random_vector(random, 5.0);
-    const FacePoint moved = project_on(turned(face, rotation, shift), rotation * point + shift);
+    const ClosestPoint moved = project_on(turned(face, rotation, shift), rotation * point + shift);
     CHECK(moved.gap == Approx(found.gap).margin(1e-12));
     CHECK((moved.normal - rotation * found.normal).norm() < 1e-10);
     CHECK(moved.xi == Approx(found.xi).margin(1e-10));

@@ -11,7 +11,7 @@ using namespace contactsim;
 namespace {
 
 /// thickness, stiffness, mass per area
-const Backing soft{0.2, 100.0, 3.0}, hard{0.1, 300.0, 6.0};
+const PenaltyProperties soft{0.2, 100.0, 3.0}, hard{0.1, 300.0, 6.0};
 
 }  // namespace
 
@@ -22,7 +22,7 @@ TEST_CASE("the springs of two sides stand in series", "[contact][penalty]") {
   CHECK(make_pair_penalty(soft, &soft, pair).stiffness == Approx(50.0));
   CHECK(make_pair_penalty(soft, nullptr, pair).stiffness == 100.0);
   // Verification case U4: K/t of 1e11/0.01 and 2e11/0.02.
-  const Backing first{0.01, 1e11 / 0.01, 1.0}, second{0.02, 2e11 / 0.02, 1.0};
+  const PenaltyProperties first{0.01, 1e11 / 0.01, 1.0}, second{0.02, 2e11 / 0.02, 1.0};
   CHECK(make_pair_penalty(first, &second, pair).stiffness == Approx(5e12).epsilon(1e-12));
 }
 
@@ -31,7 +31,7 @@ TEST_CASE("a rigid side has no spring and no mass of its own, two of them have t
   SurfacePair pair;
   pair.damping_fraction = 0.1;
   const double modulus = GENERATE(1e-4, 1.0, 1e4);
-  const Backing rigid{0.2, 100.0 * modulus, 3.0 * modulus, true};
+  const PenaltyProperties rigid{0.2, 100.0 * modulus, 3.0 * modulus, true};
   const double damping = 0.2 * std::sqrt(300.0 * 6.0);
   CHECK(make_pair_penalty(rigid, &hard, pair).stiffness == 300.0);
   CHECK(make_pair_penalty(hard, &rigid, pair).stiffness == 300.0);
@@ -50,7 +50,7 @@ TEST_CASE("the penalty gets stiffer with depth, one of the pair's own does not",
 
 TEST_CASE("the penalty gets stiffer behind the depth that either side had at the start",
           "[contact][penalty]") {
-  Backing overlapping = soft;
+  PenaltyProperties overlapping = soft;
   overlapping.start_depth = 0.06;
   for (const PairPenalty& penalty :
        {make_pair_penalty(overlapping, &hard, {}), make_pair_penalty(hard, &overlapping, {})}) {
@@ -91,26 +91,26 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
   test::MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {2, 2, 1}, .size = {2, 2, 3}});
   test::ContactParts parts(b, test::general_contact());
-  for (const std::uint32_t node : parts.faces.mesh_nodes) {
+  for (const std::uint32_t node : parts.contact_mesh.mesh_nodes) {
     const Eigen::Vector3d x = parts.x.col(node);
-    parts.faces.mass.push_back(0.375 * (x[0] == 1.0 ? 2.0 : 1.0) * (x[1] == 1.0 ? 2.0 : 1.0));
+    parts.contact_mesh.mass.push_back(0.375 * (x[0] == 1.0 ? 2.0 : 1.0) * (x[1] == 1.0 ? 2.0 : 1.0));
   }
-  for (ContactFace& face : parts.faces.faces) face.backing.stiffness = 1e9;
-  for (SurfaceNode& node : parts.faces.surface_nodes) node.backing.stiffness = 1e9;
-  parts.faces.faces[0].backing.stiffness = 1e-3;
+  for (ContactFace& face : parts.contact_mesh.faces) face.penalty_properties.stiffness = 1e9;
+  for (SurfaceNode& node : parts.contact_mesh.surface_nodes) node.penalty_properties.stiffness = 1e9;
+  parts.contact_mesh.faces[0].penalty_properties.stiffness = 1e-3;
   Model model;
   model.mesh = &parts.mesh;
-  limit_stiffness(parts.surface, ContactMobility(model), 0.1, parts.faces);
-  CHECK(parts.faces.faces[0].backing.stiffness == 1e-3);
-  for (std::uint32_t f = 1; f < parts.faces.faces.size(); ++f) {
-    const bool is_side = std::abs(parts.surface.bound(f).normal().cast<double>()[2]) < 0.5;
-    CHECK(parts.faces.faces[f].backing.stiffness ==
+  limit_stiffness(parts.kinematics, ContactMobility(model), 0.1, parts.contact_mesh);
+  CHECK(parts.contact_mesh.faces[0].penalty_properties.stiffness == 1e-3);
+  for (std::uint32_t f = 1; f < parts.contact_mesh.faces.size(); ++f) {
+    const bool is_side = std::abs(parts.kinematics.bound(f).normal().cast<double>()[2]) < 0.5;
+    CHECK(parts.contact_mesh.faces[f].penalty_properties.stiffness ==
           Approx(4.0 * penalty_share * (is_side ? 0.5 : 1.5) * 100.0));
   }
-  for (const SurfaceNode& node : parts.faces.surface_nodes) {
-    const Eigen::Vector3d x = parts.x.col(parts.faces.mesh_nodes[node.node]);
+  for (const SurfaceNode& node : parts.contact_mesh.surface_nodes) {
+    const Eigen::Vector3d x = parts.x.col(parts.contact_mesh.mesh_nodes[node.node]);
     const bool is_inner = x[0] == 1.0 && x[1] == 1.0;
-    CHECK(node.backing.stiffness == Approx(4.0 * penalty_share * (is_inner ? 1.5 : 0.5) * 100.0));
+    CHECK(node.penalty_properties.stiffness == Approx(4.0 * penalty_share * (is_inner ? 1.5 : 0.5) * 100.0));
   }
 }
 
@@ -119,8 +119,8 @@ TEST_CASE("faces that are held along their normal, or rigid, have no limit and a
   test::MeshBuilder b;
   b.add_hexes({.id = 1});
   test::ContactParts parts(b, test::general_contact());
-  parts.faces.mass.assign(8, 1e-3);
-  for (ContactFace& face : parts.faces.faces) face.backing.stiffness = 1e9;
+  parts.contact_mesh.mass.assign(8, 1e-3);
+  for (ContactFace& face : parts.contact_mesh.faces) face.penalty_properties.stiffness = 1e9;
   Model model;
   model.mesh = &parts.mesh;
   model.mass = Eigen::Matrix3Xd::Constant(3, 8, 1e-3);
@@ -135,10 +135,10 @@ TEST_CASE("faces that are held along their normal, or rigid, have no limit and a
   }
   ContactMobility mobility(model);
   mobility.update(0.0);
-  limit_stiffness(parts.surface, mobility, 0.1, parts.faces);
-  for (std::uint32_t f = 0; f < parts.faces.faces.size(); ++f) {
-    const bool is_side = std::abs(parts.surface.bound(f).normal().cast<double>()[2]) < 0.5;
-    CHECK(parts.faces.faces[f].backing.is_rigid == (is_rigid || !is_side));
-    if (!is_rigid && !is_side) CHECK(parts.faces.faces[f].backing.stiffness == 1e9);
+  limit_stiffness(parts.kinematics, mobility, 0.1, parts.contact_mesh);
+  for (std::uint32_t f = 0; f < parts.contact_mesh.faces.size(); ++f) {
+    const bool is_side = std::abs(parts.kinematics.bound(f).normal().cast<double>()[2]) < 0.5;
+    CHECK(parts.contact_mesh.faces[f].penalty_properties.is_rigid == (is_rigid || !is_side));
+    if (!is_rigid && !is_side) CHECK(parts.contact_mesh.faces[f].penalty_properties.stiffness == 1e9);
   }
 }

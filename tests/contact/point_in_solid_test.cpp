@@ -49,9 +49,9 @@ Mesh warped_block(int shape) {
 TEST_CASE("every point of a block is in one of its elements, whatever their shape", "[contact][overlap]") {
   const Mesh mesh = warped_block(GENERATE(0, 1, 2, 3));
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> place(0.0, 1.0);
+  std::uniform_real_distribution<double> entity(0.0, 1.0);
   for (int i = 0; i < 500; ++i) {
-    const Eigen::Vector3d point(place(random), place(random), place(random));
+    const Eigen::Vector3d point(entity(random), entity(random), entity(random));
     INFO(point.transpose());
     CHECK(count_holders(mesh, point) == 1);
     CHECK(count_holders(mesh, point + Eigen::Vector3d(0, 1.0, 0)) == 0);

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "contact/friction_words.hpp"
+#include "contact/interface_law_checks.hpp"
 #include "contact/resolve_surfaces.hpp"
 #include "support/catch.hpp"
 #include "support/contact_deck.hpp"

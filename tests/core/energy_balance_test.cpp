@@ -45,7 +45,7 @@ struct Nodes {
 
 }  // namespace
 
-TEST_CASE("velocities are brought to now, and work and energy are sums over the nodes", "[core][node_work]") {
+TEST_CASE("velocities are brought to now, and work and energy are sums over the nodes", "[core][energy_balance]") {
   for (const Eigen::Index n : {1, 7, 8, 2500}) {  // below, across and beyond a group of eight and a chunk
     Nodes nodes(n);
     const Eigen::Matrix3Xd before = nodes.state.velocity, a = nodes.state.acceleration;
@@ -71,7 +71,7 @@ TEST_CASE("velocities are brought to now, and work and energy are sums over the 
   }
 }
 
-TEST_CASE("at the start the conserved energy is that of a step mirrored in time", "[core][node_work]") {
+TEST_CASE("at the start the conserved energy is that of a step mirrored in time", "[core][energy_balance]") {
   Nodes nodes(9);
   nodes.state.dt = 0.0;
   const Eigen::Matrix3Xd now = nodes.state.velocity, a = nodes.state.acceleration;
@@ -81,7 +81,7 @@ TEST_CASE("at the start the conserved energy is that of a step mirrored in time"
   CHECK(balance.conserved == Approx(0.5 * nodes.model.mass.cwiseProduct(after).cwiseProduct(behind).sum()));
 }
 
-TEST_CASE("the reaction is what mass times acceleration has beyond the forces", "[core][node_work]") {
+TEST_CASE("the reaction is what mass times acceleration has beyond the forces", "[core][energy_balance]") {
   Nodes nodes(3);
   const State& state = nodes.state;
   const Eigen::Vector3d expected = nodes.model.mass(0, 1) * state.acceleration.col(1) -
@@ -90,7 +90,7 @@ TEST_CASE("the reaction is what mass times acceleration has beyond the forces", 
   CHECK((reaction_at(nodes.model, state, {1}) - expected).norm() < 1e-15);
 }
 
-TEST_CASE("work and energy have the same bits for any number of threads", "[core][node_work]") {
+TEST_CASE("work and energy have the same bits for any number of threads", "[core][energy_balance]") {
   const int n_threads = omp_get_max_threads();
   omp_set_num_threads(1);
   Nodes alone(50000);

@@ -58,7 +58,8 @@ ConditionDeck::ConditionDeck(const Mesh& mesh, const std::string& region_lines, 
   definition_ = bind_lines(definitions, "d.i", definition_lines);
   Procedure& procedure = definition_.procedures.emplace_back();
   procedure.regions.push_back(bind_lines(region_table(), "c.i", region_lines));
-  procedure.time_control.emplace().blocks = {period("p1", start), period("p2", 1.0), period("p3", 2.0)};
+  procedure.time_control.emplace().time_stepping_blocks = {period("p1", start), period("p2", 1.0),
+                                                           period("p3", 2.0)};
 }
 
 }  // namespace contactsim::test

@@ -118,20 +118,20 @@ ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contac
     : mesh(builder.build()),
       definition(parse_contact(contact_lines)),
       model(checked(test::make_model(mesh, contact_lines))),
-      faces(make_contact_faces(model, mesh)),
+      contact_mesh(make_contact_mesh(model, mesh)),
       rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
-      surface(faces),
+      kinematics(contact_mesh),
       x(mesh.coordinates()),
       v(Eigen::Matrix3Xd::Zero(3, x.cols())) {
-  for (ContactFace& face : faces.faces) face.backing.mass_per_area = 4.0;
-  for (SurfaceNode& node : faces.surface_nodes) node.backing.mass_per_area = 4.0;
+  for (ContactFace& face : contact_mesh.faces) face.penalty_properties.mass_per_area = 4.0;
+  for (SurfaceNode& node : contact_mesh.surface_nodes) node.penalty_properties.mass_per_area = 4.0;
   move();
 }
 
 void ContactParts::search(std::span<const float> face_depths, std::span<const float> node_depths) {
   move();
-  ContactSearch(faces, mesh, rules, definition.search, definition.dash)
-      .find(surface, motion(), {face_partners, node_faces, face_depths, node_depths});
+  ContactSearch(contact_mesh, mesh, rules, definition.search, definition.dash)
+      .find(kinematics, motion(), {face_partners, node_faces, face_depths, node_depths});
 }
 
 }  // namespace contactsim::test

@@ -71,19 +71,19 @@ struct ContactParts {
   Mesh mesh;
   ContactDefinition definition;
   Modelled model;
-  ContactFaces faces;
+  ContactMesh contact_mesh;
   PairRules rules;
-  MovingSurface surface;
+  ContactKinematics kinematics;
   Eigen::Matrix3Xd x, v;
-  GluedPlaces glued;
+  ConstrainedPairs constrained;
 
   Motion motion(double dt = 0.0) const { return {0.0, dt, x, v, 1.0}; }
   /// Takes the motion over, bounds of faces too.
   void move() {
-    surface.move_nodes(motion());
-    surface.bound_all();
+    kinematics.move_nodes(motion());
+    kinematics.bound_all();
   }
-  ContactScene scene(double dt = 0.0) const { return {surface, rules, glued, dt}; }
+  ContactStepContext context(double dt = 0.0) const { return {kinematics, rules, constrained, dt}; }
   /// The candidates of a search now.
   ///   depths  of faces and surface nodes that are in something already
   PairLists face_partners, node_faces;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/enforcement/contact_memory.hpp"
+#include "contact/enforcement/contact_history.hpp"
 
 #include "support/catch.hpp"
 
@@ -9,19 +9,19 @@ using Eigen::Vector3d;
 namespace {
 
 /// A contact point of two faces.
-ContactRecord point(std::uint32_t first, std::uint32_t second, std::uint8_t part) {
-  ContactRecord record;
-  record.first_place = first;
-  record.second_place = second;
-  record.part = part;
-  record.first.nodes = {0, 1, 2, 3};
-  record.second.weights = Eigen::Vector4d::Constant(0.25);
-  return record;
+ContactPoint point(std::uint32_t first, std::uint32_t second, std::uint8_t part) {
+  ContactPoint contact_point;
+  contact_point.first_entity = first;
+  contact_point.second_entity = second;
+  contact_point.part = part;
+  contact_point.first.nodes = {0, 1, 2, 3};
+  contact_point.second.weights = Eigen::Vector4d::Constant(0.25);
+  return contact_point;
 }
 
 /// Two points of faces 0 and 5, one of faces 0 and 7, one of faces 1 and 5.
-ContactMemory some_points() {
-  ContactMemory memory;
+ContactHistory some_points() {
+  ContactHistory memory;
   memory.begin();
   memory.remember(point(0, 5, 0), {10.0, Vector3d(1, 0, 0), Vector3d(0, 1, 0), 0.1, 3.0});
   memory.remember(point(0, 5, 1), {20.0, Vector3d(2, 0, 0), Vector3d(0, 2, 0), 0.2, 1.0});
@@ -34,8 +34,8 @@ ContactMemory some_points() {
 }  // namespace
 
 TEST_CASE("a contact point is known by its own number", "[contact][enforcement]") {
-  ContactMemory memory = some_points();
-  ContactMemory::Entry found;
+  ContactHistory memory = some_points();
+  ContactHistory::Entry found;
   REQUIRE(memory.recall(point(0, 5, 1), found));
   CHECK(found.pressure == 20.0);
   CHECK(found.traction == Vector3d(2, 0, 0));
@@ -45,8 +45,8 @@ TEST_CASE("a contact point is known by its own number", "[contact][enforcement]"
 
 TEST_CASE("a new contact point takes over the mean over area of its pair, else of its first face",
           "[contact][enforcement]") {
-  ContactMemory memory = some_points();
-  ContactMemory::Entry found;
+  ContactHistory memory = some_points();
+  ContactHistory::Entry found;
   REQUIRE(memory.recall(point(0, 5, 8), found));
   CHECK(found.pressure == Approx((3.0 * 10.0 + 1.0 * 20.0) / 4.0));
   CHECK(found.traction.x() == Approx(1.25));

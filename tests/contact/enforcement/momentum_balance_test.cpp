@@ -132,7 +132,7 @@ TEST_CASE("friction of momentum balance stays on the cone of each contact point"
   ClosingBlocks blocks(formulation + rough);
   blocks.forces_at({2.0, 0, -1.0});
   double normal = 0.0, along = 0.0;
-  for (const ContactRecord& point : blocks.bodies.contact.points()) {
+  for (const ContactPoint& point : blocks.bodies.contact.points()) {
     CHECK(point.force >= 0.0);
     CHECK(point.tangential.norm() <= 0.2 * point.force * (1.0 + 1e-9));
     normal += point.force;

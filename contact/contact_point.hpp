@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+namespace contactsim {
+
+/// One side of a contact point: up to four contact nodes and their shares in the force.
+struct ContactPointSide {
+  std::array<std::uint32_t, 4> nodes{};
+  Eigen::Vector4d weights = Eigen::Vector4d::Zero();  ///< sum 1; all 0 of a rigid side [1]
+  double radius = 0.0;  ///< by which the point stands off the nodes, towards the other side [length]
+
+  /// Whether it is one node and not a face.
+  bool is_node() const { return nodes[0] == nodes[3]; }
+};
+
+/// One point where two sides meet in a step: a pair of faces, a node and a face, two edges, a tied point.
+struct ContactPoint {
+  std::uint32_t pair = 0;           ///< position in the list of surface pairs
+  std::uint32_t first_entity = 0;   ///< face, surface node or edge
+  std::uint32_t second_entity = 0;  ///< face or edge
+  bool is_of_edges = false;
+  bool is_swapped = false;     ///< the first side is of the pair's second surface
+  bool is_held_apart = false;  ///< a law acts on it whether it touches or not
+  bool is_balanced = false;    ///< its force comes from the balance of momentum, not from its gap
+  bool knows_work = false;     ///< work_before and work_after are those of its whole force
+  std::uint8_t part = 0;       ///< of several contact points between the same entities
+  ContactPointSide first, second;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
+  double force = 0.0;  ///< along the normal on the first side; < 0 where a tie pulls [force]
+  Eigen::Vector3d tangential = Eigen::Vector3d::Zero();    ///< on the first side [force]
+  Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();  ///< slip that the tangential spring holds [length]
+  double stiffness = 0.0;  ///< for the stable step, damping included [force/length]
+  double area = 0.0;       ///< that touches [length^2]
+  double gap = 0.0;        ///< < 0 when they touch [length]
+  double deepest = 0.0;    ///< penetration of any of its points, of the penalty only [length]
+  double closing = 0.0;    ///< by which the gap would shrink in the coming step, is_balanced only [length]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
+  double dissipated = 0.0;                         ///< by friction in the step [energy]
+  double damped = 0.0;                             ///< by contact damping in the step [energy]
+  double impact = 0.0;                             ///< where sides met without rebound, in the step [energy]
+  double work_before = 0.0;                        ///< taken from the bodies in the half step before [energy]
+  double work_after = 0.0;                         ///< the same in the half step to come [energy]
+  double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
+
+  bool touches() const { return force != 0.0 || is_held_apart; }
+  /// Whether it touches, or would at the end of the coming step without a force.
+  bool is_met() const { return touches() || (is_balanced && gap < closing); }
+  Eigen::Vector3d force_on_first() const { return force * normal + tangential; }
+  /// What the springs of the penalty and of friction hold, and the potential of what pulls [energy].
+  double stored() const {
+    if (is_balanced) return beyond_spring;
+    return 0.5 * (tangential.norm() * elastic_slip.norm() - force * gap) + beyond_spring;
+  }
+};
+
+}  // namespace contactsim

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/contact_history.hpp"
+
+#include <algorithm>
+
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+ContactHistory::PointId ContactHistory::id_of(const ContactPoint& point) {
+  std::uint32_t kind = point.first.is_node() ? 1 : 0;
+  if (point.second.weights.isZero(0.0)) kind = 3;
+  if (point.is_of_edges) kind = 2;
+  return {kind, point.first_entity, point.second_entity, point.part};
+}
+
+bool ContactHistory::recall(const ContactPoint& point, Entry& found) {
+  const PointId wanted = id_of(point);
+  const PointId::Key key = wanted.key();
+  if (cursor_ > 0 && !(entries_[cursor_ - 1].key() < key))
+    cursor_ = static_cast<std::size_t>(std::ranges::lower_bound(entries_, key, {}, &PointId::key) -
+                                       entries_.begin());
+  while (cursor_ < entries_.size() && entries_[cursor_].key() < key) ++cursor_;
+  if (cursor_ < entries_.size() && entries_[cursor_].key() == key) {
+    found = entries_[cursor_];
+    return true;
+  }
+  const auto is_of_first = [&](const PointId& id) {
+    return id.kind == wanted.kind && id.first == wanted.first;
+  };
+  const auto is_of_pair = [&](const PointId& id) { return is_of_first(id) && id.second == wanted.second; };
+  return find_mean(is_of_pair, found) || find_mean(is_of_first, found);
+}
+
+/// The mean over area of the entries about the cursor that are wanted.
+template <class IsWanted>
+bool ContactHistory::find_mean(const IsWanted& is_wanted, Entry& found) const {
+  std::size_t begin = cursor_, end = cursor_;
+  while (begin > 0 && is_wanted(entries_[begin - 1])) --begin;
+  while (end < entries_.size() && is_wanted(entries_[end])) ++end;
+  if (begin == end) return false;
+  found = {};
+  for (std::size_t i = begin; i < end; ++i) found.area += entries_[i].area;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double share = entries_[i].area / found.area;
+    found.pressure += share * entries_[i].pressure;
+    found.traction += share * entries_[i].traction;
+    found.held += share * entries_[i].held;
+    found.left += share * entries_[i].left;
+  }
+  return true;
+}
+
+void ContactHistory::remember(const ContactPoint& point, const Entry& entry) {
+  entries_.push_back({id_of(point), entry});
+}
+
+void ContactHistory::end() {
+  if (!std::ranges::is_sorted(entries_, {}, &PointId::key))
+    std::ranges::stable_sort(entries_, {}, &PointId::key);
+  cursor_ = 0;
+}
+
+void ContactHistory::remap(const ContactRemap& remap) {
+  constexpr std::uint32_t removed = ContactRemap::removed;
+  std::vector<KnownPoint> kept;
+  for (KnownPoint known : entries_) {
+    const auto& first = known.kind == 0 ? remap.faces : known.kind == 2 ? remap.edges : remap.rows;
+    known.first = first[known.first];
+    if (known.kind != 3) known.second = (known.kind == 2 ? remap.edges : remap.faces)[known.second];
+    if (known.first != removed && known.second != removed) kept.push_back(known);
+  }
+  entries_ = std::move(kept);
+  end();
+}
+
+void ContactHistory::archive(StateArchive& saved) {
+  saved.rows("contact/points", entries_, [](KnownPoint& known, RowNumbers& row) {
+    row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held,
+        known.left, known.area);
+  });
+  cursor_ = 0;
+}
+
+}  // namespace contactsim

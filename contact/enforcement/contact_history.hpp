@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "contact/contact_point.hpp"
+#include "contact/contact_remap.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// What momentum balance remembers of contact points from step to step.
+class ContactHistory {
+ public:
+  struct Entry {
+    double pressure = 0.0;                               ///< normal force over area
+    Eigen::Vector3d traction = Eigen::Vector3d::Zero();  ///< tangential force over area
+    Eigen::Vector3d held = Eigen::Vector3d::Zero();      ///< slip that friction holds [length]
+    double left = 0.0;                                   ///< penetration that the passes have left [length]
+    double area = 0.0;                                   ///< [length^2]
+  };
+
+  /// What is known of a contact point. A new one takes over the mean over area of what is known of its pair
+  /// of entities, or else of its first entity. Quick where points are asked for in ascending order. Returns
+  /// false when nothing is known.
+  bool recall(const ContactPoint& point, Entry& found);
+
+  /// Forgets all, and remembers the points that follow.
+  void begin() { entries_.clear(); }
+  void remember(const ContactPoint& point, const Entry& entry);
+  void end();
+
+  /// Goes over to other faces and nodes.
+  void remap(const ContactRemap& remap);
+  void archive(StateArchive& saved);
+
+ private:
+  /// Where a contact point is. Kinds: faces, a node and a face, edges, a rigid plane.
+  struct PointId {
+    std::uint32_t kind = 0, first = 0, second = 0, part = 0;
+
+    using Key = std::pair<std::uint64_t, std::uint64_t>;
+    Key key() const { return {std::uint64_t{kind} << 32 | first, std::uint64_t{second} << 32 | part}; }
+  };
+  struct KnownPoint : PointId, Entry {};
+
+  static PointId id_of(const ContactPoint& point);
+  template <class IsWanted>
+  bool find_mean(const IsWanted& is_wanted, Entry& found) const;
+
+  std::vector<KnownPoint> entries_;  // ascending by key
+  std::size_t cursor_ = 0;           // first one that is not before what was asked for last
+};
+
+}  // namespace contactsim
