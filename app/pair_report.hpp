@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/contact_model.hpp"
+#include "contact/initial_gaps.hpp"
 #include "contact/pair_history.hpp"
 #include "contact/surface_summary.hpp"
 

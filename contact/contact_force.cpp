@@ -8,7 +8,7 @@
 
 #include "contact/feature_edges.hpp"
 #include "contact/make_interface_laws.hpp"
-#include "contact/penalty.hpp"
+#include "contact/penalty_limits.hpp"
 #include "contact/returned_energy.hpp"
 #include "contact/start_depths.hpp"
 #include "core/errors.hpp"

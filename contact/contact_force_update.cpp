@@ -6,7 +6,7 @@
 
 #include "contact/contact_force.hpp"
 #include "contact/feature_edges.hpp"
-#include "contact/penalty.hpp"
+#include "contact/penalty_limits.hpp"
 #include "contact/start_depths.hpp"
 
 namespace contactsim {

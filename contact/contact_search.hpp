@@ -8,7 +8,8 @@
 #include "contact/adjacent_faces.hpp"
 #include "contact/broad_phase.hpp"
 #include "contact/contact_remap.hpp"
-#include "contact/contact_step_context.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/pair_rules.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 

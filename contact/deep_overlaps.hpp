@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "contact/box_tree.hpp"
-#include "contact/contact_step_context.hpp"
+#include "contact/contact_kinematics.hpp"
+#include "contact/pair_rules.hpp"
 #include "contact/overlap_parts.hpp"
 
 namespace contactsim {

@@ -8,12 +8,6 @@
 
 namespace contactsim {
 
-/// How near the two surfaces of a pair are before the first step.
-struct InitialGap {
-  double smallest_gap = std::numeric_limits<double>::quiet_NaN();  ///< < 0 overlaps; NaN: none known [length]
-  std::uint64_t n_in_reach = 0;  ///< pairs of a node or face and a face that the search found
-};
-
 /// What a pair of surfaces has done in a run. A pair that never touched keeps all zero.
 struct PairHistory {
   double contact_time = 0.0;  ///< time with at least one contact point that touches [time]

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/penalty.hpp"
 
+#include "contact/penalty_limits.hpp"
+
 #include <cmath>
 
 #include "support/catch.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/contact_step_context.hpp"
+#include "contact/pair_rules.hpp"
 
 #include <algorithm>
 
@@ -105,20 +105,10 @@ void PairRules::archive(StateArchive& saved) {
   close_edges_.archive("contact/close_edges", saved);
 }
 
-void ConstrainedPairs::archive(StateArchive& saved) {
-  faces_.archive("contact/glued_faces", saved);
-  nodes_.archive("contact/glued_nodes", saved);
-}
-
 void PairRules::remap(const ContactRemap& remap) {
   close_faces_.remap({}, remap.faces);
   close_nodes_.remap({}, remap.rows);
   close_edges_.remap({}, remap.edges);
-}
-
-void ConstrainedPairs::remap(const ContactRemap& remap) {
-  faces_.remap(remap.faces, remap.faces);
-  nodes_.remap(remap.rows, {});
 }
 
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
