@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_force.hpp"
+#include "contact/enforcement/contact_force.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {

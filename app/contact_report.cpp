@@ -9,7 +9,7 @@
 #include <set>
 
 #include "app/pluralize.hpp"
-#include "contact/interface_law_checks.hpp"
+#include "contact/interface_laws/interface_law_checks.hpp"
 
 namespace contactsim {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "contact/contact_force.hpp"
+#include "contact/enforcement/contact_force.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_model.hpp"
-#include "contact/surface_tracker.hpp"
+#include "contact/mesh/contact_model.hpp"
+#include "contact/surfaces/surface_tracker.hpp"
 #include "core/definition/death.hpp"
 #include "core/state.hpp"
 

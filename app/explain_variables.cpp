@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "contact/contact_output.hpp"
+#include "contact/output/contact_output.hpp"
 #include "core/materials/hardening.hpp"
 #include "core/names.hpp"
 #include "core/output/output_table.hpp"

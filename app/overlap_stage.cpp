@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/pluralize.hpp"
-#include "contact/body_parting.hpp"
+#include "contact/overlap/body_parting.hpp"
 #include "core/conditions/kinematic_constraints.hpp"
 #include "core/errors.hpp"
 

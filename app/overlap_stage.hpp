@@ -8,8 +8,8 @@
 
 #include "app/log.hpp"
 #include "app/transient.hpp"
-#include "contact/overlap_removal.hpp"
-#include "contact/start_overlaps.hpp"
+#include "contact/overlap/overlap_removal.hpp"
+#include "contact/overlap/start_overlaps.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <string>
 
-#include "contact/contact_model.hpp"
-#include "contact/initial_gaps.hpp"
-#include "contact/pair_history.hpp"
-#include "contact/surface_summary.hpp"
+#include "contact/enforcement/pair_history.hpp"
+#include "contact/mesh/contact_model.hpp"
+#include "contact/output/surface_summary.hpp"
+#include "contact/overlap/initial_gaps.hpp"
 
 /// What the log says of pairs of surfaces. Stable in order and width, without times of the clock, so that the
 /// tables of two runs can be compared with diff.

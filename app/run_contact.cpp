@@ -11,7 +11,7 @@
 #include "app/overlap_stage.hpp"
 #include "app/pair_report.hpp"
 #include "app/pluralize.hpp"
-#include "contact/surface_drawing.hpp"
+#include "contact/output/surface_drawing.hpp"
 #include "core/state_motion.hpp"
 #include "io/surface_writer.hpp"
 #include "io/write_text.hpp"

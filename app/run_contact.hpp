@@ -8,9 +8,9 @@
 
 #include "app/contact_debug.hpp"
 #include "app/transient.hpp"
-#include "contact/contact_output.hpp"
-#include "contact/eroded_nodes.hpp"
-#include "contact/surface_tracker.hpp"
+#include "contact/mesh/eroded_nodes.hpp"
+#include "contact/output/contact_output.hpp"
+#include "contact/surfaces/surface_tracker.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {

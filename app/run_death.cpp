@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/timed_force.hpp"
-#include "contact/degenerate_faces.hpp"
+#include "contact/mesh/degenerate_faces.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "contact/interface_law_checks.hpp"
+#include "contact/interface_laws/interface_law_checks.hpp"
 
 namespace contactsim {
 

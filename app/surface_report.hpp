@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "contact/contact_model.hpp"
-#include "contact/surface_summary.hpp"
+#include "contact/mesh/contact_model.hpp"
+#include "contact/output/surface_summary.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 
 #include "app/log.hpp"
 #include "app/options.hpp"
-#include "contact/contact_model.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/errors.hpp"

@@ -5,8 +5,8 @@
 
 #include "app/log.hpp"
 #include "app/options.hpp"
-#include "contact/contact_model.hpp"
-#include "contact/start_overlaps.hpp"
+#include "contact/mesh/contact_model.hpp"
+#include "contact/overlap/start_overlaps.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 #include "core/errors.hpp"

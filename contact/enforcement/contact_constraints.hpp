@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact_point.hpp"
-#include "contact/contact_step_context.hpp"
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/contact_history.hpp"
 #include "contact/enforcement/node_mobility.hpp"
+#include "contact/formulations/contact_step_context.hpp"
+#include "contact/geometry/contact_point.hpp"
 
 namespace contactsim {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "contact/contact_point.hpp"
-#include "contact/contact_remap.hpp"
+#include "contact/geometry/contact_point.hpp"
+#include "contact/mesh/contact_remap.hpp"
 
 namespace contactsim {
 

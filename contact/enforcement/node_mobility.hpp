@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "contact/contact_kinematics.hpp"
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/light_carriers.hpp"
-#include "contact/free_directions.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+#include "contact/mesh/free_directions.hpp"
 #include "core/elements/gather.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"

@@ -11,7 +11,7 @@
 #include <ctime>
 
 #include "bench_meshes.hpp"
-#include "contact/contact_force.hpp"
+#include "contact/enforcement/contact_force.hpp"
 #include "core/elements/elements.hpp"
 #include "core/integrator.hpp"
 #include "core/internal_force.hpp"

@@ -8,9 +8,9 @@
 #include <random>
 
 #include "bench_meshes.hpp"
-#include "contact/contact_force.hpp"
-#include "contact/eroded_nodes.hpp"
-#include "contact/surface_tracker.hpp"
+#include "contact/enforcement/contact_force.hpp"
+#include "contact/mesh/eroded_nodes.hpp"
+#include "contact/surfaces/surface_tracker.hpp"
 #include "core/elements/elements.hpp"
 #include "core/integrator.hpp"
 #include "core/internal_force.hpp"

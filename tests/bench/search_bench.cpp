@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench_meshes.hpp"
-#include "contact/broad_phase.hpp"
+#include "contact/search/broad_phase.hpp"
 #include "support/fcl_boxes.hpp"
 
 namespace contactsim::bench {

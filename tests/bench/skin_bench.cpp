@@ -4,7 +4,7 @@
 #include <omp.h>
 
 #include "bench_meshes.hpp"
-#include "contact/resolve_surfaces.hpp"
+#include "contact/surfaces/resolve_surfaces.hpp"
 #include "core/skin.hpp"
 
 namespace contactsim::bench {

@@ -45,7 +45,8 @@ struct Nodes {
 
 }  // namespace
 
-TEST_CASE("velocities are brought to now, and work and energy are sums over the nodes", "[core][energy_balance]") {
+TEST_CASE("velocities are brought to now, and work and energy are sums over the nodes",
+          "[core][energy_balance]") {
   for (const Eigen::Index n : {1, 7, 8, 2500}) {  // below, across and beyond a group of eight and a chunk
     Nodes nodes(n);
     const Eigen::Matrix3Xd before = nodes.state.velocity, a = nodes.state.acceleration;

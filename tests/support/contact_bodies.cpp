@@ -4,7 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "contact/contact_search.hpp"
+#include "contact/search/contact_search.hpp"
 #include "core/elements/element_table.hpp"
 
 namespace contactsim::test {

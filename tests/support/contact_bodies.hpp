@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "contact/contact_force.hpp"
+#include "contact/enforcement/contact_force.hpp"
 #include "core/model.hpp"
 #include "support/contact_deck.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "contact/resolve_surfaces.hpp"
+#include "contact/surfaces/resolve_surfaces.hpp"
 #include "parser/commands/contact_commands.hpp"
 #include "parser/commands/region_commands.hpp"
 #include "parser/commands/sierra_commands.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/contact_model.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/mesh.hpp"
 #include "support/mesh_builder.hpp"

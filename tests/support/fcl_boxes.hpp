@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "contact/box_tree.hpp"
-#include "contact/pair_lists.hpp"
+#include "contact/mesh/pair_lists.hpp"
+#include "contact/search/box_tree.hpp"
 
 namespace contactsim::test {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/loft.hpp"
+#include "contact/lofting/loft.hpp"
 
 /// Measures lofted bodies as surfaces in space, without a look at how they were made.
 namespace contactsim::test {

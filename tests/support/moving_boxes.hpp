@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "contact/box_tree.hpp"
-#include "contact/pair_lists.hpp"
+#include "contact/mesh/pair_lists.hpp"
+#include "contact/search/box_tree.hpp"
 
 namespace contactsim::test {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <random>
 
-#include "contact/face_face.hpp"
+#include "contact/geometry/face_face.hpp"
 
 /// Faces that are skewed, warped and moved about, the same for the same random numbers.
 namespace contactsim::test {

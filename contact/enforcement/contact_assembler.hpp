@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/enforcement/pair_work.hpp"
+#include "contact/formulations/ties.hpp"
+#include "contact/geometry/contact_point.hpp"
+#include "contact/mesh/contact_mesh.hpp"
+#include "contact/mesh/contact_remap.hpp"
+#include "core/elements/gather.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// What a pair of surfaces does in a step.
+struct PairStep {
+  Eigen::Vector3d force =
+      Eigen::Vector3d::Zero();  ///< on the pair's first surface; of self contact on the first sides [force]
+  double area = 0.0;            ///< that touches [length^2]
+  double stored = 0.0;          ///< in the springs of the penalty and of friction now [energy]
+  double dissipated = 0.0;      ///< by friction in the step [energy]
+  double damped = 0.0;          ///< by contact damping in the step [energy]
+  double impact = 0.0;          ///< lost in the step where sides met without rebound [energy]
+  double penetration = 0.0;     ///< deepest of what touches [length]
+  double penetration_share = 0.0;  ///< the same over the thickness of the thinner side [1]
+  bool touches = false;
+  bool is_near = false;  ///< some contact point touches or is about to
+};
+
+/// What friction has done at a contact node since the start.
+struct NodeFriction {
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< along the other side, added up as vectors [length]
+  double slip_length = 0.0;                        ///< the same added up by length [length]
+  double energy = 0.0;                             ///< the node's share of what was lost [energy]
+  Eigen::Vector3d last_slip = Eigen::Vector3d::Zero();  ///< of the last step [length]
+};
+
+/// Adds contact points up at nodes and pairs. They come in one order, whatever the number of threads,
+/// so that the sums have the same bits.
+class ContactAssembler {
+ public:
+  ///   has_moments  some contact points stand off their nodes
+  ContactAssembler(std::size_t n_nodes, std::size_t n_pairs, bool has_friction, bool has_moments = false);
+
+  /// Goes over to other nodes. What friction did at nodes that are gone is forgotten.
+  void remap(const ContactRemap& remap);
+  void begin_step();
+  /// From now on the work of the forces is counted, too.
+  ///   kinematics  must outlive the step
+  ///   dt       of the step [time]
+  void begin_work(const ContactKinematics& kinematics, double dt) {
+    kinematics_ = &kinematics;
+    work_.begin_step(kinematics, dt);
+  }
+  void add(const ContactPoint& point);
+  /// Notes how deep a contact point that touches is.
+  ///   thickness  of the thinner side [length]
+  void note_penetration(const ContactPoint& point, double thickness);
+  void add(const InterfaceConstraint& constraint, const TieForces& forces);
+  /// Ends a step: slips of the nodes are added up.
+  void end_step();
+
+  /// [n_contact_nodes] x y z of the force [force], and the stiffness that moves with the node [force/length]
+  std::span<const NodeVector> nodes() const { return nodes_; }
+  /// [n_contact_nodes] of the forces about the nodes, empty without moments [force length]
+  std::span<const Eigen::Vector3d> moments() const { return moments_; }
+  std::span<const PairStep> pairs() const { return pairs_; }
+  /// [n_contact_nodes], empty without friction
+  std::span<const NodeFriction> friction() const { return friction_; }
+  /// [n_pairs] the work that forces have taken from the bodies since the start [energy]
+  std::span<const double> taken() const { return work_.taken(); }
+  const PairWork& work() const { return work_; }
+  double dissipated() const { return dissipated_; }
+  double damped() const { return damped_; }
+
+  /// Saves or restores what has been added up since the start.
+  void archive(StateArchive& saved);
+
+ private:
+  void add_moment(const ContactPointSide& side, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
+  void add_slip(const ContactPointSide& side, const Eigen::Vector3d& slip, const ContactPoint& point);
+
+  bool has_friction_, has_moments_;
+  std::vector<NodeVector> nodes_;
+  std::vector<Eigen::Vector3d> moments_;
+  std::vector<PairStep> pairs_;
+  std::vector<NodeFriction> friction_;
+  std::vector<NodeVector> slips_;  // of the step, times area, and area
+  double dissipated_ = 0.0, damped_ = 0.0;
+  const ContactKinematics* kinematics_ = nullptr;  // null where work is not counted
+  PairWork work_;
+};
+
+}  // namespace contactsim

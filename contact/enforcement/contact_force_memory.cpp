@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/contact_force.hpp"
+#include "core/digest.hpp"
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+/// Faces have other stiffnesses than the mesh says, and depths of the start.
+void ContactForce::archive_faces(StateArchive& saved) {
+  Digest digest;
+  for (const ContactFace& face : contact_mesh_.faces)
+    digest.add_values(std::span<const std::uint32_t>(face.corners));
+  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.mesh_nodes));
+  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.first_face));
+  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.first_node));
+  for (const ContactEdge& edge : contact_mesh_.edges)
+    digest.add_values(std::span<const std::uint32_t>(edge.nodes));
+  saved.expect("contact/surfaces", digest.value(), "contact surfaces");
+  saved.expect("contact/n_pairs", setup_.contact.pairs.size(), "contact interactions");
+  const auto visit = [](auto& item, RowNumbers& row) {
+    row(item.penalty_properties.stiffness, item.penalty_properties.is_rigid,
+        item.penalty_properties.start_depth);
+  };
+  saved.fixed_rows("contact/faces/stiffness", contact_mesh_.faces, visit);
+  saved.fixed_rows("contact/nodes/stiffness", contact_mesh_.surface_nodes, visit);
+  saved.fixed_rows("contact/edges/stiffness", contact_mesh_.edges, visit);
+}
+
+void ContactForce::archive(const Motion& motion, StateArchive& saved) {
+  archive_faces(saved);
+  kinematics_.archive(saved);
+  rules_.archive(saved);
+  constrained_.archive(saved);
+  depths_.archive(saved);
+  search_.archive(saved);
+  face_face_.archive(saved);
+  node_face_.archive(saved);
+  edges_.archive(saved);
+  planes_.archive(saved);
+  interface_constraints_.archive(saved);
+  assembler_.archive(saved);
+  balance_.archive(saved);
+  saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
+  saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
+    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
+        history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start);
+  });
+  saved.fixed("contact/pairs/stored", std::span(stored_));
+  saved.fixed("contact/pairs/least_energy", std::span(least_energy_));
+  saved.numbers("contact/step_share", step_share_.share);
+  saved.numbers("contact/stored_at_start", stored_at_start_);
+  saved.numbers("contact/start_step", start_step_);
+  if (!saved.restores()) return;
+  has_begun_ = true;
+  mobility_.update(motion.time);
+  kinematics_.hold(mobility_.free_directions());
+  rules_.activate(motion.time, times_.is_active(motion.time));
+  kinematics_.move_nodes(motion);
+  kinematics_.bound_all();
+  kinematics_.watch(faces_with_candidates());
+}
+
+}  // namespace contactsim

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "contact/enforcement/contact_force.hpp"
+#include "contact/enforcement/penalty_limits.hpp"
+#include "contact/formulations/start_depths.hpp"
+#include "contact/mesh/feature_edges.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Nodes of the mesh that an edge hangs on, the lower one first.
+std::pair<std::uint32_t, std::uint32_t> mesh_nodes_of(const ContactMesh& contact_mesh,
+                                                      const ContactEdge& edge) {
+  return std::minmax(contact_mesh.mesh_nodes[edge.nodes[0]], contact_mesh.mesh_nodes[edge.nodes[1]],
+                     std::less<std::uint32_t>());
+}
+
+/// Sharp edges stay that were there before.
+void take_off_new_edges(const ContactMesh& before, ContactMesh& contact_mesh) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> known;
+  for (const ContactEdge& edge : before.edges) known.insert(mesh_nodes_of(before, edge));
+  std::erase_if(contact_mesh.edges, [&](const ContactEdge& edge) {
+    return edge.is_sharp() && !known.contains(mesh_nodes_of(contact_mesh, edge));
+  });
+}
+
+/// Whether both sides of a contact point are still there; it has their new numbers then.
+bool keep_point(const ContactRemap& remap, ContactPoint& point) {
+  constexpr std::uint32_t removed = ContactRemap::removed;
+  const bool is_node = point.first.is_node() && !point.is_of_edges;
+  const bool is_plane = point.second.weights.isZero(0.0);
+  point.first_entity = (point.is_of_edges ? remap.edges
+                        : is_node         ? remap.rows
+                                          : remap.faces)[point.first_entity];
+  if (!is_plane) point.second_entity = (point.is_of_edges ? remap.edges : remap.faces)[point.second_entity];
+  if (point.first_entity == removed || point.second_entity == removed) return false;
+  for (ContactPointSide* side : {&point.first, &point.second}) {
+    if (side == &point.second && is_plane) continue;
+    for (std::uint32_t& node : side->nodes) node = remap.nodes[node];
+  }
+  return true;
+}
+
+}  // namespace
+
+ContactMesh ContactForce::make_faces(std::span<const ErodedNode> eroded_nodes) const {
+  const Mesh& mesh = *setup_.model.mesh;
+  ContactMesh contact_mesh = make_contact_mesh(setup_.contact, mesh, eroded_nodes);
+  const ContactKinematics start = kinematics_of_mesh(contact_mesh, mesh);
+  choose_feature_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, start,
+                       contact_mesh);
+  measure_sharpness(start, contact_mesh);
+  add_penalty_properties(setup_.model, contact_mesh);
+  return contact_mesh;
+}
+
+/// The stiffness behind faces and nodes as elements have it, limited by what masses and conditions allow now.
+///   start  the faces at the start
+void ContactForce::limit_stiffness(const ContactKinematics& start) {
+  std::size_t n = 0;
+  const bool is_new = element_stiffness_.empty();
+  const auto begin_anew = [&](auto& items) {
+    for (auto& item : items) {
+      if (is_new) element_stiffness_.push_back(item.penalty_properties.stiffness);
+      item.penalty_properties.stiffness = element_stiffness_[n++];
+    }
+  };
+  begin_anew(contact_mesh_.faces);
+  begin_anew(contact_mesh_.surface_nodes);
+  begin_anew(contact_mesh_.edges);
+  contactsim::limit_stiffness(start, mobility_, start_step_, contact_mesh_);
+}
+
+void ContactForce::remap(const ContactRemap& remap) {
+  rules_.remap(remap);
+  constrained_.remap(remap);
+  depths_.remap(remap);
+  search_.remap(remap);
+  face_face_.remap(remap);
+  node_face_.remap(remap);
+  edges_.remap(remap);
+  planes_.remap(setup_.contact.surfaces, setup_.contact.planes, rules_, remap);
+  interface_constraints_.remap(remap);
+  assembler_.remap(remap);
+  balance_.remap(remap);
+  std::erase_if(points_, [&](ContactPoint& point) { return !keep_point(remap, point); });
+}
+
+void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const ErodedNode> eroded_nodes,
+                                    bool makes_new_edges) {
+  const ContactMesh before = std::exchange(contact_mesh_, make_faces(eroded_nodes));
+  element_stiffness_.clear();
+  if (!makes_new_edges) take_off_new_edges(before, contact_mesh_);
+  limit_stiffness(kinematics_of_mesh(contact_mesh_, *setup_.model.mesh));
+  const ContactRemap remap = make_contact_remap(before, contact_mesh_);
+  std::ranges::set_difference(std::span(before.mesh_nodes).first(before.n_mesh_points()),
+                              std::span(contact_mesh_.mesh_nodes).first(contact_mesh_.n_mesh_points()),
+                              std::back_inserter(left_));
+  left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
+               before.mesh_nodes.end());
+  transfer_start_depths(remap, before, contact_mesh_);
+  this->remap(remap);
+  kinematics_.turn_by(make_spins());
+  kinematics_.hold(mobility_.free_directions());
+  kinematics_.remap(remap, motion);
+  kinematics_.move_nodes(motion);
+  kinematics_.bound_all();
+  kinematics_.watch(faces_with_candidates());
+  has_new_surfaces_ = true;
+  forget_stored();
+}
+
+/// What springs stored that are gone is not given back.
+void ContactForce::forget_stored() {
+  std::fill(stored_.begin(), stored_.end(), 0.0);
+  for (const ContactPoint& point : points_) {
+    if (point.touches()) stored_[point.pair] += point.stored();
+  }
+  for (const ConstraintForces& interface_constraints : interface_constraints_.forces())
+    stored_[interface_constraints.constraint.pair] += interface_constraints.forces.stored;
+}
+
+/// Contacts that ended though their sides did not part; those that a pair's period ends are not among them.
+void ContactForce::note_lost(double time) {
+  std::vector<LostContact> lost;
+  face_face_.find_lost(rules_, lost);
+  node_face_.find_lost(lost);
+  for (const LostContact& one : lost) {
+    if (!rules_[one.pair].is_active) continue;
+    PairHistory& history = histories_[one.pair];
+    if (history.n_lost++ > 0) continue;
+    history.lost_node = contact_mesh_.mesh_nodes[one.node];
+    history.lost_time = time;
+    history.lost_depth = one.depth;
+  }
+}
+
+}  // namespace contactsim

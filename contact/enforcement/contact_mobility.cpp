@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/contact_mobility.hpp"
+
+#include <Eigen/Eigenvalues>
+#include "core/minimum_nodal_mass.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The share of a direction that is free; without one, 1 unless nothing is.
+double free_share(const Eigen::Matrix3d* projection, const Eigen::Vector3d* direction) {
+  if (projection == nullptr) return 1.0;
+  if (direction == nullptr) return projection->isZero(0.0) ? 0.0 : 1.0;
+  return direction->dot(*projection * *direction);
+}
+
+}  // namespace
+
+ContactMobility::ContactMobility(const Model& model) : model_(model) {
+  for (const RigidBody& body : model.rigid.bodies)
+    turn_mobilities_.push_back(body.flexible.selfadjointView<Eigen::Lower>().eigenvalues().maxCoeff());
+}
+
+Eigen::Vector3d ContactMobility::arm(const ContactKinematics& kinematics, std::uint32_t node) const {
+  const std::size_t n_mesh_points = kinematics.contact_mesh().n_mesh_points();
+  if (node < n_mesh_points) return Eigen::Vector3d::Zero();
+  return kinematics.offsets().col(static_cast<Eigen::Index>(node - n_mesh_points));
+}
+
+/// n P n / m + |a x n|^2 / I for an arm a to the node of the mesh, at most 1 / m + |a|^2 / I.
+double ContactMobility::mobility(const ContactKinematics& kinematics, std::uint32_t node,
+                                 const Eigen::Vector3d* normal) const {
+  if (is_of_body(kinematics.contact_mesh(), node)) return body_mobility(kinematics, node, normal);
+  const NodeIndex mesh_node{kinematics.contact_mesh().mesh_nodes[node]};
+  const double share = free_share(free_.of_node(mesh_node.value), normal);
+  const double mobility = share / model_.mass(0, mesh_node.value);
+  const Eigen::Vector3d beside = arm(kinematics, node);
+  const double inertia = model_.inertia.cols() > 0 ? model_.inertia(0, mesh_node.value) : 0.0;
+  if (beside.isZero(0.0) || !(inertia > minimum_nodal_mass)) return mobility;
+  if (free_share(free_.of_turns(mesh_node.value), nullptr) == 0.0) return mobility;
+  const double lever = normal != nullptr ? beside.cross(*normal).squaredNorm() : beside.squaredNorm();
+  return mobility + lever / inertia;
+}
+
+/// n P n / M + |r|^2 / I of the least moment of inertia I. Lengths from the centre are those at rest.
+double ContactMobility::body_mobility(const ContactKinematics& kinematics, std::uint32_t node,
+                                      const Eigen::Vector3d* normal) const {
+  const std::uint32_t mesh_node = kinematics.contact_mesh().mesh_nodes[node];
+  const auto index = static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]);
+  const RigidBody& body = model_.rigid.bodies[index];
+  const double mobility = free_share(free_.of_body(index), normal) / body.mass;
+  if (free_share(free_.of_body_turns(index), nullptr) == 0.0) return mobility;
+  const double reach =
+      (model_.mesh->coordinates().col(mesh_node) - body.centre).norm() + arm(kinematics, node).norm();
+  return mobility + reach * reach * turn_mobilities_[index];
+}
+
+bool ContactMobility::is_held(const ContactKinematics& kinematics, std::uint32_t node,
+                              const Eigen::Vector3d* normal) const {
+  constexpr double next_to_nothing = 1e-6;  // of what a free node gives way
+  if (is_of_body(kinematics.contact_mesh(), node)) return false;
+  if (free_.of_node(kinematics.contact_mesh().mesh_nodes[node]) == nullptr) return false;
+  const double mass = model_.mass(0, kinematics.contact_mesh().mesh_nodes[node]);
+  return mobility(kinematics, node, normal) * mass < next_to_nothing;
+}
+
+std::size_t ContactMobility::carrier(const ContactMesh& contact_mesh, std::uint32_t node) const {
+  if (!is_of_body(contact_mesh, node)) return contact_mesh.first_alike[node];
+  return contact_mesh.n_nodes() +
+         static_cast<std::size_t>(model_.rigid.nodes.body_of[contact_mesh.mesh_nodes[node]]);
+}
+
+std::span<const double> ContactMobility::find_rates(const ContactKinematics& kinematics,
+                                                    std::span<const ContactPoint> points,
+                                                    std::span<const ConstraintForces> held,
+                                                    std::span<const std::uint8_t> slips) {
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  carrier_rates_.assign(contact_mesh.n_nodes() + model_.rigid.bodies.size(), 0.0);
+  const auto add = [&](std::uint32_t node, double stiffness, const Eigen::Vector3d* normal) {
+    if (stiffness > 0.0)
+      carrier_rates_[carrier(contact_mesh, node)] += stiffness * mobility(kinematics, node, normal);
+  };
+  for (const ContactPoint& point : points) {
+    if (!(point.stiffness > 0.0)) continue;
+    const Eigen::Vector3d* normal = slips[point.pair] != 0 ? nullptr : &point.normal;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto i = static_cast<Eigen::Index>(k);
+      add(point.first.nodes[k], point.first.weights[i] * point.stiffness, normal);
+      add(point.second.nodes[k], point.second.weights[i] * point.stiffness, normal);
+    }
+  }
+  for (const ConstraintForces& one : held) {
+    for (std::size_t k = 0; k < 8; ++k)
+      add(one.constraint.nodes[k], one.constraint.springs[static_cast<Eigen::Index>(k)], nullptr);
+  }
+  rates_.resize(contact_mesh.n_nodes());
+  for (std::uint32_t node = 0; node < contact_mesh.n_nodes(); ++node)
+    rates_[node] = carrier_rates_[carrier(contact_mesh, node)];
+  return rates_;
+}
+
+}  // namespace contactsim

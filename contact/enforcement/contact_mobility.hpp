@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/enforcement/interface_constraints.hpp"
+#include "contact/geometry/contact_point.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+#include "contact/mesh/free_directions.hpp"
+#include "core/model.hpp"
+
+namespace contactsim {
+
+/// How much contact nodes give way to springs: change of velocity per impulse [1/mass], by lumped mass and
+/// rotary inertia, along the directions that conditions leave free. A node that is held or driven does not
+/// give way; a node of a rigid body gives way by the body's mass and moments of inertia. Bounds the
+/// frequencies of the elastic penalty.
+class ContactMobility {
+ public:
+  /// All that the model refers to must outlive this.
+  explicit ContactMobility(const Model& model);
+
+  /// Takes over the conditions that act in the step that begins now. Returns whether nodes or bodies have
+  /// become held or free since the last call.
+  bool update(double time) { return free_.update(model_, time); }
+  const ModelFreeDirections& free_directions() const { return free_; }
+
+  /// Whether a contact node moves with a rigid body.
+  bool is_of_body(const ContactMesh& contact_mesh, std::uint32_t node) const {
+    return !model_.rigid.nodes.is_free({contact_mesh.mesh_nodes[node]});
+  }
+  /// How much a contact node gives way along a unit normal to a force along it, or along any direction where
+  /// there is no normal. Of a rigid body a bound.
+  double mobility(const ContactKinematics& kinematics, std::uint32_t node,
+                  const Eigen::Vector3d* normal) const;
+  /// Whether conditions keep a contact node from moving along a normal, or at all where there is none.
+  bool is_held(const ContactKinematics& kinematics, std::uint32_t node, const Eigen::Vector3d* normal) const;
+
+  /// For each contact node the sum of stiffness times mobility over all springs of its carrier, a node of the
+  /// mesh or a rigid body: a bound of the square of its frequency when the other side is held
+  /// [n_contact_nodes] [1/time^2].
+  ///   slips  [n_pairs] whether points of a pair have springs along the surface, too
+  std::span<const double> find_rates(const ContactKinematics& kinematics,
+                                     std::span<const ContactPoint> points,
+                                     std::span<const ConstraintForces> held,
+                                     std::span<const std::uint8_t> slips);
+
+ private:
+  double body_mobility(const ContactKinematics& kinematics, std::uint32_t node,
+                       const Eigen::Vector3d* normal) const;
+  Eigen::Vector3d arm(const ContactKinematics& kinematics, std::uint32_t node) const;
+  std::size_t carrier(const ContactMesh& contact_mesh, std::uint32_t node) const;
+
+  const Model& model_;
+  ModelFreeDirections free_;
+  std::vector<double> turn_mobilities_;        // [n_bodies] the largest [1/(mass length^2)]
+  std::vector<double> carrier_rates_, rates_;  // scratch
+};
+
+}  // namespace contactsim

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/formulations/ties.hpp"
+#include "contact/interface_laws/interface_law.hpp"
+
+namespace contactsim {
+
+/// How far two sides have moved from where they were bonded, in axes of the second face.
+struct Opening {
+  double normal = 0.0;                             ///< > 0 apart [length]
+  Eigen::Vector2d slip = Eigen::Vector2d::Zero();  ///< [length]
+};
+
+/// What a bond answers to an opening.
+struct BondAnswer {
+  double normal = 0.0;                                   ///< pulls back if > 0 [force]
+  Eigen::Vector2d tangential = Eigen::Vector2d::Zero();  ///< in the direction of the slip [force]
+  double stored = 0.0;                                   ///< [energy]
+  double dissipated = 0.0;                               ///< by damage in this step [energy]
+  bool fails = false;
+};
+
+/// What a bond remembers.
+struct BondHistory {
+  double worst = 0.0;                                ///< largest lambda of a cohesive zone so far [1]
+  double worst_traction = 0.0;                       ///< at that lambda [force/length^2]
+  double tangential_energy = 0.0, gap_factor = 1.0;  ///< of a threaded joint in the last step
+};
+
+/// The law of a bond: what it answers to an opening. In compression only slip counts: contact pushes.
+///   area     of the interface [length^2]; of laws in forces its share of one bond [1]
+///   penalty  stiffest that a traction may begin with, per area [force/length^3]
+BondAnswer answer(const BondLaw& bond_law, const Opening& opening, double area, double penalty,
+                  BondHistory& history);
+
+/// The largest stiffness of a bond, for the stable step [force/length].
+double bond_stiffness(const BondLaw& bond_law, double area, double penalty);
+
+/// A point of a face, or a node, bonded to a point of a face by tractions or forces of its opening.
+struct Bond : InterfaceConstraint {
+  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();  ///< sum 1 [1]
+  Eigen::Vector3d rest =
+      Eigen::Vector3d::Zero();  ///< between the points at the start, axes of the second face
+  double size = 1.0;            ///< that the law counts with: the area, of laws in forces the share
+  double penalty = 0.0;         ///< of the pair, per area [force/length^3]
+  BondHistory history;
+  bool has_failed = false;
+};
+
+/// Bonds the middles of two faces' overlap where its gaps are within the tolerance either way. Returns
+/// whether they overlap there.
+bool bond_faces(const MovingFace& first, const MovingFace& second, double tolerance, Bond& bond);
+
+/// Forces of a bond; it takes over the history unless it is only looked at.
+///   x  of the corners [length]
+TieForces step_bond(const BondLaw& bond_law, const TieVectors& x, Bond& bond);
+
+/// The pull of a hold that has failed, as it decays: a straight line to nothing over some steps.
+struct DecayingConstraint : InterfaceConstraint {
+  TieVectors forces = TieVectors::Zero();  ///< at failure, in axes of the second face [force]
+  double stored = 0.0;                     ///< at failure [energy]
+  std::int64_t n_steps = 1, n_done = 0;
+
+  bool is_over() const { return n_done >= n_steps; }
+};
+
+/// A constraint that has failed with these forces.
+DecayingConstraint make_decaying(const InterfaceConstraint& constraint, const TieForces& at_failure,
+                                 const TieVectors& x, std::int64_t n_steps);
+/// Its forces now.
+TieForces find_decaying_forces(const DecayingConstraint& constraint, const TieVectors& x);
+
+/// How far a tie of a weld is in its failure envelope: (N / normal)^2 + (T / tangential)^2, more than 1
+/// outside; N of tension only.
+double weld_envelope(const WeldLaw& weld, const InterfaceConstraint& constraint, const TieForces& forces);
+
+}  // namespace contactsim

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/formulations/constrained_pairs.hpp"
+#include "contact/formulations/penetration_depths.hpp"
+#include "contact/interface_laws/pair_rules.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+
+namespace contactsim {
+
+/// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
+/// threads.
+inline constexpr std::size_t rows_per_chunk = 256;
+
+/// A step of contact: what the loops over contact points read.
+struct ContactStepContext {
+  const ContactKinematics& kinematics;
+  const PairRules& rules;
+  const ConstrainedPairs& constrained;
+  double dt = 0.0;                            ///< of the step that ended, 0 at the start [time]
+  double first_dt = 0.0;                      ///< of the step to come, at the start [time]
+  const PenetrationDepths* depths = nullptr;  ///< of the last step; null: nothing is known of it
+  /// Which pairs are looked at: those enforced by momentum balance, or by penalty. For the former the
+  /// velocities are those that the coming step would have without contact.
+  bool balances = false;
+  double coming_dt = 0.0;  ///< the coming step, for balances [time]
+
+  /// What closes within this time counts as about to touch: the next step must be small enough for the
+  /// penalty of what it brings into touch [time].
+  double ahead() const {
+    constexpr double steps = 2.0;
+    return steps * (balances ? coming_dt : dt > 0.0 ? dt : first_dt);
+  }
+  /// Whether a pair's contact points are looked for now.
+  bool looks_at(const PairRule& rule) const { return rule.is_active && rule.is_balanced == balances; }
+};
+
+}  // namespace contactsim

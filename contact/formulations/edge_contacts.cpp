@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/edge_contacts.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "contact/formulations/contact_point_law.hpp"
+#include "contact/formulations/penalty.hpp"
+#include "contact/interface_laws/friction.hpp"
+#include "contact/mesh/feature_edges.hpp"
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+namespace {
+
+const std::array<Eigen::Vector3d, 2> no_slip{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+
+/// Nearer than this share to an end of an edge a point is at the end.
+constexpr double at_end = 1e-9;
+
+bool is_inside(double share) { return share > at_end && share < 1.0 - at_end; }
+
+Segment segment_of(const ContactKinematics& kinematics, const ContactEdge& edge) {
+  Segment segment;
+  segment << kinematics.x(edge.nodes[0]), kinematics.x(edge.nodes[1]);
+  return segment;
+}
+
+ContactPointSide side_of(const ContactEdge& edge, double share) {
+  return {{edge.nodes[0], edge.nodes[1], edge.nodes[1], edge.nodes[1]},
+          {1.0 - share, share, 0.0, 0.0},
+          edge.radius};
+}
+
+/// The velocity of the surface of an edge at a point.
+///   arm  from the axis to the surface [length]
+Eigen::Vector3d velocity_at(const ContactKinematics& kinematics, const ContactPointSide& side,
+                            const Eigen::Vector3d& arm) {
+  return side.weights[0] * kinematics.velocity_beside(side.nodes[0], arm) +
+         side.weights[1] * kinematics.velocity_beside(side.nodes[1], arm);
+}
+
+/// Whether two sharp edges may cross, seen along the normal of both, near enough to touch soon. Says yes
+/// rather too often.
+///   dt_ahead  within which they may close [time]
+bool may_cross(const ContactKinematics& kinematics, const ContactEdge& first, const ContactEdge& second,
+               double dt_ahead) {
+  constexpr double parallel = 0.02, beside = 1e-4;  // less strict than find_edge_gap()
+  const Eigen::Vector3d a = kinematics.x(first.nodes[0]), b = kinematics.x(second.nodes[0]);
+  const Eigen::Vector3d p = kinematics.x(first.nodes[1]) - a, q = kinematics.x(second.nodes[1]) - b;
+  const Eigen::Vector3d normal = p.cross(q), apart = b - a;
+  const double square = normal.squaredNorm();
+  if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return false;
+  const double s = apart.cross(q).dot(normal), t = apart.cross(p).dot(normal);
+  if (s < -beside * square || s > (1.0 + beside) * square) return false;
+  if (t < -beside * square || t > (1.0 + beside) * square) return false;
+  const auto v = [&](const ContactEdge& edge, std::size_t k) { return kinematics.v(edge.nodes[k]); };
+  double speed = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) speed = std::max(speed, (v(first, k / 2) - v(second, k % 2)).norm());
+  const double height = apart.dot(normal), reach = first.penalty_properties.thickness + speed * dt_ahead;
+  return height * height <= reach * reach * square;
+}
+
+/// Lines and sharp edges by first_alike of their nodes; nothing without any edges.
+PairLists list_edges_of_nodes(const ContactMesh& contact_mesh) {
+  if (contact_mesh.edges.empty()) return {};
+  return list_by_row(contact_mesh.n_nodes(), [&](const auto& take) {
+    for (std::uint32_t i = 0; i < contact_mesh.edges.size(); ++i) {
+      const ContactEdge& edge = contact_mesh.edges[i];
+      if (edge.is_particle()) continue;
+      for (const std::uint32_t node : edge.nodes) take(contact_mesh.first_alike[node], i);
+    }
+  });
+}
+
+}  // namespace
+
+EdgeContacts::EdgeContacts(const ContactMesh& contact_mesh)
+    : contact_mesh_(contact_mesh),
+      depth_before_(contact_mesh.edges.size(), 0.0f),
+      depth_now_(contact_mesh.edges.size(), 0.0f) {
+  edges_of_node_ = list_edges_of_nodes(contact_mesh);
+}
+
+bool EdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, double share,
+                        const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const {
+  constexpr double alike = 1e-6;  // cosine of directions that count as square to the way
+  const ContactEdge& edge = contact_mesh_.edges[index];
+  if (edge.is_sharp() || edge.is_particle() || (share > 0.0 && share < 1.0) || pair_point.length > 0.0)
+    return true;
+  const std::uint32_t node = contact_mesh_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
+  for (const std::uint32_t other : edges_of_node_.of(node)) {
+    const ContactEdge& next = contact_mesh_.edges[other];
+    if (other == index || next.surface != edge.surface || next.is_sharp() != edge.is_sharp()) continue;
+    const bool is_first = contact_mesh_.first_alike[next.nodes[0]] == node;
+    const Eigen::Vector3d along =
+        context.kinematics.x(next.nodes[is_first ? 1 : 0]) - context.kinematics.x(node);
+    const double cosine = along.dot(way) / (along.norm() * way.norm());
+    if (cosine > alike || (cosine > -alike && (pair_point.is_parallel || other < index))) return false;
+  }
+  return true;
+}
+
+void EdgeContacts::take_candidates() {
+  elastic_slips_ = transfer_pairs<ElasticSlips>(candidates_, elastic_slips_, next_, no_slip);
+  candidates_ = std::exchange(next_, {});
+}
+
+void EdgeContacts::begin_step() {
+  std::swap(depth_before_, depth_now_);
+  std::fill(depth_now_.begin(), depth_now_.end(), 0.0f);
+}
+
+void EdgeContacts::note(const ContactPoint& point) {
+  if (!point.is_met()) return;
+  const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());
+  for (const std::uint32_t edge : {point.first_entity, point.second_entity})
+    depth_now_[edge] = std::max(depth_now_[edge], depth);
+}
+
+void EdgeContacts::archive(StateArchive& saved) {
+  contactsim::archive("contact/edge_pairs", candidates_, saved);
+  saved.rows("contact/edge_pairs/elastic_slip", elastic_slips_,
+             [](ElasticSlips& slip, RowNumbers& row) { row(slip); });
+  saved.list("contact/edges/depth", depth_now_);
+}
+
+void EdgeContacts::mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const {
+  const auto size_of = [&](const ContactEdge& edge) {
+    return edge.is_particle()
+               ? 2.0 * edge.radius
+               : (context.kinematics.x(edge.nodes[1]) - context.kinematics.x(edge.nodes[0])).norm();
+  };
+  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+    const ContactEdge& first = contact_mesh_.edges[row];
+    for (const std::uint32_t partner : candidates_.of(row)) {
+      const ContactEdge& second = contact_mesh_.edges[partner];
+      const std::uint32_t pair = context.rules.find(first.surface, second.surface);
+      if (context.rules[pair].far == PairRule::not_hybrid) continue;
+      const SurfacePair& of = *context.rules[pair].pair;
+      const double automatic = size_share * std::min(size_of(first), size_of(second));
+      const double tolerance = of.capture_tolerance.value_or(of.normal_tolerance.value_or(automatic));
+      const EdgePairPoint nearest =
+          nearest_points(segment_of(context.kinematics, first), segment_of(context.kinematics, second));
+      const double distance =
+          (point_at(context.kinematics, first, nearest.s) - point_at(context.kinematics, second, nearest.t))
+              .norm();
+      if (distance - first.radius - second.radius > tolerance) continue;
+      rules.mark_close_edge(pair, row);
+      rules.mark_close_edge(pair, partner);
+    }
+  }
+}
+
+bool EdgeContacts::are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
+                            std::uint32_t second) const {
+  const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
+  for (const std::uint32_t of_a : a.faces) {
+    for (const std::uint32_t of_b : b.faces) {
+      if (context.constrained.holds_faces(of_a, of_b) || context.constrained.holds_faces(of_b, of_a))
+        return true;
+    }
+  }
+  const auto is_held = [&](const ContactEdge& edge) {
+    return std::ranges::any_of(edge.nodes, [&](std::uint32_t node) {
+      const auto row = contact_mesh_.find_row(node, edge.surface);
+      return row && context.constrained.holds_node(*row, pair);
+    });
+  };
+  return is_held(a) || is_held(b);
+}
+
+void EdgeContacts::remap(const ContactRemap& remap) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, ElasticSlips> kept;
+  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
+      const std::uint32_t first = remap.edges[row], second = remap.edges[candidates_.partners[k]];
+      // Of edges that have changed their order the slip would be seen from the other side.
+      if (second != ContactRemap::removed && first < second) kept[{first, second}] = elastic_slips_[k];
+    }
+  }
+  candidates_ = {};
+  elastic_slips_.clear();
+  auto pair = kept.begin();
+  for (std::uint32_t row = 0; row < remap.n_edges_after; ++row) {
+    for (; pair != kept.end() && pair->first.first == row; ++pair) {
+      candidates_.partners.push_back(pair->first.second);
+      elastic_slips_.push_back(pair->second);
+    }
+    candidates_.begin.push_back(static_cast<std::uint32_t>(candidates_.partners.size()));
+  }
+  edges_of_node_ = list_edges_of_nodes(contact_mesh_);
+  transfer(remap.edges, remap.n_edges_after, 0.0f, depth_before_);
+  transfer(remap.edges, remap.n_edges_after, 0.0f, depth_now_);
+}
+
+void EdgeContacts::find(const ContactStepContext& context, std::size_t begin, std::size_t end,
+                        std::vector<ContactPoint>& points) {
+  for (std::size_t row = begin; row < end; ++row) {
+    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k)
+      find_one(context, static_cast<std::uint32_t>(row), k, points);
+  }
+}
+
+void EdgeContacts::find_one(const ContactStepContext& context, std::uint32_t first_edge,
+                            std::size_t candidate, std::vector<ContactPoint>& points) {
+  const std::uint32_t second_edge = candidates_.partners[candidate];
+  const ContactEdge &first = contact_mesh_.edges[first_edge], &second = contact_mesh_.edges[second_edge];
+  const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
+  const bool are_sharp = first.is_sharp() && second.is_sharp();
+  // What touched nothing holds no slip.
+  if (are_sharp && before == 0.0 && !may_cross(context.kinematics, first, second, context.ahead())) return;
+  const std::uint32_t pair = context.rules.find(first.surface, second.surface);
+  const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
+  if (rule.is_balanced != context.balances) return;
+  const ElasticSlips held = elastic_slips_[candidate];
+  ElasticSlips now = no_slip;
+  const EdgePairPoints places(segment_of(context.kinematics, first), segment_of(context.kinematics, second));
+  const bool may_be_held = are_sharp && (rule.law == ContactLaw::glued || rule.law == ContactLaw::welded);
+  const bool is_on = rule.is_active && rule.law != ContactLaw::tied &&
+                     !(may_be_held && are_held(context, pair, first_edge, second_edge));
+  for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
+    const EdgePairPoint& pair_point = places.get()[i];
+    const Eigen::Vector3d way = point_at(context.kinematics, second, pair_point.t) -
+                                point_at(context.kinematics, first, pair_point.s);
+    if (!owns(context, first_edge, pair_point.s, pair_point, way) ||
+        !owns(context, second_edge, pair_point.t, pair_point, -way))
+      continue;
+    ContactPoint point = make_contact_point(context, {first, second, rule, before > 0.0, before}, pair_point);
+    if (point.stiffness == 0.0 && !point.is_balanced) continue;
+    point.part = static_cast<std::uint8_t>(i);
+    point.pair = pair;
+    point.first_entity = first_edge;
+    point.second_entity = second_edge;
+    if (point.touches() && rule.friction > 0.0) {
+      point.elastic_slip = held[i];
+      const double stiffness =
+          make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair).stiffness;
+      add_friction(stiffness * point.area, rule.slip_limit(point, context.dt), point);
+      now[i] = point.elastic_slip;
+    }
+    points.push_back(point);
+  }
+  elastic_slips_[candidate] = now;
+}
+
+ContactPoint EdgeContacts::make_contact_point(const ContactStepContext& context, const Pair& pair,
+                                              const EdgePairPoint& pair_point) {
+  const auto& [first, second, rule, touched, before] = pair;
+  ContactPoint point;
+  point.is_of_edges = true;
+  point.is_swapped = first.surface != rule.pair->first;
+  point.first = side_of(first, pair_point.s);
+  point.second = side_of(second, pair_point.t);
+  // The sphere around a line's node meets the edges of faces together with the faces.
+  if (first.is_sharp() != second.is_sharp() && !is_inside(first.is_sharp() ? pair_point.t : pair_point.s))
+    return point;
+  const PairPenalty penalty =
+      make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair);
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto found = find_edge_gap(context.kinematics, first, second, pair_point, infinite);
+  if (!found) return point;
+  point.normal = found->normal;
+  point.gap = found->gap;
+  const Eigen::Vector3d relative =
+      velocity_at(context.kinematics, point.first, -first.radius * point.normal) -
+      velocity_at(context.kinematics, point.second, second.radius * point.normal);
+  const double closing = std::max(0.0, -relative.dot(point.normal)), closed = closing * context.dt;
+  const double thinner = std::min(first.penalty_properties.thickness, second.penalty_properties.thickness);
+  const double margin = context.balances ? closed_share * thinner : 0.0;
+  if (point.gap > std::max(margin, closing * context.ahead())) return point;
+  const double deepest = touched && context.balances ? infinite
+                         : touched                   ? depth_of_known(penalty.depth, before, closed)
+                                                     : std::max(penalty.depth, 1.5 * closed);
+  if ((first.is_sharp() && second.is_sharp()) && point.gap < -deepest) return point;
+  // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
+  const bool is_sharp = first.is_sharp() || second.is_sharp();
+  const double shallow = shallow_depth * thinner;
+  if (is_sharp && !touched && context.dt > 0.0 && point.gap + closed < -shallow) return point;
+  const double width = std::min(first.width, second.width);
+  const double area = width * (pair_point.length > 0.0 ? pair_point.length : width);
+  push_node({penalty, rule.pair->damping_fraction, area, relative, context.dt, context.coming_dt, relative},
+            point);
+  return point;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/node_face_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "contact/formulations/cohesive_traction.hpp"
+#include "contact/formulations/contact_point_law.hpp"
+#include "contact/formulations/flush_rims.hpp"
+#include "contact/formulations/make_ties.hpp"
+#include "contact/formulations/penalty.hpp"
+#include "contact/geometry/node_face.hpp"
+#include "contact/interface_laws/friction.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie
+/// over each other keep touching when they spread by different strains.
+constexpr double automatic_beyond = 0.02;
+
+/// Nodes that stand this share of an element's thickness beyond an edge project inside it.
+constexpr double just_beyond = 1e-6;
+
+double allowed_beyond(const SurfacePair& pair, const FaceBound& face) {
+  return pair.tangential_tolerance.value_or(automatic_beyond * face.radius());
+}
+
+bool has_corner(const ContactFace& face, std::uint32_t node) {
+  return std::find(face.corners.begin(), face.corners.end(), node) != face.corners.end();
+}
+
+}  // namespace
+
+/// A face that a node may touch.
+struct NodeFaceContacts::NearFace {
+  std::uint32_t face = 0, pair = 0;
+  ClosestPoint point;
+  PairPenalty penalty;
+  double share = 1.0;     ///< of the node's area, where it projects inside several faces alike [1]
+  double distance = 0.0;  ///< of the node, the middle of a sphere, from the face [length]
+  double near = 0.0;      ///< gaps up to it may close soon [length]
+};
+
+/// The few faces that a node is near to. More than fit are left out, the ones found last.
+struct NodeFaceContacts::NearFaces {
+  static constexpr std::size_t most = 16;
+
+  std::array<NearFace, most> all;
+  std::size_t n = 0;
+
+  void add(const NearFace& near_face) {
+    if (n < most) all[n++] = near_face;
+  }
+  auto begin() { return all.begin(); }
+  auto end() { return all.begin() + static_cast<std::ptrdiff_t>(n); }
+};
+
+/// What is known of a node, the faces that it is near to, and the face_histories of this step so far.
+struct NodeFaceContacts::Work {
+  NodeHistory node_history;
+  NearFaces near_faces;
+  std::vector<FaceHistory> face_histories;
+};
+
+void NodeFaceContacts::find(const ContactStepContext& context, std::size_t begin, std::size_t end,
+                            std::vector<ContactPoint>& contact_points) {
+  std::vector<FaceHistory>& face_histories = face_histories_[begin / rows_per_chunk];
+  Work work;
+  auto known = face_histories.cbegin();
+  for (auto row = static_cast<std::uint32_t>(begin); row < end; ++row) {
+    const auto first = known;
+    while (known != face_histories.cend() && known->row == row) ++known;
+    work.node_history.face_histories = {first, known};
+    // What the other kind of enforcement remembers of the node stays.
+    std::copy_if(first, known, std::back_inserter(work.face_histories), [&](const FaceHistory& face_history) {
+      return face_history.is_balanced != context.balances;
+    });
+    if (!candidates_.of(row).empty()) find_one(context, row, work, contact_points);
+  }
+  std::vector<LostContact>& lost = lost_[begin / rows_per_chunk];
+  for (const FaceHistory& face_history : face_histories) {
+    if (face_history.is_deep != 0 &&
+        !std::ranges::binary_search(work.face_histories, face_history.row, {}, &FaceHistory::row))
+      lost.push_back(
+          {face_history.pair, contact_mesh_.surface_nodes[face_history.row].node, face_history.depth});
+  }
+  face_histories = std::move(work.face_histories);
+}
+
+void NodeFaceContacts::find_one(const ContactStepContext& context, std::uint32_t row, Work& work,
+                                std::vector<ContactPoint>& contact_points) const {
+  work.near_faces.n = 0;
+  for (const std::uint32_t face : candidates_.of(row))
+    add_near_face(context, row, face, work.node_history, work.near_faces);
+  if (work.near_faces.n > 1) choose(context, row, work.node_history, work.near_faces);
+  for (NearFace& near_face : work.near_faces) {
+    const PairRule& rule = context.rules.of_node(near_face.pair, row);
+    if (context.dt == 0.0 && near_face.point.gap > near_face.near && !rule.acts_apart()) continue;
+    near_face.share *= share_of(context, row, near_face);
+    contact_points.push_back(make_contact_point(context, row, near_face));
+    ContactPoint& contact_point = contact_points.back();
+    if (rule.acts_apart()) {
+      contact_point.elastic_slip = work.node_history.elastic_slip(contact_point.normal);
+      add_node_traction(*rule.interface_law, make_push(context, row, near_face, contact_point),
+                        contact_point);
+    }
+    if (!contact_point.is_met()) continue;
+    if (rule.friction > 0.0 && !contact_point.is_balanced) {
+      contact_point.elastic_slip = work.node_history.elastic_slip(contact_point.normal);
+      add_friction(near_face.penalty.stiffness * contact_point.area,
+                   rule.slip_limit(contact_point, context.dt), contact_point);
+    }
+    work.face_histories.push_back(make_face_history(row, near_face, contact_point));
+  }
+}
+
+NodeFaceContacts::FaceHistory NodeFaceContacts::make_face_history(std::uint32_t row,
+                                                                  const NearFace& near_face,
+                                                                  const ContactPoint& contact_point) const {
+  const double thickness = std::min(contact_mesh_.surface_nodes[row].penalty_properties.thickness,
+                                    contact_mesh_.faces[near_face.face].penalty_properties.thickness);
+  const double depth = std::max(0.0, -near_face.point.gap);
+  return {row,
+          contact_point.is_balanced,
+          contact_point.normal.cast<float>(),
+          contact_point.elastic_slip,
+          static_cast<float>(depth),
+          depth > deep_share * thickness,
+          near_face.pair};
+}
+
+void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uint32_t row,
+                                     std::uint32_t face_index, const NodeHistory& node_history,
+                                     NearFaces& near_faces) const {
+  const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+  const ContactFace& face = contact_mesh_.faces[face_index];
+  const FaceBound& bound = context.kinematics.bound(face_index);
+  const Eigen::Vector3d x = context.kinematics.x(node.node);
+  const Eigen::Vector3f closing = bound.velocity() - context.kinematics.v(node.node).cast<float>();
+  const float mean = closing.dot(bound.normal());
+  const double closed = above_zero(mean) * context.dt;
+  const double near = above_zero(mean + bound.normal_velocity_spread()) * context.ahead();
+  // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
+  NearFace near_face;
+  near_face.face = face_index;
+  near_face.pair = context.rules.find(node.surface, face.surface);
+  const PairRule& rule = context.rules.of_node(near_face.pair, row);
+  if (rule.is_balanced != context.balances) return;
+  const double margin = context.balances ? closed_share * std::min(face.penalty_properties.thickness,
+                                                                   node.penalty_properties.thickness)
+                                         : 0.0;
+  const double activation_distance = std::max(
+      {rule.activation_distance, margin, context.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
+  near_face.near = std::max(near, margin);
+  const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
+  const double deepest = std::max(
+      {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
+  const double beyond = allowed_beyond(*rule.pair, bound);
+  // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
+  const double behind = std::max(0.0f, bound.warp() - bound.height_of(x));
+  if (!may_project_inside(x, bound, activation_distance + node.radius, deepest,
+                          beyond + behind + node.radius) ||
+      has_corner(face, node.node))
+    return;
+  if (!rule.is_active || rule.law == ContactLaw::tied) return;
+  if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, near_face.pair)) return;
+  const MovingFace moving = context.kinematics.face(face_index);
+  const auto point = project_sphere(moving.x, moving.is_triangle, x, node.radius);
+  if (!point) return;
+  near_face.point = *point;
+  near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
+  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, *rule.pair);
+  const bool is_known = node_history.knows(near_face.point.normal);
+  near_face.penalty.depth = is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed);
+  if (near_face.point.gap > activation_distance || -near_face.point.gap > near_face.penalty.depth) return;
+  if (!comes_from_outside(context, node, moving, near_face, node_history.depth(near_face.point.normal)))
+    return;
+  if (!is_facing(context, node, near_face.point.normal) || !projects_inside(context, face_index, near_face))
+    return;
+  const bool may_hang_over = near_face.point.edge >= 0 && rule.pair->tangential_tolerance.has_value();
+  if ((near_face.point.gap < 0.0 || context.balances) && node.radius == 0.0f && !may_hang_over &&
+      is_at_flush_rim(context, row, face_index, near_face.point.normal))
+    return;
+  near_faces.add(near_face);
+}
+
+bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, const SurfaceNode& node,
+                                          const MovingFace& face, const NearFace& near_face,
+                                          double depth) const {
+  // Before the first step nobody knows; what overlaps then is pushed out.
+  if (context.dt == 0.0 || near_face.point.gap >= 0.0) return true;
+  const Eigen::Vector4d weights = corner_weights(near_face.point.xi, near_face.point.eta, face.is_triangle);
+  const double approach =
+      (face.v * weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
+  // Beyond the edge of a face it may be outside the body: there it has to come from in front. A spring that
+  // holds the node already does not end there, for its force would come and go with all of its depth.
+  const bool is_beyond =
+      near_face.point.edge >= 0 && near_face.point.beyond > just_beyond * node.penalty_properties.thickness;
+  const double held = context.balances && is_beyond ? 0.0 : known_depth * depth;
+  const double shallow = is_beyond ? just_beyond * node.penalty_properties.thickness
+                                   : std::max(shallow_depth * node.penalty_properties.thickness,
+                                              flush_width(context, near_face.face));
+  return near_face.point.gap + approach > -std::max(shallow, held);
+}
+
+bool NodeFaceContacts::is_facing(const ContactStepContext& context, const SurfaceNode& node,
+                                 const Eigen::Vector3d& normal) const {
+  bool has_faces = false;
+  for (const std::uint32_t own : contact_mesh_.faces_of_node.of(node.node)) {
+    if (contact_mesh_.faces[own].surface != node.surface) continue;
+    if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) < static_cast<float>(most_aside))
+      return true;
+    has_faces = true;
+  }
+  return !has_faces;
+}
+
+bool NodeFaceContacts::projects_inside(const ContactStepContext& context, std::uint32_t face_index,
+                                       const NearFace& near_face) const {
+  if (near_face.point.edge < 0) return true;
+  const ContactFace& face = contact_mesh_.faces[face_index];
+  const FaceBound& bound = context.kinematics.bound(face_index);
+  double allowed = allowed_beyond(*context.rules[near_face.pair].pair, bound);
+  // Behind the edge of a hollow there is a wedge that no face projects inside.
+  const std::size_t n = face.is_triangle() ? 3 : 4, k = static_cast<std::size_t>(near_face.point.edge);
+  const std::uint32_t a = face.corners[k], b = face.corners[(k + 1) % n];
+  for (const std::uint32_t other : contact_mesh_.faces_of_node.of(a)) {
+    if (other == face_index || !has_corner(contact_mesh_.faces[other], b)) continue;
+    if (bound.is_in_front(context.kinematics.bound(other).centre()))
+      allowed += std::max(0.0, -near_face.point.gap);
+  }
+  return near_face.point.beyond <= allowed;
+}
+
+/// A node right behind an edge or a corner projects inside all its faces alike. Choosing one would push it
+/// aside, and which one it is would be chance: they share the node. Faces that lie in one plane need not.
+/// Returns how many faces, the first ones, share it.
+std::size_t NodeFaceContacts::share_at_edge(double thickness, NearFaces& near_faces) {
+  constexpr double alike = 1e-6, alike_over_thickness = 1e-4, one_plane = 1.0 - 1e-13;
+  const ClosestPoint& first = near_faces.all[0].point;
+  const double farthest = (1.0 + alike) * near_faces.all[0].distance + alike_over_thickness * thickness;
+  std::size_t n = 1;
+  for (std::size_t i = 1; i < near_faces.n; ++i) {
+    const ClosestPoint& point = near_faces.all[i].point;
+    const double cosine = first.normal.dot(point.normal);
+    const bool is_farther = near_faces.all[i].distance > farthest;
+    if (cosine < same_wall || cosine > one_plane || is_farther) continue;
+    std::swap(near_faces.all[i], near_faces.all[n++]);
+  }
+  for (std::size_t i = 0; i < n; ++i) near_faces.all[i].share = 1.0 / static_cast<double>(n);
+  return n;
+}
+
+void NodeFaceContacts::choose(const ContactStepContext& context, std::uint32_t row,
+                              const NodeHistory& node_history, NearFaces& near_faces) const {
+  const bool is_sphere = contact_mesh_.surface_nodes[row].radius > 0.0f;
+  const auto went_in_here = [&](const NearFace& near_face) {
+    return node_history.knows(near_face.point.normal);
+  };
+  // Faces on the side of the last step first, then the nearest, then those over which the node stands.
+  std::stable_sort(near_faces.begin(), near_faces.end(), [&](const NearFace& a, const NearFace& b) {
+    const bool a_in = went_in_here(a), b_in = went_in_here(b);
+    if (a_in != b_in) return a_in;
+    return a.distance < b.distance;
+  });
+  std::size_t n_chosen =
+      share_at_edge(contact_mesh_.faces[near_faces.all[0].face].penalty_properties.thickness, near_faces);
+  for (std::size_t i = n_chosen, n_walls = 1; i < near_faces.n && n_walls < max_walls; ++i) {
+    const NearFace& near_face = near_faces.all[i];
+    const auto is_other_wall = [&](const NearFace& chosen) {
+      const FaceBound &wall = context.kinematics.bound(chosen.face),
+                      &other = context.kinematics.bound(near_face.face);
+      const double cosine = chosen.point.normal.dot(near_face.point.normal);
+      // Of a hollow: each wall stands in front of the other. A sphere fills a narrow one, too.
+      return cosine < same_wall && (is_sphere || cosine > -same_wall) && wall.is_in_front(other.centre()) &&
+             other.is_in_front(wall.centre());
+    };
+    if (std::all_of(near_faces.begin(), near_faces.begin() + static_cast<std::ptrdiff_t>(n_chosen),
+                    is_other_wall))
+      near_faces.all[n_chosen++] = near_face, ++n_walls;
+  }
+  near_faces.n = n_chosen;
+}
+
+/// The node's share in what both ways of the pair do together. To forces along the gap that only the sum of
+/// both ways matters to, half will do; a pull has the traction that its law says on all of the area.
+double NodeFaceContacts::share_of(const ContactStepContext& context, std::uint32_t row,
+                                  const NearFace& near_face) const {
+  if (contact_mesh_.surface_nodes[row].radius > 0.0f) return 1.0;  // no face's nodes meet spheres in turn
+  const PairRule& rule = context.rules.of_node(near_face.pair, row);
+  if (!rule.acts_apart()) return rule.pair->node_share();
+  const NearPair near_pair{row, near_face.face, near_face.pair, true,
+                           std::max(rule.activation_distance, near_face.penalty.depth)};
+  const bool is_triangle = contact_mesh_.faces[near_face.face].is_triangle();
+  return share_of_node(context, candidates_, near_pair,
+                       corner_weights(near_face.point.xi, near_face.point.eta, is_triangle));
+}
+
+ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& context, std::uint32_t row,
+                                                  const NearFace& near_face) const {
+  const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+  const ContactFace& face = contact_mesh_.faces[near_face.face];
+  const PairRule& rule = context.rules[near_face.pair];
+  ContactPoint contact_point;
+  contact_point.pair = near_face.pair;
+  contact_point.is_swapped = node.surface != rule.pair->first;
+  contact_point.first_entity = row;
+  contact_point.second_entity = near_face.face;
+  contact_point.first.nodes.fill(node.node);
+  contact_point.first.weights = Eigen::Vector4d::UnitX();
+  contact_point.first.radius = node.radius;
+  contact_point.second = {face.corners,
+                          corner_weights(near_face.point.xi, near_face.point.eta, face.is_triangle())};
+  contact_point.normal = near_face.point.normal;
+  contact_point.gap = near_face.point.gap;
+  push_node(make_push(context, row, near_face, contact_point), contact_point);
+  return contact_point;
+}
+
+NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, std::uint32_t row,
+                                             const NearFace& near_face,
+                                             const ContactPoint& contact_point) const {
+  const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+  const SurfacePair& pair = *context.rules[near_face.pair].pair;
+  const double area = near_face.share * context.kinematics.area_against(node, near_face.point.normal);
+  const MovingFace moving = context.kinematics.face(near_face.face);
+  const Eigen::Vector3d arm = -static_cast<double>(node.radius) * near_face.point.normal;
+  const Eigen::Vector3d relative =
+      context.kinematics.velocity_beside(node.node, arm) - moving.v * contact_point.second.weights;
+  const Eigen::Vector3d last = context.kinematics.last_velocity_beside(node.node, arm) -
+                               context.kinematics.last_face(near_face.face).v * contact_point.second.weights;
+  return {near_face.penalty, pair.damping_fraction, area, relative, context.dt, context.coming_dt, last};
+}
+
+}  // namespace contactsim

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/penetration_depths.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "contact/geometry/common_plane.hpp"
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+void PenetrationDepths::begin_step(std::size_t n_faces) {
+  std::swap(last_, next_);
+  last_.resize(n_faces, 0.0);
+  next_.assign(n_faces, 0.0);
+}
+
+void PenetrationDepths::note(const ContactKinematics& kinematics, const ContactPoint& point) {
+  const bool touches = point.gap < 0.0 || point.force > 0.0 || point.is_balanced;
+  if (!touches || point.is_of_edges) return;
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  const double depth = std::max(-point.gap, std::numeric_limits<double>::min());
+  const auto deepen = [&](std::uint32_t face) { next_[face] = std::max(next_[face], depth); };
+  const bool has_second_face = !point.second.weights.isZero(0.0);
+  if (has_second_face) deepen(point.second_entity);
+  if (!point.first.is_node()) return deepen(point.first_entity);
+  const SurfaceNode& node = contact_mesh.surface_nodes[point.first_entity];
+  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+    if (contact_mesh.faces[own].surface != node.surface) continue;
+    if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < most_aside) deepen(own);
+  }
+}
+
+void PenetrationDepths::remap(const ContactRemap& remap) {
+  transfer(remap.faces, remap.n_faces_after, 0.0, last_);
+  transfer(remap.faces, remap.n_faces_after, 0.0, next_);
+}
+
+void PenetrationDepths::archive(StateArchive& saved) {
+  // What is known between steps; begin_step() makes it that of the last one.
+  saved.list("contact/faces/penetration", next_);
+}
+
+}  // namespace contactsim

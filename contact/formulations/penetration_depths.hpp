@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "contact/geometry/contact_point.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+#include "contact/mesh/contact_remap.hpp"
+
+namespace contactsim {
+
+/// How deep every face penetrated another side in the last step, or another side's nodes it.
+class PenetrationDepths {
+ public:
+  /// The depth of a face in the last step; > 0 of all that touched, 0 of one that did not [length].
+  double of(std::uint32_t face) const { return face < last_.size() ? last_[face] : 0.0; }
+
+  /// Begins a step: what was noted becomes what is known.
+  void begin_step(std::size_t n_faces);
+  /// Adds a contact point to what is known of its faces in the next step. Of a node these are the faces of
+  /// its surface that are turned towards the other side.
+  void note(const ContactKinematics& kinematics, const ContactPoint& point);
+  /// Goes over to other faces.
+  void remap(const ContactRemap& remap);
+  void archive(StateArchive& saved);
+
+ private:
+  std::vector<double> last_, next_;  // [n_faces] [length]
+};
+
+}  // namespace contactsim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "contact/geometry/face_map.hpp"
+
+namespace contactsim {
+
+/// Faces whose normals have a greater cosine than this stand beside each other, such as those round a convex
+/// corner, and not opposite.
+inline constexpr double most_aside = -0.3;
+
+/// Which way a face looks, and what is around it.
+struct FaceOrientation {
+  Eigen::Vector3d area;  ///< vector of any length, out of the element
+  double sharpness =
+      0.0;  ///< the angle that the surface turns by at the sharpest of the face's edges [degrees]
+};
+
+/// Two faces that face each other, seen along the normal of a plane between them.
+struct CommonPlane {
+  Eigen::Vector3d normal;         ///< unit, from the second face towards the first [1]
+  Eigen::Vector3d across, along;  ///< unit vectors of the plane; across x along = normal [1]
+  Eigen::Vector3d origin;         ///< [length]
+  double spread = 1.0;  ///< area of the face that leans more over its area seen along the normal [1]
+};
+
+/// The plane between two faces. Swapping the faces only turns its normal round. While they are nearly
+/// parallel that is the mean of their normals, the second one's turned round. Where they lean by more than 10
+/// to 30 degrees a sharp corner or edge meets something blunter: then it is the normal of the face with the
+/// blunter surroundings, along which a surface without friction pushes a corner. Nothing when the faces do
+/// not face each other.
+///   first  corners of the first face
+/// Source: mean normals of Belytschko and Yeh, Comput. Methods Appl. Mech. Eng. 105 (1993), and Tribol's
+/// common plane. The rest is ours: corners that lie as deep as what they touch is wide keep their energy only
+/// when the push is along the derivative of the gap, and of an area that goes with the leaning face.
+std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
+                                             const FaceOrientation& look_2);
+
+/// A face in the coordinates of a common plane: rows across, along, normal [length].
+FaceCorners project(const FaceCorners& face, const CommonPlane& plane);
+
+}  // namespace contactsim

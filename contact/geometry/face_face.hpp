@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "contact/geometry/common_plane.hpp"
+#include "contact/geometry/depth_law.hpp"
+#include "contact/geometry/face_overlap.hpp"
+
+namespace contactsim {
+
+/// What a pair of faces, or a node and a face, resist with.
+struct PairPenalty {
+  double stiffness = 0.0;  ///< per area [force/length^3]
+  double damping = 0.0;    ///< per area, of closing speed [force time/length^3]
+  double depth = 0.0;      ///< what lies deeper is no contact but another wall [length]
+  DepthLaw law;            ///< how pressure grows with depth
+  double closing = 0.0;    ///< by which the gap may shrink in the coming step, for the stable step [length]
+};
+
+/// A face as it moves.
+struct MovingFace {
+  FaceCorners x;  ///< [length]
+  FaceCorners v;  ///< [length/time]
+  bool is_triangle = false;
+  double sharpness = 0.0;  ///< see FaceOrientation [degrees]
+
+  FaceOrientation look() const { return {area_vector(x), sharpness}; }
+  /// Unit, out of the element [1].
+  Eigen::Vector3d normal() const { return area_vector(x).normalized(); }
+};
+
+/// How two faces push each other.
+struct FaceFaceContact {
+  bool overlaps = false;  ///< seen along the normal, and near enough to touch within the activation distance
+  double force = 0.0;     ///< along the normal on the first face, against it on the second, >= 0 [force]
+  double area = 0.0;      ///< that touches [length^2]
+  double gap =
+      0.0;  ///< at the centre of force, < 0 when they touch; else the smallest in the overlap [length]
+  double deepest = 0.0;    ///< penetration of any point [length]
+  double stiffness = 0.0;  ///< of the penalty over what is nearer than the activation distance, at the end of
+                           ///< the step to come [force/length]
+  double beyond_spring = 0.0;  ///< stored besides what springs of that force and depth would [energy]
+  double damped_power = 0.0;   ///< energy that damping takes per time [energy/time]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second face to the first [1]
+  /// Shares of the corners in the force, sum 1; in the overlap's area when there is no force [1].
+  Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
+};
+
+/// Integrates the pressure stiffness * f(penetration) of the depth law over the part of the overlap of two
+/// faces that lies behind the other face, by the area of the face that leans more. Both faces get the same
+/// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
+/// of any shape.
+///   activation_distance  gaps up to it count as near [length]
+/// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput.
+/// Methods Appl. Mech. Eng. 193 (2004) 601-629, over the clipped polygon, which is clipped where the gap
+/// closes as well: without that corners make or lose a tenth of their energy.
+FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
+                                       const PairPenalty& penalty, double activation_distance);
+
+/// Whether two faces face each other, and no part of both lies on the other side of where the gap closes
+/// than the rest, or beyond the activation distance.
+bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
+                      double activation_distance);
+
+/// Which part of an overlap is constrained, by the gaps at the end of the coming step.
+struct ConstraintActivation {
+  double ahead = 0.0;   ///< the coming step [time]
+  double margin = 0.0;  ///< gaps up to it count as closed, > 0 [length]
+  double near = 0.0;    ///< where no gap closes those up to it may close soon, >= margin [length]
+  double depth = 0.0;   ///< what lies deeper is another wall [length]
+  double flat = 0.0;    ///< warp up to which a quadrilateral counts as flat [length]
+};
+
+/// The part of an overlap that one corner of a face has; of a small overlap all of it.
+struct OverlapShare {
+  double area;                           ///< [length^2]
+  Eigen::Vector3d normal;                ///< unit, from the second face to the first [1]
+  Eigen::Vector4d weights_1, weights_2;  ///< of the corners, sum 1 each [1]
+  std::uint8_t part;                     ///< of the overlap
+};
+
+/// The contact points of two faces. Left without values: most of it is never used.
+struct FaceFaceConstraints {
+  std::size_t n = 0;
+  std::array<OverlapShare, 64> points;  // of four facets on four, with four at most
+
+  void add(const OverlapShare& point) { points[n++] = point; }
+  std::span<const OverlapShare> all() const { return {points.data(), n}; }
+};
+
+/// Finds the part of the overlap of two faces whose gap closes in the coming step, else what may close soon,
+/// and shares it out among the corners of the smaller face by their shape functions: so the points carry any
+/// pressure that is linear over it, and a uniform one exactly. A part that is less than half of the smaller
+/// face is one point. Seen along the normal both sides of a point coincide now, so that equal and opposite
+/// forces leave no moment. Source: weighted gaps of Puso and Laursen (2004), on each overlap by itself.
+///
+/// Warped quadrilaterals that are near in part count as their Facets.
+FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
+                                               const ConstraintActivation& activation);
+
+/// The plane and the points of two faces as they are now, for ties.
+struct FaceFacePoints {
+  CommonPlane plane;
+  OverlapPoints points;
+  bool is_triangle_1 = false, is_triangle_2 = false;
+
+  /// Calls visit(area, gap, weights of the first face's corners, of the second's) for each point whose gap is
+  /// at most the tolerance either way.
+  template <class Visit>
+  void visit_near(double tolerance, const Visit& visit) const {
+    for (const OverlapBatch& batch : points.batches()) {
+      for (int lane = 0; lane < n_lanes; ++lane) {
+        const double area = batch.weight(lane), gap = batch.gap(lane);
+        if (!(area > 0.0) || !(std::abs(gap) <= tolerance)) continue;
+        visit(area, gap, corner_weights(batch.xi_1(lane), batch.eta_1(lane), is_triangle_1),
+              corner_weights(batch.xi_2(lane), batch.eta_2(lane), is_triangle_2));
+      }
+    }
+  }
+};
+
+/// Nothing when the faces do not face each other or do not overlap.
+std::optional<FaceFacePoints> find_face_face_points(const MovingFace& first, const MovingFace& second);
+
+}  // namespace contactsim

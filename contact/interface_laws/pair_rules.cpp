@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/interface_laws/pair_rules.hpp"
+
+#include <algorithm>
+
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
+                     std::size_t n_surfaces)
+    : table_(n_surfaces * n_surfaces, none), n_surfaces_(n_surfaces) {
+  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+    PairRule rule;
+    rule.pair = &pairs[i];
+    rule.is_balanced = pairs[i].enforcement == Enforcement::momentum_balance;
+    if (std::holds_alternative<Tied>(pairs[i].law)) rule.law = ContactLaw::tied;
+    if (std::holds_alternative<Glued>(pairs[i].law)) rule.law = ContactLaw::glued;
+    if (const auto* coulomb = std::get_if<ConstantFriction>(&pairs[i].law))
+      rule.friction = coulomb->coefficient;
+    rule.times = std::move(times[i]);
+    rules_.push_back(std::move(rule));
+    // Of two that take turns the interaction comes first; activate() tells whose turn it is.
+    std::uint32_t& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
+    if (entry == none) entry = table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
+  }
+}
+
+void PairRule::take(const InterfaceLaw& taken) {
+  law = taken.law;
+  friction = taken.friction;
+  activation_distance = taken.activation_distance();
+  interface_law =
+      taken.pressure_velocity || taken.rate_limit || taken.pull || taken.bond_law ? &taken : nullptr;
+}
+
+double PairRule::slip_limit(const ContactPoint& point, double dt) const {
+  if (interface_law == nullptr) return friction * point.force;
+  const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;
+  return interface_law->slip_limit(point.force, point.area, dt > 0.0 ? along.norm() / dt : 0.0);
+}
+
+void PairRules::set_laws(std::vector<PairInterfaceLaw> laws) {
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    PairRule& rule = rules_[i];
+    rule.model = std::move(laws[i]);
+    rule.take(*rule.model.law);
+    if (!rule.model.far) continue;
+    rule.far = static_cast<std::uint32_t>(far_rules_.size());
+    far_rules_.push_back(rule);
+    far_rules_.back().take(*rule.model.far);
+  }
+}
+
+void PairRules::activate(double time, bool is_on) {
+  for (PairRule& rule : rules_) {
+    rule.is_active = is_on && rule.times.is_active(time);
+    rule.has_changed = false;
+    if (rule.far != PairRule::not_hybrid) far_rules_[rule.far].is_active = rule.is_active;
+    if (!rule.model.is_variant()) continue;
+    const auto period =
+        std::ranges::find_if(rule.model.periods, [&](const auto& p) { return p.times.is_active(time); });
+    const InterfaceLaw* law = period == rule.model.periods.end() ? rule.model.law.get() : period->law.get();
+    if (law == rule.now) continue;
+    rule.has_changed = true;
+    rule.now = law;
+    rule.take(*law);
+  }
+  // Of two pairs of the same surfaces the one whose periods these are has its turn; both begin anew.
+  for (std::uint32_t i = 0; i < rules_.size(); ++i) {
+    const SurfacePair& pair = *rules_[i].pair;
+    if (!rules_[i].is_active || (pair.periods.active.empty() && pair.periods.inactive.empty())) continue;
+    std::uint32_t& entry = table_[pair.first * n_surfaces_ + pair.second];
+    if (entry == i) continue;
+    rules_[i].has_changed = rules_[entry].has_changed = true;
+    entry = table_[pair.second * n_surfaces_ + pair.first] = i;
+  }
+}
+
+bool PairRules::have_changed() const {
+  return std::ranges::any_of(rules_, [](const PairRule& rule) { return rule.has_changed; });
+}
+
+bool PairRules::has_friction() const {
+  bool has = false;
+  for (const PairRule& rule : rules_) {
+    has = has || rule.friction > 0.0;
+    rule.model.visit_models(
+        [&](const InterfaceLaw& law) { has = has || law.friction > 0.0 || law.rate_limit.has_value(); });
+  }
+  return has;
+}
+
+double PairRules::max_activation_distance(std::uint32_t pair) const {
+  double activation_distance = 0.0;
+  rules_[pair].model.visit_models([&](const InterfaceLaw& law) {
+    activation_distance = std::max(activation_distance, law.activation_distance());
+  });
+  return activation_distance;
+}
+
+void PairRules::archive(StateArchive& saved) {
+  close_faces_.archive("contact/close_faces", saved);
+  close_nodes_.archive("contact/close_nodes", saved);
+  close_edges_.archive("contact/close_edges", saved);
+}
+
+void PairRules::remap(const ContactRemap& remap) {
+  close_faces_.remap({}, remap.faces);
+  close_nodes_.remap({}, remap.rows);
+  close_edges_.remap({}, remap.edges);
+}
+
+bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  return close_faces_.has(pair, first) && close_faces_.has(pair, second);
+}
+
+bool PairRules::are_close_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  return close_edges_.has(pair, first) && close_edges_.has(pair, second);
+}
+
+bool PairRules::is_close(std::uint32_t pair, std::uint32_t row) const { return close_nodes_.has(pair, row); }
+
+}  // namespace contactsim

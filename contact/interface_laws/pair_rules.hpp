@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/geometry/contact_point.hpp"
+#include "contact/interface_laws/interface_law.hpp"
+#include "contact/mesh/contact_remap.hpp"
+#include "contact/mesh/pair_set.hpp"
+#include "contact/surfaces/surface_pairs.hpp"
+#include "core/conditions/active_times.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// A pair of surfaces, ready for the loops.
+struct PairRule {
+  const SurfacePair* pair = nullptr;
+  ContactLaw law = ContactLaw::sliding;
+  double friction = 0.0;  ///< Coulomb's coefficient; more than 0 wherever points that touch have friction [1]
+  double activation_distance = 0.0;             ///< gaps up to this one feel the law [length]
+  const InterfaceLaw* interface_law = nullptr;  ///< of models that are more than the above
+  std::uint32_t far = not_hybrid;               ///< rule of what was far at the start
+  bool is_active = true;                        ///< now
+  bool is_balanced = false;                     ///< enforced by momentum balance
+  bool has_changed = false;                     ///< has another model than before, by its period
+  ActiveTimes times;
+  PairInterfaceLaw model;             ///< that the above are of
+  const InterfaceLaw* now = nullptr;  ///< the model of this period, of a TIME VARIANT one
+
+  static constexpr std::uint32_t not_hybrid = 0xffffffff;
+
+  /// Whether the law pulls, or acts along the surface, across a gap.
+  bool acts_apart() const {
+    return interface_law != nullptr && (interface_law->pull || interface_law->rate_limit);
+  }
+  /// Whether the pair has ties and never anything else.
+  bool only_ties() const { return law == ContactLaw::tied && far == not_hybrid && !model.is_variant(); }
+  /// The largest tangential force of a contact point that touches, by its force, area and slip of the step
+  /// [force].
+  double slip_limit(const ContactPoint& point, double dt) const;
+  /// Goes over to a model.
+  void take(const InterfaceLaw& taken);
+};
+
+/// The pairs of a run by the surfaces that they are of.
+class PairRules {
+ public:
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  PairRules() = default;
+  /// The pairs must outlive this.
+  ///   times  [n_pairs] at which each is active
+  PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces);
+
+  /// Gives all pairs their models in place of those that their laws say.
+  ///   laws  [n_pairs] none of them null
+  void set_laws(std::vector<PairInterfaceLaw> laws);
+  /// Says which pairs act now, and by which model.
+  ///   is_on  whether any does
+  void activate(double time, bool is_on);
+  /// Whether some pair has another model than in the step before.
+  bool have_changed() const;
+  /// Goes over to other faces and nodes.
+  void remap(const ContactRemap& remap);
+  /// Remembers that a face, a surface node or an edge of a HYBRID pair was close to the other side at the
+  /// start.
+  void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.add(pair, face); }
+  void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.add(pair, row); }
+  void mark_close_edge(std::uint32_t pair, std::uint32_t edge) { close_edges_.add(pair, edge); }
+  /// The rule of two faces of a pair, of a surface node, or of two edges: for HYBRID that of both close, or
+  /// not.
+  const PairRule& of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+    const PairRule& rule = rules_[pair];
+    return rule.far == PairRule::not_hybrid || are_close(pair, first, second) ? rule : far_rules_[rule.far];
+  }
+  const PairRule& of_node(std::uint32_t pair, std::uint32_t row) const {
+    const PairRule& rule = rules_[pair];
+    return rule.far == PairRule::not_hybrid || is_close(pair, row) ? rule : far_rules_[rule.far];
+  }
+  const PairRule& of_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+    const PairRule& rule = rules_[pair];
+    return rule.far == PairRule::not_hybrid || are_close_edges(pair, first, second) ? rule
+                                                                                    : far_rules_[rule.far];
+  }
+  /// The largest activation distance that a pair's models may ever have [length].
+  double max_activation_distance(std::uint32_t pair) const;
+  std::span<const PairRule> rules() const { return rules_; }
+  const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
+  /// Position of the pair of two surfaces in either order; `none` if they do not meet.
+  std::uint32_t find(std::uint32_t surface, std::uint32_t other) const {
+    return table_[surface * n_surfaces_ + other];
+  }
+  bool has_friction() const;
+  /// Saves or restores what is close at the start; then activate() has to be called.
+  void archive(StateArchive& saved);
+
+ private:
+  bool are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
+  bool are_close_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
+  bool is_close(std::uint32_t pair, std::uint32_t row) const;
+
+  std::vector<PairRule> rules_, far_rules_;
+  PairSet close_faces_, close_nodes_, close_edges_;
+  std::vector<std::uint32_t> table_;  // [n_surfaces x n_surfaces]
+  std::size_t n_surfaces_ = 0;
+};
+
+}  // namespace contactsim

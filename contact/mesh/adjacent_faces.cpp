@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/adjacent_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "contact/geometry/node_face.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Distance of a point from a face; beyond its edges that from its nearest corner at most [length].
+double distance_of_point(const Eigen::Vector3d& point, const FaceCorners& face) {
+  double least = (face.colwise() - point).colwise().norm().minCoeff();
+  const auto closest = project_onto_face(face, face.col(2) == face.col(3), point);
+  return closest ? std::min(least, std::hypot(closest->gap, closest->beyond)) : least;
+}
+
+double distance(const FaceCorners& a, const FaceCorners& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index k = 0; k < 4; ++k)
+    least = std::min({least, distance_of_point(a.col(k), b), distance_of_point(b.col(k), a)});
+  return least;
+}
+
+double radius(const FaceCorners& face) { return (face.colwise() - face.col(0)).colwise().norm().maxCoeff(); }
+
+}  // namespace
+
+void AdjacentFaces::renew(const Mesh& mesh) {
+  const ContactMesh& contact_mesh = contact_mesh_;
+  pieces_of_node_ = {};
+  if (contact_mesh.loft.size() == 0 && contact_mesh.edges.empty()) return;
+  pieces_of_node_ = list_by_row(contact_mesh.n_nodes(), [&](const auto& take) {
+    const auto n_pieces = static_cast<std::uint32_t>(contact_mesh.faces.size() + contact_mesh.edges.size());
+    for (std::uint32_t i = 0; i < n_pieces; ++i) {
+      for (const std::uint32_t node : piece(i).nodes) take(node, i);
+    }
+  });
+  find_bodies();
+  x_.resize(3, static_cast<Eigen::Index>(contact_mesh.n_nodes()));
+  for (Eigen::Index i = 0; i < x_.cols(); ++i)
+    x_.col(i) = mesh.coordinates().col(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
+}
+
+void AdjacentFaces::find_bodies() {
+  body_.resize(contact_mesh_.n_nodes());
+  std::iota(body_.begin(), body_.end(), 0u);
+  const auto first_of = [this](std::uint32_t node) {
+    while (body_[node] != node) node = body_[node] = body_[body_[node]];
+    return node;
+  };
+  const auto n_pieces = static_cast<std::uint32_t>(contact_mesh_.faces.size() + contact_mesh_.edges.size());
+  for (std::uint32_t i = 0; i < n_pieces; ++i) {
+    const auto nodes = piece(i).nodes;
+    for (const std::uint32_t node : nodes) {
+      const auto [low, high] = std::minmax({first_of(nodes[0]), first_of(node)});
+      body_[high] = low;
+    }
+  }
+  for (std::uint32_t i = 0; i < body_.size(); ++i) body_[i] = first_of(i);
+}
+
+AdjacentFaces::Piece AdjacentFaces::piece(std::uint32_t index) const {
+  const std::size_t n_faces = contact_mesh_.faces.size();
+  return index < n_faces ? piece_of(contact_mesh_.faces[index])
+                         : piece_of(contact_mesh_.edges[index - n_faces]);
+}
+
+AdjacentFaces::Piece AdjacentFaces::piece_of(const ContactEdge& edge) const {
+  const std::uint32_t a = contact_mesh_.first_alike[edge.nodes[0]],
+                      b = contact_mesh_.first_alike[edge.nodes[1]];
+  const double offset = std::max({edge.radius, offset_of(edge.nodes[0]), offset_of(edge.nodes[1])});
+  return {{a, b, b, b}, offset};
+}
+
+double AdjacentFaces::offset_of(std::uint32_t node) const {
+  const std::size_t first = contact_mesh_.n_mesh_points();
+  return node < first ? 0.0 : contact_mesh_.loft.distance(node - first);
+}
+
+AdjacentFaces::Piece AdjacentFaces::piece_of(const ContactFace& face) const {
+  Piece piece;
+  for (std::size_t k = 0; k < 4; ++k) {
+    piece.nodes[k] = contact_mesh_.first_alike[face.corners[k]];
+    piece.offset = std::max(piece.offset, offset_of(face.corners[k]));
+  }
+  return piece;
+}
+
+AdjacentFaces::Piece AdjacentFaces::piece_of(const SurfaceNode& node) const {
+  Piece piece;
+  piece.nodes.fill(contact_mesh_.first_alike[node.node]);
+  piece.offset = std::max<double>(offset_of(node.node), node.radius);
+  return piece;
+}
+
+FaceCorners AdjacentFaces::corners(const Piece& piece) const {
+  FaceCorners corners;
+  for (Eigen::Index k = 0; k < 4; ++k) corners.col(k) = x_.col(piece.nodes[static_cast<std::size_t>(k)]);
+  return corners;
+}
+
+bool AdjacentFaces::are_adjacent(std::uint32_t first, std::uint32_t second) const {
+  if (pieces_of_node_.n_rows() == 0) return false;
+  return are_adjacent(piece_of(contact_mesh_.faces[first]), piece_of(contact_mesh_.faces[second]));
+}
+
+bool AdjacentFaces::are_adjacent(const SurfaceNode& node, std::uint32_t face) const {
+  if (pieces_of_node_.n_rows() == 0) return false;
+  return are_adjacent(piece_of(node), piece_of(contact_mesh_.faces[face]));
+}
+
+bool AdjacentFaces::are_adjacent(const ContactEdge& first, const ContactEdge& second) const {
+  return are_adjacent(piece_of(first), piece_of(second));
+}
+
+bool AdjacentFaces::are_adjacent(const Piece& a, const Piece& b) const {
+  const double offset = a.offset + b.offset;
+  if (offset == 0.0 || body_[a.nodes[0]] != body_[b.nodes[0]]) return false;
+  const FaceCorners at_a = corners(a), at_b = corners(b);
+  if (distance(at_a, at_b) > offset) return false;
+  const double farthest = radius(at_a) + offset + radius(at_b);
+  std::vector<std::uint32_t> seen(a.nodes.begin(), a.nodes.end());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    for (const std::uint32_t neighbour : pieces_of_node_.of(seen[i])) {
+      for (const std::uint32_t node : piece(neighbour).nodes) {
+        if (std::ranges::find(b.nodes, node) != b.nodes.end()) return true;
+        const bool is_near = (x_.col(node) - at_a.col(0)).norm() <= farthest;
+        if (is_near && std::ranges::find(seen, node) == seen.end()) seen.push_back(node);
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "contact/geometry/face_map.hpp"
+#include "contact/mesh/contact_mesh.hpp"
+
+namespace contactsim {
+
+/// Which lofts overlap others only because the mesh joins them: at folds, corners and T-junctions skins lie
+/// in each other from the start, farther than the elements that share a node when shells are thicker, or
+/// beams wider, than long. They never touch there.
+class AdjacentFaces {
+ public:
+  /// The faces must outlive this.
+  AdjacentFaces(const ContactMesh& contact_mesh, const Mesh& mesh) : contact_mesh_(contact_mesh) {
+    renew(mesh);
+  }
+  /// Takes over that the faces have changed.
+  void renew(const Mesh& mesh);
+
+  /// Whether one of two faces is of a loft, their shells or solids lay within the thickness of their lofts of
+  /// each other at the start, and faces join them that lie no farther away.
+  bool are_adjacent(std::uint32_t first, std::uint32_t second) const;
+  /// The same of a surface node and a face, and of two edges.
+  bool are_adjacent(const SurfaceNode& node, std::uint32_t face) const;
+  bool are_adjacent(const ContactEdge& first, const ContactEdge& second) const;
+
+ private:
+  /// Contact nodes, first_alike, with the distance that their lofts stand off.
+  struct Piece {
+    std::array<std::uint32_t, 4> nodes{};
+    double offset = 0.0;  ///< [length]
+  };
+  Piece piece_of(const ContactFace& face) const;
+  Piece piece_of(const SurfaceNode& node) const;
+  Piece piece_of(const ContactEdge& edge) const;
+  /// The faces, then the edges.
+  Piece piece(std::uint32_t index) const;
+  double offset_of(std::uint32_t node) const;
+  /// Finds which nodes pieces join to one body.
+  void find_bodies();
+  bool are_adjacent(const Piece& a, const Piece& b) const;
+  FaceCorners corners(const Piece& piece) const;
+
+  const ContactMesh& contact_mesh_;
+  Eigen::Matrix3Xd x_;  // 3 x n_contact_nodes at the start, of lofts the nodes that they hang on [length]
+  std::vector<std::uint32_t> body_;  // [n_contact_nodes] by first_alike: the first node of its body
+  PairLists pieces_of_node_;         // [n_contact_nodes] by first_alike; empty without lofts
+};
+
+}  // namespace contactsim

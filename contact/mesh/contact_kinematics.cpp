@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/contact_kinematics.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "contact/mesh/contact_remap.hpp"
+#include "core/state_archive.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The vectors of a face's corners.
+template <class VectorOf>
+FaceCorners gather(const std::array<std::uint32_t, 4>& corners, const VectorOf& vector_of) {
+  FaceCorners gathered;
+  for (int k = 0; k < 4; ++k) gathered.col(k) = vector_of(corners[static_cast<std::size_t>(k)]);
+  return gathered;
+}
+
+}  // namespace
+
+void ContactKinematics::move_nodes(const Motion& motion) {
+  const auto n_nodes = static_cast<Eigen::Index>(contact_mesh_.n_nodes());
+  spins_.update(motion.coordinates);
+  velocity_ = last_velocity_ = &motion.velocity;
+  turning_ = last_turning_ = find_turning(motion, past_turning_);
+  x_.resize(3, n_nodes);
+#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.n_nodes()))
+  for (Eigen::Index i = 0; i < n_nodes; ++i)
+    x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
+  if (contact_mesh_.loft.size() > 0) move_lofts(motion);
+}
+
+void ContactKinematics::step(const Motion& motion) {
+  if (contact_mesh_.loft.size() > 0 && offsets_.cols() > 0) turn_offsets(motion);
+  move_nodes(motion);
+}
+
+void ContactKinematics::foresee(const Motion& motion) {
+  velocity_ = &motion.velocity;
+  turning_ = find_turning(motion, coming_turning_);
+  if (contact_mesh_.loft.size() > 0) find_loft_velocities();
+}
+
+/// The angular velocities of the nodes of the mesh, those of lofts by their spins. Null when none turns.
+const Eigen::Matrix3Xd* ContactKinematics::find_turning(const Motion& motion,
+                                                        Eigen::Matrix3Xd& turning) const {
+  if (spins_.size() == 0) return motion.angular_velocity;
+  if (motion.angular_velocity != nullptr) {
+    turning = *motion.angular_velocity;
+  } else {
+    turning.setZero(3, motion.velocity.cols());
+  }
+#pragma omp parallel for schedule(static) num_threads(threads_for(spins_.size()))
+  for (std::size_t i = 0; i < spins_.size(); ++i) {
+    const std::uint32_t node = spins_.node(i);
+    const auto around = spins_.neighbours(i);
+    const Eigen::Vector3d own = turning.col(node), velocity = motion.velocity.col(node);
+    turning.col(node) =
+        spins_.spin(i, own, velocity, [&](std::size_t k) { return motion.velocity.col(around[k]); });
+  }
+  return &turning;
+}
+
+MovingFace ContactKinematics::last_face(std::uint32_t index) const {
+  const ContactFace& face = contact_mesh_.faces[index];
+  MovingFace moving = this->face(index);
+  moving.v = gather(face.corners, [this](std::uint32_t node) { return last_v(node); });
+  return moving;
+}
+
+void ContactKinematics::remap(const ContactRemap& remap, const Motion& motion) {
+  const Eigen::Matrix3Xd before = std::move(offsets_);
+  contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, offsets_);
+  const std::size_t first_before = remap.nodes.size() - static_cast<std::size_t>(before.cols());
+  for (Eigen::Index i = 0; i < before.cols(); ++i) {
+    const std::uint32_t after = remap.nodes[first_before + static_cast<std::size_t>(i)];
+    if (after != ContactRemap::removed)
+      offsets_.col(static_cast<Eigen::Index>(after - contact_mesh_.n_mesh_points())) = before.col(i);
+  }
+}
+
+void ContactKinematics::archive(StateArchive& saved) {
+  if (contact_mesh_.loft.size() == 0) return;
+  offsets_.resize(3, static_cast<Eigen::Index>(contact_mesh_.loft.size()));
+  saved.fixed("contact/loft/arms", std::span(offsets_.data(), static_cast<std::size_t>(offsets_.size())));
+}
+
+void ContactKinematics::turn_offsets(const Motion& motion) {
+  const auto own_of = [&](std::uint32_t node) -> Eigen::Vector3d {
+    if (motion.angular_velocity == nullptr) return Eigen::Vector3d::Zero();
+    return motion.angular_velocity->col(node);
+  };
+  turns_.resize(spins_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(spins_.size()))
+  for (std::size_t i = 0; i < spins_.size(); ++i) {
+    const Eigen::Vector3d turn = motion.dt * spins_.mid_spin(i, motion.coordinates, motion.velocity,
+                                                             motion.dt, own_of(spins_.node(i)));
+    turns_[i] = Eigen::AngleAxisd(2.0 * std::atan(0.5 * turn.norm()), turn.stableNormalized()).matrix();
+  }
+#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.loft.size()))
+  for (Eigen::Index i = 0; i < offsets_.cols(); ++i) {
+    const std::uint32_t node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
+    const std::uint32_t spin = spins_.find(node);
+    const Eigen::Vector3d turn = motion.dt * own_of(node), offset = offsets_.col(i);
+    if (spin != LoftSpins::none) {
+      offsets_.col(i) = turns_[spin] * offset;
+    } else if (const double angle = turn.norm(); angle > 0.0) {
+      offsets_.col(i) = Eigen::AngleAxisd(angle, turn / angle) * offset;
+    }
+  }
+}
+
+/// Points of which nothing tells how they turn follow the normals of the shells.
+void ContactKinematics::move_lofts(const Motion& motion) {
+  if (offsets_.cols() == 0) {
+    contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, offsets_);
+  } else if (motion.angular_velocity == nullptr) {
+    contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, normal_offsets_);
+    for (Eigen::Index i = 0; i < offsets_.cols(); ++i) {
+      if (spins_.find(contact_mesh_.loft.node(static_cast<std::size_t>(i))) == LoftSpins::none)
+        offsets_.col(i) = normal_offsets_.col(i);
+    }
+  }
+  x_.rightCols(offsets_.cols()) += offsets_;
+  find_loft_velocities();
+}
+
+void ContactKinematics::find_loft_velocities() {
+  const Eigen::Index n_points = offsets_.cols();
+  loft_velocity_.resize(3, n_points);
+#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.loft.size()))
+  for (Eigen::Index i = 0; i < n_points; ++i) {
+    const Eigen::Index node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
+    loft_velocity_.col(i) = velocity_->col(node);
+    if (turning_ == nullptr) continue;
+    const Eigen::Vector3d turning = turning_->col(node);
+    loft_velocity_.col(i) += turning.cross(offsets_.col(i));
+  }
+}
+
+void ContactKinematics::bound_all() {
+  bounds_.resize(contact_mesh_.faces.size());
+  const auto n = static_cast<std::int64_t>(bounds_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(bounds_.size()))
+  for (std::int64_t i = 0; i < n; ++i) set_bound(static_cast<std::size_t>(i));
+}
+
+void ContactKinematics::bound_watched() {
+  const auto n = static_cast<std::int64_t>(watched_.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(watched_.size()))
+  for (std::int64_t i = 0; i < n; ++i) set_bound(watched_[static_cast<std::size_t>(i)]);
+}
+
+FaceCorners ContactKinematics::corners(const ContactFace& face) const {
+  return gather(face.corners, [this](std::uint32_t node) { return x(node); });
+}
+
+FaceCorners ContactKinematics::velocities(const ContactFace& face) const {
+  return gather(face.corners, [this](std::uint32_t node) { return v(node); });
+}
+
+void ContactKinematics::set_bound(std::size_t index) {
+  const ContactFace& face = contact_mesh_.faces[index];
+  bounds_[index] = FaceBound(corners(face), velocities(face), face.is_triangle());
+}
+
+MovingFace ContactKinematics::face(std::uint32_t index) const {
+  const ContactFace& face = contact_mesh_.faces[index];
+  return {corners(face), velocities(face), face.is_triangle(), static_cast<double>(face.sharpness)};
+}
+
+Eigen::Vector3d ContactKinematics::corner_area(std::uint32_t index) const {
+  const ContactFace& face = contact_mesh_.faces[index];
+  return area(face) / (face.is_triangle() ? 3.0 : 4.0);
+}
+
+double ContactKinematics::area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const {
+  constexpr double least_share = 0.01;
+  double area = 0.0;
+  bool has_faces = false;
+  for (const std::uint32_t face : contact_mesh_.faces_of_node.of(node.node)) {
+    if (contact_mesh_.faces[face].surface != node.surface) continue;
+    area += std::max(0.0, -corner_area(face).dot(normal));
+    has_faces = true;
+  }
+  return has_faces ? std::max(area, least_share * node.area) : node.area;
+}
+
+ContactKinematics kinematics_of_mesh(const ContactMesh& contact_mesh, const Mesh& mesh) {
+  ContactKinematics kinematics(contact_mesh);
+  const Eigen::Matrix3Xd& any_velocity = mesh.coordinates();
+  kinematics.move_nodes({0.0, 0.0, mesh.coordinates(), any_velocity});
+  return kinematics;
+}
+
+}  // namespace contactsim

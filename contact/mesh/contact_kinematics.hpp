@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "contact/geometry/face_bound.hpp"
+#include "contact/geometry/face_face.hpp"
+#include "contact/mesh/contact_mesh.hpp"
+#include "contact/mesh/loft_spins.hpp"
+#include "core/force_term.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+struct ContactRemap;
+
+/// The contact nodes and faces at one moment.
+class ContactKinematics {
+ public:
+  /// The faces must outlive this.
+  explicit ContactKinematics(const ContactMesh& contact_mesh) : contact_mesh_(contact_mesh) {}
+
+  /// Takes over the places of the nodes; their velocities are asked of the motion, which must be there as
+  /// long. Bounds of faces are those of earlier then. Points of lofts stand off their nodes as they did, at
+  /// first along the normals of the shells.
+  void move_nodes(const Motion& motion);
+  /// From now on the points of lofts turn with the mid surface about their nodes.
+  void turn_by(LoftSpins spins) { spins_ = std::move(spins); }
+  /// Takes over which rotations conditions hold or drive.
+  void hold(const ModelFreeDirections& free) { spins_.hold(free); }
+  const LoftSpins& spins() const { return spins_; }
+  /// As move_nodes() at the end of a step, in which the points of lofts have turned: so they move by what the
+  /// forces on them work on, and make no energy.
+  void step(const Motion& motion);
+  /// Has v() answer with the velocities that the coming step would have; last_v() still with those of the
+  /// last.
+  ///   motion  its coordinates are those of now
+  void foresee(const Motion& motion);
+  /// Goes over to other faces: points of lofts that are still there stand off their nodes as they did.
+  ///   motion  of now
+  void remap(const ContactRemap& remap, const Motion& motion);
+  /// Saves or restores how the points of lofts stand off their nodes.
+  void archive(StateArchive& saved);
+  /// Brings the bounds of all faces, or of the watched ones, to where their nodes are.
+  void bound_all();
+  void bound_watched();
+  /// The faces that may touch something for now.
+  void watch(std::vector<std::uint32_t> faces) { watched_ = std::move(faces); }
+
+  const ContactMesh& contact_mesh() const { return contact_mesh_; }
+  auto x(std::uint32_t node) const { return x_.col(node); }
+  Eigen::Map<const Eigen::Vector3d> v(std::uint32_t node) const {
+    const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
+    return Eigen::Map<const Eigen::Vector3d>(
+        node < n_mesh_points ? velocity_->data() + 3 * std::size_t{contact_mesh_.mesh_nodes[node]}
+                             : loft_velocity_.data() + 3 * (node - n_mesh_points));
+  }
+  /// In the step before, whatever is foreseen [length/time].
+  Eigen::Vector3d last_v(std::uint32_t node) const {
+    const Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
+    const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
+    if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
+    return velocity + last_turning(node).cross(offsets_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
+  }
+  /// The velocity of a point that turns with a node, in the step before or as foreseen [length/time].
+  ///   arm  from the node to the point [length]
+  Eigen::Vector3d last_velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+    return last_turning_ == nullptr ? last_v(node) : last_v(node) + last_turning(node).cross(arm);
+  }
+  Eigen::Vector3d velocity_beside(std::uint32_t node, const Eigen::Vector3d& arm) const {
+    if (turning_ == nullptr) return v(node);
+    return v(node) + Eigen::Vector3d(turning_->col(contact_mesh_.mesh_nodes[node])).cross(arm);
+  }
+  /// How the surface turned in the step before about the node of the mesh that a contact node hangs on
+  /// [1/time].
+  Eigen::Vector3d last_turning(std::uint32_t node) const {
+    if (last_turning_ == nullptr) return Eigen::Vector3d::Zero();
+    return last_turning_->col(contact_mesh_.mesh_nodes[node]);
+  }
+  /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
+  const Eigen::Matrix3Xd& offsets() const { return offsets_; }
+  const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
+  MovingFace face(std::uint32_t face) const;
+  /// The same with the velocities of the step before, whatever is foreseen.
+  MovingFace last_face(std::uint32_t face) const;
+  /// The area vector of a face, and the share of it that each corner has [length^2].
+  Eigen::Vector3d area(const ContactFace& face) const { return area_vector(corners(face)); }
+  Eigen::Vector3d corner_area(std::uint32_t face) const;
+  /// How much of its surface a node has as seen against a normal: the sides of an edge do not count for what
+  /// its top touches. At least a hundredth of its share of the area at the start, which is that of nodes
+  /// without faces.
+  ///   normal  unit, towards the node [1]
+  double area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const;
+
+ private:
+  FaceCorners corners(const ContactFace& face) const;
+  FaceCorners velocities(const ContactFace& face) const;
+  void set_bound(std::size_t face);
+
+  const ContactMesh& contact_mesh_;
+  std::vector<std::uint32_t> watched_;
+  void turn_offsets(const Motion& motion);
+  void move_lofts(const Motion& motion);
+  const Eigen::Matrix3Xd* find_turning(const Motion& motion, Eigen::Matrix3Xd& turning) const;
+  void find_loft_velocities();
+
+  Eigen::Matrix3Xd x_;                             // of the contact nodes [length]
+  Eigen::Matrix3Xd offsets_, loft_velocity_;       // of the points of lofts [length] [length/time]
+  Eigen::Matrix3Xd shell_areas_, normal_offsets_;  // scratch
+  const Eigen::Matrix3Xd* velocity_ = nullptr;     // of the mesh's nodes [length/time]
+  const Eigen::Matrix3Xd* turning_ = nullptr;      // of the mesh's nodes [1/time]; null when none turns
+  const Eigen::Matrix3Xd *last_velocity_ = nullptr, *last_turning_ = nullptr;  // of the step before
+  LoftSpins spins_;
+  std::vector<Eigen::Matrix3d> turns_;              // scratch, by spins in the step before
+  Eigen::Matrix3Xd coming_turning_, past_turning_;  // of the mesh's nodes where there are spins [1/time]
+  std::vector<FaceBound> bounds_;                   // [n_faces]
+};
+
+/// The contact nodes where the mesh has them; velocities mean nothing. Both must outlive it.
+ContactKinematics kinematics_of_mesh(const ContactMesh& contact_mesh, const Mesh& mesh);
+
+}  // namespace contactsim

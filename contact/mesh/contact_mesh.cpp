@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/contact_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/mesh/loft_faces.hpp"
+#include "contact/mesh/surface_nodes.hpp"
+#include "core/elements/element_table.hpp"
+#include "core/mesh/element_checks.hpp"
+#include "core/mesh/face_geometry.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh& mesh,
+                                         std::span<const ErodedNode> eroded_nodes) {
+  std::vector<std::uint8_t> is_used(mesh.n_nodes(), 0);
+  for (const ErodedNode& free : eroded_nodes) is_used[free.node.value] = 1;
+  for (const ContactSurface& surface : contact.surfaces.surfaces) {
+    for (const ElementSide face : surface.faces) {
+      for (const NodeIndex node : mesh.side_nodes(face)) is_used[node.value] = 1;
+    }
+    for (const NodeIndex node : surface.nodes) is_used[node.value] = 1;
+  }
+  for (const LoftCapsule& rod : contact.loft.capsules) {
+    for (const NodeIndex node : mesh.element_nodes(rod.element).first(2)) is_used[node.value] = 1;
+  }
+  for (const LoftSphere& sphere : contact.loft.spheres) is_used[sphere.centre.value] = 1;
+  std::vector<std::uint32_t> nodes;
+  nodes.reserve(static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1)));
+  for (std::uint32_t node = 0; node < mesh.n_nodes(); ++node) {
+    if (is_used[node] != 0) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_nodes) {
+  return list_by_row(n_nodes, [&](const auto& take) {
+    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      const std::size_t n = faces[f].is_triangle() ? 3 : 4;
+      for (std::size_t k = 0; k < n; ++k) take(faces[f].corners[k], f);
+    }
+  });
+}
+
+/// Numbers a surface's faces, with the thickness behind them.
+void add_faces(const ContactSurface& surface, std::uint32_t position, const ContactNumbers& numbers,
+               ContactMesh& made) {
+  const std::size_t first = made.faces.size();
+  made.faces.resize(first + surface.faces.size());
+  const auto n = static_cast<std::int64_t>(surface.faces.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(surface.faces.size()))
+  for (std::int64_t i = 0; i < n; ++i) {
+    const ElementSide side = surface.faces[static_cast<std::size_t>(i)];
+    ContactFace& face = made.faces[first + static_cast<std::size_t>(i)];
+    const auto corners = numbers.mesh().side_nodes(side);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = numbers[corners[k]];
+    face.surface = position;
+    face.side = side;
+    face.penalty_properties.thickness = thickness_behind(numbers.mesh(), side);
+  }
+}
+
+/// What blocks are made of.
+class Materials {
+ public:
+  explicit Materials(const Model& model) : model_(model), of_block_(model.mesh->blocks().size(), nullptr) {
+    for (const ModelBlock& block : model.blocks) of_block_[block.mesh_block] = &block;
+  }
+
+  void add(ElementSide side, PenaltyProperties& penalty_properties) const {
+    const ModelBlock& block = block_of(side);
+    const ElementProperties& properties = block.properties;
+    const bool is_shell = !block.thickness.empty();
+    const double thickness = is_shell ? thickness_of(block, side.element()) : penalty_properties.thickness;
+    penalty_properties.stiffness = penalty_over_element * moduli_of(properties.law).bulk / thickness;
+    // Half of a solid moves with its face, all of a shell.
+    penalty_properties.mass_per_area = (is_shell ? 1.0 : 0.5) * properties.density * thickness;
+  }
+
+  /// Whether an element is of a material: point masses, springs and dampers are not.
+  bool has_material(ElementSide side) const {
+    const ModelBlock& block = block_of(side);
+    return block.element->step_rule == StepRule::material && block.properties.density > 0.0;
+  }
+
+  /// A node of a point mass alone stands for a rigid cube as wide as the thinnest element that it may meet;
+  /// what it may bear limits its stiffness.
+  static void add_rigid_cube(double mass, double width, SurfaceNode& node) {
+    constexpr double rigid = 1e200;  // its product with any stiffness is finite
+    node.area = width * width;
+    node.penalty_properties = {width, rigid, mass / node.area};
+  }
+
+  /// A node without faces stands for a cube of its mass.
+  void add_cube(double mass, SurfaceNode& node) const {
+    const double width = std::cbrt(mass / block_of(node.side).properties.density);
+    node.area = width * width;
+    node.penalty_properties.thickness = width;
+  }
+
+ private:
+  const ModelBlock& block_of(ElementSide side) const {
+    return *of_block_[model_.mesh->block_of(side.element())];
+  }
+  static double thickness_of(const ModelBlock& block, ElementIndex element) {
+    const std::size_t i = element.value - block.first_element.value;
+    return block.thickness[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
+  }
+
+  const Model& model_;
+  std::vector<const ModelBlock*> of_block_;
+};
+
+}  // namespace
+
+double thickness_behind(const Mesh& mesh, ElementSide side) {
+  const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
+  const double area = area_vector(mesh, side).norm();
+  if (shape.family == Family::shell) return std::sqrt(area);
+  return solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape) / area;
+}
+
+std::uint32_t ContactMesh::find_node(NodeIndex node) const {
+  const auto begin = mesh_nodes.begin(), end = begin + static_cast<std::ptrdiff_t>(n_mesh_points());
+  return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
+}
+
+std::optional<std::uint32_t> ContactMesh::find_row(std::uint32_t node, std::uint32_t surface) const {
+  const auto begin = surface_nodes.begin() + first_node[surface];
+  const auto end = surface_nodes.begin() + first_node[surface + 1];
+  const auto found = std::ranges::lower_bound(begin, end, node, {}, &SurfaceNode::node);
+  if (found == end || found->node != node) return std::nullopt;
+  return static_cast<std::uint32_t>(found - surface_nodes.begin());
+}
+
+bool ContactMesh::share_node(const ContactFace& a, const ContactFace& b) const {
+  return std::ranges::any_of(a.corners, [&](std::uint32_t own) {
+    return std::ranges::any_of(b.corners,
+                               [&](std::uint32_t other) { return first_alike[own] == first_alike[other]; });
+  });
+}
+
+ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
+                              std::span<const ErodedNode> eroded_nodes) {
+  const auto& surfaces = contact.surfaces.surfaces;
+  ContactMesh made;
+  made.mesh_nodes = collect_nodes(contact, mesh, eroded_nodes);
+  add_loft_points(contact, mesh, made);
+  made.first_face.push_back(0);
+  made.first_node.push_back(0);
+  const ContactNumbers numbers(mesh, std::span(made.mesh_nodes).first(made.n_mesh_points()));
+  SurfaceNodes nodes(numbers);
+  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+    add_faces(surfaces[s], s, numbers, made);
+    nodes.add(surfaces[s], s, made);
+    if (!eroded_nodes.empty()) nodes.add_free(eroded_nodes, s, surfaces[s].kind == SurfaceKind::node, made);
+    add_lofts(contact, mesh, s, made);
+    made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
+    made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
+  }
+  made.faces.shrink_to_fit();
+  made.surface_nodes.shrink_to_fit();
+  made.faces_of_node = list_faces_of_nodes(made.faces, made.n_nodes());
+  return made;
+}
+
+void add_penalty_properties(const Model& model, ContactMesh& contact_mesh) {
+  contact_mesh.mass.clear();
+  contact_mesh.mass.reserve(contact_mesh.n_nodes());
+  for (std::size_t i = 0; i < contact_mesh.n_nodes(); ++i) {
+    const auto node = static_cast<Eigen::Index>(contact_mesh.mesh_nodes[i]);
+    double mass = model.mass(0, node);
+    const bool turns = model.inertia.cols() > 0 && model.inertia(0, node) > minimum_nodal_mass;
+    if (i >= contact_mesh.n_mesh_points() && turns) {
+      const double arm = contact_mesh.loft.distance(i - contact_mesh.n_mesh_points());
+      mass = 1.0 / (1.0 / mass + arm * arm / model.inertia(0, node));
+    }
+    contact_mesh.mass.push_back(mass);
+  }
+  const Materials materials(model);
+  for (ContactFace& face : contact_mesh.faces) materials.add(face.side, face.penalty_properties);
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const ContactFace& face : contact_mesh.faces)
+    thinnest = std::min(thinnest, face.penalty_properties.thickness);
+  for (SurfaceNode& node : contact_mesh.surface_nodes) {
+    const bool has_faces = !std::isnan(node.penalty_properties.thickness);
+    if (!has_faces && !materials.has_material(node.side)) {
+      Materials::add_rigid_cube(contact_mesh.mass[node.node], std::isinf(thinnest) ? 1.0 : thinnest, node);
+      continue;
+    }
+    if (!has_faces) materials.add_cube(contact_mesh.mass[node.node], node);
+    materials.add(node.side, node.penalty_properties);
+  }
+  for (ContactEdge& edge : contact_mesh.edges) materials.add(edge.side, edge.penalty_properties);
+}
+
+}  // namespace contactsim

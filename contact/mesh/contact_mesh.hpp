@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/lofting/loft_points.hpp"
+#include "contact/mesh/contact_model.hpp"
+#include "contact/mesh/pair_lists.hpp"
+#include "core/model.hpp"
+
+namespace contactsim {
+
+/// What stands behind a piece of a contact surface.
+struct PenaltyProperties {
+  double thickness = 0.0;      ///< of the element: its volume over the face's area [length]
+  double stiffness = 0.0;      ///< of the penalty, per area: see contact/penalty.hpp [force/length^3]
+  double mass_per_area = 0.0;  ///< that moves with the face [mass/length^2]
+  bool is_rigid = false;       ///< rigid, held or driven: it gives way by no spring of its own
+  double start_depth = 0.0;    ///< by which it penetrated something at the start [length]
+};
+
+/// How much stiffer than the element behind it a penalty is. Nodes of elements that set the step cannot bear
+/// it and get less (limit_stiffness); where others do, contact is nearly rigid.
+inline constexpr double penalty_over_element = 10.0;
+
+/// One face of a contact surface.
+struct ContactFace {
+  std::array<std::uint32_t, 4>
+      corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
+  std::uint32_t surface = 0;
+  ElementSide side;
+  float sharpness = 0.0f;  ///< see measure_sharpness [degrees]
+  PenaltyProperties penalty_properties;
+
+  bool is_triangle() const { return corners[2] == corners[3]; }
+};
+
+/// A node of a contact surface that meets faces as a node.
+struct SurfaceNode {
+  std::uint32_t node = 0;  ///< contact node
+  std::uint32_t surface = 0;
+  ElementSide side;     ///< a face that has it; side 1 of a line or particle
+  float radius = 0.0f;  ///< of the sphere around a line's or particle's node [length]
+  double area =
+      0.0;  ///< its share of the surface at the start; of a sphere its cross-section; of a node
+            ///< without faces 0, then by add_penalty_properties() that of a cube of its mass [length^2]
+  PenaltyProperties penalty_properties;
+  bool is_free = false;  ///< all its elements are dead: it is a mass of its own that meets faces
+};
+
+/// A node that has stayed in contact though all its elements are dead.
+struct ErodedNode {
+  NodeIndex node;
+  std::uint32_t surface = 0;  ///< that had it
+  ElementSide side;           ///< of a dead element: what it stands for in area and backing
+};
+
+/// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
+/// or truss's axis, or of a particle's one node; a sharp one stands between two faces.
+struct ContactEdge {
+  static constexpr std::uint32_t no_face = 0xffffffff;
+
+  std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
+  std::uint32_t surface = 0;
+  ElementSide side;     ///< side 1 of the element; of a sharp edge that of its first face
+  double radius = 0.0;  ///< 0 of sharp edges [length]
+  double width = 0.0;   ///< of the strip that touches another edge [length]
+  PenaltyProperties penalty_properties;
+  std::array<std::uint32_t, 2> faces{no_face, no_face};  ///< of sharp edges
+  bool is_feature = false;                               ///< a sharp edge that meets other sharp ones
+
+  bool is_sharp() const { return faces[0] != no_face; }
+  bool is_particle() const { return nodes[0] == nodes[1]; }
+};
+
+/// The faces and nodes of all contact surfaces, with nodes numbered for contact alone: first nodes of the
+/// mesh, ascending as there, then points of lofts, which hang on nodes of the mesh. Const between deaths of
+/// elements.
+struct ContactMesh {
+  std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh; of lofts what they hang on
+  LoftPoints loft;                         ///< the last of the contact nodes
+  std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
+  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
+  std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
+  std::vector<ContactEdge> edges;          ///< round ones by surface, then sharp ones
+  std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
+  std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
+  std::vector<double> mass;                ///< [n_contact_nodes] [mass]
+  PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
+
+  std::size_t n_nodes() const { return mesh_nodes.size(); }
+  /// Position of a node of the mesh that is in contact.
+  std::uint32_t find_node(NodeIndex node) const;
+  /// Position of a contact node in surface_nodes as a node of a surface.
+  std::optional<std::uint32_t> find_row(std::uint32_t node, std::uint32_t surface) const;
+  /// Contact nodes that are nodes of the mesh; those of lofts follow.
+  std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
+  bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }
+  /// Whether two faces hang on a common node of the mesh.
+  bool share_node(const ContactFace& a, const ContactFace& b) const;
+};
+
+/// Thickness of the solid behind a face: its volume over the face's area. Behind the face of a shell, whose
+/// own thickness its side sets do not have, the square root of the area [length].
+double thickness_behind(const Mesh& mesh, ElementSide side);
+
+/// Numbers the faces and nodes of the surfaces, with the thickness of the elements behind them. Nodes of node
+/// sets that no outside face of the mesh has are left out: they lie behind it.
+///   eroded_nodes  ascending, on top of the nodes of the surfaces
+ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
+                              std::span<const ErodedNode> eroded_nodes = {});
+
+/// Adds masses, and stiffness and mass per area behind faces and nodes. Of a loft's point it is the least
+/// mass that a force on it may find: that of its node, less because its node turns.
+///   model  its blocks hold every element with a contact face
+void add_penalty_properties(const Model& model, ContactMesh& contact_mesh);
+
+}  // namespace contactsim

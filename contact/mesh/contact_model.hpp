@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/lofting/loft.hpp"
+#include "contact/surfaces/contact_surface.hpp"
+#include "contact/surfaces/surface_pairs.hpp"
+#include "contact/surfaces/surface_request.hpp"
+#include "core/definition/simulation.hpp"
+#include "core/diagnostics.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// Contact as the deck and the mesh define it: who owns what, and the bodies around lofted elements. Changes
+/// only when elements die.
+struct ContactModel {
+  ContactSurfaces surfaces;
+  LoftGeometry loft;                              ///< of all lofted elements that surfaces own
+  std::vector<std::uint32_t> surface_of_facet;    ///< [n_loft_facets]
+  std::vector<std::uint32_t> surface_of_sphere;   ///< [n_loft_spheres]
+  std::vector<std::uint32_t> surface_of_capsule;  ///< [n_loft_capsules]
+  std::vector<AnalyticPlane> planes;              ///< those of the region
+  std::vector<SurfacePair> pairs;                 ///< sorted by their surfaces
+};
+
+/// Resolves the surfaces of a region's contact definition, pairs them and builds their lofts.
+///   alive        [n_elements] 0 or 1, or empty when all live
+///   diagnostics  gets an error for every wrong name and every block without a thickness or radius,
+///                and what make_surface_pairs() reports
+/// Throws FileError when contact needs a block whose element type is not known.
+ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
+                                const Mesh& mesh, std::span<const std::uint8_t> alive,
+                                Diagnostics& diagnostics);
+
+/// Lofts the elements that the model's surfaces own, in place of what was lofted before.
+///   diagnostics  gets an error for every block without a thickness or radius
+void make_lofts(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                ContactModel& model, Diagnostics& diagnostics);
+
+/// What the surface-making commands of the region's contact definition ask for, in their order.
+std::vector<SurfaceRequest> find_surface_requests(const SimulationDefinition& definition,
+                                                  const Region& region, const Mesh& mesh,
+                                                  Diagnostics& diagnostics);
+
+/// Only looks up the names of mesh parts in the region's contact surfaces, for decks that have other errors
+/// as well.
+void find_name_errors(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                      Diagnostics& diagnostics);
+
+}  // namespace contactsim

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/eroded_nodes.hpp"
+
+#include <algorithm>
+
+#include "contact/surfaces/sort_once.hpp"
+
+namespace contactsim {
+
+std::size_t ErodedNodes::n_nodes() const {
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) n += i == 0 || nodes_[i - 1].node != nodes_[i].node ? 1 : 0;
+  return n;
+}
+
+void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) const {
+  const Mesh& mesh = faces_.mesh();
+  std::uint32_t best = Claim::nobody;
+  ElementSide stands_for;
+  std::vector<ElementSide> own;
+  for (const ElementIndex element : faces_.elements().of(node)) {
+    if (topology(mesh.blocks()[mesh.block_of(element)].shape).family != Family::solid) continue;
+    faces_.find_faces(element, own);
+    for (const ElementSide face : own) {
+      const auto corners = mesh.side_nodes(face);
+      if (std::ranges::find(corners, node) == corners.end()) continue;
+      const std::uint32_t owner = rules_.of_face(face, true).owner;
+      if (owner >= best) continue;
+      best = owner;
+      stands_for = face;
+    }
+  }
+  if (best != Claim::nobody) found.push_back({node, best, stands_for});
+}
+
+/// A node set of the mesh has its nodes still, dead elements or not.
+void ErodedNodes::add_of_nodes(NodeIndex node, std::span<const std::uint8_t> alive,
+                               std::vector<ErodedNode>& found) const {
+  const NodeElements& elements = faces_.elements();
+  if (rules_.of_node(node, elements, alive).owner != Claim::nobody) return;
+  const std::uint32_t owner = rules_.of_node(node, elements, all_alive_).owner;
+  if (owner != Claim::nobody) found.push_back({node, owner, ElementSide(elements.of(node).front(), 1)});
+}
+
+void ErodedNodes::add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive) {
+  std::vector<NodeIndex> nodes;
+  for (const ElementIndex element : dead) {
+    const auto own = faces_.mesh().element_nodes(element);
+    nodes.insert(nodes.end(), own.begin(), own.end());
+  }
+  sort_once(nodes);
+  std::vector<ErodedNode> found;
+  for (const NodeIndex node : nodes) {
+    const auto elements = faces_.elements().of(node);
+    const auto is_removed = [&](ElementIndex element) { return alive[element.value] == 0; };
+    const auto stays = [&](ElementIndex element) { return erodes_[element.value] == 0; };
+    if (std::ranges::all_of(elements, is_removed) && std::ranges::any_of(elements, stays)) {
+      add_of_faces(node, found);
+      if (rules_.has_node_requests()) add_of_nodes(node, alive, found);
+    }
+  }
+  const auto n_before = static_cast<std::ptrdiff_t>(nodes_.size());
+  nodes_.insert(nodes_.end(), found.begin(), found.end());
+  std::ranges::inplace_merge(nodes_, nodes_.begin() + n_before, {}, &ErodedNode::node);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/feature_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "contact/surfaces/surface_options.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Square of the sine of the angle below which sharp edges do not cross but lie along each other.
+constexpr double parallel = 0.03;
+
+/// A direction counts as between two normals when it is this far from both [1]: nearer to one, faces meet.
+/// Lines may be that far beyond.
+constexpr double well_between = 0.1, just_between = -0.02;
+
+/// Edges that miss each other by this share of their lengths cross all the same.
+constexpr double just_beside = 1e-6;
+
+/// What is sharp to beams and trusses, and to other sharp edges, if the deck does not say [degrees].
+constexpr double usual_angle = 30.0, usual_feature_angle = 45.0;
+
+/// By which an angle must be passed: whether a right angle cut in two is sharp must not be chance [degrees].
+constexpr double round_off = 1e-6;
+
+/// Width of the strip along a sharp edge that touches another one, over the size of its face.
+constexpr double strip = 0.25;
+
+/// An edge of a face, whichever way it runs.
+struct FaceEdge {
+  std::uint32_t low, high, face;
+  auto operator<=>(const FaceEdge&) const = default;
+};
+
+std::vector<FaceEdge> list_edges(std::span<const ContactFace> faces) {
+  std::vector<FaceEdge> edges;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const std::size_t n = faces[f].is_triangle() ? 3 : 4;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto [low, high] = std::minmax(faces[f].corners[k], faces[f].corners[(k + 1) % n]);
+      if (low != high) edges.push_back({low, high, f});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// The face of the same surface that shares an edge with a face.
+std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, std::uint32_t face,
+                                              const std::array<std::uint32_t, 2>& edge) {
+  for (const std::uint32_t other : contact_mesh.faces_of_node.of(edge[0])) {
+    const ContactFace& candidate = contact_mesh.faces[other];
+    if (other == face || candidate.surface != contact_mesh.faces[face].surface) continue;
+    if (std::ranges::count(candidate.corners, edge[1]) > 0) return other;
+  }
+  return std::nullopt;
+}
+
+/// A face at the start: unit normal [1] and the sum of its corners [length].
+struct StartFace {
+  Eigen::Vector3d normal, sum;
+};
+
+StartFace start_of(const ContactKinematics& start, const ContactFace& face) {
+  StartFace found{start.area(face).normalized(), Eigen::Vector3d::Zero()};
+  for (const std::uint32_t corner : face.corners) found.sum += start.x(corner);
+  return found;
+}
+
+/// The cosine of the angle that two faces turn away from each other by, as seen from inside; 1 if they turn
+/// towards each other.
+double cosine_of_turn(const StartFace& a, const StartFace& b) {
+  if (!((a.sum - b.sum).dot(a.normal - b.normal) > 0.0)) return 1.0;
+  return std::clamp(a.normal.dot(b.normal), -1.0, 1.0);
+}
+
+ContactEdge make_edge(const ContactKinematics& start, const FaceEdge& one, const FaceEdge& other) {
+  const ContactFace &a = start.contact_mesh().faces[one.face], &b = start.contact_mesh().faces[other.face];
+  ContactEdge edge;
+  edge.nodes = {one.low, one.high};
+  edge.faces = {one.face, other.face};
+  edge.surface = a.surface;
+  edge.side = a.side;
+  edge.penalty_properties = a.penalty_properties.thickness < b.penalty_properties.thickness
+                                ? a.penalty_properties
+                                : b.penalty_properties;
+  edge.width = strip * std::sqrt(std::min(start.area(a).norm(), start.area(b).norm()));
+  return edge;
+}
+
+/// Whether a direction away from a sharp edge is between the normals of its faces.
+bool is_between(const ContactKinematics& kinematics, const ContactEdge& edge,
+                const Eigen::Vector3d& direction, double least) {
+  const auto& faces = kinematics.contact_mesh().faces;
+  const Eigen::Vector3d a = kinematics.area(faces[edge.faces[0]]).normalized();
+  const Eigen::Vector3d b = kinematics.area(faces[edge.faces[1]]).normalized();
+  const double cosine = a.dot(b);
+  return direction.dot(a - cosine * b) > least && direction.dot(b - cosine * a) > least;
+}
+
+std::optional<EdgeGap> gap_of_sharp(const ContactKinematics& kinematics, const ContactEdge& first,
+                                    const ContactEdge& second, const Eigen::Vector3d& apart) {
+  const Eigen::Vector3d p = kinematics.x(first.nodes[1]) - kinematics.x(first.nodes[0]);
+  const Eigen::Vector3d q = kinematics.x(second.nodes[1]) - kinematics.x(second.nodes[0]);
+  Eigen::Vector3d normal = p.cross(q);
+  const double square = normal.squaredNorm();
+  if (!(square > parallel * p.squaredNorm() * q.squaredNorm())) return std::nullopt;
+  normal /= std::sqrt(square);
+  // At their ends edges do not cross: the way between them is not along the normal.
+  if ((apart - apart.dot(normal) * normal).norm() > just_beside * (p.norm() + q.norm())) return std::nullopt;
+  if (!is_between(kinematics, second, normal, well_between)) normal = -normal;
+  if (!is_between(kinematics, second, normal, well_between) ||
+      !is_between(kinematics, first, -normal, well_between))
+    return std::nullopt;
+  return EdgeGap{normal, apart.dot(normal)};
+}
+
+}  // namespace
+
+void choose_feature_edges(const std::vector<SurfaceOptions>& options,
+                          std::span<const ContactSurface> surfaces, const ContactKinematics& start,
+                          ContactMesh& contact_mesh) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const auto is_line = [](const ContactEdge& edge) { return !edge.is_particle(); };
+  const bool has_lines = std::ranges::any_of(contact_mesh.edges, is_line);
+  std::vector<double> feature_angle(surfaces.size(), usual_feature_angle);
+  std::vector<double> line_angle(surfaces.size(), has_lines ? usual_angle : infinite);
+  std::vector<std::uint8_t> meets(surfaces.size(), 1);
+  visit_surface_options(options, surfaces, [&](std::size_t i, const SurfaceOptions& of) {
+    if (of.feature_angle) feature_angle[i] = *of.feature_angle;
+    if (of.feature_angle && std::isfinite(*of.feature_angle)) line_angle[i] = infinite;
+    if (of.has_edge_contact) meets[i] = *of.has_edge_contact ? 1 : 0;
+  });
+  std::erase_if(contact_mesh.edges, [&](const ContactEdge& edge) { return meets[edge.surface] == 0; });
+  std::vector<double> angle(surfaces.size(), infinite);
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    if (meets[i] != 0) angle[i] = std::min(feature_angle[i], line_angle[i]);
+  }
+  if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
+  const std::vector<FaceEdge> edges = list_edges(contact_mesh.faces);
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+    const FaceEdge &one = edges[i], &other = edges[i + 1];
+    if (std::tie(one.low, one.high) != std::tie(other.low, other.high)) continue;
+    const ContactFace &a = contact_mesh.faces[one.face], &b = contact_mesh.faces[other.face];
+    const double turn =
+        std::acos(cosine_of_turn(start_of(start, a), start_of(start, b))) * 180.0 / std::numbers::pi;
+    if (!(turn > angle[a.surface] + round_off)) continue;
+    contact_mesh.edges.push_back(make_edge(start, one, other));
+    contact_mesh.edges.back().is_feature = turn > feature_angle[a.surface] + round_off;
+  }
+}
+
+void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh) {
+  constexpr double of_border = 0.0;  // the cosine
+  const auto n_faces = static_cast<std::int64_t>(contact_mesh.faces.size());
+  const int n_threads = threads_for(contact_mesh.faces.size());
+  std::vector<StartFace> starts(contact_mesh.faces.size());
+#pragma omp parallel for schedule(static) num_threads(n_threads)
+  for (std::int64_t i = 0; i < n_faces; ++i) {
+    const auto f = static_cast<std::size_t>(i);
+    starts[f] = start_of(start, contact_mesh.faces[f]);
+  }
+#pragma omp parallel for schedule(static) num_threads(n_threads)
+  for (std::int64_t i = 0; i < n_faces; ++i) {
+    const auto f = static_cast<std::uint32_t>(i);
+    ContactFace& face = contact_mesh.faces[f];
+    const std::size_t n = face.is_triangle() ? 3 : 4;
+    double least = 1.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const auto beyond = find_face_beyond(contact_mesh, f, {face.corners[k], face.corners[(k + 1) % n]});
+      least = std::min(least, beyond ? cosine_of_turn(starts[f], starts[*beyond]) : of_border);
+    }
+    face.sharpness = static_cast<float>(std::round(std::acos(least) * 180.0 / std::numbers::pi));
+  }
+}
+
+Eigen::Vector3d point_at(const ContactKinematics& kinematics, const ContactEdge& edge, double share) {
+  return (1.0 - share) * kinematics.x(edge.nodes[0]) + share * kinematics.x(edge.nodes[1]);
+}
+
+std::optional<EdgeGap> find_edge_gap(const ContactKinematics& kinematics, const ContactEdge& first,
+                                     const ContactEdge& second, const EdgePairPoint& pair_point,
+                                     double depth) {
+  const Eigen::Vector3d apart =
+      point_at(kinematics, first, pair_point.s) - point_at(kinematics, second, pair_point.t);
+  if (first.is_sharp() && second.is_sharp()) {
+    const auto found = gap_of_sharp(kinematics, first, second, apart);
+    return found && found->gap > -depth ? found : std::nullopt;
+  }
+  const double distance = apart.norm();
+  if (distance == 0.0) return std::nullopt;
+  const EdgeGap found{apart / distance, distance - first.radius - second.radius};
+  if (first.is_sharp() && !is_between(kinematics, first, -found.normal, just_between)) return std::nullopt;
+  if (second.is_sharp() && !is_between(kinematics, second, found.normal, just_between)) return std::nullopt;
+  return found;
+}
+
+}  // namespace contactsim

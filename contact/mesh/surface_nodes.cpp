@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/surface_nodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/mesh/face_geometry.hpp"
+#include "core/skin.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Adds a face's share to one of its corners.
+void add_share(double area, double thickness, ElementSide side, SurfaceNode& node) {
+  node.area += area;
+  node.penalty_properties.thickness += area * thickness;
+  node.side = side;
+}
+
+}  // namespace
+
+ContactNumbers::ContactNumbers(const Mesh& mesh, std::span<const std::uint32_t> mesh_nodes)
+    : mesh_(mesh), n_nodes_(mesh_nodes.size()), numbers_(mesh.n_nodes()) {
+  for (std::uint32_t i = 0; i < mesh_nodes.size(); ++i) numbers_[mesh_nodes[i]] = i;
+}
+
+/// Adds to the nodes of sides that are wanted their shares of area and of thickness times area.
+template <class IsWanted>
+void SurfaceNodes::add_shares(std::span<const ElementSide> sides, const IsWanted& is_wanted) {
+  for (const ElementSide side : sides) {
+    const auto corners = numbers_.mesh().side_nodes(side);
+    const std::size_t n = corners[2] == corners[3] ? 3 : 4;
+    const double share = area_vector(numbers_.mesh(), side).norm() / static_cast<double>(n);
+    const double thickness = thickness_behind(numbers_.mesh(), side);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (is_wanted(corners[k])) add_share(share, thickness, side, of_node_[numbers_[corners[k]]]);
+    }
+  }
+}
+
+/// Sets what the corners of faces stand for. Returns them, ascending.
+std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace> faces) {
+  constexpr std::uint32_t not_taken = ~0u;
+  for (const ContactFace& face : faces) {
+    for (const std::uint32_t corner : face.corners) {
+      of_node_[corner] = {};
+      of_node_[corner].node = not_taken;
+    }
+  }
+  std::vector<std::uint32_t> nodes;
+  for (const ContactFace& face : faces) {
+    const std::size_t n = face.is_triangle() ? 3 : 4;
+    const double share = area_vector(numbers_.mesh(), face.side).norm() / static_cast<double>(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      SurfaceNode& node = of_node_[face.corners[k]];
+      if (node.node == not_taken) nodes.push_back(face.corners[k]);
+      node.node = face.corners[k];
+      add_share(share, face.penalty_properties.thickness, face.side, node);
+    }
+  }
+  std::ranges::sort(nodes);
+  return nodes;
+}
+
+/// Adds an element to the nodes of a set that have no outside face: those of lines, particles and inside of
+/// solids. What they stand for is left to add_penalty_properties().
+///   is_in  [n_nodes] 1 of such nodes
+void SurfaceNodes::add_elements(std::span<const std::uint8_t> is_in) {
+  const Mesh& mesh = numbers_.mesh();
+  for (std::uint32_t i = mesh.n_elements(); i-- > 0;) {
+    for (const NodeIndex node : mesh.element_nodes({i})) {
+      if (is_in[node.value] == 0) continue;
+      SurfaceNode& own = of_node_[numbers_[node]];
+      own.side = ElementSide({i}, 1);
+      own.penalty_properties.thickness = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+}
+
+/// The same of the nodes of a set: by the faces of the mesh's outside whose corners are all in the set; a
+/// node that has no such face by all outside faces that it has.
+std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nodes) {
+  const Mesh& mesh = numbers_.mesh();
+  const Skin skin = make_skin(mesh, std::vector<std::uint8_t>(mesh.n_elements(), 1));
+  std::vector<std::uint8_t> is_in(mesh.n_nodes(), 0);
+  for (const NodeIndex node : nodes) {
+    of_node_[numbers_[node]] = {};
+    is_in[node.value] = 1;
+  }
+  const auto is_wanted = [&](NodeIndex node) { return is_in[node.value] != 0; };
+  std::vector<ElementSide> inside;
+  std::ranges::copy_if(skin.exterior, std::back_inserter(inside), [&](ElementSide side) {
+    return std::ranges::all_of(mesh.side_nodes(side), is_wanted);
+  });
+  add_shares(inside, is_wanted);
+  const auto drop_found = [&] {
+    for (const NodeIndex node : nodes) is_in[node.value] = of_node_[numbers_[node]].area > 0.0 ? 0 : 1;
+  };
+  drop_found();
+  add_shares(skin.exterior, is_wanted);
+  drop_found();
+  add_elements(is_in);
+  std::vector<std::uint32_t> taken;
+  for (const NodeIndex node : nodes) taken.push_back(numbers_[node]);
+  return taken;
+}
+
+void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made) {
+  const auto nodes = surface.kind == SurfaceKind::node
+                         ? take_set(surface.nodes)
+                         : take_faces(std::span<const ContactFace>(made.faces).last(surface.faces.size()));
+  for (const std::uint32_t node : nodes) {
+    SurfaceNode own = of_node_[node];
+    if (own.area > 0.0) {
+      own.penalty_properties.thickness /= own.area;
+    } else if (!std::isnan(own.penalty_properties.thickness)) {
+      continue;  // of no element
+    }
+    own.node = node;
+    own.surface = position;
+    made.surface_nodes.push_back(own);
+  }
+}
+
+void SurfaceNodes::add_free(std::span<const ErodedNode> eroded_nodes, std::uint32_t position,
+                            bool is_of_nodes, ContactMesh& made) const {
+  const Mesh& mesh = numbers_.mesh();
+  const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
+  for (const ErodedNode& free : eroded_nodes) {
+    if (free.surface != position) continue;
+    SurfaceNode own;
+    own.node = numbers_[free.node];
+    own.surface = position;
+    own.side = free.side;
+    own.is_free = true;
+    if (is_of_nodes) {
+      own.penalty_properties.thickness = std::numeric_limits<double>::quiet_NaN();
+    } else {
+      const auto corners = mesh.side_nodes(free.side);
+      own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
+      own.penalty_properties.thickness = thickness_behind(mesh, free.side);
+    }
+    made.surface_nodes.push_back(own);
+  }
+  std::ranges::sort(made.surface_nodes.begin() + first, made.surface_nodes.end(), {}, &SurfaceNode::node);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/output/contact_output.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "core/names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr std::uint32_t no_contact = 0xffffffff;
+
+/// Nodes of blocks and surfaces that take part.
+std::vector<double> find_rest_status(const ContactModel& contact, const Mesh& mesh) {
+  std::vector<double> status(mesh.n_nodes(), 0.0);
+  std::vector<std::uint8_t> is_in(mesh.blocks().size(), 0);
+  for (const ContactSurface& surface : contact.surfaces.surfaces) {
+    for (const ElementSide face : surface.faces) is_in[mesh.block_of(face.element())] = 1;
+    for (const ElementIndex element : surface.lofted_elements) is_in[mesh.block_of(element)] = 1;
+    for (const NodeIndex node : surface.nodes) status[node.value] = 0.5;
+  }
+  for (std::size_t b = 0; b < is_in.size(); ++b) {
+    if (is_in[b] == 0) continue;
+    for (const NodeIndex node : mesh.blocks()[b].nodes) status[node.value] = 0.5;
+  }
+  return status;
+}
+
+void add(const ContactTotal& part, ContactTotal& sum) {
+  sum.force += part.force;
+  sum.moment += part.moment;
+  sum.centre += part.centre;
+  sum.normal_sum += part.normal_sum;
+  sum.area += part.area;
+}
+
+/// The points of lofts that hang on one node: the one that has slid farthest says how far, energies add up.
+void add(const NodeFriction& point, NodeFriction& sum) {
+  const double energy = sum.energy + point.energy;
+  if (point.slip_length > sum.slip_length) sum = point;
+  sum.energy = energy;
+}
+
+/// The same on the other side.
+ContactTotal opposite(ContactTotal total) {
+  total.force = -total.force;
+  total.moment = -total.moment;
+  return total;
+}
+
+/// The pair that a pair adds to in the totals: what stands in outside the periods of an interaction adds to
+/// that of the interaction.
+std::size_t find_total(std::span<const SurfacePair> pairs, std::size_t index) {
+  const SurfacePair& pair = pairs[index];
+  const bool takes_turns = !pair.periods.active.empty() || !pair.periods.inactive.empty();
+  if (!pair.is_from_defaults || !takes_turns) return index;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (i != index && std::minmax(pairs[i].first, pairs[i].second) == std::minmax(pair.first, pair.second))
+      return i;
+  }
+  return index;
+}
+
+}  // namespace
+
+ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, const Model& model)
+    : force_(force),
+      contact_(contact),
+      model_(model),
+      surfaces_(contact.surfaces.surfaces.size()),
+      pairs_(contact.pairs.size()) {}
+
+/// Most runs never ask, and the arrays are large.
+void ContactOutput::begin() {
+  rest_status_ = find_rest_status(contact_, *model_.mesh);
+  contact_node_.assign(model_.mesh->n_nodes(), no_contact);
+  const ContactMesh& contact_mesh = force_.contact_mesh();
+  for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i)
+    contact_node_[contact_mesh.mesh_nodes[i]] = contact_mesh.first_alike[i];
+  nodes_.resize(contact_mesh.n_nodes());
+}
+
+std::vector<OutputVariable> ContactOutput::variables() {
+  std::vector<OutputVariable> made;
+  for (const ContactNodeRow& row : contact_node_rows()) {
+    const auto size = static_cast<std::size_t>(component_count(row.shape));
+    OutputVariable variable{
+        std::string(row.name), FieldLocation::node, row.shape, component_count(row.shape), false, {}, {}};
+    variable.fill = [this, &row, size](const OutputContext& context, const EntityRange& range,
+                                       std::span<double> values) {
+      evaluate(context.state);
+      for (std::size_t i = 0; i < range.count; ++i) {
+        const std::size_t node = range.first + i;
+        NodeContact at_rest;
+        at_rest.status = rest_status_[node];
+        const std::uint32_t own = contact_node_[node];
+        row.fill(own == no_contact ? at_rest : nodes_[own], values.data() + i * size);
+      }
+    };
+    made.push_back(std::move(variable));
+  }
+  for (const ContactTotalRow& row : contact_total_rows()) {
+    const auto& surfaces = contact_.surfaces.surfaces;
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+      made.push_back(make_total(row, surfaces[i].name, false, i));
+    for (std::size_t i = 0; i < contact_.pairs.size(); ++i) {
+      // What stands in for a pair outside its periods adds to its totals.
+      if (find_total(contact_.pairs, i) != i) continue;
+      const SurfacePair& pair = contact_.pairs[i];
+      made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
+    }
+  }
+  OutputVariable deepest{
+      "contact_penetration_max", FieldLocation::global, FieldShape::scalar, 1, false, {}, {}};
+  deepest.fill = [this](const OutputContext&, const EntityRange&, std::span<double> values) {
+    values[0] = 0.0;
+    for (const PairHistory& history : force_.histories()) values[0] = std::max(values[0], history.deepest);
+  };
+  made.push_back(std::move(deepest));
+  return made;
+}
+
+OutputVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
+                                         std::size_t index) {
+  OutputVariable variable{fold(std::string(row.name) + "_" + name),
+                          FieldLocation::global,
+                          row.shape,
+                          component_count(row.shape),
+                          false,
+                          {},
+                          {}};
+  variable.fill = [this, &row, is_pair, index](const OutputContext& context, const EntityRange&,
+                                               std::span<double> values) {
+    evaluate(context.state);
+    row.fill(is_pair ? pairs_[index] : surfaces_[index], values.data());
+  };
+  return variable;
+}
+
+void ContactOutput::evaluate(const State& state) {
+  const std::lock_guard guard(lock_);
+  if (state.step == step_) return;
+  if (step_ < 0) begin();
+  step_ = state.step;
+  const auto friction = force_.node_friction();
+  const auto& first_alike = force_.contact_mesh().first_alike;
+  for (NodeContact& node : nodes_) {
+    node = {};
+    node.status = 0.5;
+  }
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    NodeContact& node = nodes_[first_alike[i]];
+    add(friction[i], node.friction);
+    node.slip_rate = state.dt > 0.0 ? node.friction.last_slip.norm() / state.dt : 0.0;
+  }
+  for (const SurfaceNode& node : force_.contact_mesh().surface_nodes)
+    nodes_[first_alike[node.node]].surface_area += node.area;
+  std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
+  std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const SurfacePair& pair = contact_.pairs[i];
+    ContactTotal* const of_pair = &pairs_[find_total(contact_.pairs, i)];
+    for (ContactTotal* total : {of_pair, &surfaces_[pair.first], &surfaces_[pair.second]})
+      total->penetration = std::max(total->penetration, histories[i].deepest);
+  }
+  for (const ContactPoint& point : force_.points()) add_place(point);
+  for (const ConstraintForces& held : force_.constraint_forces()) add_tie(held.constraint, held.forces);
+}
+
+void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {
+  const ContactTotal on_second = opposite(on_first);
+  const SurfacePair& of = contact_.pairs[pair];
+  const std::size_t total = find_total(contact_.pairs, pair);
+  const bool is_turned = contact_.pairs[total].first != of.first;
+  add(is_swapped != is_turned ? on_second : on_first, pairs_[total]);
+  add(on_first, surfaces_[is_swapped ? of.second : of.first]);
+  add(on_second, surfaces_[is_swapped ? of.first : of.second]);
+}
+
+void ContactOutput::add_place(const ContactPoint& contact_point) {
+  add_to_nodes(contact_point, contact_point.first, 1.0);
+  add_to_nodes(contact_point, contact_point.second, -1.0);
+  if (!contact_point.touches()) return;
+  Eigen::Vector3d point_position = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < 4; ++k)
+    point_position += contact_point.first.weights[static_cast<Eigen::Index>(k)] *
+                      force_.position(contact_point.first.nodes[k]);
+  ContactTotal total;
+  total.force = contact_point.force_on_first();
+  total.moment = point_position.cross(total.force);
+  total.normal_sum = contact_point.force;
+  total.centre = contact_point.force * point_position;
+  total.area = contact_point.area;
+  add_to_totals(contact_point.pair, contact_point.is_swapped, total);
+}
+
+void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side,
+                                 double sign) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double weight = side.weights[static_cast<Eigen::Index>(k)];
+    if (weight == 0.0) continue;
+    NodeContact& node = nodes_[force_.contact_mesh().first_alike[side.nodes[k]]];
+    const bool is_first_place = node.interaction == 0.0;
+    node.interaction = contact_point.pair + 1.0;
+    if (is_first_place || contact_point.gap < node.gap) {
+      node.gap = contact_point.gap;
+      node.tangential_gap = contact_point.elastic_slip.norm();
+    }
+    if (!contact_point.touches()) continue;
+    node.status = 1.0;
+    node.normal += sign * weight * contact_point.force * contact_point.normal;
+    node.tangential += sign * weight * contact_point.tangential;
+    node.area += weight * contact_point.area;
+  }
+}
+
+void ContactOutput::add_tie(const InterfaceConstraint& tie, const TieForces& forces) {
+  if (forces.normal.isZero()) return;
+  ContactTotal total;
+  total.area = tie.area;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const Eigen::Vector3d force = forces.forces.col(static_cast<Eigen::Index>(k));
+    const bool is_first = k < 4;
+    const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4),
+                                tie.nodes.begin() + static_cast<int>(k), tie.nodes[k]);
+    NodeContact& node = nodes_[force_.contact_mesh().first_alike[tie.nodes[k]]];
+    const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
+    node.status = 1.0;
+    node.interaction = tie.pair + 1.0;
+    node.normal += normal;
+    node.tangential += force - normal;
+    const bool is_repeated = same != tie.nodes.begin() + static_cast<int>(k);
+    if (!is_repeated) node.area += tie.area * tie_share(tie, is_first);
+    if (!is_first) continue;
+    total.force += force;
+    total.moment += force_.position(tie.nodes[k]).cross(force);
+    total.normal_sum += std::abs(normal.norm());
+    total.centre += normal.norm() * force_.position(tie.nodes[k]);
+  }
+  add_to_totals(tie.pair, tie.is_swapped, total);
+}
+
+double ContactOutput::tie_share(const InterfaceConstraint& tie, bool is_first) {
+  std::array<std::uint32_t, 4> nodes;
+  std::copy_n(tie.nodes.begin() + (is_first ? 0 : 4), 4, nodes.begin());
+  std::sort(nodes.begin(), nodes.end());
+  return 1.0 / static_cast<double>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
+}
+
+}  // namespace contactsim

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contact/enforcement/contact_force.hpp"
+#include "core/output/output_variables.hpp"
+
+namespace contactsim {
+
+/// Contact of one node, summed over its contact points.
+struct NodeContact {
+  double status = 0.0;  ///< 1 touches, 0.5 of a block or surface in contact, 0 of none [1]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< normal force [force]
+  Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< friction [force]
+  double area = 0.0;                                     ///< that touches [length^2]
+  double gap = 0.0;  ///< of its nearest contact point, < 0 where it touches; 0 with nothing near [length]
+  double tangential_gap = 0.0;  ///< slip held by the tangential spring there [length]
+  double interaction = 0.0;     ///< number of its last pair in the log's table, 0 of none [1]
+  double surface_area = 0.0;    ///< its share of its surface at the start [length^2]
+  double slip_rate = 0.0;       ///< of the last step [length/time]
+  NodeFriction friction;        ///< since the start
+};
+
+/// Row of the table of nodal contact variables.
+struct ContactNodeRow {
+  std::string_view name;
+  FieldShape shape = FieldShape::scalar;
+  void (*fill)(const NodeContact& node, double* values) = nullptr;
+  std::string_view help;  ///< one line with the dimension
+};
+
+/// Source: Sierra/SM 5.22, 8.10 and 9.
+std::span<const ContactNodeRow> contact_node_rows();
+
+/// Force, moment, centre and area of contact on a surface, or on the first surface of a pair.
+struct ContactTotal {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin [force length]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< places times normal forces, summed [force length]
+  double normal_sum = 0.0;                           ///< of the sizes of normal forces [force]
+  double area = 0.0;                                 ///< that touches [length^2]
+  double penetration = 0.0;                          ///< deepest since the start [length]
+};
+
+/// Row of the table of global contact variables: one of each surface, name_<surface>, and of each pair,
+/// name_<first>_<second>.
+struct ContactTotalRow {
+  std::string_view name;
+  FieldShape shape = FieldShape::scalar;
+  void (*fill)(const ContactTotal& total, double* values) = nullptr;
+  std::string_view help;  ///< one line with the dimension
+};
+std::span<const ContactTotalRow> contact_total_rows();
+
+/// The contact variables of a run, worked out when someone asks for them, once per step.
+class ContactOutput {
+ public:
+  /// Both must outlive this.
+  ContactOutput(ContactForce& force, const ContactModel& contact, const Model& model);
+
+  /// All variables, to be added to those of the run; this must outlive them.
+  std::vector<OutputVariable> variables();
+
+  /// To be called after the force has gone over to other surfaces.
+  void renew() { step_ = -1; }
+
+ private:
+  void begin();
+  /// Brings everything to the state. Whoever asks first does the work.
+  void evaluate(const State& state);
+  void add_place(const ContactPoint& contact_point);
+  void add_tie(const InterfaceConstraint& tie, const TieForces& forces);
+  void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
+  void add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side, double sign);
+  /// The share of each corner of a tie's side in its area.
+  static double tie_share(const InterfaceConstraint& tie, bool is_first);
+  OutputVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
+                            std::size_t index);
+
+  ContactForce& force_;
+  const ContactModel& contact_;
+  const Model& model_;
+  std::mutex lock_;
+  std::int64_t step_ = -1;                   // of what is known
+  std::vector<double> rest_status_;          // [n_nodes] of nodes that touch nothing
+  std::vector<std::uint32_t> contact_node_;  // [n_nodes] position among the contact nodes, or none
+  std::vector<NodeContact> nodes_;           // [n_contact_nodes]
+  std::vector<ContactTotal> surfaces_, pairs_;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <array>
+
+#include "contact/output/contact_output.hpp"
+
+namespace contactsim {
+
+namespace {
+
+void set(const Eigen::Vector3d& vector, double* values) {
+  for (int i = 0; i < 3; ++i) values[i] = vector[i];
+}
+
+/// A unit vector, or nothing.
+void set_direction(const Eigen::Vector3d& vector, double* values) {
+  const double length = vector.norm();
+  set(length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(), values);
+}
+
+void set_centre(const ContactTotal& total, double* values) {
+  const bool touches = total.normal_sum > 0.0;
+  set(touches ? Eigen::Vector3d(total.centre / total.normal_sum) : Eigen::Vector3d::Zero(), values);
+}
+
+double per_area(double value, double area) { return area > 0.0 ? value / area : 0.0; }
+
+}  // namespace
+
+std::span<const ContactNodeRow> contact_node_rows() {
+  using N = const NodeContact&;
+  constexpr auto scalar = FieldShape::scalar, vector = FieldShape::vector;
+  static constexpr std::array rows{
+      ContactNodeRow{"contact_status", scalar, [](N n, double* v) { *v = n.status; },
+                     "1 touches, 0.5 of a block or surface in contact, 0 of none [1]"},
+      ContactNodeRow{"contact_normal_direction", vector, [](N n, double* v) { set_direction(n.normal, v); },
+                     "Direction of the normal force on the node [1]"},
+      ContactNodeRow{"contact_tangential_direction", vector,
+                     [](N n, double* v) { set_direction(n.tangential, v); },
+                     "Direction of the friction force on the node [1]"},
+      ContactNodeRow{"contact_normal_traction_magnitude", scalar,
+                     [](N n, double* v) { *v = per_area(n.normal.norm(), n.area); },
+                     "Normal force over the area that touches [force/length^2]"},
+      ContactNodeRow{"contact_tangential_traction_magnitude", scalar,
+                     [](N n, double* v) { *v = per_area(n.tangential.norm(), n.area); },
+                     "Friction force over the area that touches [force/length^2]"},
+      ContactNodeRow{"contact_normal_force_magnitude", scalar, [](N n, double* v) { *v = n.normal.norm(); },
+                     "[force]"},
+      ContactNodeRow{"contact_tangential_force_magnitude", scalar,
+                     [](N n, double* v) { *v = n.tangential.norm(); }, "[force]"},
+      ContactNodeRow{"contact_normal_gap", scalar, [](N n, double* v) { *v = n.gap; },
+                     "Of the nearest place that touches or nearly does, < 0 where it touches [length]"},
+      ContactNodeRow{"contact_tangential_gap", scalar, [](N n, double* v) { *v = n.tangential_gap; },
+                     "Slip that is not lost: what the tangential spring holds [length]"},
+      ContactNodeRow{"contact_accumulated_slip", scalar, [](N n, double* v) { *v = n.friction.slip_length; },
+                     "Length of the path slipped under friction since the start [length]"},
+      ContactNodeRow{"contact_accumulated_slip_vector", vector,
+                     [](N n, double* v) { set(n.friction.slip, v); },
+                     "Sum of the steps of that path as vectors [length]"},
+      ContactNodeRow{"contact_incremental_slip_magnitude", scalar,
+                     [](N n, double* v) { *v = n.friction.last_slip.norm(); }, "Of the last step [length]"},
+      ContactNodeRow{"contact_incremental_slip_direction", vector,
+                     [](N n, double* v) { set_direction(n.friction.last_slip, v); }, "Of the last step [1]"},
+      ContactNodeRow{"contact_slip_rate", scalar, [](N n, double* v) { *v = n.slip_rate; },
+                     "Slip over the last step [length/time]"},
+      ContactNodeRow{"contact_frictional_energy", scalar, [](N n, double* v) { *v = n.friction.energy; },
+                     "The node's share of what friction has taken since the start [energy]"},
+      ContactNodeRow{"contact_frictional_energy_density", scalar,
+                     [](N n, double* v) { *v = per_area(n.friction.energy, n.surface_area); },
+                     "The same over the node's share of its surface at the start [energy/length^2]"},
+      ContactNodeRow{"contact_area", scalar, [](N n, double* v) { *v = n.area; },
+                     "Area that touches, the node's share [length^2]"},
+      ContactNodeRow{"contact_interaction", scalar, [](N n, double* v) { *v = n.interaction; },
+                     "Number of the pair in the log's table, the last of several; 0 of none [1]"},
+  };
+  return rows;
+}
+
+std::span<const ContactTotalRow> contact_total_rows() {
+  using T = const ContactTotal&;
+  constexpr auto scalar = FieldShape::scalar, vector = FieldShape::vector;
+  static constexpr std::array rows{
+      ContactTotalRow{"contact_force", vector, [](T t, double* v) { set(t.force, v); },
+                      "On the surface, or on the first of two [force]"},
+      ContactTotalRow{"contact_moment", vector, [](T t, double* v) { set(t.moment, v); },
+                      "Of that about the origin [force length]"},
+      ContactTotalRow{"contact_centre", vector, set_centre,
+                      "Mean place by normal force, 0 without any [length]"},
+      ContactTotalRow{"contact_area", scalar, [](T t, double* v) { *v = t.area; }, "That touches [length^2]"},
+      ContactTotalRow{"contact_penetration_max", scalar, [](T t, double* v) { *v = t.penetration; },
+                      "Deepest penetration of what has touched since the start [length]"},
+  };
+  return rows;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/output/surface_drawing.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+/// The side of an analytic plane's square in units of the mesh's largest length. Source: Sierra/SM 5.22,
+/// analytic objects.
+constexpr double plane_size = 3.0;
+
+/// Collects the points and facets of all surfaces.
+class SurfaceDrawing {
+ public:
+  SurfaceDrawing(const ContactModel& model, const Mesh& mesh) : model_(model), mesh_(mesh) {
+    for (const ContactSurface& surface : model.surfaces.surfaces)
+      drawing_.blocks.push_back({surface.name, {}, {}});
+    point_of_node_.assign(mesh.n_nodes(), no_point);
+  }
+
+  FacetMesh draw() {
+    for (std::uint32_t i = 0; i < model_.surfaces.surfaces.size(); ++i) draw_mesh_parts(i);
+    draw_lofts();
+    drawing_.coordinates.resize(3, static_cast<Eigen::Index>(points_.size()));
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      drawing_.coordinates.col(static_cast<Eigen::Index>(i)) = points_[i];
+    }
+    return std::move(drawing_);
+  }
+
+ private:
+  using Facet = std::array<std::uint32_t, 4>;
+  static constexpr std::uint32_t no_point = UINT32_MAX;
+
+  std::uint32_t add_point(const Eigen::Vector3d& position) {
+    points_.push_back(position);
+    return static_cast<std::uint32_t>(points_.size() - 1);
+  }
+
+  std::uint32_t point_of(NodeIndex node) {
+    std::uint32_t& point = point_of_node_[node.value];
+    if (point == no_point) point = add_point(mesh_.coordinates().col(node.value));
+    return point;
+  }
+
+  void draw_mesh_parts(std::uint32_t index) {
+    const ContactSurface& surface = model_.surfaces.surfaces[index];
+    FacetBlock& block = drawing_.blocks[index];
+    for (const ElementSide face : surface.faces) {
+      Facet facet{};
+      const auto nodes = mesh_.side_nodes(face);
+      std::transform(nodes.begin(), nodes.end(), facet.begin(),
+                     [&](NodeIndex node) { return point_of(node); });
+      block.facets.push_back(facet);
+    }
+    for (const NodeIndex node : surface.nodes) block.points.push_back(point_of(node));
+    for (const std::uint32_t plane : surface.analytic_planes) draw_plane(model_.planes[plane], block);
+  }
+
+  void draw_lofts() {
+    const auto first = static_cast<std::uint32_t>(points_.size());
+    for (Eigen::Index i = 0; i < model_.loft.vertices.cols(); ++i) add_point(model_.loft.vertices.col(i));
+    for (std::size_t i = 0; i < model_.loft.facets.size(); ++i) {
+      Facet facet = model_.loft.facets[i].vertices;
+      for (std::uint32_t& vertex : facet) vertex += first;
+      drawing_.blocks[model_.surface_of_facet[i]].facets.push_back(facet);
+    }
+    for (std::size_t i = 0; i < model_.loft.spheres.size(); ++i) {
+      draw_sphere(model_.loft.spheres[i], drawing_.blocks[model_.surface_of_sphere[i]]);
+    }
+  }
+
+  void draw_plane(const AnalyticPlane& plane, FacetBlock& block) {
+    const auto& x = mesh_.coordinates();
+    if (x.cols() == 0) return;
+    const Eigen::Vector3d extent = x.rowwise().maxCoeff() - x.rowwise().minCoeff();
+    const double half = 0.5 * plane_size * plane.scale_factor * extent.maxCoeff();
+    const Eigen::Vector3d u = plane.normal.unitOrthogonal();
+    const Eigen::Vector3d v = plane.normal.normalized().cross(u);
+    const auto corner = [&](double a, double b) { return add_point(plane.origin + half * (a * u + b * v)); };
+    const std::uint32_t c0 = corner(-1, -1), c1 = corner(1, -1), c2 = corner(1, 1), c3 = corner(-1, 1);
+    block.facets.push_back({c0, c1, c2, c3});
+  }
+
+  /// The six sides of a cube, each cut in four, blown up to the sphere.
+  void draw_sphere(const LoftSphere& sphere, FacetBlock& block) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double sign : {-1.0, 1.0}) draw_sphere_side(sphere, axis, sign, block);
+    }
+  }
+
+  void draw_sphere_side(const LoftSphere& sphere, int axis, double sign, FacetBlock& block) {
+    const Eigen::Vector3d centre = mesh_.coordinates().col(sphere.centre.value);
+    std::array<std::uint32_t, 9> grid{};
+    for (int i = 0; i < 9; ++i) {
+      Eigen::Vector3d direction;
+      direction[axis] = sign;
+      const int row = i / 3 - 1;
+      direction[(axis + 1) % 3] = sign * row;  // the sign keeps the corners' order outward
+      direction[(axis + 2) % 3] = i % 3 - 1;
+      grid[static_cast<std::size_t>(i)] = add_point(centre + sphere.radius * direction.normalized());
+    }
+    for (const std::size_t i : {0u, 1u, 3u, 4u})
+      block.facets.push_back({grid[i], grid[i + 3], grid[i + 4], grid[i + 1]});
+  }
+
+  const ContactModel& model_;
+  const Mesh& mesh_;
+  FacetMesh drawing_;
+  std::vector<Eigen::Vector3d> points_;
+  std::vector<std::uint32_t> point_of_node_;  ///< [n_nodes]
+};
+
+}  // namespace
+
+FacetMesh draw_surfaces(const ContactModel& model, const Mesh& mesh) {
+  return SurfaceDrawing(model, mesh).draw();
+}
+
+}  // namespace contactsim

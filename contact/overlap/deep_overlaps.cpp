@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/overlap/deep_overlaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "contact/geometry/node_face.hpp"
+#include "contact/geometry/point_in_solid.hpp"
+#include "contact/mesh/bodies.hpp"
+#include "contact/search/broad_phase.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr std::uint32_t none = 0xffffffff;
+
+/// Shallower than this share of a face's size a node lies on the face.
+constexpr double smallest_share = 1e-6;
+
+/// Faces whose normal has a greater cosine with that of the node's surface look the same way.
+constexpr double same_way_cosine = 0.25;
+
+/// Faces face each other when the cosine of their normals is less.
+constexpr double facing_cosine = -0.7;
+
+Box empty_box() {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  return {{far, far, far}, {-far, -far, -far}};
+}
+
+void add(const Eigen::Vector3d& x, Box& box) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = std::min(box.lo[k], x[static_cast<Eigen::Index>(k)]);
+    box.hi[k] = std::max(box.hi[k], x[static_cast<Eigen::Index>(k)]);
+  }
+}
+
+}  // namespace
+
+DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts)
+    : mesh_(mesh),
+      parts_(parts),
+      rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
+      bodies_(find_bodies(mesh)),
+      number_of_body_(mesh.n_nodes(), none) {
+  for (const ContactFace& face : contact_mesh().faces) {
+    if (!contact_mesh().is_lofted(face) && !is_solid(mesh, face.side)) continue;
+    std::uint32_t& number = number_of_body_[body_of(face)];
+    if (number != none) continue;
+    number = 0;
+    thick_bodies_.push_back(body_of(face));
+  }
+  std::ranges::sort(thick_bodies_);
+  for (std::uint32_t i = 0; i < thick_bodies_.size(); ++i) number_of_body_[thick_bodies_[i]] = i;
+  find_lofts();
+}
+
+/// Pairs the tops and bottoms of lofted shells. One of which a surface has one side only is no volume.
+void DeepOverlaps::find_lofts() {
+  std::map<std::uint32_t, const ContactFace*> tops;
+  for (const ContactFace& face : contact_mesh().faces) {
+    if (contact_mesh().is_lofted(face) && face.side.side() == 1) tops[face.side.element().value] = &face;
+  }
+  for (const ContactFace& face : contact_mesh().faces) {
+    if (!contact_mesh().is_lofted(face) || face.side.side() != 2) continue;
+    const auto top = tops.find(face.side.element().value);
+    if (top == tops.end()) continue;
+    std::array<std::uint32_t, 8> corners{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      corners[k] = top->second->corners[k];
+      corners[k + 4] =
+          *std::ranges::find(face.corners, contact_mesh().mesh_nodes[corners[k]],
+                             [&](std::uint32_t point) { return contact_mesh().mesh_nodes[point]; });
+    }
+    lofts_.push_back(corners);
+    tops.erase(top);
+  }
+}
+
+/// The solids and lofts of the bodies that meet the boxes of what may lie in them.
+///   boxes  of each body [n_thick_bodies]
+std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix3Xd& coordinates,
+                                                             const ContactKinematics& kinematics,
+                                                             std::span<const Box> boxes) const {
+  std::vector<Volume> near;
+  Volume volume;
+  // Most bodies of a mesh have nothing near: they cost no corners.
+  const auto may_be_near = [&](std::uint32_t body) {
+    const std::uint32_t number = number_of_body_[body];
+    return number != none && boxes[number].lo[0] <= boxes[number].hi[0];
+  };
+  const auto add_if_near = [&](std::size_t n_corners) {
+    Box own = empty_box();
+    for (std::size_t k = 0; k < n_corners; ++k) add(volume.corners.col(static_cast<Eigen::Index>(k)), own);
+    if (do_overlap(own, boxes[number_of_body_[volume.body]])) near.push_back(volume);
+  };
+  for (const ElementBlock& block : mesh_.blocks()) {
+    if (topology(block.shape).family != Family::solid) continue;
+    const std::size_t n_corners = topology(block.shape).n_corners;
+    volume.shape = block.shape;
+    for (std::uint32_t e = 0; e < block.n_elements; ++e) {
+      const auto nodes = block.element_nodes(e);
+      volume.body = bodies_[nodes[0].value];
+      if (!may_be_near(volume.body)) continue;
+      for (std::size_t k = 0; k < n_corners; ++k)
+        volume.corners.col(static_cast<Eigen::Index>(k)) = coordinates.col(nodes[k].value);
+      add_if_near(n_corners);
+    }
+  }
+  for (const auto& loft : lofts_) {
+    const bool is_triangle = loft[2] == loft[3];
+    const std::size_t n = is_triangle ? 3 : 4;
+    volume.shape = is_triangle ? Shape::wedge6 : Shape::hex8;
+    volume.body = bodies_[contact_mesh().mesh_nodes[loft[0]]];
+    if (!may_be_near(volume.body)) continue;
+    for (std::size_t k = 0; k < n; ++k) {
+      volume.corners.col(static_cast<Eigen::Index>(k)) = kinematics.x(loft[k]);
+      volume.corners.col(static_cast<Eigen::Index>(k + n)) = kinematics.x(loft[k + 4]);
+    }
+    add_if_near(2 * n);
+  }
+  return near;
+}
+
+std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3Xd& coordinates,
+                                                            const ContactKinematics& kinematics) const {
+  const auto n_rows = static_cast<std::uint32_t>(contact_mesh().surface_nodes.size());
+  if (n_rows == 0 || thick_bodies_.empty()) return {};
+  const auto box_of_row = [&](std::uint32_t row) {
+    Box box = empty_box();
+    add(kinematics.x(contact_mesh().surface_nodes[row].node), box);
+    return box;
+  };
+  std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
+  const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
+    const std::uint32_t number = number_of_body_[bodies_[mesh_node]];
+    if (number != none) add(x, body_boxes[number]);
+  };
+  for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
+  for (const auto& loft : lofts_) {
+    for (const std::uint32_t point : loft) extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
+  }
+  BroadPhase rows, around, inner;
+  if (rows.update(n_rows, box_of_row) || around.update(body_boxes)) return {};
+  PairLists near;
+  rows.find_pairs(
+      around, [&](std::uint32_t row, std::uint32_t body) { return body_of_row(row) != thick_bodies_[body]; },
+      near);
+  std::vector<Box> boxes(thick_bodies_.size(), empty_box());
+  for (std::uint32_t row = 0; row < n_rows; ++row) {
+    for (const std::uint32_t body : near.of(row))
+      add(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
+  }
+  const std::vector<Volume> volumes = volumes_near(coordinates, kinematics, boxes);
+  if (volumes.empty()) return {};
+  const auto box_of_volume = [&](std::uint32_t i) {
+    Box box = empty_box();
+    for (Eigen::Index k = 0; k < topology(volumes[i].shape).n_corners; ++k)
+      add(volumes[i].corners.col(k), box);
+    return box;
+  };
+  if (inner.update(static_cast<std::uint32_t>(volumes.size()), box_of_volume)) return {};
+  const auto is_inside = [&](std::uint32_t row, std::uint32_t i) {
+    const Volume& volume = volumes[i];
+    if (volume.body == body_of_row(row)) return false;
+    return is_in_solid(volume.corners, topology(volume.shape),
+                       kinematics.x(contact_mesh().surface_nodes[row].node));
+  };
+  rows.find_pairs(inner, is_inside, near);
+  std::vector<Inside> inside;
+  for (std::uint32_t row = 0; row < n_rows; ++row) {
+    for (const std::uint32_t i : near.of(row)) {
+      const std::uint32_t body = number_of_body_[volumes[i].body];
+      const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
+      if (!is_known) inside.push_back({row, body});
+    }
+  }
+  return inside;
+}
+
+/// Whether one of a node's own faces looks at a face; what has none looks everywhere.
+bool DeepOverlaps::is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
+                             const Eigen::Vector3d& normal) const {
+  if (node.radius > 0.0f) return true;
+  const auto own_faces = contact_mesh().faces_of_node.of(node.node);
+  return own_faces.empty() || std::ranges::any_of(own_faces, [&](std::uint32_t index) {
+           const ContactFace& face = contact_mesh().faces[index];
+           const Eigen::Vector3d area = kinematics.area(face);
+           return face.surface == node.surface && area.dot(normal) < facing_cosine * area.norm();
+         });
+}
+
+std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& kinematics,
+                                                      const Inside& inside,
+                                                      const PairLists& faces_of_body) const {
+  const SurfaceNode& node = contact_mesh().surface_nodes[inside.row];
+  const Eigen::Vector3d point = kinematics.x(node.node);
+  const OverlapNode& own = parts_.of_node[inside.row];
+  // A sheet or a sphere may go out either way.
+  const bool has_normal = !parts_.is_lofted(node) && own.normal.norm() > smallest_share * own.size * own.size;
+  std::optional<DeepOverlap> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t index : faces_of_body.of(inside.body)) {
+    const ContactFace& face = contact_mesh().faces[index];
+    const std::uint32_t pair = rules_.find(node.surface, face.surface);
+    if (pair == PairRules::none) continue;
+    const bool is_lofted = contact_mesh().is_lofted(face);
+    if (is_lofted && std::holds_alternative<Tied>(rules_[pair].pair->law)) continue;
+    FaceCorners x;
+    for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(face.corners[k]);
+    const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
+    if ((point - middle).norm() - (x.colwise() - middle).colwise().norm().maxCoeff() > least) continue;
+    const auto closest = project_onto_face(x, face.is_triangle(), point);
+    if (!closest) continue;
+    const double cosine = has_normal ? own.normal.dot(closest->normal) / own.normal.norm() : -1.0;
+    if (cosine > same_way_cosine || (is_lofted && !is_facing(kinematics, node, closest->normal))) continue;
+    if (std::hypot(closest->gap, closest->beyond) <= smallest_share * parts_.of_face[index].size)
+      return std::nullopt;
+    if (closest->gap > 0.0) continue;
+    const double cost = std::hypot(closest->gap, closest->beyond) * (1.0 + 2.0 * (1.0 + cosine));
+    if (cost >= least) continue;
+    least = cost;
+    const double depth = static_cast<double>(node.radius) - closest->gap;
+    best = DeepOverlap{pair, inside.row, index, depth, closest->normal, false};
+  }
+  if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
+  const double own_half_thickness =
+      own.half_thickness > 0.0 ? own.half_thickness : std::numeric_limits<double>::infinity();
+  const double half_thickness = std::min(own_half_thickness, parts_.of_face[best->face].half_thickness);
+  const bool is_lofted = contact_mesh().is_lofted(contact_mesh().faces[best->face]);
+  best->is_deep = best->depth > (is_lofted ? 1.0 + smallest_share : 1.0) * half_thickness;
+  if (is_lofted && !best->is_deep) return std::nullopt;
+  return best;
+}
+
+std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
+                                            const ContactKinematics& kinematics) const {
+  const std::vector<Inside> inside = find_inside(coordinates, kinematics);
+  if (inside.empty()) return {};
+  const PairLists faces_of_body = list_by_row(thick_bodies_.size(), [&](const auto& take) {
+    for (std::uint32_t i = 0; i < contact_mesh().faces.size(); ++i) {
+      const std::uint32_t number = number_of_body_[body_of(contact_mesh().faces[i])];
+      if (number != none) take(number, i);
+    }
+  });
+  std::vector<std::optional<DeepOverlap>> ways(inside.size());
+#pragma omp parallel for schedule(dynamic, 16) num_threads(threads_for(inside.size() * 100))
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    ways[i] = find_way_out(kinematics, inside[i], faces_of_body);
+  // Top and bottom of a sheet look at opposite faces of a loft: their node goes the shorter way.
+  const auto is_of_loft = [&](const std::optional<DeepOverlap>& way) {
+    return way && contact_mesh().is_lofted(contact_mesh().faces[way->face]);
+  };
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> least;
+  const auto key = [&](std::size_t i) {
+    return std::pair(contact_mesh().mesh_nodes[contact_mesh().surface_nodes[inside[i].row].node],
+                     inside[i].body);
+  };
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    if (!is_of_loft(ways[i])) continue;
+    const auto [known, is_new] = least.try_emplace(key(i), ways[i]->depth);
+    known->second = std::min(known->second, ways[i]->depth);
+  }
+  std::vector<DeepOverlap> found;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const bool is_longer = is_of_loft(ways[i]) && ways[i]->depth > least[key(i)];
+    if (ways[i] && !is_longer) found.push_back(*ways[i]);
+  }
+  return found;
+}
+
+}  // namespace contactsim

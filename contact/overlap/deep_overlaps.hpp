@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "contact/interface_laws/pair_rules.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+#include "contact/overlap/overlap_parts.hpp"
+#include "contact/search/box_tree.hpp"
+
+namespace contactsim {
+
+/// A node of a contact surface that lies inside the solids, or the lofted shells, of another body.
+struct DeepOverlap {
+  std::uint32_t pair = 0;
+  std::uint32_t row = 0;                             ///< surface node
+  std::uint32_t face = 0;                            ///< through which its way out leads
+  double depth = 0.0;                                ///< along the face's normal, > 0 [length]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the face: the node's way out [1]
+  bool is_deep = false;  ///< by more than half the thinner element; always inside a lofted shell
+};
+
+/// Finds the nodes of contact surfaces that lie inside solids of other bodies, however deep, or deeper than
+/// half the thickness inside their lofted shells: point in element. Bodies are what solids and shells join; a
+/// body that lies in itself is not found.
+class DeepOverlaps {
+ public:
+  /// All must outlive this.
+  DeepOverlaps(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts);
+
+  /// [n_nodes] the first node of each node's body.
+  const std::vector<std::uint32_t>& bodies() const { return bodies_; }
+
+  /// All nodes inside of what their surface is paired with, ascending by row. Of the faces of the body around
+  /// it the way out is the nearest one, nearer the more it is turned against the node's surface; those that
+  /// look the same way are none. Sheets, lines and spheres take the nearest one, spheres with their radius.
+  /// Out of a lofted shell the way leads through a face that one of the node's own faces looks at: of two
+  /// sheets whose mid surfaces have passed each other, the shorter way. Ties leave what lies deep in lofts
+  /// where it is.
+  ///   coordinates  [3 x n_nodes] of the mesh [length]
+  ///   surface      the contact nodes there
+  std::vector<DeepOverlap> find(const Eigen::Matrix3Xd& coordinates,
+                                const ContactKinematics& kinematics) const;
+
+ private:
+  struct Inside {
+    std::uint32_t row, body;
+  };
+  /// A solid, or the room between the top and the bottom of a lofted shell.
+  struct Volume {
+    Eigen::Matrix<double, 3, 8> corners;  // [length]; a wedge of a triangle has six
+    Shape shape;
+    std::uint32_t body;  // its first node
+  };
+  std::vector<Inside> find_inside(const Eigen::Matrix3Xd& coordinates,
+                                  const ContactKinematics& kinematics) const;
+  void find_lofts();
+  std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
+                                   std::span<const Box> boxes) const;
+  std::optional<DeepOverlap> find_way_out(const ContactKinematics& kinematics, const Inside& inside,
+                                          const PairLists& faces_of_body) const;
+  bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
+                 const Eigen::Vector3d& normal) const;
+  std::uint32_t body_of(const ContactFace& face) const {
+    return bodies_[contact_mesh().mesh_nodes[face.corners[0]]];
+  }
+  std::uint32_t body_of_row(std::uint32_t row) const {
+    return bodies_[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node]];
+  }
+  const ContactMesh& contact_mesh() const { return parts_.contact_mesh; }
+
+  const Mesh& mesh_;
+  const OverlapParts& parts_;
+  PairRules rules_;
+  std::vector<std::uint32_t> bodies_;          // [n_nodes]
+  std::vector<std::uint32_t> thick_bodies_;    // with contact faces of solids or lofts, ascending
+  std::vector<std::uint32_t> number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
+  /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
+  std::vector<std::array<std::uint32_t, 8>> lofts_;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/overlap/overlap_search.hpp"
+
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+/// A box around points in columns, wider by a margin.
+template <class Points>
+Box box_around(const Points& points, double margin) {
+  const Eigen::Vector3d lo = points.rowwise().minCoeff(), hi = points.rowwise().maxCoeff();
+  Box box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.lo[k] = lo[static_cast<Eigen::Index>(k)] - margin;
+    box.hi[k] = hi[static_cast<Eigen::Index>(k)] + margin;
+  }
+  return box;
+}
+
+}  // namespace
+
+OverlapSearch::OverlapSearch(const ContactModel& model, const ContactDefinition& definition, const Mesh& mesh,
+                             const OverlapParts& parts)
+    : model_(model),
+      mesh_(mesh),
+      parts_(parts),
+      rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
+      adjacent_(parts.contact_mesh, mesh),
+      sites_(model.pairs.size()) {
+  has_lofts_ = std::ranges::any_of(parts.contact_mesh.surface_nodes,
+                                   [&](const SurfaceNode& node) { return parts.is_lofted(node); });
+  for (const SurfacePair& pair : model.pairs)
+    deepest_ = std::max(deepest_, pair.overlap_normal_tolerance.value_or(0.0));
+  spare_ = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < parts.contact_mesh.faces.size(); ++i) {
+    if (parts.contact_mesh.is_lofted(parts.contact_mesh.faces[i]))
+      spare_ = std::min(spare_, 0.5 * parts.of_face[i].half_thickness);
+  }
+  for (const SurfaceNode& node : parts.contact_mesh.surface_nodes) {
+    if (node.radius > 0.0f) spare_ = std::min<double>(spare_, 0.5 * node.radius);
+  }
+  if (!parts.contact_mesh.edges.empty())
+    edges_.emplace(parts.contact_mesh, mesh, rules_, definition.search, definition.dash);
+}
+
+void OverlapSearch::find(const ContactKinematics& kinematics) {
+  add_planes();
+  add_faces(kinematics, false);
+  add_edges(kinematics);
+  if (!has_lofts_) return;
+  add_rims(kinematics);
+  note_places(kinematics);
+}
+
+void OverlapSearch::renew_lofts(const ContactKinematics& kinematics) {
+  if (!has_lofts_) return;
+  for (PairSites& sites : sites_) sites.edges.clear();
+  add_edges(kinematics);
+  if (!is_due(kinematics)) return;
+  for (PairSites& sites : sites_) {
+    sites.lofted.faces.clear();
+    sites.rims.clear();
+  }
+  add_faces(kinematics, true);
+  add_rims(kinematics);
+  note_places(kinematics);
+}
+
+void OverlapSearch::note_places(const ContactKinematics& kinematics) {
+  searched_at_.resize(3, static_cast<Eigen::Index>(parts_.contact_mesh.n_nodes()));
+  for (std::uint32_t i = 0; i < parts_.contact_mesh.n_nodes(); ++i) searched_at_.col(i) = kinematics.x(i);
+}
+
+bool OverlapSearch::is_due(const ContactKinematics& kinematics) const {
+  for (std::uint32_t i = 0; i < parts_.contact_mesh.n_nodes(); ++i) {
+    if ((kinematics.x(i) - searched_at_.col(i)).norm() > spare_) return true;
+  }
+  return false;
+}
+
+void OverlapSearch::add_planes() {
+  const ContactMesh& contact_mesh = parts_.contact_mesh;
+  const auto add = [&](std::uint32_t with_planes, std::uint32_t with_nodes, PairSites& sites) {
+    for (const std::uint32_t plane : model_.surfaces.surfaces[with_planes].analytic_planes) {
+      for (std::uint32_t i = contact_mesh.first_node[with_nodes]; i < contact_mesh.first_node[with_nodes + 1];
+           ++i) {
+        const bool is_lofted = parts_.is_lofted(contact_mesh.surface_nodes[i]);
+        (is_lofted ? sites.lofted : sites.meshed).planes.push_back({i, plane});
+      }
+    }
+  };
+  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
+    const SurfacePair& pair = model_.pairs[p];
+    add(pair.first, pair.second, sites_[p]);
+    if (pair.first != pair.second) add(pair.second, pair.first, sites_[p]);
+  }
+}
+
+Box OverlapSearch::box_of_node(const ContactKinematics& kinematics, std::uint32_t row) const {
+  const SurfaceNode& node = parts_.contact_mesh.surface_nodes[row];
+  // A sphere may be pushed on by as much as it is thick.
+  return box_around(kinematics.x(node.node), 2.0 * static_cast<double>(node.radius));
+}
+
+Box OverlapSearch::box_of_face(const ContactKinematics& kinematics, std::uint32_t face) const {
+  const auto& corners = parts_.contact_mesh.faces[face].corners;
+  FaceCorners x;
+  for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(corners[k]);
+  // Both sides move, each by no more than the deepest overlap.
+  return box_around(x, 2.0 * std::max(parts_.of_face[face].half_thickness, deepest_));
+}
+
+bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {
+  const ContactMesh& contact_mesh = parts_.contact_mesh;
+  const SurfaceNode& node = contact_mesh.surface_nodes[row];
+  const ContactFace& face = contact_mesh.faces[index];
+  if (rules_.find(node.surface, face.surface) == PairRules::none) return false;
+  const auto own = mesh_.element_nodes(face.side.element());
+  return std::ranges::find(own, NodeIndex{contact_mesh.mesh_nodes[node.node]}) == own.end();
+}
+
+void OverlapSearch::add_faces(const ContactKinematics& kinematics, bool is_of_lofts_only) {
+  const ContactMesh& contact_mesh = parts_.contact_mesh;
+  if (contact_mesh.faces.empty() || contact_mesh.surface_nodes.empty()) return;
+  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh.surface_nodes.size());
+  const auto n_faces = static_cast<std::uint32_t>(contact_mesh.faces.size());
+  if (nodes_.update(n_nodes, [&](std::uint32_t row) { return box_of_node(kinematics, row); })) return;
+  if (faces_.update(n_faces, [&](std::uint32_t face) { return box_of_face(kinematics, face); })) return;
+  const auto may_meet_now = [&](std::uint32_t row, std::uint32_t face) {
+    return (!is_of_lofts_only || is_lofted(row, face)) && may_meet(row, face);
+  };
+  PairLists near;
+  nodes_.find_pairs(faces_, may_meet_now, near);
+  for (std::uint32_t row = 0; row < near.n_rows(); ++row) {
+    const std::uint32_t own = contact_mesh.surface_nodes[row].surface;
+    for (const std::uint32_t face : near.of(row)) {
+      PairSites& sites = sites_[rules_.find(own, contact_mesh.faces[face].surface)];
+      (is_lofted(row, face) ? sites.lofted : sites.meshed).faces.push_back({row, face});
+    }
+  }
+}
+
+void OverlapSearch::add_edges(const ContactKinematics& kinematics) {
+  if (!edges_) return;
+  const auto& edges = parts_.contact_mesh.edges;
+  PairLists near;
+  edges_->find_edges(kinematics, {0.0, 0.0, mesh_.coordinates(), mesh_.coordinates()}, near);
+  for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
+    for (const std::uint32_t other : near.of(i)) {
+      if (edges[i].is_sharp() && edges[other].is_sharp()) continue;
+      sites_[rules_.find(edges[i].surface, edges[other].surface)].edges.push_back({i, other});
+    }
+  }
+}
+
+bool OverlapSearch::may_cross(const ContactKinematics& kinematics, std::uint32_t first,
+                              std::uint32_t second) const {
+  const ContactFace &a = parts_.contact_mesh.faces[first], &b = parts_.contact_mesh.faces[second];
+  if (!parts_.contact_mesh.is_lofted(a) && !parts_.contact_mesh.is_lofted(b)) return false;
+  if (rules_.find(a.surface, b.surface) == PairRules::none) return false;
+  if (a.side.element() == b.side.element() || parts_.contact_mesh.share_node(a, b)) return false;
+  return kinematics.area(a).dot(kinematics.area(b)) < 0.0;
+}
+
+/// By the boxes of faces that nodes have been looked for in.
+void OverlapSearch::add_rims(const ContactKinematics& kinematics) {
+  const auto& faces = parts_.contact_mesh.faces;
+  if (faces.empty()) return;
+  PairLists near;
+  faces_.find_pairs([&](std::uint32_t a, std::uint32_t b) { return may_cross(kinematics, a, b); }, near);
+  for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
+    for (const std::uint32_t other : near.of(i))
+      sites_[rules_.find(faces[i].surface, faces[other].surface)].rims.push_back({i, other});
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contact/mesh/adjacent_faces.hpp"
+#include "contact/overlap/overlap_parts.hpp"
+#include "contact/search/broad_phase.hpp"
+#include "contact/search/contact_search.hpp"
+
+namespace contactsim {
+
+/// Two things that may lie in each other.
+struct OverlapCandidate {
+  std::uint32_t entity = 0;   ///< a surface node, an edge or a face
+  std::uint32_t partner = 0;  ///< a face, a plane of the region or another edge
+};
+
+/// Where to look for nodes behind something.
+struct OverlapSites {
+  std::vector<OverlapCandidate> faces;   ///< ascending by node, then by face
+  std::vector<OverlapCandidate> planes;  ///< of every node with every plane
+};
+
+/// Where a pair of surfaces has to be looked at.
+struct PairSites {
+  OverlapSites meshed;                  ///< neither side is lofted
+  OverlapSites lofted;                  ///< one of them is: a point or a face of a brick, a sphere
+  std::vector<OverlapCandidate> edges;  ///< capsules and spheres with each other and with sharp edges
+  std::vector<OverlapCandidate> rims;   ///< faces, one of them lofted, whose edges may cross
+
+  bool has_lofts() const {
+    return !lofted.faces.empty() || !lofted.planes.empty() || !edges.empty() || !rims.empty();
+  }
+};
+
+/// Finds what is near to what in the pairs of a model. A node never meets a face of an element that it is
+/// part of, and lofts never what the mesh joins to them within their thickness.
+class OverlapSearch {
+ public:
+  /// All must outlive this.
+  ///   definition  of the model
+  ///   mesh        as the lofts are joined in it
+  OverlapSearch(const ContactModel& model, const ContactDefinition& definition, const Mesh& mesh,
+                const OverlapParts& parts);
+  OverlapSearch(const OverlapSearch&) = delete;
+  OverlapSearch& operator=(const OverlapSearch&) = delete;
+
+  /// Fills in all sites of the pairs.
+  void find(const ContactKinematics& kinematics);
+  /// Fills in those of lofts again where something has moved too far for the last time: thick bodies may push
+  /// thin ones far.
+  void renew_lofts(const ContactKinematics& kinematics);
+
+  const std::vector<PairSites>& sites() const { return sites_; }  ///< [n_pairs]
+  const AdjacentFaces& joined() const { return adjacent_; }
+
+ private:
+  void add_planes();
+  void add_faces(const ContactKinematics& kinematics, bool is_of_lofts_only);
+  void add_edges(const ContactKinematics& kinematics);
+  void add_rims(const ContactKinematics& kinematics);
+  /// Whether a contact node has moved by more than the spare way since faces were searched.
+  bool is_due(const ContactKinematics& kinematics) const;
+  void note_places(const ContactKinematics& kinematics);
+  Box box_of_node(const ContactKinematics& kinematics, std::uint32_t row) const;
+  Box box_of_face(const ContactKinematics& kinematics, std::uint32_t face) const;
+  bool may_meet(std::uint32_t row, std::uint32_t face) const;
+  bool may_cross(const ContactKinematics& kinematics, std::uint32_t first, std::uint32_t second) const;
+  bool is_lofted(std::uint32_t row, std::uint32_t face) const {
+    return parts_.is_lofted(parts_.contact_mesh.surface_nodes[row]) ||
+           parts_.contact_mesh.is_lofted(parts_.contact_mesh.faces[face]);
+  }
+
+  const ContactModel& model_;
+  const Mesh& mesh_;
+  const OverlapParts& parts_;
+  PairRules rules_;
+  AdjacentFaces adjacent_;
+  bool has_lofts_ = false;
+  double deepest_ = 0.0;          // that a pair allows [length]
+  double spare_ = 0.0;            // way that each side may go between two searches of faces [length]
+  Eigen::Matrix3Xd searched_at_;  // of the contact nodes, if there are lofts [length]
+  BroadPhase nodes_, faces_;
+  std::optional<ContactSearch> edges_;  // where there are edges
+  std::vector<PairSites> sites_;
+};
+
+}  // namespace contactsim

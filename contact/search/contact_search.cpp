@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/search/contact_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/errors.hpp"
+#include "core/state_archive.hpp"
+#include "core/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// How deep behind a face its box reaches, over the thickness of its element: a bit deeper than contact does.
+constexpr double depth_share = 0.8;
+
+/// Share of a length that single precision loses at most.
+constexpr double rounding = 0x1p-24;
+
+void include(const Eigen::Vector3d& point, Box& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double value = point[static_cast<Eigen::Index>(i)];
+    // A number that is none must not be lost: comparisons with it would leave the box as it was.
+    box.lo[i] = value >= box.lo[i] ? box.lo[i] : value;
+    box.hi[i] = value <= box.hi[i] ? box.hi[i] : value;
+  }
+}
+
+Box box_at(const Eigen::Vector3d& point) {
+  Box box;
+  for (std::size_t i = 0; i < 3; ++i) box.lo[i] = box.hi[i] = point[static_cast<Eigen::Index>(i)];
+  return box;
+}
+
+void widen(double margin, Box& box) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lo[i] -= margin;
+    box.hi[i] += margin;
+  }
+}
+
+double depth_of(std::span<const float> depths, std::uint32_t i) { return depths.empty() ? 0.0 : depths[i]; }
+
+bool is_marked(const std::vector<std::uint8_t>& marks, std::uint32_t i) {
+  return !marks.empty() && marks[i] != 0;
+}
+
+bool holds(const PairLists& lists, std::uint32_t row, std::uint32_t partner) {
+  const auto partners = lists.of(row);
+  return std::binary_search(partners.begin(), partners.end(), partner);
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
+                             const SearchOptions& search, const DashOptions& dash,
+                             std::span<const std::int32_t> body_of)
+    : contact_mesh_(contact_mesh),
+      mesh_(mesh),
+      rules_(rules),
+      adjacent_(contact_mesh, mesh),
+      body_of_(body_of),
+      is_once_(search.global_search_once),
+      length_scaling_(dash.search_length_scaling) {
+  for (const PairRule& rule : rules.rules()) {
+    const bool is_node_face = rule.pair->formulation == ConstraintFormulation::node_face;
+    (is_node_face ? has_node_pairs_ : has_face_pairs_) = true;
+    has_small_sliding_ |= rule.pair->behavior == InteractionBehavior::infinitesimal_sliding;
+  }
+  const auto is_sphere = [](const SurfaceNode& node) { return node.radius > 0.0f; };
+  has_node_pairs_ = has_node_pairs_ || std::ranges::any_of(contact_mesh.surface_nodes, is_sphere);
+  set_margins();
+}
+
+void ContactSearch::archive(StateArchive& saved) {
+  saved.numbers("contact/search/last", n_searches_, searched_from_);
+  saved.list("contact/search/searched_at", searched_at_);
+  contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
+  contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
+}
+
+bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
+  if (n_searches_ == 0) return true;
+  if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
+  // Two sides share their margins: one may use up what the other, at rest, does not need.
+  const std::vector<double> used = used_margins(kinematics);
+  return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
+    const std::uint32_t first = rule.pair->first, second = rule.pair->second;
+    return has_room(first, used[first], second, used[second]) &&
+           has_room(second, used[second], first, used[first]);
+  });
+}
+
+bool ContactSearch::has_room(std::uint32_t first, double first_used, std::uint32_t second,
+                             double second_used) const {
+  if (first_used <= 1.0) return true;
+  return (first_used - 1.0) * widest_margin_[first] <= (1.0 - second_used) * narrowest_margin_[second];
+}
+
+std::vector<double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
+  const auto n_surfaces = static_cast<std::int64_t>(contact_mesh_.first_node.size()) - 1;
+  std::vector<double> used(static_cast<std::size_t>(n_surfaces), 0.0);
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(contact_mesh_.n_nodes()))
+  for (std::int64_t i = 0; i < n_surfaces; ++i) {
+    const auto s = static_cast<std::size_t>(i);
+    double most = 0.0;
+    for (std::uint32_t n = contact_mesh_.first_node[s]; n < contact_mesh_.first_node[s + 1]; ++n) {
+      const std::uint32_t node = contact_mesh_.surface_nodes[n].node;
+      const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
+      const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
+      const double share = moved / node_margin_[node];
+      most = share <= most ? most : share;  // what is not a number stays
+    }
+    used[s] = most;
+  }
+  return used;
+}
+
+void ContactSearch::find(const ContactKinematics& kinematics, const Motion& motion,
+                         ContactCandidates candidates) {
+  const auto stop_at = [&](std::uint32_t node) {
+    const NodeIndex index{contact_mesh_.mesh_nodes[node]};
+    throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
+  };
+  const auto n_faces = static_cast<std::uint32_t>(contact_mesh_.faces.size());
+  if (const auto bad = faces_phase_.update(n_faces, [&](std::uint32_t face) {
+        return face_box(kinematics, face, motion.dt, depth_of(candidates.face_depths, face));
+      })) {
+    for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
+      if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite()) stop_at(corner);
+    }
+    stop_at(contact_mesh_.faces[*bad].corners[0]);
+  }
+  if (has_face_pairs_) {
+    faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
+                            candidates.face_partners);
+  }
+  if (has_node_pairs_ || has_eroded_nodes_) {
+    const auto n_rows = static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size());
+    const auto box_of = [&](std::uint32_t row) {
+      return node_box(kinematics, row, motion.dt, depth_of(candidates.node_depths, row));
+    };
+    if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(contact_mesh_.surface_nodes[*bad].node);
+    nodes_phase_.find_pairs(
+        faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
+        candidates.node_faces);
+  }
+  if (has_small_sliding_) keep_first_partners(candidates);
+  ++n_searches_;
+  searched_at_.resize(contact_mesh_.n_nodes());
+  if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x(0);
+  for (std::uint32_t i = 0; i < contact_mesh_.n_nodes(); ++i)
+    searched_at_[i] = (kinematics.x(i) - searched_from_).cast<float>();
+}
+
+Box ContactSearch::face_box(const ContactKinematics& kinematics, std::uint32_t index, double dt,
+                            double deep) const {
+  const ContactFace& face = contact_mesh_.faces[index];
+  const Eigen::Vector3d inward = -std::max(depth_share * face.penalty_properties.thickness, deep) *
+                                 kinematics.bound(index).normal().cast<double>();
+  Box box = box_at(kinematics.x(face.corners[0]));
+  for (const std::uint32_t corner : face.corners) {
+    const Eigen::Vector3d x = kinematics.x(corner);
+    include(x, box);
+    include(x - dt * kinematics.v(corner), box);
+    include(x + inward, box);
+  }
+  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface], box);
+  return box;
+}
+
+Box ContactSearch::node_box(const ContactKinematics& kinematics, std::uint32_t row, double dt,
+                            double deep) const {
+  const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
+  Box box = box_at(kinematics.x(node));
+  include(kinematics.x(node) - dt * kinematics.v(node), box);
+  const SurfaceNode& own = contact_mesh_.surface_nodes[row];
+  widen(node_margin_[node] + std::max<double>(own.radius, deep) + 0.5 * activation_distance_[own.surface],
+        box);
+  return box;
+}
+
+Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t index, double dt,
+                            double deep) const {
+  const ContactEdge& edge = contact_mesh_.edges[index];
+  Box box = box_at(kinematics.x(edge.nodes[0]));
+  double margin = 0.0;
+  for (const std::uint32_t node : edge.nodes) {
+    include(kinematics.x(node), box);
+    include(kinematics.x(node) - dt * kinematics.v(node), box);
+    margin = std::max<double>(margin, node_margin_[node]);
+  }
+  widen(margin + std::max(edge.radius, deep) + 0.5 * activation_distance_[edge.surface], box);
+  return box;
+}
+
+void ContactSearch::find_edges(const ContactKinematics& kinematics, const Motion& motion, PairLists& partners,
+                               std::span<const float> depths) {
+  const auto n_edges = static_cast<std::uint32_t>(contact_mesh_.edges.size());
+  const auto box_of = [&](std::uint32_t edge) {
+    return edge_box(kinematics, edge, motion.dt, depth_of(depths, edge));
+  };
+  if (const auto bad = edges_phase_.update(n_edges, box_of))
+    throw SolveError(
+        motion.time,
+        fmt::format("node {} moves without bound",
+                    mesh_.node_id({contact_mesh_.mesh_nodes[contact_mesh_.edges[*bad].nodes[0]]})));
+  edges_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return edges_may_meet(a, b); },
+                          partners);
+}
+
+bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
+  const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
+  const std::uint32_t pair = rules_.find(a.surface, b.surface);
+  if (pair == PairRules::none) return false;
+  if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
+  if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
+  if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
+  if (are_of_one_rigid_body(a.corners, b.corners)) return false;
+  return !adjacent_.are_adjacent(first, second);
+}
+
+bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
+  const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+  const ContactFace& face = contact_mesh_.faces[index];
+  const std::uint32_t pair = rules_.find(node.surface, face.surface);
+  if (pair == PairRules::none) return false;
+  const SurfacePair& of = *rules_[pair].pair;
+  if (rules_[pair].only_ties() && n_searches_ > 0) return false;
+  // Balls have no faces: they meet those of others as nodes, whatever the formulation.
+  const bool is_sphere = node.radius > 0.0f;
+  if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
+  if (!is_sphere && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  if (are_of_one_rigid_body({&node.node, 1}, face.corners)) return false;
+  return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
+}
+
+bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) const {
+  const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
+  const std::uint32_t pair = rules_.find(a.surface, b.surface);
+  if (pair == PairRules::none || rules_[pair].only_ties()) return false;
+  // Balls meet the edges of faces together with the faces.
+  if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
+  if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
+  if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
+  if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
+  const auto is_of_b = [&](std::uint32_t node) {
+    const std::uint32_t alike = contact_mesh_.first_alike[node];
+    return alike == contact_mesh_.first_alike[b.nodes[0]] || alike == contact_mesh_.first_alike[b.nodes[1]];
+  };
+  return !std::ranges::any_of(a.nodes, is_of_b) && !adjacent_.are_adjacent(a, b);
+}
+
+std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) const {
+  if (body_of_.empty()) return -1;
+  const auto body = [&](std::uint32_t node) { return body_of_[contact_mesh_.mesh_nodes[node]]; };
+  const std::int32_t first = body(nodes[0]);
+  return std::ranges::all_of(nodes, [&](std::uint32_t node) { return body(node) == first; }) ? first : -1;
+}
+
+bool ContactSearch::are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
+                                     std::uint32_t second_node) const {
+  const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
+  if (first_node >= n_mesh_points || second_node >= n_mesh_points) return false;
+  const auto nodes = mesh_.element_nodes(first.element());
+  return std::ranges::any_of(mesh_.element_nodes(second.element()),
+                             [&](NodeIndex node) { return std::ranges::find(nodes, node) != nodes.end(); });
+}
+
+bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {
+  const auto nodes = mesh_.element_nodes(face.side.element());
+  return std::find(nodes.begin(), nodes.end(), NodeIndex{contact_mesh_.mesh_nodes[node]}) != nodes.end();
+}
+
+void ContactSearch::keep_first_partners(ContactCandidates candidates) {
+  const auto drop = [&](PairLists& lists, const PairLists& first, const auto& is_new, const auto& pair_of) {
+    std::uint32_t n = 0;
+    for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
+      const std::uint32_t end = lists.begin[row + 1];
+      for (std::uint32_t k = begin; k < end; ++k) {
+        const std::uint32_t partner = lists.partners[k];
+        const bool may_change =
+            rules_[pair_of(row, partner)].pair->behavior != InteractionBehavior::infinitesimal_sliding;
+        if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
+            holds(first, row, partner))
+          lists.partners[n++] = partner;
+      }
+      begin = end;
+      lists.begin[row + 1] = n;
+    }
+    lists.partners.resize(n);
+  };
+  if (n_searches_ == 0) {
+    first_face_partners_ = candidates.face_partners;
+    first_node_faces_ = candidates.node_faces;
+    return;
+  }
+  drop(candidates.face_partners, first_face_partners_, is_new_face_, [&](std::uint32_t a, std::uint32_t b) {
+    return rules_.find(contact_mesh_.faces[a].surface, contact_mesh_.faces[b].surface);
+  });
+  drop(candidates.node_faces, first_node_faces_, is_new_row_, [&](std::uint32_t row, std::uint32_t face) {
+    return rules_.find(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface);
+  });
+}
+
+}  // namespace contactsim

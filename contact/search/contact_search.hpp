@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/interface_laws/pair_rules.hpp"
+#include "contact/mesh/adjacent_faces.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+#include "contact/mesh/contact_remap.hpp"
+#include "contact/search/broad_phase.hpp"
+#include "core/definition/contact_options.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// Candidates of contact: faces that may touch faces and nodes that may touch faces before the next search.
+struct ContactCandidates {
+  PairLists& face_partners;  ///< [n_faces] faces of greater number
+  PairLists& node_faces;     ///< [n_surface_nodes] faces
+  /// How deep faces and surface nodes are in something already: [n_faces], [n_surface_nodes], or nothing
+  /// [length].
+  std::span<const float> face_depths = {}, node_depths = {};
+};
+
+/// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new
+/// can touch until two sides together have moved as far as the margins of their smallest faces. The boxes
+/// hold the last step's motion too, so that nothing gets past another between two searches.
+class ContactSearch {
+ public:
+  /// All must outlive this.
+  ///   body_of  [n_nodes] the rigid body of each node of the mesh, < 0 of none, or empty: what belongs to one
+  ///            body never meets
+  ContactSearch(const ContactMesh& contact_mesh, const Mesh& mesh, const PairRules& rules,
+                const SearchOptions& search, const DashOptions& dash,
+                std::span<const std::int32_t> body_of = {});
+
+  /// Goes over to other faces and nodes, which stand where `faces` of the constructor stood already. A search
+  /// has to follow.
+  void remap(const ContactRemap& remap);
+
+  /// Whether anything has moved far enough since the last search, or none was made.
+  bool is_due(const ContactKinematics& kinematics) const;
+
+  /// Finds all candidates, sorted, the same for any number of threads. Throws SolveError naming a node that
+  /// is nowhere.
+  void find(const ContactKinematics& kinematics, const Motion& motion, ContactCandidates candidates);
+
+  void archive(StateArchive& saved);
+
+  /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
+  ///   partners  [n_edges] edges of greater number
+  ///   depths    [n_edges] how deep edges are in others already, or nothing [length]
+  void find_edges(const ContactKinematics& kinematics, const Motion& motion, PairLists& partners,
+                  std::span<const float> depths = {});
+
+  std::uint64_t n_searches() const { return n_searches_; }
+  const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
+  const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
+  const BroadPhaseCounts& edge_counts() const { return edges_phase_.counts(); }
+
+ private:
+  void set_margins();
+  void set_surface_margins();
+  /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
+  std::vector<double> used_margins(const ContactKinematics& kinematics) const;
+  /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
+  /// beyond its own, at its widest, the other has left at its narrowest.
+  bool has_room(std::uint32_t first, double first_used, std::uint32_t second, double second_used) const;
+  Box face_box(const ContactKinematics& kinematics, std::uint32_t face, double dt, double deep) const;
+  Box node_box(const ContactKinematics& kinematics, std::uint32_t row, double dt, double deep) const;
+  bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
+  bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
+  Box edge_box(const ContactKinematics& kinematics, std::uint32_t edge, double dt, double deep) const;
+  bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
+  /// The rigid body that has all of these contact nodes, < 0 if none has.
+  std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;
+  bool are_of_one_rigid_body(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
+    const std::int32_t body = rigid_body_of(a);
+    return body >= 0 && body == rigid_body_of(b);
+  }
+  /// Whether faces, or edges, without a common node are of elements that have one: they look away from each
+  /// other, as the opposite skins of a plate one element thick, and would meet through their own material.
+  /// Lofts are looked at by what the mesh joins.
+  ///   first_node, second_node  any contact node of each
+  bool are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
+                        std::uint32_t second_node) const;
+  bool has_element_of(std::uint32_t node, const ContactFace& face) const;
+  /// Of what slides infinitesimally; what deaths have exposed slides as it will.
+  void keep_first_partners(ContactCandidates candidates);
+
+  const ContactMesh& contact_mesh_;
+  const Mesh& mesh_;
+  const PairRules& rules_;
+  AdjacentFaces adjacent_;
+  std::span<const std::int32_t> body_of_;  // [n_nodes], or empty
+  bool is_once_;
+  double length_scaling_;
+  bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
+  bool has_eroded_nodes_ = false;
+  std::vector<double> activation_distance_;                  // [n_surfaces] of the models [length]
+  std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
+  std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]
+  Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]
+  std::vector<Eigen::Vector3f>
+      searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
+  BroadPhase faces_phase_, nodes_phase_, edges_phase_;
+  PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners
+  // [n_faces], [n_surface_nodes] 1 of what deaths have exposed since: it has no first partners. Empty before.
+  std::vector<std::uint8_t> is_new_face_, is_new_row_;
+  std::uint64_t n_searches_ = 0;
+};
+
+}  // namespace contactsim

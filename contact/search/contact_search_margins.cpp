@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+
+#include "contact/search/contact_search.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Marks what was not there before besides what is marked already.
+///   positions  [n before] of ContactRemap
+///   is_new  [n before], or empty when nothing was; gets [n_after]
+void mark_new(std::span<const std::uint32_t> positions, std::size_t n_after,
+              std::vector<std::uint8_t>& is_new) {
+  is_new.resize(positions.size(), 0);
+  std::vector<std::uint8_t> marks(n_after, 1);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (positions[i] != ContactRemap::removed) marks[positions[i]] = is_new[i];
+  }
+  is_new = std::move(marks);
+}
+
+}  // namespace
+
+void ContactSearch::set_margins() {
+  const ContactMesh& contact_mesh = contact_mesh_;
+  node_margin_.assign(contact_mesh.n_nodes(), std::numeric_limits<float>::infinity());
+  face_margin_.clear();
+  const ContactKinematics start = kinematics_of_mesh(contact_mesh_, mesh_);
+  face_margin_.reserve(contact_mesh_.faces.size());
+  for (const ContactFace& face : contact_mesh_.faces) {
+    face_margin_.push_back(static_cast<float>(length_scaling_ * std::sqrt(start.area(face).norm())));
+    for (const std::uint32_t corner : face.corners)
+      node_margin_[corner] = std::min(node_margin_[corner], face_margin_.back());
+  }
+  for (const SurfaceNode& node : contact_mesh.surface_nodes)
+    node_margin_[node.node] =
+        std::min(node_margin_[node.node], static_cast<float>(length_scaling_ * std::sqrt(node.area)));
+  set_surface_margins();
+}
+
+void ContactSearch::set_surface_margins() {
+  const ContactMesh& contact_mesh = contact_mesh_;
+  const std::size_t n_surfaces = contact_mesh.first_face.size() - 1;
+  activation_distance_.assign(n_surfaces, 0.0);
+  for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
+    const SurfacePair& pair = *rules_[i].pair;
+    // Ties reach as far as the deck says.
+    const double given = std::max(pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0));
+    for (const std::uint32_t surface : {pair.first, pair.second})
+      activation_distance_[surface] =
+          std::max({activation_distance_[surface], rules_.max_activation_distance(i), given});
+  }
+  widest_margin_.assign(n_surfaces, 0.0);
+  narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());
+  for (const SurfaceNode& node : contact_mesh.surface_nodes) {
+    double& narrowest = narrowest_margin_[node.surface];
+    double& widest = widest_margin_[node.surface];
+    narrowest = std::min<double>(narrowest, node_margin_[node.node]);
+    widest = std::max<double>(widest, node_margin_[node.node]);
+  }
+  for (std::size_t i = 0; i < contact_mesh.faces.size(); ++i) {
+    double& widest = widest_margin_[contact_mesh.faces[i].surface];
+    widest = std::max<double>(widest, face_margin_[i]);
+  }
+}
+
+void ContactSearch::remap(const ContactRemap& remap) {
+  adjacent_.renew(mesh_);
+  set_margins();
+  has_eroded_nodes_ = std::ranges::any_of(contact_mesh_.surface_nodes, &SurfaceNode::is_free);
+  std::vector<std::size_t> before;
+  first_face_partners_ =
+      transferred(first_face_partners_, remap.faces, remap.faces, remap.n_faces_after, before);
+  first_node_faces_ = transferred(first_node_faces_, remap.rows, remap.faces, remap.n_rows_after, before);
+  if (!has_small_sliding_) return;
+  mark_new(remap.faces, remap.n_faces_after, is_new_face_);
+  mark_new(remap.rows, remap.n_rows_after, is_new_row_);
+}
+
+}  // namespace contactsim

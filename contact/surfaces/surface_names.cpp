@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/surfaces/surface_names.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+namespace contactsim {
+
+void check_surface_names(const ContactDefinition& contact, const ContactSurfaces& surfaces,
+                         Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  std::unordered_set<std::string> known;
+  for (const ContactSurface& surface : surfaces.surfaces) {
+    names.push_back(surface.name);
+    known.insert(fold(surface.name));
+  }
+  const auto check = [&](const std::vector<DeckName>& references) {
+    for (const DeckName& reference : references) {
+      if (known.contains(fold(reference.text))) continue;
+      diagnostics.add_error(reference.location,
+                            fmt::format("there is no contact surface '{}'", reference.text),
+                            suggest(reference.text, names), static_cast<int>(reference.text.size()));
+    }
+  };
+  if (contact.interaction_defaults) check(contact.interaction_defaults->surfaces);
+  for (const Interaction& interaction : contact.interactions) {
+    check(interaction.surfaces);
+    check(interaction.side_a);
+    check(interaction.side_b);
+  }
+  for (const SurfaceOptions& options : contact.surface_options) {
+    check(options.surfaces);
+    check(options.removed_surfaces);
+  }
+}
+
+}  // namespace contactsim

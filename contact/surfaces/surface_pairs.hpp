@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/surfaces/contact_surface.hpp"
+#include "core/definition/contact.hpp"
+#include "core/diagnostics.hpp"
+
+namespace contactsim {
+
+/// Two contact surfaces that may touch each other, and how: the deck's settings, with what it leaves out
+/// taken from its defaults and then from the program's.
+struct SurfacePair {
+  /// Positions of the surfaces; equal for self contact. One-sided: `first` gives the faces (a plane counts as
+  /// one), `second` the nodes. Else first <= second.
+  std::uint32_t first = 0, second = 0;
+  bool is_one_sided = false;  ///< NODE_FACE with sides, or one of the two cannot give the faces or the nodes
+  std::string interaction;    ///< its name, "interaction 3" without one, "general contact", "self contact"
+  DeckLocation location;      ///< of the interaction, or of the defaults
+  bool is_from_defaults = false;  ///< by general or self contact, no interaction names it
+  FrictionLaw law;
+  ConstraintFormulation formulation = ConstraintFormulation::face_face;  ///< face_face: both have faces
+  InteractionBehavior behavior = InteractionBehavior::sliding;           ///< never no_interaction
+  std::optional<double> normal_tolerance;          ///< reach off a face; absent: automatic [length]
+  std::optional<double> tangential_tolerance;      ///< reach beyond an edge; absent: automatic [length]
+  std::optional<double> overlap_normal_tolerance;  ///< deepest overlap removed; absent: automatic [length]
+  std::optional<double>
+      overlap_tangential_tolerance;         ///< the same beyond an edge; absent: automatic [length]
+  std::optional<double> capture_tolerance;  ///< gap that is closed at the start; absent: 0 [length]
+  Enforcement enforcement = Enforcement::penalty;
+  double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]
+  std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
+  double damping_fraction = 0.0;            ///< of critical damping [1]
+  ActivePeriods periods;                    ///< of the interaction
+
+  /// Share of a node's area that counts where it meets a face: pairs that go both ways meet everything twice
+  /// [1].
+  double node_share() const { return is_one_sided ? 1.0 : 0.5; }
+};
+
+/// The pairs that a contact definition asks for, sorted by (first, second), those of NO_INTERACTION left out.
+/// General contact pairs every surface with every other, self contact with itself. A named interaction
+/// overrides both for its pairs; of two that name one pair the later wins, with the warning
+/// "interaction-overridden". A side that both ways name, or FACE_FACE, makes a pair two-sided again. Nodes
+/// meet faces and planes only, planes never each other.
+///   surfaces     resolved; names that are not among them are passed over, since they are errors elsewhere
+///   diagnostics  gets an error for an interaction none of whose surfaces can meet, and the warning
+///                "contact-without-pairs" when nothing meets at all
+/// Source: Sierra/SM 5.22, 8.6.
+std::vector<SurfacePair> make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
+                                            Diagnostics& diagnostics);
+
+}  // namespace contactsim

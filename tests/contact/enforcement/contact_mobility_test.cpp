@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/contact_mobility.hpp"
+
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+
+using namespace contactsim;
+using test::ContactParts;
+
+namespace {
+
+/// Two cubes of eight nodes of mass 0.5, apart; contact nodes are numbered as those of the mesh.
+struct TwoCubes {
+  ContactParts parts;
+  Model model;
+
+  TwoCubes() : parts(cubes(), test::general_contact()) {
+    model.mesh = &parts.mesh;
+    model.mass = Eigen::Matrix3Xd::Constant(3, 16, 0.5);
+  }
+  void hold(std::vector<NodeIndex> nodes, const Direction& direction) {
+    PrescribedMotion held;
+    held.nodes = std::move(nodes);
+    held.direction = direction;
+    model.kinematic_constraints = KinematicConstraints(parts.mesh, {held});
+  }
+  /// The second cube is a body of mass 8 and moments of inertia 4, 4 and 2.
+  void make_rigid() {
+    RigidBody body;
+    body.mass = 8;
+    body.centre << 0.5, 0.5, 2.5;
+    body.flexible = Eigen::Vector3d(0.25, 0.25, 0.5).asDiagonal();
+    model.rigid.bodies = {body};
+    model.rigid.nodes.body_of.assign(16, RigidNodes::free);
+    std::fill(model.rigid.nodes.body_of.begin() + 8, model.rigid.nodes.body_of.end(), 0);
+  }
+  static test::MeshBuilder cubes() {
+    test::MeshBuilder b;
+    b.add_hexes({.id = 1});
+    b.add_hexes({.id = 2, .origin = {0, 0, 2}, .share_nodes = false});
+    return b;
+  }
+};
+
+const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
+
+}  // namespace
+
+TEST_CASE("a free node gives way by its mass, a held one along what is free", "[contact][contact_mobility]") {
+  TwoCubes cubes;
+  cubes.hold({{3}}, Components{{false, false, true}});
+  ContactMobility mobility(cubes.model);
+  CHECK(mobility.update(0.0));
+  CHECK_FALSE(mobility.update(1.0));
+  const ContactKinematics& kinematics = cubes.parts.kinematics;
+  CHECK(mobility.mobility(kinematics, 0, &z) == 2.0);
+  CHECK(mobility.mobility(kinematics, 3, &z) == 0.0);
+  CHECK(mobility.mobility(kinematics, 3, &x) == 2.0);
+  CHECK(mobility.mobility(kinematics, 3, nullptr) == 2.0);
+  CHECK(mobility.is_held(kinematics, 3, &z));
+  CHECK_FALSE(mobility.is_held(kinematics, 3, &x));
+  CHECK_FALSE(mobility.is_held(kinematics, 3, nullptr));
+  CHECK_FALSE(mobility.is_held(kinematics, 0, &z));
+}
+
+TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][contact_mobility]") {
+  TwoCubes cubes;
+  cubes.make_rigid();
+  ContactMobility mobility(cubes.model);
+  mobility.update(0.0);
+  const ContactKinematics& kinematics = cubes.parts.kinematics;
+  CHECK(mobility.is_of_body(kinematics.contact_mesh(), 9));
+  // A corner is sqrt(0.75) from the centre; the least moment of inertia is 2.
+  CHECK(mobility.mobility(kinematics, 9, &z) == Approx(1.0 / 8 + 0.75 / 2));
+}
+
+TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
+          "[contact][contact_mobility]") {
+  TwoCubes cubes;
+  cubes.make_rigid();
+  ContactMobility mobility(cubes.model);
+  mobility.update(0.0);
+  ContactPoint point;
+  point.stiffness = 3.0;
+  point.normal = z;
+  point.first = {{8, 9, 10, 11}, {0.25, 0.25, 0.25, 0.25}, 0.0};
+  point.second = {{4, 5, 6, 7}, {0.5, 0.5, 0.0, 0.0}, 0.0};
+  const std::vector<ContactPoint> points{point, point};
+  const std::vector<std::uint8_t> slips{0};
+  const auto rates = mobility.find_rates(cubes.parts.kinematics, points, {}, slips);
+  CHECK(rates[4] == Approx(2 * 0.5 * 3.0 * 2.0));
+  CHECK(rates[6] == 0.0);
+  CHECK(rates[8] == Approx(2 * 3.0 * 0.5));
+  CHECK(rates[15] == rates[8]);
+}

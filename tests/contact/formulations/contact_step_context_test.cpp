@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/contact_step_context.hpp"
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+/// a-b slides, b-c is tied, c with itself has friction, a-c is glued from time 1 on.
+std::vector<SurfacePair> four_pairs() {
+  std::vector<SurfacePair> pairs(4);
+  pairs[0].second = 1;
+  pairs[1].second = 2;
+  pairs[1].law = Glued{};
+  pairs[2].first = 1;
+  pairs[2].second = 2;
+  pairs[2].law = Tied{};
+  pairs[3].first = pairs[3].second = 2;
+  ConstantFriction friction;
+  friction.coefficient = 0.3;
+  pairs[3].law = friction;
+  return pairs;
+}
+
+std::vector<ActiveTimes> late_second() {
+  std::vector<ActiveTimes> times(4);
+  times[1] = ActiveTimes({{1.0, 2.0}});
+  return times;
+}
+
+}  // namespace
+
+TEST_CASE("rules of pairs are found by two surfaces in either order", "[contact][contact_step_context]") {
+  const auto pairs = four_pairs();
+  const PairRules rules(pairs, late_second(), 3);
+  CHECK(rules.find(0, 1) == 0);
+  CHECK(rules.find(1, 0) == 0);
+  CHECK(rules.find(2, 0) == 1);
+  CHECK(rules.find(1, 2) == 2);
+  CHECK(rules.find(2, 2) == 3);
+  CHECK(rules.find(0, 0) == PairRules::none);
+  CHECK(rules.find(1, 1) == PairRules::none);
+}
+
+TEST_CASE("rules of pairs say how their sides hold each other", "[contact][contact_step_context]") {
+  const auto pairs = four_pairs();
+  const PairRules rules(pairs, late_second(), 3);
+  CHECK(rules[0].law == ContactLaw::sliding);
+  CHECK(rules[0].friction == 0.0);
+  CHECK(rules[1].law == ContactLaw::glued);
+  CHECK(rules[2].law == ContactLaw::tied);
+  CHECK(rules[3].law == ContactLaw::sliding);
+  CHECK(rules[3].friction == 0.3);
+  CHECK(rules[3].pair == &pairs[3]);
+  CHECK(rules.has_friction());
+  CHECK(!PairRules(std::span(pairs).first(3), late_second(), 3).has_friction());
+}
+
+TEST_CASE("a pair acts in its periods while contact does", "[contact][contact_step_context]") {
+  const auto pairs = four_pairs();
+  PairRules rules(pairs, late_second(), 3);
+  rules.activate(0.5, true);
+  CHECK(rules[0].is_active);
+  CHECK(!rules[1].is_active);
+  rules.activate(1.5, true);
+  CHECK(rules[1].is_active);
+  rules.activate(1.5, false);
+  CHECK(!rules[0].is_active);
+  CHECK(!rules[1].is_active);
+}
+
+TEST_CASE("glued places are known by both sides, faces apart from nodes", "[contact][contact_step_context]") {
+  ConstrainedPairs constrained;
+  CHECK(constrained.add_faces(3, 7));
+  CHECK(!constrained.add_faces(3, 7));
+  CHECK(constrained.holds_faces(3, 7));
+  CHECK(!constrained.holds_faces(7, 3));
+  CHECK(!constrained.holds_node(3, 7));
+  CHECK(constrained.add_node(3, 7));
+  CHECK(constrained.holds_node(3, 7));
+  CHECK(!constrained.add_node(3, 7));
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/mesh/contact_kinematics.hpp"
+
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+using Eigen::Vector3d;
+
+namespace {
+
+/// A cube of edge 2 and a tetrahedron, both with all their faces.
+MeshBuilder cube_and_tet() {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .size = {2, 2, 2}});
+  const std::uint32_t first = b.add_node({9, 0, 0}).value;
+  b.add_node({12, 0, 0});
+  b.add_node({9, 3, 0});
+  b.add_node({9, 0, 3});
+  b.add_block(2, "", Shape::tet4, {first, first + 1, first + 2, first + 3});
+  return b;
+}
+
+}  // namespace
+
+TEST_CASE("bounds of faces tell centre, normal, velocity and radius", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  const Vector3d speed(1, 2, 3);
+  parts.v.colwise() = speed;
+  parts.v.col(0) += Vector3d(4, 0, 0);
+  parts.move();
+  REQUIRE(parts.contact_mesh.faces.size() == 10);
+  for (std::uint32_t f = 0; f < 10; ++f) {
+    const FaceBound& bound = parts.kinematics.bound(f);
+    const Vector3d body = f < 6 ? Vector3d(1, 1, 1) : Vector3d(9.75, 0.75, 0.75);
+    CHECK((bound.centre() - body).dot(bound.normal().cast<double>()) ==
+          Approx(f < 6 ? 1.0 : (bound.centre() - body).norm()).epsilon(0.5));
+    CHECK(bound.normal().cast<double>().norm() == Approx(1.0));
+    if (f >= 6) continue;
+    CHECK(bound.radius() == Approx(std::sqrt(2.0)));
+    const auto& corners = parts.contact_mesh.faces[f].corners;
+    const bool has_first = std::count(corners.begin(), corners.end(), 0u) > 0;
+    CHECK((bound.velocity().cast<double>() - speed - Vector3d(has_first ? 1.0 : 0.0, 0, 0)).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("the corners of a triangle count once in its bounds", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  parts.v.col(9) = Vector3d(3, 0, 0);
+  parts.move();
+  int n_floors = 0;
+  for (std::uint32_t f = 6; f < 10; ++f) {
+    const FaceBound& bound = parts.kinematics.bound(f);
+    if (std::abs(bound.normal().cast<double>().z() + 1.0) > 1e-12) continue;
+    ++n_floors;
+    CHECK((bound.centre() - Vector3d(10, 1, 0)).norm() < 1e-14);
+    CHECK((bound.velocity().cast<double>() - Vector3d(1, 0, 0)).norm() < 1e-14);
+    CHECK(bound.radius() == Approx(std::sqrt(5.0)));
+    CHECK(parts.kinematics.face(f).is_triangle);
+  }
+  CHECK(n_floors == 1);
+}
+
+TEST_CASE("only watched faces are followed until all are asked for", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  const Vector3d before = parts.kinematics.bound(0).centre(), other = parts.kinematics.bound(1).centre(),
+                 way(0, 0, 5);
+  parts.x.colwise() += way;
+  parts.kinematics.watch({1});
+  parts.kinematics.move_nodes(parts.motion());
+  parts.kinematics.bound_watched();
+  CHECK(parts.kinematics.bound(0).centre() == before);
+  CHECK((parts.kinematics.bound(1).centre() - other - way).norm() < 1e-14);
+  parts.kinematics.bound_all();
+  CHECK((parts.kinematics.bound(0).centre() - before - way).norm() < 1e-14);
+}
+
+TEST_CASE("a face is handed out with its corners as they move", "[contact][contact_kinematics]") {
+  ContactParts parts(cube_and_tet(), general_contact());
+  parts.x.colwise() += Vector3d(0.5, 0, 0);
+  for (Eigen::Index i = 0; i < parts.v.cols(); ++i) parts.v(1, i) = double(i);
+  parts.move();
+  for (std::uint32_t f = 0; f < 10; ++f) {
+    const MovingFace face = parts.kinematics.face(f);
+    const ContactFace& of = parts.contact_mesh.faces[f];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto node = static_cast<Eigen::Index>(parts.contact_mesh.mesh_nodes[of.corners[k]]);
+      CHECK(face.x.col(static_cast<int>(k)) == parts.x.col(node));
+      CHECK(face.v.col(static_cast<int>(k)) == parts.v.col(node));
+    }
+    CHECK(face.is_triangle == (f >= 6));
+    CHECK((face.normal() - parts.kinematics.bound(f).normal().cast<double>()).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("the sides of an edge do not count for what its top touches", "[contact][contact_kinematics]") {
+  // A corner of a cube of edge 2 has a quarter of three faces, 1 each.
+  ContactParts parts(cube_and_tet(), general_contact());
+  const SurfaceNode& corner = parts.contact_mesh.surface_nodes[0];
+  REQUIRE(parts.x.col(0) == Vector3d::Zero());
+  REQUIRE(corner.area == Approx(3.0));
+  CHECK(parts.kinematics.area_against(corner, Vector3d::UnitZ()) == Approx(1.0));
+  CHECK(parts.kinematics.area_against(corner, Vector3d(0, 0.6, 0.8)) == Approx(1.4));
+  CHECK(parts.kinematics.area_against(corner, -Vector3d::UnitZ()) == Approx(0.03));
+  parts.x *= 2.0;
+  parts.move();
+  CHECK(parts.kinematics.area_against(corner, Vector3d::UnitZ()) == Approx(4.0));
+}
+
+TEST_CASE("corners of quadrilaterals share their area by four, of triangles by three",
+          "[contact][contact_kinematics]") {
+  const ContactParts parts(cube_and_tet(), general_contact());
+  for (std::uint32_t f = 0; f < 10; ++f) {
+    const Vector3d normal = parts.kinematics.face(f).normal();
+    const double area = f < 6 ? 4.0 : normal.minCoeff() < -0.9 ? 4.5 : 4.5 * std::sqrt(3.0);
+    CHECK((parts.kinematics.corner_area(f) - area / (f < 6 ? 4.0 : 3.0) * normal).norm() < 1e-14);
+  }
+}
+
+TEST_CASE("nodes of a set without faces of their own have their area at the start all round",
+          "[contact][contact_kinematics]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .size = {2, 2, 2}});
+  b.add_node_set(5, "tip", [](const Vector3d& x) { return x.norm() < 0.1; });
+  const ContactParts parts(b, "contact node set tip_nodes contains tip\n");
+  REQUIRE(parts.contact_mesh.surface_nodes.size() == 1);
+  const SurfaceNode& tip = parts.contact_mesh.surface_nodes[0];
+  CHECK(tip.area > 0.0);
+  CHECK(parts.kinematics.area_against(tip, Vector3d::UnitX()) == tip.area);
+}

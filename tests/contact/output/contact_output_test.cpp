@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/output/contact_output.hpp"
+
+#include <set>
+
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+using Eigen::Vector3d;
+
+namespace {
+
+/// A plate of 3 x 3 unit cells, a cube on its middle and one far away that takes no part.
+MeshBuilder cube_on_plate() {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}});
+  b.add_hexes({.id = 2, .origin = {1, 1, 1}, .share_nodes = false});
+  return b.add_hexes({.id = 3, .origin = {20, 0, 0}});
+}
+
+std::string rough(const std::string& more = "") {
+  return general_contact("penalty stiffness = 1000\n" + more +
+                             "friction model = rough\nend\nbegin constant friction model rough\n"
+                             "friction coefficient = 0.5\n",
+                         "contact surface low contains block_1\ncontact surface high contains block_2\n");
+}
+
+/// Bodies whose contact variables are looked at.
+struct Watched : ContactBodies {
+  explicit Watched(const std::string& lines)
+      : ContactBodies(cube_on_plate(), lines),
+        output(contact, definition, model),
+        variables(output.variables()),
+        state(make_state(x, model.blocks, 0.0)) {}
+
+  ContactOutput output;
+  std::vector<OutputVariable> variables;
+  State state;
+
+  /// Brings the state to the bodies, as after a step.
+  void take(std::int64_t step) {
+    state.step = step;
+    state.time = time;
+    state.dt = dt;
+    state.coordinates = x;
+    state.velocity = v;
+  }
+  const OutputVariable& variable(const std::string& name) const {
+    for (const OutputVariable& found : variables) {
+      if (found.name == name) return found;
+    }
+    throw std::logic_error("there is no variable " + name);
+  }
+  Vector3d global(const std::string& name) const {
+    Vector3d values = Vector3d::Zero();
+    const OutputVariable& found = variable(name);
+    found.fill({model, state}, {}, std::span(values.data(), static_cast<std::size_t>(found.n_components)));
+    return values;
+  }
+  /// [n_nodes] values of a nodal variable as columns of three.
+  Eigen::Matrix3Xd nodal(const std::string& name) const {
+    const OutputVariable& found = variable(name);
+    const auto n = static_cast<std::size_t>(found.n_components);
+    std::vector<double> values(n * mesh.n_nodes(), std::nan(""));
+    found.fill({model, state}, {0, 0, mesh.n_nodes(), {}}, values);
+    Eigen::Matrix3Xd made = Eigen::Matrix3Xd::Zero(3, x.cols());
+    for (std::size_t i = 0; i < mesh.n_nodes(); ++i) {
+      for (std::size_t k = 0; k < n; ++k)
+        made(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = values[i * n + k];
+    }
+    return made;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contact variables are there before the first step", "[contact][contact_output]") {
+  Watched bodies(rough());
+  bodies.ask();
+  bodies.take(0);
+  const Eigen::Matrix3Xd status = bodies.nodal("contact_status");
+  CHECK(status.row(0).leftCols(40).isConstant(0.5));
+  CHECK(status.row(0).rightCols(8).isZero());
+  for (const OutputVariable& variable : bodies.variables) {
+    if (variable.location == FieldLocation::node) CHECK(bodies.nodal(variable.name).allFinite());
+  }
+  CHECK(bodies.global("contact_force_low").norm() == 0.0);
+  CHECK(bodies.global("contact_centre_low_high").norm() == 0.0);
+}
+
+TEST_CASE("nodes and totals of a cube pressed on a plate have the values of the pressure",
+          "[contact][contact_output]") {
+  Watched bodies(rough());
+  bodies.shift(1, {0, 0, -0.01});
+  bodies.ask();
+  bodies.take(0);
+  CHECK((bodies.global("contact_force_high") - Vector3d(0, 0, 10)).norm() < 1e-10);
+  CHECK((bodies.global("contact_force_low") + Vector3d(0, 0, 10)).norm() < 1e-10);
+  CHECK((bodies.global("contact_force_low_high") + Vector3d(0, 0, 10)).norm() < 1e-10);
+  CHECK((bodies.global("contact_moment_high") - Vector3d(15, -15, 0)).norm() < 1e-9);
+  CHECK((bodies.global("contact_moment_low") + bodies.global("contact_moment_high")).norm() < 1e-9);
+  CHECK((bodies.global("contact_centre_high").head<2>() - Eigen::Vector2d(1.5, 1.5)).norm() < 1e-12);
+  CHECK(bodies.global("contact_area_high").x() == Approx(1.0));
+  CHECK(bodies.nodal("contact_normal_force_magnitude").row(0).sum() == Approx(20.0));
+  CHECK(bodies.nodal("contact_area").row(0).sum() == Approx(2.0));
+  const Eigen::Matrix3Xd status = bodies.nodal("contact_status"),
+                         traction = bodies.nodal("contact_normal_traction_magnitude"),
+                         gap = bodies.nodal("contact_normal_gap"),
+                         direction = bodies.nodal("contact_normal_direction"),
+                         pair = bodies.nodal("contact_interaction");
+  int n_touching = 0;
+  for (Eigen::Index i = 32; i < 40; ++i) {
+    const bool is_low = bodies.x(2, i) < 1.5;
+    n_touching += is_low ? 1 : 0;
+    CHECK(status(0, i) == (is_low ? 1.0 : 0.5));
+    CHECK(traction(0, i) == Approx(is_low ? 10.0 : 0.0));
+    CHECK(gap(0, i) == Approx(is_low ? -0.01 : 0.0));
+    CHECK(pair(0, i) == (is_low ? 1.0 : 0.0));
+    CHECK((direction.col(i) - Vector3d(0, 0, is_low ? 1 : 0)).norm() < 1e-12);
+  }
+  CHECK(n_touching == 4);
+}
+
+TEST_CASE("totals of nodes on faces are the sums of the forces on the bodies", "[contact][contact_output]") {
+  Watched bodies(rough("constraint formulation = node_face\n"));
+  bodies.shift(1, {0.1, 0.2, -0.01});
+  bodies.ask();
+  bodies.take(0);
+  CHECK(bodies.force_on(1).z() > 1.0);
+  CHECK((bodies.global("contact_force_high") - bodies.force_on(1)).norm() < 1e-12);
+  CHECK((bodies.global("contact_force_low") - bodies.force_on(0)).norm() < 1e-12);
+  CHECK((bodies.global("contact_moment_low") + bodies.global("contact_moment_high")).norm() < 1e-9);
+  CHECK((bodies.global("contact_moment_low") + bodies.global("contact_moment_high") - bodies.net_moment())
+            .norm() < 1e-9);
+  const Eigen::Matrix3Xd normal = bodies.nodal("contact_normal_force_magnitude");
+  for (Eigen::Index i = 0; i < bodies.x.cols(); ++i)
+    CHECK(normal(0, i) == Approx(bodies.forces.col(i).norm()).margin(1e-12));
+}
+
+TEST_CASE("slips, friction energy and rates of a cube that slides add up to what the run lost",
+          "[contact][contact_output]") {
+  Watched bodies(rough());
+  bodies.shift(1, {0, 0, -0.01});
+  bodies.ask();
+  bodies.set_velocity(1, {0.01, 0, 0});
+  double lost = 0.0;
+  for (int step = 1; step <= 10; ++step) {
+    lost += bodies.step(1.0).friction_work;
+    bodies.take(step);
+    const Vector3d force = bodies.global("contact_force_high");
+    CHECK((force - bodies.force_on(1)).norm() < 1e-10);
+    CHECK((force + bodies.global("contact_force_low")).norm() < 1e-10);
+  }
+  // It slips from 0.005 on, where the spring of 1000 holds 5.
+  CHECK(lost == Approx(5.0 * (0.1 - 0.005)).epsilon(1e-3));  // slivers on new partners wait for a step
+  CHECK(bodies.nodal("contact_frictional_energy").row(0).sum() == Approx(lost));
+  const Eigen::Matrix3Xd slip = bodies.nodal("contact_accumulated_slip_vector"),
+                         length = bodies.nodal("contact_accumulated_slip"),
+                         rate = bodies.nodal("contact_slip_rate"),
+                         held = bodies.nodal("contact_tangential_gap");
+  for (Eigen::Index i = 32; i < 40; ++i) {
+    if (bodies.x(2, i) > 1.5) continue;
+    CHECK((slip.col(i) - Vector3d(0.095, 0, 0)).norm() < 1e-12);
+    CHECK(length(0, i) == Approx(0.095));
+    CHECK(rate(0, i) == Approx(0.01));
+    CHECK(held(0, i) == Approx(0.005));
+  }
+  CHECK(bodies.nodal("contact_tangential_force_magnitude").rightCols(16).row(0).sum() == Approx(5.0));
+  // Lifted off: forces are gone, what has been stays.
+  bodies.set_velocity(1, {0, 0, 0.02});
+  bodies.step(1.0);
+  bodies.take(11);
+  CHECK(bodies.global("contact_force_high").norm() == 0.0);
+  CHECK(bodies.nodal("contact_status").maxCoeff() == 0.5);
+  CHECK(bodies.nodal("contact_slip_rate").norm() == 0.0);
+  CHECK(bodies.nodal("contact_frictional_energy").row(0).sum() == Approx(lost));
+}
+
+TEST_CASE("ties show their forces, and none outside their periods", "[contact][contact_output]") {
+  Watched bodies(
+      general_contact("penalty stiffness = 1000\nfriction model = tied\n",
+                      "contact surface low contains block_1\ncontact surface high contains block_2\n"));
+  bodies.ask();
+  bodies.shift(1, {0, 0, 0.01});
+  bodies.ask();
+  bodies.take(1);
+  CHECK((bodies.global("contact_force_high") + Vector3d(0, 0, 10)).norm() < 1e-10);
+  CHECK((bodies.global("contact_force_low") - Vector3d(0, 0, 10)).norm() < 1e-10);
+  CHECK(bodies.global("contact_area_low_high").x() == Approx(1.0));
+  CHECK(bodies.nodal("contact_normal_force_magnitude").row(0).sum() == Approx(20.0));
+}
+
+TEST_CASE("every contact variable has a name of its own and a line of help", "[contact][contact_output]") {
+  std::set<std::string_view> names, of_totals;
+  for (const ContactNodeRow& row : contact_node_rows()) {
+    CHECK(names.insert(row.name).second);
+    CHECK(!row.help.empty());
+    CHECK(row.help.back() == ']');
+  }
+  for (const ContactTotalRow& row : contact_total_rows()) CHECK(of_totals.insert(row.name).second);
+}

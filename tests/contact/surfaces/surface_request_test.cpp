@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/surfaces/surface_request.hpp"
+
+#include "support/catch.hpp"
+#include "support/contact_deck.hpp"
+#include "support/deck_dump.hpp"
+
+// What is wrong in a deck's surface-making commands. Columns count from 1: in "contact surface s contains x"
+// the name s stands in column 17 and x in 28; in "begin contact surface s" s stands in column 23.
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+/// Elements: 1 a hexahedron, 2 a shell, 3 a beam, 4 a particle. Names on the mesh: block_1 plate, side set 10
+/// plate as well, block 2 skin, block_3, block 4 dust, node set 20 corners.
+MeshBuilder small_model() {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .name = "plate"});
+  b.add_shells({.id = 2, .name = "skin", .origin = {0, 0, 5}});
+  b.add_beams({.id = 3, .from = {0, 7, 0}, .to = {1, 7, 0}});
+  b.add_spheres(4, "dust", {{0, 9, 0}});
+  b.add_side_set(10, "plate", {{{0}, 6}});
+  b.add_side_set(11, "edge", {{{1}, 1}, {{1}, 4}});
+  b.add_side_set(12, "tip", {{{2}, 1}});
+  b.add_node_set(20, "corners", {0, 1});
+  b.add_assembly(30, "mixed", EntityKind::block, {1, 4});
+  b.add_assembly(31, "points", EntityKind::node_set, {20});
+  b.add_assembly(32, "nothing", EntityKind::block, {});
+  b.add_assembly(33, "tops", EntityKind::side_set, {10});
+  return b;
+}
+
+std::string errors_of(const std::string& lines) { return resolve(small_model().build(), lines).messages; }
+
+}  // namespace
+
+TEST_CASE("a block form that names nothing is an error", "[contact][request]") {
+  CHECK(errors_of("begin contact surface s\nend\n") ==
+        "c.i:1:23: error: contact surface 's' names nothing that it could hold; add a line BLOCK, ELEMENT, "
+        "SURFACE, ASSEMBLY or INCLUDE ALL BLOCKS\n");
+  const std::string removes =
+      errors_of("begin contact surface s\n remove block = block_1\n subset t with normal 1 0 0\nend\n");
+  CHECK(removes.rfind("c.i:1:23: error: contact surface 's' names nothing that it could hold;", 0) == 0);
+}
+
+TEST_CASE("two surfaces with one name are an error at the second", "[contact][request]") {
+  CHECK(errors_of("contact surface Top contains block_1\n"
+                  "contact node set TOP contains corners\n") ==
+        "c.i:2:18: error: a second contact surface with the name 'TOP'; the first stands at c.i:1:17\n");
+}
+
+TEST_CASE("a surface may not have the name of a block of SKIN ALL BLOCKS", "[contact][request]") {
+  CHECK(errors_of("contact surface SKIN contains block_1\n"
+                  "skin all blocks = on exclude plate dust\n") ==
+        "c.i:2:1: error: a second contact surface with the name 'skin'; the first stands at c.i:1:17\n");
+  CHECK(errors_of("skin all blocks = on exclude block_1 dust\n"
+                  "contact surface block_3 contains block_1\n") ==
+        "c.i:2:17: error: a second contact surface with the name 'block_3'; the first stands at c.i:1:1\n");
+  CHECK(errors_of("skin all blocks = on exclude skin block_3 dust\nskin all blocks = on exclude dust\n") ==
+        "c.i:2:1: error: a second contact surface with the name 'plate'; the first stands at c.i:1:1\n");
+}
+
+TEST_CASE("the name of a subset must be free", "[contact][request]") {
+  const std::string block =
+      "begin contact surface s\n"
+      "  block = block_1\n"
+      "  subset x with normal 1 0 0\n"
+      "  subset X with normal 0 1 0\n"
+      "end\n";
+  CHECK(errors_of(block) ==
+        "c.i:4:10: error: a second contact surface with the name 's_X'; the first stands at c.i:3:10\n");
+  CHECK(errors_of("contact surface s_up contains skin\n"
+                  "begin contact surface s\n"
+                  "  block = block_1\n"
+                  "  subset up with normal 0 0 1\n"
+                  "end\n") ==
+        "c.i:4:10: error: a second contact surface with the name 's_up'; the first stands at c.i:1:17\n");
+}
+
+TEST_CASE("ELEMENT takes lofted elements that exist", "[contact][request]") {
+  CHECK(errors_of("begin contact surface s\n  element = 2 1 99\nend\n") ==
+        "c.i:2:15: error: element 1 is a HEX8 of block 'plate'; ELEMENT picks lofted elements only (shells, "
+        "beams, particles)\n"
+        "c.i:2:17: error: the mesh has no element with id 99\n");
+}
+
+TEST_CASE("blocks of particles are no part of a block form", "[contact][request]") {
+  const std::string hint = "; use the line CONTACT SURFACE ... CONTAINS, or CONTACT NODE SET\n";
+  CHECK(errors_of("begin contact surface s\n  block = plate dust\nend\n") ==
+        "c.i:2:17: error: block 'dust' holds particles only, which BEGIN CONTACT SURFACE cannot take" + hint);
+  CHECK(errors_of("begin contact surface s\n  assembly = mixed\nend\n") ==
+        "c.i:2:14: error: block 'dust' holds particles only, which BEGIN CONTACT SURFACE cannot take" + hint);
+  CHECK(errors_of("begin contact surface s\n  assembly = mixed\n  remove block = dust\nend\n").empty());
+  CHECK(errors_of("begin contact surface s\n  element = 4\nend\n").empty());
+  CHECK(errors_of("contact surface s contains dust\n").empty());
+  CHECK(errors_of("contact node set s contains mixed\n").empty());
+}
+
+TEST_CASE("side sets of edges and nodes are no surfaces", "[contact][request]") {
+  const std::string edge =
+      "error: side set 'edge' holds side 4 of element 2 (SHELL4), which is an edge and no contact face\n";
+  CHECK(errors_of("contact surface s contains edge\n") == "c.i:1:28: " + edge);
+  CHECK(errors_of("begin contact surface s\n block = skin\n remove surface = edge\nend\n") ==
+        "c.i:3:19: " + edge);
+  CHECK(errors_of("contact surface s contains tip\n") ==
+        "c.i:1:28: error: side set 'tip' holds side 1 of element 3 (BEAM2), which is an edge and no contact "
+        "face\n");
+  CHECK(errors_of("contact surface s contains skin\n").empty());
+}
+
+TEST_CASE("the sides of bars are nodes and no surfaces", "[contact][request]") {
+  MeshBuilder b;
+  b.add_bars({.id = 1});
+  b.add_side_set(2, "", {{{0}, 2}});
+  CHECK(resolve(b.build(), "contact surface s contains surface_2\n").messages ==
+        "c.i:1:28: error: side set 'surface_2' holds side 2 of element 1 (BAR2), which is a node and no "
+        "contact "
+        "face\n");
+}
+
+TEST_CASE("assemblies must hold what the command takes", "[contact][request]") {
+  CHECK(errors_of("contact surface s contains points\n") ==
+        "c.i:1:28: error: assembly 'points' holds node set 'corners', which CONTACT SURFACE cannot take\n");
+  CHECK(errors_of("begin contact surface s\n assembly = points\nend\n") ==
+        "c.i:2:13: error: assembly 'points' holds node set 'corners', which BEGIN CONTACT SURFACE cannot "
+        "take\n");
+  CHECK(
+      errors_of("skin all blocks = on exclude tops\n") ==
+      "c.i:1:30: error: assembly 'tops' holds side set 'plate', which SKIN ALL BLOCKS EXCLUDE cannot take\n");
+  CHECK(errors_of("contact surface s contains nothing\n") ==
+        "c.i:1:28: error: assembly 'nothing' holds nothing that CONTACT SURFACE can take\n");
+  CHECK(errors_of("contact node set s contains points tops\n").empty());
+}
+
+TEST_CASE("a name of two kinds is clear only to a command that takes one of them", "[contact][request]") {
+  const std::string error =
+      "error: 'plate' is the name of a block and a side set in the mesh; use the name with its id, such as "
+      "block_<id> or surface_<id>\n";
+  CHECK(errors_of("contact surface s contains plate\n") == "c.i:1:28: " + error);
+  CHECK(errors_of("contact node set s contains plate\n") == "c.i:1:29: " + error);
+  CHECK(errors_of("begin contact surface s\n block = plate\n remove surface = plate\nend\n").empty());
+  CHECK(errors_of("contact surface s contains block_1 surface_10\n").empty());
+  CHECK(errors_of("skin all blocks = on exclude plate\n").empty());
+}
+
+TEST_CASE("an analytic object has one surface and a name of its own", "[contact][request]") {
+  const std::string objects =
+      "begin analytic object floor\n normal direction = 0 0 1\nend\n"
+      "begin analytic object skin\n normal direction = 0 0 1\nend\n"
+      "begin contact definition\n";
+  const Mesh mesh = small_model().build();
+  const auto twice = resolve(mesh, parse_region(objects + "contact surface a contains floor\n"
+                                                          "contact surface b contains block_1 Floor\n"
+                                                          "end\n"));
+  CHECK(twice.messages ==
+        "c.i:9:36: error: analytic object 'Floor' is already in surface 'a'; it was claimed at c.i:8:28\n");
+  const auto both = resolve(mesh, parse_region(objects + "contact surface a contains skin\nend\n"));
+  CHECK(both.messages ==
+        "c.i:8:28: error: 'skin' is both an analytic object and a part of the mesh; rename the analytic "
+        "object\n");
+}
+
+TEST_CASE("all that is wrong appears in one run", "[contact][request]") {
+  CHECK(errors_of("contact surface a contains plat block_3\n"
+                  "contact surface a contains block_33\n"
+                  "begin contact surface b\n  surface = skin\n  element = 1\nend\n") ==
+        "c.i:1:28: error: the mesh has no side set, block or assembly 'plat'; did you mean 'plate'?\n"
+        "c.i:2:17: error: a second contact surface with the name 'a'; the first stands at c.i:1:17\n"
+        "c.i:2:28: error: the mesh has no side set, block or assembly 'block_33'; did you mean 'block_3'?\n"
+        "c.i:4:13: error: 'skin' is a block of the mesh, but BEGIN CONTACT SURFACE takes a side set\n"
+        "c.i:5:13: error: element 1 is a HEX8 of block 'plate'; ELEMENT picks lofted elements only (shells, "
+        "beams, particles)\n");
+}
+
+TEST_CASE("requests hold positions in the mesh, each once", "[contact][request]") {
+  const Mesh mesh = small_model().build();
+  const ContactDefinition contact = parse_contact(
+      "begin contact surface s\n"
+      "  include all blocks\n"
+      "  block = skin block_2\n"
+      "  remove block = block_3\n"
+      "  surface = surface_10 sideset_10\n"
+      "  subset up with normal 0 0 4\n"
+      "end\n"
+      "contact node set n contains corners nodelist_20 plate_ring\n");
+  Diagnostics diagnostics;
+  const auto requests = make_surface_requests(contact, {}, mesh, diagnostics);
+  CHECK(messages(diagnostics) ==
+        "c.i:8:49: error: the mesh has no node set, side set, block or assembly 'plate_ring'\n");
+  REQUIRE(requests.size() == 2);
+  CHECK(requests[0].blocks == std::vector<std::uint32_t>{0, 1});
+  CHECK(requests[0].removed_blocks == std::vector<std::uint32_t>{2});
+  CHECK(requests[0].particle_blocks_left_out == std::vector<std::uint32_t>{3});
+  CHECK(requests[0].side_sets == std::vector<std::uint32_t>{0});
+  CHECK(requests[0].is_block_form);
+  CHECK(requests[0].subsets.at(0).name == "s_up");
+  CHECK(requests[0].subsets.at(0).normal == Eigen::Vector3d::UnitZ());
+  CHECK(requests[1].node_sets == std::vector<std::uint32_t>{0});
+  CHECK(requests[1].kind == SurfaceKind::node);
+}
