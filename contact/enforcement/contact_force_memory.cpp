@@ -32,21 +32,12 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   rules_.archive(saved);
   constrained_.archive(saved);
   depths_.archive(saved);
-  search_.archive(saved);
-  face_face_.archive(saved);
-  node_face_.archive(saved);
-  edges_.archive(saved);
-  planes_.archive(saved);
+  detection_.archive(saved);
   interface_constraints_.archive(saved);
   assembler_.archive(saved);
   balance_.archive(saved);
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
-  saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
-    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
-        history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start);
-  });
-  saved.fixed("contact/pairs/stored", std::span(stored_));
-  saved.fixed("contact/pairs/least_energy", std::span(least_energy_));
+  histories_.archive(saved);
   saved.numbers("contact/step_share", step_share_.share);
   saved.numbers("contact/stored_at_start", stored_at_start_);
   saved.numbers("contact/start_step", start_step_);
@@ -57,7 +48,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   rules_.activate(motion.time, times_.is_active(motion.time));
   kinematics_.move_nodes(motion);
   kinematics_.bound_all();
-  kinematics_.watch(faces_with_candidates());
+  kinematics_.watch(detection_.faces_with_candidates());
 }
 
 }  // namespace contactsim

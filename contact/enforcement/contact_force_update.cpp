@@ -80,11 +80,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   rules_.remap(remap);
   constrained_.remap(remap);
   depths_.remap(remap);
-  search_.remap(remap);
-  face_face_.remap(remap);
-  node_face_.remap(remap);
-  edges_.remap(remap);
-  planes_.remap(setup_.contact.surfaces, setup_.contact.planes, rules_, remap);
+  detection_.remap(remap);
   interface_constraints_.remap(remap);
   assembler_.remap(remap);
   balance_.remap(remap);
@@ -110,34 +106,8 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
   kinematics_.remap(remap, motion);
   kinematics_.move_nodes(motion);
   kinematics_.bound_all();
-  kinematics_.watch(faces_with_candidates());
-  has_new_surfaces_ = true;
-  forget_stored();
-}
-
-/// What springs stored that are gone is not given back.
-void ContactForce::forget_stored() {
-  std::fill(stored_.begin(), stored_.end(), 0.0);
-  for (const ContactPoint& point : points_) {
-    if (point.touches()) stored_[point.pair] += point.stored();
-  }
-  for (const ConstraintForces& interface_constraints : interface_constraints_.forces())
-    stored_[interface_constraints.constraint.pair] += interface_constraints.forces.stored;
-}
-
-/// Contacts that ended though their sides did not part; those that a pair's period ends are not among them.
-void ContactForce::note_lost(double time) {
-  std::vector<LostContact> lost;
-  face_face_.find_lost(rules_, lost);
-  node_face_.find_lost(lost);
-  for (const LostContact& one : lost) {
-    if (!rules_[one.pair].is_active) continue;
-    PairHistory& history = histories_[one.pair];
-    if (history.n_lost++ > 0) continue;
-    history.lost_node = contact_mesh_.mesh_nodes[one.node];
-    history.lost_time = time;
-    history.lost_depth = one.depth;
-  }
+  kinematics_.watch(detection_.faces_with_candidates());
+  histories_.forget_stored(points_, interface_constraints_.forces());
 }
 
 }  // namespace contactsim

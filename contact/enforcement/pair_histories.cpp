@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/pair_histories.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/state_archive.hpp"
+
+namespace contactsim {
+
+void PairHistories::begin(const ContactAssembler& assembler) {
+  for (std::size_t i = 0; i < histories_.size(); ++i)
+    histories_[i].stored_at_start = assembler.pairs()[i].stored;
+}
+
+void PairHistories::add(const ContactAssembler& assembler, double dt) {
+  const auto steps = assembler.pairs();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const PairStep& step = steps[i];
+    PairHistory& history = histories_[i];
+    history.work += step.stored - stored_[i] + step.dissipated + step.damped;
+    history.impact += step.impact;
+    stored_[i] = step.stored;
+    history.taken = assembler.taken()[i];
+    if (step.penetration > history.deepest) {
+      history.deepest = step.penetration;
+      history.deepest_share = step.penetration_share;
+    }
+    if (!step.touches) continue;
+    history.contact_time += dt;
+    history.peak_force = std::max(history.peak_force, step.force.norm());
+    history.impulse -= dt * step.force;
+    history.friction_work += step.dissipated;
+  }
+}
+
+void PairHistories::add_lost(std::span<const LostContact> lost, const PairRules& rules,
+                             const ContactMesh& contact_mesh, double time) {
+  for (const LostContact& one : lost) {
+    if (!rules[one.pair].is_active) continue;
+    PairHistory& history = histories_[one.pair];
+    if (history.n_lost++ > 0) continue;
+    history.lost_node = contact_mesh.mesh_nodes[one.node];
+    history.lost_time = time;
+    history.lost_depth = one.depth;
+  }
+}
+
+void PairHistories::forget_stored(std::span<const ContactPoint> points,
+                                  std::span<const ConstraintForces> constraints) {
+  std::fill(stored_.begin(), stored_.end(), 0.0);
+  for (const ContactPoint& point : points) {
+    if (point.touches()) stored_[point.pair] += point.stored();
+  }
+  for (const ConstraintForces& held : constraints) stored_[held.constraint.pair] += held.forces.stored;
+}
+
+std::span<const double> PairHistories::update_available_energy(const PairRules& rules,
+                                                               const ContactAssembler& assembler) {
+  available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < available_.size(); ++i) {
+    const PairRule& rule = rules.rules()[i];
+    const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr &&
+                           rule.far == PairRule::not_hybrid && !rule.model.is_variant();
+    if (!is_simple || rule.is_balanced) continue;
+    const double lost = histories_[i].work - stored_[i];
+    available_[i] = histories_[i].stored_at_start + assembler.taken()[i] - lost;
+    min_energy_[i] = std::min(min_energy_[i], available_[i]);
+  }
+  return available_;
+}
+
+void PairHistories::archive(StateArchive& saved) {
+  saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
+    row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
+        history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start);
+  });
+  saved.fixed("contact/pairs/stored", std::span(stored_));
+  saved.fixed("contact/pairs/least_energy", std::span(min_energy_));
+}
+
+}  // namespace contactsim

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/enforcement/contact_assembler.hpp"
+#include "contact/enforcement/interface_constraints.hpp"
+#include "contact/enforcement/pair_history.hpp"
+#include "contact/formulations/contact_point_law.hpp"
+#include "contact/interface_laws/pair_rules.hpp"
+
+namespace contactsim {
+
+/// What every pair has done in a run, and the energy that it may give back.
+class PairHistories {
+ public:
+  explicit PairHistories(std::size_t n_pairs)
+      : histories_(n_pairs), min_energy_(n_pairs, 0.0), stored_(n_pairs, 0.0) {}
+
+  std::span<const PairHistory> all() const { return histories_; }
+
+  /// Takes what the pairs store before the first step.
+  void begin(const ContactAssembler& assembler);
+  /// Adds a step.
+  ///   dt  of the step [time]
+  void add(const ContactAssembler& assembler, double dt);
+  /// Adds contacts that ended though their sides did not part; those that a pair's period ends are not among
+  /// them.
+  void add_lost(std::span<const LostContact> lost, const PairRules& rules, const ContactMesh& contact_mesh,
+                double time);
+  /// What springs stored that deaths have removed is not given back.
+  ///   points, constraints  that are left of the last step
+  void forget_stored(std::span<const ContactPoint> points, std::span<const ConstraintForces> constraints);
+
+  /// What each pair had at the start and has taken, without what it has lost. Laws that pull, ties and what
+  /// decays keep books of their own. [n_pairs], NaN of pairs without a limit [energy]
+  std::span<const double> update_available_energy(const PairRules& rules, const ContactAssembler& assembler);
+  /// The least of it so far [n_pairs], <= 0 [energy]
+  std::span<const double> min_energy() const { return min_energy_; }
+
+  void archive(StateArchive& saved);
+
+ private:
+  std::vector<PairHistory> histories_;
+  std::vector<double> available_;   // scratch, [n_pairs] [energy]
+  std::vector<double> min_energy_;  // [n_pairs] [energy]
+  std::vector<double> stored_;      // [n_pairs] of the last step [energy]
+};
+
+}  // namespace contactsim
