@@ -16,7 +16,7 @@ constexpr double gap_recovery = 0.2, fastest_recovery = 2e-4, slip_recovery = 0.
 /// What passes leave of a penetration, because a light part between heavier ones answers to each a little
 /// only, is made up for in the next step; at most by this share of what the force of the point itself closes:
 /// more would throw apart what folds hold in.
-constexpr double most_made_up = 0.1;
+constexpr double max_recovery = 0.1;
 
 /// How far a point may penetrate at the end of a step [length].
 double left_penetration(double gap, double thickness) {
@@ -245,7 +245,7 @@ void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarr
 }
 
 void ContactConstraints::add_rows(LightCarriers& light) {
-  std::array<LightShare, most_terms> shares;
+  std::array<LightShare, max_terms> shares;
   light_points_.clear();
   visit_rows([&](const Group& group, std::uint32_t row) {
     std::size_t n = 0;
@@ -417,7 +417,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   ContactHistory::Entry entry{force / point.area};
   const double left = -(row.start + point.normal.dot(changed));
   entry.area = point.area;
-  entry.left = std::clamp(left, 0.0, most_made_up * force * row.softness);
+  entry.left = std::clamp(left, 0.0, max_recovery * force * row.softness);
   if (row.grip != none) {
     Grip& grip = grips_[row.grip];
     const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);

@@ -61,10 +61,10 @@ class ContactConstraints {
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
-  static constexpr std::size_t most_terms = 8;
+  static constexpr std::size_t max_terms = 8;
 
   /// Shares of the carriers of a row's group, signed [1].
-  using Weights = std::array<double, most_terms>;
+  using Weights = std::array<double, max_terms>;
   /// A contact point. Fourth numbers are 0.
   struct Row {
     NodeVector force = NodeVector::Zero();  // on the first side [force]
@@ -78,11 +78,11 @@ class ContactConstraints {
   /// Contact points between the same entities, which have the same carriers.
   struct Group {
     NodeVector normal = NodeVector::Zero();  // [1]
-    std::array<std::uint32_t, most_terms> carriers{};
+    std::array<std::uint32_t, max_terms> carriers{};
     std::uint32_t first_row = 0, n_rows = 0;
     std::uint32_t n_terms = 0;
-    std::uint32_t first_arm = none;                  // of the carriers; none where all are plain
-    std::array<std::uint8_t, most_terms> corners{};  // of both sides, of plain carriers
+    std::uint32_t first_arm = none;                 // of the carriers; none where all are plain
+    std::array<std::uint8_t, max_terms> corners{};  // of both sides, of plain carriers
   };
   /// Friction of a contact point.
   struct Grip {

@@ -140,7 +140,7 @@ void LightCarriers::multiply(const Vectors& x, Vectors& product) const {
 
 /// Newton's step of the impulses: what is missing, less what the motion takes from the forces.
 void LightCarriers::find_step() {
-  constexpr int most_iterations = 30;
+  constexpr int max_iterations = 30;
   constexpr double small = 1e-6;  // of the first residual
   precondition();
   const auto scaled = [&](const Vectors& from, Vectors& to) {
@@ -152,7 +152,7 @@ void LightCarriers::find_step() {
   search_ = step_;
   double before = dot(residual_, step_);
   const double enough = small * small * before;
-  for (int i = 0; i < most_iterations && before > enough; ++i) {
+  for (int i = 0; i < max_iterations && before > enough; ++i) {
     multiply(search_, product_);
     const double along = before / dot(search_, product_);
     for (std::size_t k = 0; k < x_.size(); ++k) {
@@ -170,12 +170,12 @@ void LightCarriers::find_step() {
 /// Goes along Newton's step as far as the potential falls that the forces and the motion have together: what
 /// is missing is its descent.
 double LightCarriers::go(const Answer& answer) {
-  constexpr int most_tries = 5;
+  constexpr int max_tries = 5;
   constexpr double too_far = 0.5;
   const Vectors start = impulse_;
   const double descent = dot(missing_, x_);
   double error = 0.0, share = 1.0;
-  for (int i = 0; i < most_tries; ++i) {
+  for (int i = 0; i < max_tries; ++i) {
     for (std::size_t k = 0; k < start.size(); ++k) impulse_[k] = start[k] + share * step_[k];
     set_motion();
     error = evaluate(answer);
@@ -187,12 +187,12 @@ double LightCarriers::go(const Answer& answer) {
 }
 
 void LightCarriers::solve(const Answer& answer) {
-  constexpr int most_steps = 20;
+  constexpr int max_steps = 20;
   for (Vectors* all : {&impulse_, &motion_, &missing_, &step_, &x_, &residual_, &search_, &product_})
     all->assign(mobility_.size(), RigidVector::Zero());
   answers_.resize(rows_.size());
   double error = evaluate(answer);
-  for (int i = 0; i < most_steps && error > consistent; ++i) {
+  for (int i = 0; i < max_steps && error > consistent; ++i) {
     find_step();
     error = go(answer);
   }

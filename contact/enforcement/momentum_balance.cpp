@@ -17,7 +17,7 @@ constexpr double balanced = 1e-4;
 /// passes there are, and moves no node. A pass that leaves more than this share of the residual is one too
 /// many, and that is said sooner where forces are nearly balanced.
 constexpr double fruitless = 0.975, nearly_balanced = 2e-3, fruitless_then = 0.9;
-constexpr std::int64_t least_passes = 4;
+constexpr std::int64_t min_passes = 4;
 
 /// By how much of a step of the forces the next pass looks ahead, after some passes without a restart [1].
 double momentum_after(double n_passes) { return n_passes / (n_passes + 0.5); }
@@ -96,7 +96,7 @@ ConstraintPass MomentumBalance::pass(double momentum) {
 ///   share     of the residual that the last pass left [1]
 void MomentumBalance::choose_passes(std::int64_t n_passes, double share, double residual) {
   const double most = residual < nearly_balanced ? fruitless_then : fruitless;
-  n_passes_ = std::max(least_passes, share > most ? n_passes - 1 : n_passes + 1);
+  n_passes_ = std::max(min_passes, share > most ? n_passes - 1 : n_passes + 1);
 }
 
 /// The passes of the second half look ahead as those of the first did. Each half leaves the share q(lambda)

@@ -14,7 +14,7 @@ namespace {
 constexpr double sharpest_smooth = 0.7;
 
 /// A face whose surroundings turn by less at the start has no rim, though it may bend somewhat [degrees].
-constexpr float least_rim = 35.0f;
+constexpr float min_rim = 35.0f;
 
 /// A strip may be this much wider than the penetration of the face beyond the rim was deep: rims may be
 /// deeper than the face's middle, and what carries a body gives way by some layers of elements where the next
@@ -26,7 +26,7 @@ constexpr double over_depth = 4.0;
 constexpr double just_flush = 1e-2;
 
 /// Side faces inside a joint face each other, askew by some 50 degrees at most, as a cosine.
-constexpr float most_askew = -0.65f;
+constexpr float max_skew = -0.65f;
 
 /// What lies before a side face, as seen from its rims.
 struct Ahead {
@@ -59,7 +59,7 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
 bool lie_in_strip(const ContactStepContext& context, std::uint32_t face, const Ahead& ahead) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& side = contact_mesh.faces[face];
-  if (side.sharpness < least_rim) return false;
+  if (side.sharpness < min_rim) return false;
   const Eigen::Vector3d normal = context.kinematics.area(side).normalized();
   const Eigen::Vector3d centre =
       0.25 * (context.kinematics.x(side.corners[0]) + context.kinematics.x(side.corners[1]) +
@@ -71,8 +71,7 @@ bool lie_in_strip(const ContactStepContext& context, std::uint32_t face, const A
       const Eigen::Vector3d out = context.kinematics.area(contact_mesh.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
-      if (out.dot(ahead.normal) < most_askew)
-        continue;  // it is the face beyond that stands on what lies ahead
+      if (out.dot(ahead.normal) < max_skew) continue;  // it is the face beyond that stands on what lies ahead
       const double touched = flush_width(context, beyond);
       if (!(touched > 0.0) || !has_opposite(context, ahead, out)) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * context.dt;
@@ -94,12 +93,12 @@ bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t first, std
                      const FaceFaceContact& contact) {
   const ContactFace &a_face = context.kinematics.contact_mesh().faces[first],
                     &b_face = context.kinematics.contact_mesh().faces[second];
-  if (a_face.sharpness < least_rim && b_face.sharpness < least_rim) return false;
+  if (a_face.sharpness < min_rim && b_face.sharpness < min_rim) return false;
   const FaceBound &a = context.kinematics.bound(first), &b = context.kinematics.bound(second);
   // Only slivers: a square has twice the area of its radius squared.
   const double radius = std::min(a.radius(), b.radius());
   if (contact.area > radius * radius) return false;
-  if (a.normal().dot(b.normal()) > most_askew) return false;
+  if (a.normal().dot(b.normal()) > max_skew) return false;
   const Eigen::Vector3d centre = context.kinematics.face(first).x * contact.weights_1;
   const Eigen::Vector3d closing = (a.velocity() - b.velocity()).cast<double>();
   constexpr double centre_of_strip = 0.5;
@@ -123,7 +122,7 @@ bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t row, std::
                      const Eigen::Vector3d& normal) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const SurfaceNode& node = contact_mesh.surface_nodes[row];
-  const auto has_rim = [&](std::uint32_t index) { return contact_mesh.faces[index].sharpness >= least_rim; };
+  const auto has_rim = [&](std::uint32_t index) { return contact_mesh.faces[index].sharpness >= min_rim; };
   if (!has_rim(face) && std::ranges::none_of(contact_mesh.faces_of_node.of(node.node), has_rim)) return false;
   const Eigen::Vector3d closing =
       context.kinematics.v(node.node) - context.kinematics.bound(face).velocity().cast<double>();
@@ -132,7 +131,7 @@ bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t row, std::
   std::vector<Eigen::Vector3d> own_points;
   for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
-    if (!(context.kinematics.bound(own).normal().cast<double>().dot(normal) < most_askew)) continue;
+    if (!(context.kinematics.bound(own).normal().cast<double>().dot(normal) < max_skew)) continue;
     const ContactFace& opposed = contact_mesh.faces[face];
     if (lie_in_strip(context, own, {closing, normal, corners, 1.0, opposed.corners, opposed.surface}))
       return true;

@@ -127,7 +127,7 @@ bool is_facing(const ContactStepContext& context, const SurfaceNode& node, const
   for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
     const Eigen::Vector3d area = context.kinematics.area(contact_mesh.faces[own]);
-    if (area.dot(normal) < most_aside * area.norm()) return true;
+    if (area.dot(normal) < max_facing_cosine * area.norm()) return true;
     has_faces = true;
   }
   return !has_faces;

@@ -13,7 +13,7 @@ namespace {
 constexpr int n_corrections = 3;
 
 /// What touches is not lost.
-constexpr double least_factor = 1e-3;
+constexpr double min_factor = 1e-3;
 
 bool goes_both_ways(const ContactStepContext& context, const ContactPoint& contact_point) {
   if (contact_point.is_balanced && !contact_point.is_met()) return false;
@@ -74,7 +74,8 @@ bool NodeAreas::is_covered(const ContactStepContext& context, const ContactPoint
   for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
     const ContactFace& face = contact_mesh.faces[own];
     if (face.surface != node.surface) continue;
-    if (!(context.kinematics.bound(own).normal().cast<double>().dot(contact_point.normal) < most_aside))
+    if (!(context.kinematics.bound(own).normal().cast<double>().dot(contact_point.normal) <
+          max_facing_cosine))
       continue;
     for (const std::uint32_t corner : face.corners) {
       if (wanted_[corner] == 0.0) return false;
@@ -159,7 +160,7 @@ void NodeAreas::share_out(const ContactStepContext& context, std::span<ContactPo
     correct(contact_points);
   }
   for (std::size_t i = 0; i < both_ways_.size(); ++i)
-    scale(std::max(areas_[i] / contact_points[both_ways_[i]].area, least_factor),
+    scale(std::max(areas_[i] / contact_points[both_ways_[i]].area, min_factor),
           contact_points[both_ways_[i]]);
 }
 

@@ -211,7 +211,8 @@ bool NodeFaceContacts::is_facing(const ContactStepContext& context, const Surfac
   bool has_faces = false;
   for (const std::uint32_t own : contact_mesh_.faces_of_node.of(node.node)) {
     if (contact_mesh_.faces[own].surface != node.surface) continue;
-    if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) < static_cast<float>(most_aside))
+    if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) <
+        static_cast<float>(max_facing_cosine))
       return true;
     has_faces = true;
   }

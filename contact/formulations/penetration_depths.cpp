@@ -28,7 +28,7 @@ void PenetrationDepths::note(const ContactKinematics& kinematics, const ContactP
   const SurfaceNode& node = contact_mesh.surface_nodes[point.first_entity];
   for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
-    if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < most_aside) deepen(own);
+    if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < max_facing_cosine) deepen(own);
   }
 }
 

@@ -9,7 +9,7 @@ namespace contactsim {
 
 /// Faces whose normals have a greater cosine than this stand beside each other, such as those round a convex
 /// corner, and not opposite.
-inline constexpr double most_aside = -0.3;
+inline constexpr double max_facing_cosine = -0.3;
 
 /// Which way a face looks, and what is around it.
 struct FaceOrientation {

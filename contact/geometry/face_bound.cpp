@@ -13,7 +13,7 @@ namespace {
 /// Share of lengths that single precision may lose: what it says must not be no where double precision says
 /// yes.
 constexpr float rounding = 2e-6f;
-constexpr float most_aside_rounded = static_cast<float>(most_aside) + rounding;
+constexpr float max_facing_cosine_rounded = static_cast<float>(max_facing_cosine) + rounding;
 
 /// How far a parallelogram reaches along a direction, from the products of its halves with it.
 float reach_along(float half_1, float half_2) { return std::abs(half_1) + std::abs(half_2); }
@@ -50,7 +50,7 @@ FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangl
 bool may_touch(const FaceBound& a, const FaceBound& b, double activation_distance) {
   const Eigen::Vector3f apart = (a.centre() - b.centre()).cast<float>();
   const FourFloats on_b = b.times(apart), normal = a.times(b.normal());
-  if (normal[2] > most_aside_rounded) return false;
+  if (normal[2] > max_facing_cosine_rounded) return false;
   const float size = a.radius() + b.radius(), warp = a.warp() + b.warp(), height = on_b[2];
   const float thick = std::abs(normal[0]) + std::abs(normal[1]) + warp;
   if (height > static_cast<float>(activation_distance) + thick + rounding * size) return false;

@@ -93,8 +93,8 @@ class PressureSums {
 
 /// Whether all of the overlap is near, and on one side of where the gap closes.
 bool is_uncut(const ProjectedPair& pair, double activation_distance, double depth) {
-  return pair.least_gap >= -depth && pair.most_gap <= activation_distance &&
-         (pair.most_gap <= 0.0 || pair.least_gap > 0.0);
+  return pair.min_gap >= -depth && pair.max_gap <= activation_distance &&
+         (pair.max_gap <= 0.0 || pair.min_gap > 0.0);
 }
 
 void set_points(const OverlapPolygon& polygon, const ProjectedPair& pair, Overlap& overlap) {
@@ -108,7 +108,7 @@ void find_overlap(const ProjectedPair& pair, double activation_distance, double 
   const double area = whole.area();
   if (!(area > 0.0)) return;
   if (is_uncut(pair, activation_distance, depth)) {
-    overlap.touches = pair.most_gap <= 0.0;
+    overlap.touches = pair.max_gap <= 0.0;
     overlap.near_area = area * pair.plane.spread;
     return set_points(whole, pair, overlap);
   }

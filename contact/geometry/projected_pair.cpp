@@ -20,8 +20,8 @@ std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingF
     pair.second.row(2) += ahead * (plane->normal.transpose() * second.v);
   }
   const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
-  pair.least_gap = z1.minCoeff() - z2.maxCoeff();
-  pair.most_gap = z1.maxCoeff() - z2.minCoeff();
+  pair.min_gap = z1.minCoeff() - z2.maxCoeff();
+  pair.max_gap = z1.maxCoeff() - z2.minCoeff();
   return pair;
 }
 

@@ -11,7 +11,7 @@ namespace contactsim {
 struct ProjectedPair {
   CommonPlane plane;
   FaceCorners first, second;
-  double least_gap, most_gap;  ///< bounds of the height of the first over the second [length]
+  double min_gap, max_gap;  ///< bounds of the height of the first over the second [length]
   FaceMap map_1, map_2;
 };
 
@@ -26,13 +26,12 @@ bool boxes_meet(const FaceCorners& first, const FaceCorners& second);
 /// Whether some point of the first face may be nearer to the second than the activation distance, and none is
 /// too deep.
 inline bool is_near(const ProjectedPair& pair, double activation_distance, double depth) {
-  return pair.least_gap < activation_distance && -pair.most_gap < depth &&
-         boxes_meet(pair.first, pair.second);
+  return pair.min_gap < activation_distance && -pair.max_gap < depth && boxes_meet(pair.first, pair.second);
 }
 
 /// Whether no gap is beyond what counts as closed, nor deeper than what is another wall.
 inline bool is_whole_near(const ProjectedPair& pair, const ConstraintActivation& activation) {
-  return pair.least_gap >= -activation.depth && pair.most_gap <= activation.margin;
+  return pair.min_gap >= -activation.depth && pair.max_gap <= activation.margin;
 }
 
 inline void make_maps(const MovingFace& first, const MovingFace& second, ProjectedPair& pair) {

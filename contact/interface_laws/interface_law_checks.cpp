@@ -31,8 +31,8 @@ struct LawNamer {
 
 /// Whether a model, or one that it may be, holds its sides together.
 bool holds(const PairInterfaceLaw& law) {
-  const auto of_one = [](const std::shared_ptr<const InterfaceLaw>& place) {
-    return place && (place->law != ContactLaw::sliding || place->bond_law);
+  const auto of_one = [](const std::shared_ptr<const InterfaceLaw>& one) {
+    return one && (one->law != ContactLaw::sliding || one->bond_law);
   };
   return of_one(law.law) || of_one(law.far) ||
          std::ranges::any_of(law.periods,

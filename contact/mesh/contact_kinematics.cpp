@@ -180,7 +180,7 @@ Eigen::Vector3d ContactKinematics::corner_area(std::uint32_t index) const {
 }
 
 double ContactKinematics::area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const {
-  constexpr double least_share = 0.01;
+  constexpr double min_share = 0.01;
   double area = 0.0;
   bool has_faces = false;
   for (const std::uint32_t face : contact_mesh_.faces_of_node.of(node.node)) {
@@ -188,7 +188,7 @@ double ContactKinematics::area_against(const SurfaceNode& node, const Eigen::Vec
     area += std::max(0.0, -corner_area(face).dot(normal));
     has_faces = true;
   }
-  return has_faces ? std::max(area, least_share * node.area) : node.area;
+  return has_faces ? std::max(area, min_share * node.area) : node.area;
 }
 
 ContactKinematics kinematics_of_mesh(const ContactMesh& contact_mesh, const Mesh& mesh) {

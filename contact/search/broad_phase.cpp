@@ -113,11 +113,11 @@ class TopLevelTree {
 
 BoxTree make_box_tree(std::span<const Box> boxes) {
   constexpr std::size_t boxes_per_part = 4096;
-  constexpr int most_halvings = 4;
+  constexpr int max_halvings = 4;
   BoxTree tree;
   if (boxes.empty()) return tree;
   int depth = 0;
-  while (depth < most_halvings && boxes.size() >> depth > boxes_per_part) ++depth;
+  while (depth < max_halvings && boxes.size() >> depth > boxes_per_part) ++depth;
   std::vector<std::uint32_t> numbers(boxes.size());
   std::iota(numbers.begin(), numbers.end(), 0u);
   std::vector<Part> parts;
@@ -152,8 +152,8 @@ void BroadPhase::note_refit() {
 bool BroadPhase::is_slow() const {
   // A build takes as long as some forty visits to every box; searches that look at fewer pairs than there are
   // boxes, as between bodies apart, are never worth one.
-  constexpr double growth = 1.2, least_effort = 1.0;
-  return fresh_effort_ && effort_ > growth * std::max(*fresh_effort_, least_effort);
+  constexpr double growth = 1.2, min_effort = 1.0;
+  return fresh_effort_ && effort_ > growth * std::max(*fresh_effort_, min_effort);
 }
 
 double BroadPhase::count_search(std::span<const FoundPairs> parts, std::size_t n_kept,
