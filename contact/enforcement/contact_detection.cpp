@@ -71,14 +71,6 @@ std::span<const ContactPoint> ContactDetection::find_node_points(const ContactSt
   return node_points_;
 }
 
-bool ContactDetection::glues(const ContactPoint& point) const {
-  if (point.is_of_edges) return false;
-  const PairRule& rule = point.first.is_node()
-                             ? rules_.of_node(point.pair, point.first_entity)
-                             : rules_.of_faces(point.pair, point.first_entity, point.second_entity);
-  return rule.law == ContactLaw::glued;
-}
-
 void ContactDetection::find_lost(std::vector<LostContact>& lost) const {
   face_face_.find_lost(rules_, lost);
   node_face_.find_lost(lost);

@@ -67,7 +67,6 @@ class ContactDetection {
   template <class Contacts, class Take>
   void visit_contact_points(Contacts& contacts, const ContactStepContext& context, const Take& take);
   std::span<const ContactPoint> find_node_points(const ContactStepContext& context);
-  bool glues(const ContactPoint& point) const;
 
   DetectionSetup setup_;
   const ContactMesh& contact_mesh_;
@@ -108,7 +107,8 @@ std::vector<ContactPoint> ContactDetection::visit_points(const ContactStepContex
   std::vector<ContactPoint> to_glue;
   const auto take_one = [&](const ContactPoint& point) {
     take(point);
-    if (point.is_met() && glues(point)) to_glue.push_back(point);
+    const bool may_glue = point.is_met() && !point.is_of_edges;
+    if (may_glue && rules_.of(point).law == ContactLaw::glued) to_glue.push_back(point);
   };
   visit_contact_points(face_face_, context, [&](const ContactPoint& point) {
     take_one(point);

@@ -53,6 +53,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
   kinematics_.turn_by(make_spins());
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
   has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);
+  balances_pulls_ = std::ranges::any_of(
+      rules_.rules(), [](const PairRule& rule) { return rule.is_balanced && rule.may_act_apart(); });
 }
 
 /// The mid surfaces of lofted shells, which turn the points of lofts.
@@ -167,10 +169,11 @@ void ContactForce::begin_step(const Motion& motion) {
 }
 
 /// The stable step that the penalty leaves. Eigenvalues of stiffness over mass add up at most: that of the
-/// elements, 4 / dt^2, and contact's. A bounce off a penalty must last three steps at least, or it gains
+/// elements, 4 / dt^2, and contact's; that of laws that pull where momentum is balanced is of the step
+/// before. A bounce off a penalty must last three steps at least, or it gains
 /// energy by where its first step falls.
 void ContactForce::limit_step(const Motion& motion, ForceReport& report) {
-  const double eigenvalue = largest_eigenvalue();
+  const double eigenvalue = std::max(largest_eigenvalue(), pull_eigenvalue_);
   if (!(eigenvalue > 0.0)) return;
   const double of_elements = 4.0 / (motion.stable_step * motion.stable_step);
   report.stable_step = std::min(2.0 / std::sqrt(of_elements + eigenvalue), 1.0 / std::sqrt(eigenvalue));
@@ -261,7 +264,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   context.coming_dt = state.next_dt;
   balance_.begin(setup_.model, mobility_.free_directions(), kinematics_, state);
   const auto to_glue = detection_.visit_points(context, [&](const ContactPoint& point) {
-    balance_.add(point, rules_[point.pair], thinner_side(point));
+    balance_.add(point, rules_.of(point), thinner_side(point));
   });
   interface_constraints_.add_balanced(context, balance_);
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
@@ -273,6 +276,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   } else {
     points_.insert(points_.end(), balance_.points().begin(), balance_.points().end());
   }
+  if (balances_pulls_) pull_eigenvalue_ = largest_eigenvalue();
   write_forces(forces);
   end_step(state.time, state.dt);
   ForceReport report;

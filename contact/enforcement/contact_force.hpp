@@ -118,6 +118,7 @@ class ContactForce final : public ForceTerm {
   OffsetMoments offset_moments_;
   MomentumBalance balance_;
   bool balances_ = false, has_penalty_ = false;  // some pair is enforced so
+  bool balances_pulls_ = false;                  // one of the former has a law that pulls
   Eigen::Matrix3Xd free_velocity_,
       free_turning_;  // of contact nodes in the coming step, without these forces
   ContactLoss last_loss_;
@@ -127,6 +128,7 @@ class ContactForce final : public ForceTerm {
   PairHistories histories_;
   ContactStep step_share_;
   double stored_at_start_ = 0.0;
+  double pull_eigenvalue_ = 0.0;  // of laws that pull where momentum is balanced, in the last step [1/time^2]
   bool has_begun_ = false;
   double start_step_ = 0.0;          // stable step of the elements at the start [time]
   std::vector<std::uint32_t> left_;  // nodes of the mesh that have just left contact

@@ -41,6 +41,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   saved.numbers("contact/step_share", step_share_.share);
   saved.numbers("contact/stored_at_start", stored_at_start_);
   saved.numbers("contact/start_step", start_step_);
+  saved.numbers("contact/pull_eigenvalue", pull_eigenvalue_);
   if (!saved.restores()) return;
   has_begun_ = true;
   mobility_.update(motion.time);

@@ -34,6 +34,12 @@ void PairRule::take(const InterfaceLaw& taken) {
       taken.pressure_velocity || taken.rate_limit || taken.pull || taken.bond_law ? &taken : nullptr;
 }
 
+bool PairRule::may_act_apart() const {
+  bool may = false;
+  model.visit_models([&](const InterfaceLaw& of) { may = may || of.pull || of.rate_limit; });
+  return may;
+}
+
 double PairRule::slip_limit(const ContactPoint& point, double dt) const {
   if (interface_law == nullptr) return friction * point.force;
   const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;

@@ -36,6 +36,8 @@ struct PairRule {
   bool acts_apart() const {
     return interface_law != nullptr && (interface_law->pull || interface_law->rate_limit);
   }
+  /// The same of any model that the pair may ever have.
+  bool may_act_apart() const;
   /// Whether the pair has ties and never anything else.
   bool only_ties() const { return law == ContactLaw::tied && far == not_hybrid && !model.is_variant(); }
   /// The largest tangential force of a contact point that touches, by its force, area and slip of the step
@@ -84,6 +86,12 @@ class PairRules {
     const PairRule& rule = rules_[pair];
     return rule.far == PairRule::not_hybrid || are_close_edges(pair, first, second) ? rule
                                                                                     : far_rules_[rule.far];
+  }
+  /// The rule of a contact point: for HYBRID that of what was close at the start, or not.
+  const PairRule& of(const ContactPoint& point) const {
+    if (point.is_of_edges) return of_edges(point.pair, point.first_entity, point.second_entity);
+    if (point.first.is_node()) return of_node(point.pair, point.first_entity);
+    return of_faces(point.pair, point.first_entity, point.second_entity);
   }
   /// The largest activation distance that a pair's models may ever have [length].
   double max_activation_distance(std::uint32_t pair) const;

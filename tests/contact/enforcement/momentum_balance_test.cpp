@@ -6,6 +6,7 @@
 #include "core/state.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
+#include "support/law_bodies.hpp"
 #include "support/mesh_builder.hpp"
 
 using namespace contactsim;
@@ -140,6 +141,45 @@ TEST_CASE("friction of momentum balance stays on the cone of each contact point"
   }
   CHECK(normal > 0.0);
   CHECK(along == Approx(0.2 * normal).epsilon(1e-6));  // it slides everywhere
+}
+
+TEST_CASE("friction of a hybrid model is that of what was far at the start", "[contact][enforcement]") {
+  const std::string formulation = GENERATE(std::string(), node_face);
+  ClosingBlocks blocks(formulation +
+                       "capture tolerance = 1e-3\nfriction model = either\nend\n"
+                       "begin constant friction model slick\nfriction coefficient = 0.05\nend\n"
+                       "begin constant friction model rough\nfriction coefficient = 0.2\nend\n"
+                       "begin hybrid model either\ninitially close = slick\ninitially far = rough\n");
+  blocks.forces_at({2.0, 0, -1.0});
+  double normal = 0.0, along = 0.0;
+  for (const ContactPoint& point : blocks.bodies.contact.points()) {
+    normal += point.force;
+    along += std::abs(point.tangential.x());
+  }
+  REQUIRE(normal > 0.0);
+  CHECK(along == Approx(0.2 * normal).epsilon(1e-6));
+}
+
+TEST_CASE("what pulls where momentum is balanced limits the next step as it does under penalty",
+          "[contact][enforcement]") {
+  const std::string formulation = GENERATE(std::string(), by_nodes);
+  const auto step_with = [&](const std::string& enforcement) {
+    ContactBodies bodies(law_mesh(0.1),
+                         "skin all blocks = on\nbegin interaction\nside a = block_1\nside b = block_2\n"
+                         "friction model = m\nenforcement = " +
+                             enforcement + "\n" + formulation +
+                             "end\nbegin adhesion model m\nadhesion function = stick\nend\n",
+                         line_function("stick", "0 1\n1 0\n"));
+    State state = make_state(bodies.x, bodies.model.blocks, 0.0);
+    state.dt = state.next_dt = 1e-3;
+    state.velocity = state.acceleration = Eigen::Matrix3Xd::Zero(3, bodies.x.cols());
+    bodies.ask();
+    bodies.contact.balance(state, bodies.forces);
+    return bodies.step(1e-3).stable_step;
+  };
+  const double of_penalty = step_with("penalty");
+  CHECK(std::isfinite(of_penalty));
+  CHECK(step_with("momentum_balance") == Approx(of_penalty));
 }
 
 TEST_CASE("momentum balance has the same bits with one thread and with two", "[contact][enforcement]") {
