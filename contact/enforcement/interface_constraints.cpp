@@ -296,7 +296,8 @@ void mark_close_pairs(const ContactStepContext& context, const NearCandidates& c
                       [](const PairRule& rule) { return rule.model.far != nullptr; });
   for (const NearPair& near_pair : near) {
     if (near_pair.is_node) {
-      rules.mark_close_node(near_pair.pair, near_pair.first);
+      // A rim is as near to the sides of the other body as to what it looks at.
+      if (near_pair.is_facing) rules.mark_close_node(near_pair.pair, near_pair.first);
       continue;
     }
     Bond scratch;

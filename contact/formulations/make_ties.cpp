@@ -158,6 +158,7 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
     nearest = distance;
     faces_best = faces_node;
     best = {row, face, pair, true, tolerance};
+    best->is_facing = faces_node;
     weights = corner_weights(closest->xi, closest->eta, contact_mesh.faces[face].is_triangle());
   }
   if (best) best->share = share_of_node(context, node_faces, *best, weights);

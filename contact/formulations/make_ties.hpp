@@ -23,6 +23,7 @@ struct NearPair {
   bool is_node = false;
   double tolerance = 0.0;  ///< of the gap either way [length]
   double share = 1.0;      ///< of nodes as share_of_node() [1]
+  bool is_facing = true;   ///< of a node: one of its own faces is turned towards the face
 };
 
 /// The candidates of active pairs that something holds, over a gap or an overlap: by the pair's capture
