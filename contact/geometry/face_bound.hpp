@@ -26,7 +26,7 @@ class FaceBound {
   Eigen::Vector3f velocity() const { return vector(3); }     ///< mean of the corners [length/time]
   /// How much faster than their mean a corner moves along the normal, at most [length/time].
   float normal_velocity_spread() const { return normal_velocity_spread_; }
-  /// The face lies within twist of the parallelogram centre +- half(0) +- half(1) [length].
+  /// The face lies within warp() of the parallelogram centre +- half(0) +- half(1) [length].
   Eigen::Vector3f half(std::size_t i) const { return vector(i); }
   float warp() const { return warp_; }
 

@@ -21,7 +21,7 @@ class ContactKinematics {
   /// The faces must outlive this.
   explicit ContactKinematics(const ContactMesh& contact_mesh) : contact_mesh_(contact_mesh) {}
 
-  /// Takes over the places of the nodes; their velocities are asked of the motion, which must be there as
+  /// Takes over the positions of the nodes; their velocities are asked of the motion, which must be there as
   /// long. Bounds of faces are those of earlier then. Points of lofts stand off their nodes as they did, at
   /// first along the normals of the shells.
   void move_nodes(const Motion& motion);

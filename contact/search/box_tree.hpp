@@ -82,7 +82,7 @@ struct BoxTree {
   std::uint32_t n_boxes() const { return nodes.empty() ? 0 : nodes.front().n_boxes; }
 };
 
-/// Fills in branches and crown of a tree whose nodes are linked.
+/// Fills in branches and top levels of a tree whose nodes are linked.
 void divide(BoxTree& tree);
 
 }  // namespace contactsim

@@ -61,7 +61,7 @@ std::unique_ptr<Tree> make_tree(std::span<const Box> boxes, std::span<const std:
   return tree;
 }
 
-/// Puts FCL's trees below a crown that halves the parts as split() did.
+/// Puts FCL's trees below top levels that halve the parts as split() did.
 class TopLevelTree {
  public:
   TopLevelTree(std::span<const std::unique_ptr<Tree>> trees, std::span<const Part> parts, BoxTree& made)

@@ -27,7 +27,7 @@ inline OpenedNode open_node(const BoxNode& node, std::uint32_t index, bool stays
   return {(node.link & mask) | (index & ~mask), opens};
 }
 
-/// Pairs of nodes that wait to be looked at, the last ones first. They are taken in bunches: what comes of
+/// Pairs of nodes that wait to be looked at, the last ones first. They are taken in batches: what comes of
 /// one pair does not depend on the others, so that the processor can work on several at a time.
 class TraversalStack {
  public:
@@ -38,14 +38,14 @@ class TraversalStack {
     reserve(1);
     pairs_[size_++] = pair;
   }
-  /// Takes off the last pairs, no more than a bunch, and tells how many.
+  /// Takes off the last pairs, no more than a batch, and returns how many.
   std::size_t pop(Batch& batch) {
     const std::size_t n = std::min(size_, batch.size());
     size_ -= n;
     std::copy_n(pairs_.data() + size_, n, batch.data());
     return n;
   }
-  /// Where to write the children of a bunch, four a pair and one more; to be followed by end_at.
+  /// Where to write the children of a batch, four a pair and one more; to be followed by end_at.
   BvhNodePair* room_for_children() {
     reserve(4 * std::tuple_size_v<Batch> + 1);
     return pairs_.data() + size_;

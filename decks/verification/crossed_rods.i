@@ -5,8 +5,7 @@
 # momentum and angular momentum are kept, and the contact gives back what it has taken.
 # -D element=truss takes trusses of the same areas. -D turning=w turns the flier about its own axis, with friction of 0.3.
 # Expected: distance within 1 % of the smaller radius, images within 1e-9, energy left in contact below 2 %; the force of a
-# given depth, k (2 r)^2 with the smaller radius, the same wherever the rods cross. That misses, twice as large, where rods
-# cross within round-off of a node or near those of both: elements on both sides of the node count.
+# given depth, k (2 r)^2 with the smaller radius, the same wherever the rods cross.
 # ENFORCEMENT = PENALTY: beams as coarse as these have no elements behind what meets, and a hit by momentum balance takes the
 # motion of their nodes against each other; the elastic penalty gives it back.
 #

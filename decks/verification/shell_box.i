@@ -5,8 +5,8 @@
 # a block turned as a whole do the same. The direction of flight is (-D vx, vy, vz).
 # Expected: angular momentum within 1e-10, turned motion within 1e-6; with FACE_FACE the joints of the corner, small faces from
 # which the block slides off, keep 1.1 % of the energy.
-# Momentum balance takes the motion of the nodes that meet against each other, once: 16 % of the energy of this coarse box,
-# 9 % of a cube on its corner. That is the known miss.
+# Momentum balance takes the motion of the nodes that meet against each other, once: 5 % of the energy of this coarse box,
+# 4 % of a cube on its edge, 8 % on its corner. That is the known miss.
 #
 # {ifndef(form)}
 # {form = "face_face"}
