@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/contact_debug.hpp"
 
+#include "core/definition/simulation.hpp"
+
 #include <fmt/format.h>
 
 #include <iterator>

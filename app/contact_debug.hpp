@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/enforcement/contact_force.hpp"
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 
 namespace contactsim {
 

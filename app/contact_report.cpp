@@ -10,6 +10,7 @@
 
 #include "app/pluralize.hpp"
 #include "contact/interface_laws/interface_law_checks.hpp"
+#include "core/definition/contact.hpp"
 
 namespace contactsim {
 
@@ -98,9 +99,9 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
   std::string text;
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (!holds_at_start(contact.pairs[i].law)) continue;
+    if (!holds_at_start(*contact.pairs[i].law)) continue;
     text +=
-        fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(contact.pairs[i].law),
+        fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(*contact.pairs[i].law),
                     names_of(contact.pairs[i], contact), pluralize(areas[i].n_ties, "tie"), areas[i].area);
   }
   const auto& faces = force.contact_mesh().faces;
@@ -117,7 +118,7 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(pair.law) || areas[i].n_ties > 0) continue;
+    if (!holds_at_start(*pair.law) || areas[i].n_ties > 0) continue;
     warnings.add_warning("tie-empty", pair.location,
                          fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
                          "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
@@ -129,7 +130,7 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
   const auto areas = tied_areas(force, contact);
   for (std::uint32_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(pair.law) || areas[i].n_ties == 0) continue;
+    if (!holds_at_start(*pair.law) || areas[i].n_ties == 0) continue;
     std::optional<TiedSide> least;  // untied; a side that is tied as a whole is as the deck wants it
     bool is_whole = false;
     std::uint32_t of = pair.first;
@@ -183,7 +184,7 @@ void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagn
     warnings.add_warning(
         "edges-without-law", pair.location,
         fmt::format("{}: where beams or trusses meet each other the law '{}' does not act: {}",
-                    names_of(pair, contact), describe_law(pair.law),
+                    names_of(pair, contact), describe_law(*pair.law),
                     ties ? "they are neither tied nor kept apart where it ties"
                          : "they only push each other apart, with its friction"),
         "faces and nodes of the pair have the law; EDGE CONTACT = OFF takes edges out");

@@ -65,7 +65,7 @@ std::string format_start(const ContactModel& model, std::span<const SurfaceSumma
   const SurfaceSummary &a = summaries[pair.first], &b = summaries[pair.second];
   return fmt::format(start_format, i + 1, model.surfaces.surfaces[pair.first].name,
                      model.surfaces.surfaces[pair.second].name, pair.interaction, pair.location.line,
-                     describe_law(pair.law), formulation_of(pair), n_faces(a), n_faces(b), a.nodes, b.nodes,
+                     describe_law(*pair.law), formulation_of(pair), n_faces(a), n_faces(b), a.nodes, b.nodes,
                      starts.empty() ? "-" : number(starts[i].smallest_gap),
                      starts.empty() ? "-" : fmt::to_string(starts[i].n_in_reach));
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/refusals.hpp"
 
+#include "core/definition/procedure.hpp"
+
 #include <fmt/format.h>
 
 namespace contactsim {

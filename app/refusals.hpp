@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/definition/procedure.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {

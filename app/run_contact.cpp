@@ -12,6 +12,7 @@
 #include "app/pair_report.hpp"
 #include "app/pluralize.hpp"
 #include "contact/output/surface_drawing.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/state_motion.hpp"
 #include "io/surface_writer.hpp"
 #include "io/write_text.hpp"

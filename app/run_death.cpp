@@ -5,6 +5,7 @@
 
 #include "app/timed_force.hpp"
 #include "contact/mesh/degenerate_faces.hpp"
+#include "core/definition/region.hpp"
 
 namespace contactsim {
 

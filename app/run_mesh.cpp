@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "core/definition/simulation.hpp"
 #include "core/errors.hpp"
 #include "io/exodus_reader.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/options.hpp"
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 

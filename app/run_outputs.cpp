@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/file_clashes.hpp"
+#include "core/definition/simulation.hpp"
 
 namespace contactsim {
 

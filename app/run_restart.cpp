@@ -9,6 +9,7 @@
 
 #include "app/pluralize.hpp"
 #include "app/timed_force.hpp"
+#include "core/definition/simulation.hpp"
 
 namespace contactsim {
 

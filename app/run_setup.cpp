@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/death/death_sets.hpp"
+#include "core/definition/procedure.hpp"
+#include "core/definition/region.hpp"
 #include "core/discrete_steps.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"

@@ -110,7 +110,7 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
           {"second", model.surfaces.surfaces[pair.second].name},
           {"interaction", pair.interaction},
           {"line", pair.location.line},
-          {"law", describe_law(pair.law)},
+          {"law", describe_law(*pair.law)},
           {"formulation", is_face_face ? "face_face" : "node_face"},
           {"one_sided", pair.is_one_sided},
           {"behavior", is_sliding ? "sliding" : "infinitesimal_sliding"},

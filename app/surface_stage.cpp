@@ -7,6 +7,7 @@
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_drawing.hpp"
 #include "contact/overlap/initial_gaps.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "io/exodus_reader.hpp"
 #include "io/surface_writer.hpp"

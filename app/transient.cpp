@@ -18,6 +18,7 @@
 #include "app/stop_signal.hpp"
 #include "app/timed_force.hpp"
 #include "contact/interface_laws/interface_law_checks.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/internal_force.hpp"
 #include "io/outputs.hpp"
 

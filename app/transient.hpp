@@ -7,7 +7,7 @@
 #include "app/options.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/start_overlaps.hpp"
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 #include "core/errors.hpp"
 #include "core/mesh/mesh.hpp"

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "core/definition/finite_element_model.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/material_directions.hpp"
 #include "core/names.hpp"

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/section.hpp"
 #include "core/diagnostics.hpp"
 #include "core/elements/model_block.hpp"
 #include "core/mesh/mesh.hpp"

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/definition/simulation.hpp"
 #include "core/discrete_section.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/line_section.hpp"

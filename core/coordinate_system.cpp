@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/definition/simulation.hpp"
 #include "core/find_definition.hpp"
 
 namespace contactsim {

@@ -4,7 +4,8 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/geometry.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/definition/simulation.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {

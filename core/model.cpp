@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/block_maker.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/rigid/make_rigid_bodies.hpp"

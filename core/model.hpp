@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/conditions/kinematic_constraints.hpp"
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 #include "core/elements/model_block.hpp"
 #include "core/mesh/mesh.hpp"

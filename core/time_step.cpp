@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/definition/procedure.hpp"
 #include "core/definition/region.hpp"
 
 namespace contactsim {

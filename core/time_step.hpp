@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/definition/procedure.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/time_control.hpp"
 
 namespace contactsim {
 

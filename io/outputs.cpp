@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "core/definition/simulation.hpp"
 #include "core/errors.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/output/single_values.hpp"

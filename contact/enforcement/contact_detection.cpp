@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/contact_detection.hpp"
+#include "core/definition/contact.hpp"
 
 namespace contactsim {
 

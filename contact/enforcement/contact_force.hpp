@@ -11,7 +11,9 @@
 #include "contact/enforcement/offset_moments.hpp"
 #include "contact/enforcement/pair_histories.hpp"
 #include "contact/formulations/penetration_depths.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/function.hpp"
+#include "core/definition/time_control.hpp"
 #include "core/force_term.hpp"
 #include "core/model.hpp"
 

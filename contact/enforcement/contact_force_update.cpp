@@ -8,6 +8,7 @@
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/mesh/feature_edges.hpp"
+#include "core/definition/contact.hpp"
 
 namespace contactsim {
 

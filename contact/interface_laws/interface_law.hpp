@@ -10,7 +10,7 @@
 
 #include "contact/interface_laws/law_curve.hpp"
 #include "core/conditions/active_times.hpp"
-#include "core/definition/friction.hpp"
+#include "core/definition/friction_pressure.hpp"
 #include "core/functions/function.hpp"
 
 /// Friction models, ready for the loops over contact points. A model is made of up to three parts: what

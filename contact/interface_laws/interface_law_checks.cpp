@@ -53,7 +53,7 @@ void refuse_laws(std::span<const SurfacePair> pairs, std::span<const ContactSurf
     if (!holds(laws[i])) continue;
     diagnostics.add_error(pair.location,
                           fmt::format("'{}' and '{}' cannot be {}: one is an analytic plane", first.name,
-                                      second.name, describe_law(pair.law)),
+                                      second.name, describe_law(*pair.law)),
                           "nothing is held to planes");
   }
 }

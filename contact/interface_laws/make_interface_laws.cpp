@@ -177,7 +177,7 @@ std::vector<PairInterfaceLaw> make_pair_laws(std::span<const SurfacePair> pairs,
     const auto [place, is_new] = known.try_emplace(to_string(pair.location) + pair.interaction);
     if (is_new) {
       InterfaceLawMaker maker(scope, pair.location, diagnostics);
-      place->second = make_pair_law(pair.law, scope, maker);
+      place->second = make_pair_law(*pair.law, scope, maker);
     }
     laws.push_back(place->second);
   }

@@ -6,6 +6,7 @@
 
 #include "contact/interface_laws/interface_law.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
+#include "core/definition/friction.hpp"
 
 namespace contactsim {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/definition/friction.hpp"
 #include "core/state_archive.hpp"
 
 namespace contactsim {
@@ -14,9 +15,9 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
     PairRule rule;
     rule.pair = &pairs[i];
     rule.is_balanced = pairs[i].enforcement == Enforcement::momentum_balance;
-    if (std::holds_alternative<Tied>(pairs[i].law)) rule.law = ContactLaw::tied;
-    if (std::holds_alternative<Glued>(pairs[i].law)) rule.law = ContactLaw::glued;
-    if (const auto* coulomb = std::get_if<ConstantFriction>(&pairs[i].law))
+    if (std::holds_alternative<Tied>(*pairs[i].law)) rule.law = ContactLaw::tied;
+    if (std::holds_alternative<Glued>(*pairs[i].law)) rule.law = ContactLaw::glued;
+    if (const auto* coulomb = std::get_if<ConstantFriction>(pairs[i].law.get()))
       rule.friction = coulomb->coefficient;
     rule.times = std::move(times[i]);
     rules_.push_back(std::move(rule));

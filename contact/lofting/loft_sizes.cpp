@@ -11,6 +11,7 @@
 
 #include "contact/lofting/section_sizes.hpp"
 #include "contact/surfaces/surface_options.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/mesh/element_attributes.hpp"
 
 namespace contactsim {

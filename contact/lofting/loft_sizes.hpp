@@ -6,7 +6,7 @@
 
 #include "contact/lofting/loft.hpp"
 #include "contact/surfaces/contact_surface.hpp"
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 

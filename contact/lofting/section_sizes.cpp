@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/definition/simulation.hpp"
 #include "core/mesh/block_names.hpp"
 
 namespace contactsim {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

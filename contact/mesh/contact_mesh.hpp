@@ -16,8 +16,9 @@ namespace contactsim {
 
 /// What stands behind a piece of a contact surface.
 struct PenaltyProperties {
-  double thickness = 0.0;      ///< of the element: its volume over the face's area [length]
-  double stiffness = 0.0;      ///< of the penalty, per area: see contact/penalty.hpp [force/length^3]
+  double thickness = 0.0;  ///< of the element: its volume over the face's area [length]
+  double stiffness =
+      0.0;  ///< of the penalty, per area: see contact/formulations/penalty.hpp [force/length^3]
   double mass_per_area = 0.0;  ///< that moves with the face [mass/length^2]
   bool is_rigid = false;       ///< rigid, held or driven: it gives way by no spring of its own
   double start_depth = 0.0;    ///< by which it penetrated something at the start [length]

@@ -7,6 +7,7 @@
 #include "contact/lofting/section_sizes.hpp"
 #include "contact/surfaces/resolve_surfaces.hpp"
 #include "contact/surfaces/surface_names.hpp"
+#include "core/definition/simulation.hpp"
 
 namespace contactsim {
 

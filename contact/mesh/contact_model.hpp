@@ -9,7 +9,8 @@
 #include "contact/surfaces/contact_surface.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
 #include "contact/surfaces/surface_request.hpp"
-#include "core/definition/simulation.hpp"
+#include "core/definition/contact_surfaces.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/mesh/contact_model.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/declarations.hpp"
 
 namespace contactsim {
 

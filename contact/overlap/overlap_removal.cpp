@@ -6,6 +6,7 @@
 
 #include "contact/overlap/body_parting.hpp"
 #include "contact/overlap/overlap_detection.hpp"
+#include "core/definition/contact.hpp"
 #include "core/mesh/turned_elements.hpp"
 
 namespace contactsim {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/overlap/overlap_search.hpp"
 
+#include "core/definition/contact.hpp"
+
 #include <algorithm>
 
 namespace contactsim {

@@ -6,6 +6,7 @@
 
 #include "contact/overlap/deep_overlaps.hpp"
 #include "contact/overlap/overlap_detection.hpp"
+#include "core/definition/contact.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/mesh/contact_model.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

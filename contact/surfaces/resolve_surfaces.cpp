@@ -9,6 +9,7 @@
 #include "contact/surfaces/skin_faces.hpp"
 #include "contact/surfaces/sort_once.hpp"
 #include "contact/surfaces/surface_request.hpp"
+#include "core/definition/contact.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {

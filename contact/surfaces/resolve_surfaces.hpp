@@ -6,7 +6,7 @@
 
 #include "contact/surfaces/contact_surface.hpp"
 #include "contact/surfaces/surface_request.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/surfaces/surface_names.hpp"
 
+#include "core/definition/contact.hpp"
+
 #include <fmt/format.h>
 
 #include <string>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/surfaces/contact_surface.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/surfaces/surface_pairs.hpp"
 
+#include "core/definition/contact.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +12,11 @@
 #include <unordered_map>
 
 namespace contactsim {
+
+std::shared_ptr<const FrictionLaw> frictionless_law() {
+  static const auto frictionless = share_law(Frictionless{});
+  return frictionless;
+}
 
 namespace {
 
@@ -38,7 +45,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   const FrictionLaw* law = settings.friction_model
                                ? find_friction_law(contact.friction_models, settings.friction_model->text)
                                : nullptr;
-  if (law != nullptr) pair.law = *law;
+  if (law != nullptr) pair.law = share_law(*law);
   pair.formulation = settings.formulation.value_or(pair.formulation);
   pair.behavior = settings.behavior.value_or(pair.behavior);
   pair.normal_tolerance = settings.normal_tolerance;
@@ -219,7 +226,8 @@ std::map<PairKey, Meeting> PairMaker::meetings_of(const Interaction& interaction
 void PairMaker::add_interaction(std::size_t index) {
   const Interaction& interaction = contact_.interactions[index];
   SurfacePair pair = common_pair(with_defaults(interaction.pair, defaults_), contact_);
-  if (interaction.friction_coefficient) pair.law = ConstantFriction{*interaction.friction_coefficient};
+  if (interaction.friction_coefficient)
+    pair.law = share_law(ConstantFriction{*interaction.friction_coefficient});
   pair.interaction = interaction_name(index);
   pair.location = interaction.name.location;
   pair.periods = interaction.periods;

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/surfaces/contact_surface.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/interaction.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {
+
+/// The law of pairs for which the deck names none.
+std::shared_ptr<const FrictionLaw> frictionless_law();
 
 /// Two contact surfaces that may touch each other, and how: the deck's settings, with what it leaves out
 /// taken from its defaults and then from the program's.
@@ -22,7 +27,7 @@ struct SurfacePair {
   std::string interaction;    ///< its name, "interaction 3" without one, "general contact", "self contact"
   DeckLocation location;      ///< of the interaction, or of the defaults
   bool is_from_defaults = false;  ///< by general or self contact, no interaction names it
-  FrictionLaw law;
+  std::shared_ptr<const FrictionLaw> law = frictionless_law();           ///< never null
   ConstraintFormulation formulation = ConstraintFormulation::face_face;  ///< face_face: both have faces
   InteractionBehavior behavior = InteractionBehavior::sliding;           ///< never no_interaction
   std::optional<double> normal_tolerance;          ///< reach off a face; absent: automatic [length]

@@ -10,6 +10,7 @@
 
 #include "contact/surfaces/item_checks.hpp"
 #include "contact/surfaces/sort_once.hpp"
+#include "core/definition/contact.hpp"
 #include "core/mesh/name_lookup.hpp"
 
 namespace contactsim {

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "contact/surfaces/contact_surface.hpp"
-#include "core/definition/contact.hpp"
+#include "core/definition/contact_surfaces.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/definition/finite_element_model.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"

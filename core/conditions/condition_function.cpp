@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/conditions/variable_name.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/errors.hpp"
 
 namespace contactsim {

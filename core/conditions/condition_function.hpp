@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
+#include "core/definition/condition_lines.hpp"
 #include "core/functions/function.hpp"
 #include "core/mesh/stored_variables.hpp"
 

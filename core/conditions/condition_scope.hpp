@@ -4,7 +4,8 @@
 #include <span>
 #include <string>
 
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/time_control.hpp"
 #include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/stored_variables.hpp"

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/conditions/condition_scope.hpp"
+#include "core/definition/condition_lines.hpp"
 
 namespace contactsim {
 

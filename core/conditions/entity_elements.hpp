@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
+#include "core/definition/entity_set.hpp"
 #include "core/mesh/indices.hpp"
 
 namespace contactsim {

@@ -5,6 +5,8 @@
 
 #include <string_view>
 
+#include "core/definition/rigid_body.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/mesh/name_lookup.hpp"
 #include "core/rigid/rigid_blocks.hpp"
 

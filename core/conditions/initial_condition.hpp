@@ -3,6 +3,7 @@
 
 #include "core/conditions/initial_state.hpp"
 #include "core/conditions/variable_name.hpp"
+#include "core/definition/condition_initial.hpp"
 
 namespace contactsim {
 

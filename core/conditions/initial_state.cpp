@@ -7,6 +7,7 @@
 
 #include "core/conditions/initial_condition.hpp"
 #include "core/conditions/initial_velocity.hpp"
+#include "core/definition/region.hpp"
 
 namespace contactsim {
 

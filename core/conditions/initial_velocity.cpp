@@ -13,6 +13,8 @@
 #include "core/conditions/condition_function.hpp"
 #include "core/conditions/direction.hpp"
 #include "core/conditions/entity_nodes.hpp"
+#include "core/definition/condition_initial.hpp"
+#include "core/definition/region.hpp"
 
 namespace contactsim {
 

@@ -9,6 +9,8 @@
 #include "core/conditions/entity_nodes.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/conditions/stored_values.hpp"
+#include "core/definition/condition_loads.hpp"
+#include "core/definition/region.hpp"
 #include "core/minimum_nodal_mass.hpp"
 
 namespace contactsim {

@@ -7,6 +7,8 @@
 #include "core/conditions/kinematic_constraints.hpp"
 #include "core/conditions/skew_supports.hpp"
 #include "core/conditions/stored_values.hpp"
+#include "core/definition/condition.hpp"
+#include "core/definition/region.hpp"
 #include "core/minimum_nodal_mass.hpp"
 
 namespace contactsim {

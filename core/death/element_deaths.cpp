@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/death/death_sets.hpp"
+#include "core/definition/region.hpp"
 
 namespace contactsim {
 

@@ -13,4 +13,8 @@ const FrictionLaw* find_friction_law(std::span<const FrictionModel> models, std:
   return wanted == "tied" ? &tied : nullptr;
 }
 
+std::shared_ptr<const FrictionLaw> share_law(FrictionLaw law) {
+  return std::make_shared<const FrictionLaw>(std::move(law));
+}
+
 }  // namespace contactsim

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -10,6 +10,7 @@
 
 #include "core/definition/condition_lines.hpp"
 #include "core/definition/friction_bonds.hpp"
+#include "core/definition/friction_pressure.hpp"
 
 /// The friction models of a contact definition: what two surfaces do to each other where they touch, and some
 /// also where they stand apart.
@@ -61,20 +62,6 @@ struct Junction {
   bool operator==(const Junction&) const = default;
 };
 
-/// PV_DEPENDENT MODEL: friction by pressure p and slip rate v. The tangential traction is at most
-/// mu(v) * ((p + offset) / reference)^exponent, mu(v) = mu_d + (mu_s - mu_d) exp(-decay * v): the
-/// coefficients are the tractions at p + offset = reference. Coulomb's law has reference 1, offset 0 and
-/// exponent 1.
-struct PressureVelocityFriction {
-  double static_coefficient = 0.0;   ///< mu_s >= 0, at rest [force/length^2]
-  double dynamic_coefficient = 0.0;  ///< mu_d >= 0, fast [force/length^2]
-  double velocity_decay = 0.0;       ///< >= 0 [time/length]
-  double reference_pressure = std::numeric_limits<double>::quiet_NaN();  ///< > 0 [force/length^2]
-  double offset_pressure = 0.0;                                          ///< >= 0 [force/length^2]
-  double pressure_exponent = 1.0;                                        ///< [1]
-  bool operator==(const PressureVelocityFriction&) const = default;
-};
-
 /// HYBRID MODEL: one model for the places that were within the CAPTURE TOLERANCE of the other side at the
 /// start, another one for the rest.
 struct HybridFriction {
@@ -95,9 +82,17 @@ struct TimeVariantFriction {
   bool operator==(const TimeVariantFriction&) const = default;
 };
 
-using FrictionLaw =
+using AnyFriction =
     std::variant<Frictionless, ConstantFriction, Tied, Glued, SpringWeld, SurfaceWeld, Adhesion, CohesiveZone,
                  Junction, Threaded, PressureVelocityFriction, HybridFriction, TimeVariantFriction>;
+
+/// One of them; a struct, so that headers can pass it on without knowing the models.
+struct FrictionLaw : AnyFriction {
+  using AnyFriction::AnyFriction;
+};
+
+/// A law for those who keep it without knowing the models.
+std::shared_ptr<const FrictionLaw> share_law(FrictionLaw law);
 
 /// BEGIN ... MODEL <name>: a law that interactions use by its name.
 struct FrictionModel {

@@ -34,4 +34,10 @@ struct OutputSchedule {
   std::optional<DeckName> scheduler;  ///< USE OUTPUT SCHEDULER: a schedule defined at Sierra scope
 };
 
+/// BEGIN OUTPUT SCHEDULER <name>.
+struct OutputScheduler {
+  DeckName name;
+  OutputSchedule schedule;
+};
+
 }  // namespace contactsim

@@ -25,12 +25,6 @@ enum class DeckForm {
   contact_commands     ///< the commands of a contact definition without its BEGIN and END
 };
 
-/// BEGIN OUTPUT SCHEDULER <name>.
-struct OutputScheduler {
-  DeckName name;
-  OutputSchedule schedule;
-};
-
 /// How the run starts from an earlier one: RESTART and RESTART TIME at Sierra scope.
 struct RestartRequest {
   bool is_automatic = false;   ///< RESTART = AUTOMATIC: from the latest state there is

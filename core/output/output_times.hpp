@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "core/definition/simulation.hpp"
+#include "core/definition/output_schedule.hpp"
 #include "core/diagnostics.hpp"
 
 namespace contactsim {

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 
+#include "core/definition/simulation.hpp"
 #include "core/output/element_geometry.hpp"
 #include "core/output/entity_ranges.hpp"
 #include "core/output/function_inputs.hpp"

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/conditions/direction.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/rigid/mass_moments.hpp"
 #include "core/rigid/rigid_blocks.hpp"
 

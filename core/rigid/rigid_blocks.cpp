@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rigid/rigid_blocks.hpp"
 
+#include "core/definition/simulation.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/names.hpp"
 

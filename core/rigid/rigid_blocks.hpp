@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/definition/simulation.hpp"
+#include "core/definition/declarations.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

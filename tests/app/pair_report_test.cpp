@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/pair_report.hpp"
 
+#include "core/definition/friction.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -23,14 +24,14 @@ ContactModel three_pairs() {
   ContactModel model;
   for (const char* name : {"lid", "box", "dust"}) model.surfaces.surfaces.emplace_back().name = name;
   model.pairs = {make_pair(0, 1), make_pair(0, 2), make_pair(1, 2)};
-  model.pairs[0].law = ConstantFriction{0.3};
+  model.pairs[0].law = share_law(ConstantFriction{0.3});
   model.pairs[1].formulation = ConstraintFormulation::node_face;
   model.pairs[1].is_one_sided = true;
   SurfacePair& named = model.pairs[2];
   named.interaction = "tie";
   named.location.line = 12;
   named.is_from_defaults = false;
-  named.law = Tied{};
+  named.law = share_law(Tied{});
   named.behavior = InteractionBehavior::infinitesimal_sliding;
   named.normal_tolerance = 0.25;
   named.penalty_stiffness = 1e9;

@@ -12,6 +12,7 @@
 
 #include "bench_meshes.hpp"
 #include "contact/enforcement/contact_force.hpp"
+#include "core/definition/contact.hpp"
 #include "core/elements/elements.hpp"
 #include "core/integrator.hpp"
 #include "core/internal_force.hpp"

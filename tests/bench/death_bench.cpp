@@ -11,6 +11,7 @@
 #include "contact/enforcement/contact_force.hpp"
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/elements/elements.hpp"
 #include "core/integrator.hpp"
 #include "core/internal_force.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/coordinate_system.hpp"
+#include "core/definition/simulation.hpp"
 
 #include "support/catch.hpp"
 

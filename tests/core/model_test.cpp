@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/model.hpp"
 
+#include "core/definition/simulation.hpp"
 #include "core/elements/element_table.hpp"
 
 #include "support/catch.hpp"

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/definition/simulation.hpp"
 #include "core/errors.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/sample_results.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/formulations/contact_step_context.hpp"
 
+#include "core/definition/friction.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -12,14 +13,14 @@ std::vector<SurfacePair> four_pairs() {
   std::vector<SurfacePair> pairs(4);
   pairs[0].second = 1;
   pairs[1].second = 2;
-  pairs[1].law = Glued{};
+  pairs[1].law = share_law(Glued{});
   pairs[2].first = 1;
   pairs[2].second = 2;
-  pairs[2].law = Tied{};
+  pairs[2].law = share_law(Tied{});
   pairs[3].first = pairs[3].second = 2;
   ConstantFriction friction;
   friction.coefficient = 0.3;
-  pairs[3].law = friction;
+  pairs[3].law = share_law(friction);
   return pairs;
 }
 

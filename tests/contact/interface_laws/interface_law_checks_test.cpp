@@ -11,7 +11,7 @@ namespace {
 SurfacePair pair_with(const FrictionLaw& law, int line) {
   static const auto deck = std::make_shared<SourceFile>(SourceFile{"c.i", ""});
   SurfacePair pair;
-  pair.law = law;
+  pair.law = share_law(law);
   pair.location = {deck, line, 1, nullptr};
   return pair;
 }

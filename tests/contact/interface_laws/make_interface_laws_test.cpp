@@ -15,7 +15,7 @@ std::string errors_of(const std::string& model, const std::string& functions = "
   const ContactDefinition contact = parse_contact(model);
   const SimulationDefinition defined = parse_definitions(functions);
   std::vector<SurfacePair> pairs(2);
-  for (SurfacePair& pair : pairs) pair.law = *find_friction_law(contact.friction_models, "m");
+  for (SurfacePair& pair : pairs) pair.law = share_law(*find_friction_law(contact.friction_models, "m"));
   Diagnostics found;
   make_pair_laws(pairs, {contact.friction_models, defined.functions, {}}, found);
   return messages(found);

@@ -23,7 +23,7 @@ struct Paired {
 
 std::string describe(const ContactSurfaces& surfaces, const SurfacePair& pair) {
   return fmt::format("{} {} {} {}{} ({})\n", surfaces.surfaces[pair.first].name,
-                     surfaces.surfaces[pair.second].name, describe_law(pair.law),
+                     surfaces.surfaces[pair.second].name, describe_law(*pair.law),
                      pair.formulation == ConstraintFormulation::face_face ? "face_face" : "node_face",
                      pair.is_one_sided ? " one-sided" : "", pair.interaction);
 }

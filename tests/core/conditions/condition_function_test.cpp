@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/conditions/condition_function.hpp"
+#include "core/definition/simulation.hpp"
 
 #include "support/catch.hpp"
 #include "support/deck_dump.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rigid/make_rigid_bodies.hpp"
+#include "core/definition/simulation.hpp"
 
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
