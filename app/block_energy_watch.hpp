@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/model.hpp"
-#include "core/state.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
 
 namespace contactsim {
 

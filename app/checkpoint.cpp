@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "core/digest.hpp"
+#include "core/base/digest.hpp"
+#include "core/dynamics/state_motion.hpp"
 #include "core/mesh/mesh_digest.hpp"
-#include "core/state_motion.hpp"
 
 namespace contactsim {
 

@@ -4,9 +4,9 @@
 #include <optional>
 
 #include "app/run_death.hpp"
-#include "core/model.hpp"
-#include "core/state.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "contact/enforcement/contact_force.hpp"
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 
 namespace contactsim {
 

@@ -8,7 +8,7 @@
 #include "contact/mesh/contact_model.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "core/definition/death.hpp"
-#include "core/state.hpp"
+#include "core/dynamics/state.hpp"
 
 namespace contactsim {
 

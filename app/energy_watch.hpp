@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/model.hpp"
-#include "core/state.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
 
 namespace contactsim {
 

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include "contact/output/contact_output.hpp"
+#include "core/base/names.hpp"
 #include "core/materials/hardening.hpp"
-#include "core/names.hpp"
 #include "core/output/output_table.hpp"
 
 namespace contactsim {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 
 namespace contactsim {
 

@@ -7,10 +7,10 @@
 
 #include "app/pluralize.hpp"
 #include "contact/overlap/body_parting.hpp"
+#include "core/base/errors.hpp"
 #include "core/conditions/kinematic_constraints.hpp"
 #include "core/definition/friction.hpp"
 #include "core/definition/procedure.hpp"
-#include "core/errors.hpp"
 
 namespace contactsim {
 

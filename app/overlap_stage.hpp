@@ -10,7 +10,7 @@
 #include "app/transient.hpp"
 #include "contact/overlap/overlap_removal.hpp"
 #include "contact/overlap/start_overlaps.hpp"
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

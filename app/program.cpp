@@ -14,7 +14,7 @@
 #include "app/options.hpp"
 #include "app/pluralize.hpp"
 #include "app/simulation.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "parser/explain.hpp"
 
 namespace contactsim {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
-#include "core/diagnostics.hpp"
 
 namespace contactsim {
 

@@ -13,7 +13,7 @@
 #include "app/pluralize.hpp"
 #include "contact/output/surface_drawing.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/state_motion.hpp"
+#include "core/dynamics/state_motion.hpp"
 #include "io/surface_writer.hpp"
 #include "io/write_text.hpp"
 

@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
+#include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/errors.hpp"
 #include "io/exodus_reader.hpp"
 
 namespace contactsim {

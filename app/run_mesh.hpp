@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/options.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

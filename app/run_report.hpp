@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
-#include "core/integrator.hpp"
-#include "core/model.hpp"
-#include "core/state.hpp"
+#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
 
 /// What the log says of a run. Only format_wall_times holds times of the clock: the rest of two runs can be
 /// compared with diff.

@@ -9,9 +9,9 @@
 #include "app/checkpoint.hpp"
 #include "app/log.hpp"
 #include "app/transient.hpp"
+#include "core/base/saved_state.hpp"
+#include "core/dynamics/time_step.hpp"
 #include "core/output/output_times.hpp"
-#include "core/saved_state.hpp"
-#include "core/time_step.hpp"
 #include "io/restart_database.hpp"
 
 namespace contactsim {

@@ -6,9 +6,9 @@
 #include "core/death/death_sets.hpp"
 #include "core/definition/procedure.hpp"
 #include "core/definition/region.hpp"
-#include "core/discrete_steps.hpp"
+#include "core/dynamics/discrete_steps.hpp"
+#include "core/dynamics/make_rigid_bodies.hpp"
 #include "core/mesh/element_checks.hpp"
-#include "core/rigid/make_rigid_bodies.hpp"
 #include "io/exodus_variables.hpp"
 
 namespace contactsim {

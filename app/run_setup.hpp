@@ -5,9 +5,9 @@
 
 #include "app/transient.hpp"
 #include "core/conditions/external_force.hpp"
-#include "core/conditions/initial_state.hpp"
-#include "core/model.hpp"
-#include "core/time_step.hpp"
+#include "core/dynamics/initial_state.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/time_step.hpp"
 
 namespace contactsim {
 

@@ -3,8 +3,8 @@
 
 #include "app/log.hpp"
 #include "app/options.hpp"
-#include "core/diagnostics.hpp"
-#include "core/errors.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/base/errors.hpp"
 
 namespace contactsim {
 

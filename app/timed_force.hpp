@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "core/force_term.hpp"
+#include "core/elements/force_term.hpp"
 
 namespace contactsim {
 

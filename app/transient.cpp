@@ -19,7 +19,7 @@
 #include "app/timed_force.hpp"
 #include "contact/interface_laws/interface_law_checks.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/internal_force.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "io/outputs.hpp"
 
 namespace contactsim {

@@ -7,9 +7,9 @@
 #include "app/options.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/start_overlaps.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/base/errors.hpp"
 #include "core/definition/declarations.hpp"
-#include "core/diagnostics.hpp"
-#include "core/errors.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

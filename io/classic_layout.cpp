@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/clean_text.hpp"
 
 namespace contactsim {

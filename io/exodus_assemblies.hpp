@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "io/netcdf_file.hpp"
 

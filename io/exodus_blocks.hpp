@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "io/netcdf_file.hpp"
 

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <map>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

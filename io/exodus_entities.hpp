@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/mesh/entity_names.hpp"
 #include "io/netcdf_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "io/netcdf_file.hpp"
 
 namespace contactsim {

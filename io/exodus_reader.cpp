@@ -8,7 +8,7 @@
 #include <regex>
 #include <utility>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/exodus_assemblies.hpp"
 #include "io/exodus_blocks.hpp"
 #include "io/exodus_entities.hpp"

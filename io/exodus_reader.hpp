@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "io/netcdf_file.hpp"
 

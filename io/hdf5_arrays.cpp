@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace contactsim {
 

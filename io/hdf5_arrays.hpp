@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "core/saved_state.hpp"
+#include "core/base/saved_state.hpp"
 
 namespace contactsim {
 

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace contactsim {
 

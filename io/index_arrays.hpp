@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/mesh/indices.hpp"
+#include "core/base/indices.hpp"
 #include "io/netcdf_file.hpp"
 
 namespace contactsim {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/classic_layout.hpp"
 #include "io/clean_text.hpp"
 #include "io/file_kind.hpp"

@@ -8,8 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/errors.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/output/single_values.hpp"
 

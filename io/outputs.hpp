@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "core/dynamics/time_step.hpp"
 #include "core/output/output_times.hpp"
 #include "core/output/requested_fields.hpp"
 #include "core/output/termination.hpp"
 #include "core/output/user_outputs.hpp"
-#include "core/time_step.hpp"
 #include "io/heartbeat_writer.hpp"
 #include "io/results_writer.hpp"
 #include "io/rigid_part.hpp"

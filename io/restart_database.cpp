@@ -8,7 +8,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 
 namespace contactsim {
 

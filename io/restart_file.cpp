@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/digest.hpp"
-#include "core/errors.hpp"
+#include "core/base/digest.hpp"
+#include "core/base/errors.hpp"
 #include "io/hdf5_arrays.hpp"
 #include "io/output_place.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/saved_state.hpp"
+#include "core/base/saved_state.hpp"
 
 namespace contactsim {
 

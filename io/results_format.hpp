@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output_field.hpp"
+#include "core/output/output_field.hpp"
 #include "io/exodus_draft.hpp"
 
 namespace contactsim {

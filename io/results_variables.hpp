@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output_field.hpp"
+#include "core/output/output_field.hpp"
 #include "io/exodus_draft.hpp"
 #include "io/record_file.hpp"
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/exodus_draft.hpp"
 #include "io/results_format.hpp"
 #include "io/results_mesh.hpp"

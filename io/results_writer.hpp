@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output_field.hpp"
+#include "core/output/output_field.hpp"
 #include "io/qa_records.hpp"
 #include "io/record_file.hpp"
 #include "io/results_variables.hpp"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model.hpp"
-#include "core/output_field.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/output/output_field.hpp"
 
 namespace contactsim {
 

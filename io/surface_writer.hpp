@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/facet_mesh.hpp"
+#include "core/output/facet_mesh.hpp"
 
 namespace contactsim {
 

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/output_place.hpp"
 
 namespace contactsim {

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnostics.hpp"
-#include "core/names.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/base/names.hpp"
 #include "parser/ast.hpp"
 
 namespace contactsim {

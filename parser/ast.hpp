@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/deck_location.hpp"
+#include "core/base/deck_location.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "parser/aprepro/aprepro.hpp"
 #include "parser/commands/deck_commands.hpp"
 #include "parser/deck_source.hpp"

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/diagnostics.hpp"
 #include "parser/text_file.hpp"
 
 namespace contactsim {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 #include "parser/lines.hpp"
 
 namespace contactsim {

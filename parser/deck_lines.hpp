@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/ast.hpp"
 #include "parser/line_grammar.hpp"
 #include "parser/source.hpp"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "parser/aprepro/aprepro.hpp"
 #include "parser/text_file.hpp"
 

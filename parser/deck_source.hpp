@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/source.hpp"
 
 namespace contactsim {

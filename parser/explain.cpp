@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 #include "parser/command_tree.hpp"
 
 namespace contactsim {

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/diagnostics.hpp"
-#include "core/names.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

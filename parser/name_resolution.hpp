@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/diagnostics.hpp"
 #include "parser/table.hpp"
 
 namespace contactsim {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/condition_lines.hpp"
 #include "core/definition/entity_set.hpp"
 #include "core/definition/output_schedule.hpp"
-#include "core/diagnostics.hpp"
 #include "parser/region_names.hpp"
 
 namespace contactsim {

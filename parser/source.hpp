@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/deck_location.hpp"
+#include "core/base/deck_location.hpp"
 
 namespace contactsim {
 

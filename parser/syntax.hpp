@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/ast.hpp"
 #include "parser/source.hpp"
 #include "parser/text_file.hpp"

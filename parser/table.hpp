@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/arguments.hpp"
 #include "parser/ast.hpp"
 #include "parser/table_text.hpp"

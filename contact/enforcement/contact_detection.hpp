@@ -12,7 +12,7 @@
 #include "contact/formulations/node_face_contacts.hpp"
 #include "contact/formulations/plane_contacts.hpp"
 #include "contact/search/contact_search.hpp"
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

@@ -9,9 +9,9 @@
 #include "contact/enforcement/returned_energy.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/interface_laws/make_interface_laws.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/threads.hpp"
 #include "core/definition/contact.hpp"
-#include "core/errors.hpp"
-#include "core/threads.hpp"
 
 namespace contactsim {
 

@@ -14,8 +14,8 @@
 #include "core/definition/declarations.hpp"
 #include "core/definition/function.hpp"
 #include "core/definition/time_control.hpp"
-#include "core/force_term.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/elements/force_term.hpp"
 
 namespace contactsim {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/contact_force.hpp"
-#include "core/digest.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/digest.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

@@ -10,7 +10,7 @@
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/free_directions.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

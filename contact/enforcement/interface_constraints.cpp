@@ -7,7 +7,7 @@
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/formulations/make_ties.hpp"
 #include "contact/formulations/penalty.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

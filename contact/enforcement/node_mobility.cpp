@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/minimum_nodal_mass.hpp"
+#include "core/elements/minimum_nodal_mass.hpp"
 
 namespace contactsim {
 

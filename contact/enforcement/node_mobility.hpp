@@ -10,9 +10,9 @@
 #include "contact/enforcement/light_carriers.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/free_directions.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
 #include "core/elements/gather.hpp"
-#include "core/model.hpp"
-#include "core/state.hpp"
 
 namespace contactsim {
 

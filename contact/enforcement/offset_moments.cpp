@@ -3,7 +3,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/minimum_nodal_mass.hpp"
+#include "core/elements/minimum_nodal_mass.hpp"
 
 namespace contactsim {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/enforcement/contact_assembler.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

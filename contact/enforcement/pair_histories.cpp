@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

@@ -10,7 +10,7 @@
 #include "contact/formulations/penalty.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/mesh/feature_edges.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

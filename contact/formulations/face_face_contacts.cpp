@@ -12,7 +12,7 @@
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/interface_laws/friction.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

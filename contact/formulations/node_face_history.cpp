@@ -4,7 +4,7 @@
 
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/node_face_contacts.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

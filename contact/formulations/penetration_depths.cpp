@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "contact/geometry/common_plane.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

@@ -10,7 +10,7 @@
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/interface_laws/friction.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <limits>
 
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 
 namespace contactsim {
 

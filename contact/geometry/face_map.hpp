@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {

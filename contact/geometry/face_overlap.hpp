@@ -5,7 +5,7 @@
 #include <span>
 
 #include "contact/geometry/face_map.hpp"
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 
 namespace contactsim {
 

@@ -6,8 +6,8 @@
 
 #include "contact/interface_laws/make_interface_laws.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/friction.hpp"
-#include "core/diagnostics.hpp"
 
 namespace contactsim {
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/condition_lines.hpp"
 #include "core/definition/function.hpp"
-#include "core/diagnostics.hpp"
 #include "core/functions/piecewise.hpp"
 
 namespace contactsim {

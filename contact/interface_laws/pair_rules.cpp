@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "core/base/state_archive.hpp"
 #include "core/definition/friction.hpp"
-#include "core/state_archive.hpp"
 
 namespace contactsim {
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "core/base/threads.hpp"
 #include "core/mesh/face_geometry.hpp"
-#include "core/threads.hpp"
 
 namespace contactsim {
 

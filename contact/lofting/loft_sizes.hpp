@@ -6,8 +6,8 @@
 
 #include "contact/lofting/loft.hpp"
 #include "contact/surfaces/contact_surface.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

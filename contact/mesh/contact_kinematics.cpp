@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "contact/mesh/contact_remap.hpp"
-#include "core/state_archive.hpp"
-#include "core/threads.hpp"
+#include "core/base/state_archive.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

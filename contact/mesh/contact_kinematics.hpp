@@ -8,7 +8,7 @@
 #include "contact/geometry/face_face.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/mesh/loft_spins.hpp"
-#include "core/force_term.hpp"
+#include "core/elements/force_term.hpp"
 
 namespace contactsim {
 

@@ -7,10 +7,10 @@
 
 #include "contact/mesh/loft_faces.hpp"
 #include "contact/mesh/surface_nodes.hpp"
+#include "core/base/threads.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"
-#include "core/threads.hpp"
 
 namespace contactsim {
 

@@ -10,7 +10,7 @@
 #include "contact/lofting/loft_points.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/mesh/pair_lists.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

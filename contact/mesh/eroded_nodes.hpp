@@ -6,7 +6,7 @@
 
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/surfaces/ownership_rules.hpp"
-#include "core/face_groups.hpp"
+#include "core/mesh/face_groups.hpp"
 
 namespace contactsim {
 

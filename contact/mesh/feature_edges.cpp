@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "contact/surfaces/surface_options.hpp"
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

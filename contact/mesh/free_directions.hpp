@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/conditions/kinematic_constraints.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

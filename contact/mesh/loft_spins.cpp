@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

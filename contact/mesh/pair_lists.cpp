@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/state_archive.hpp"
-#include "core/threads.hpp"
+#include "core/base/state_archive.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "contact/mesh/contact_remap.hpp"
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

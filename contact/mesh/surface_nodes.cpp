@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/mesh/face_geometry.hpp"
-#include "core/skin.hpp"
+#include "core/mesh/skin.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

@@ -9,8 +9,8 @@
 #include "contact/geometry/point_in_solid.hpp"
 #include "contact/mesh/bodies.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "core/base/threads.hpp"
 #include "core/definition/friction.hpp"
-#include "core/threads.hpp"
 
 namespace contactsim {
 

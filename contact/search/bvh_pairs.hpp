@@ -9,7 +9,7 @@
 #include "contact/mesh/pair_lists.hpp"
 #include "contact/search/box_tree.hpp"
 #include "contact/search/traversal_stack.hpp"
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "contact/search/box_tree.hpp"
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/errors.hpp"
-#include "core/state_archive.hpp"
-#include "core/threads.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/state_archive.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

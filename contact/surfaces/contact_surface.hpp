@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/deck_location.hpp"
-#include "core/mesh/indices.hpp"
+#include "core/base/deck_location.hpp"
+#include "core/base/indices.hpp"
 
 namespace contactsim {
 

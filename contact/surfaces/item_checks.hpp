@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/base/names.hpp"
 #include "core/mesh/mesh.hpp"
-#include "core/names.hpp"
 
 /// What contact cannot take of the mesh parts that a deck names.
 namespace contactsim {

@@ -6,8 +6,8 @@
 
 #include "contact/surfaces/contact_surface.hpp"
 #include "contact/surfaces/surface_request.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "contact/surfaces/sort_once.hpp"
-#include "core/skin.hpp"
+#include "core/mesh/skin.hpp"
 
 namespace contactsim {
 

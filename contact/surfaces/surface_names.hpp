@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contact/surfaces/contact_surface.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
-#include "core/diagnostics.hpp"
 
 namespace contactsim {
 

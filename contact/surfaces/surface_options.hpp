@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "contact/surfaces/contact_surface.hpp"
+#include "core/base/names.hpp"
 #include "core/definition/contact_options.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "contact/surfaces/contact_surface.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/definition/interaction.hpp"
-#include "core/diagnostics.hpp"
 
 namespace contactsim {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "contact/surfaces/contact_surface.hpp"
+#include "core/base/diagnostics.hpp"
 #include "core/definition/contact_surfaces.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/definition/finite_element_model.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

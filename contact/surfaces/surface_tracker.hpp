@@ -8,7 +8,7 @@
 
 #include "contact/surfaces/contact_surface.hpp"
 #include "contact/surfaces/ownership_rules.hpp"
-#include "core/face_groups.hpp"
+#include "core/mesh/face_groups.hpp"
 
 namespace contactsim {
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/errors.hpp"
 #include "core/conditions/variable_name.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/errors.hpp"
 
 namespace contactsim {
 

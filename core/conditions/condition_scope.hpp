@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/definition/time_control.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/stored_variables.hpp"
 #include "core/rigid/rigid_nodes.hpp"

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/find_definition.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/find_definition.hpp"
 
 namespace contactsim {
 

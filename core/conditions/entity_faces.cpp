@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/conditions/entity_parts.hpp"
-#include "core/skin.hpp"
+#include "core/mesh/skin.hpp"
 
 namespace contactsim {
 

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "core/base/indices.hpp"
 #include "core/conditions/condition_scope.hpp"
 #include "core/definition/entity_set.hpp"
-#include "core/mesh/indices.hpp"
 
 namespace contactsim {
 

@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/threads.hpp"
 #include "core/conditions/face_forces.hpp"
 #include "core/mesh/face_geometry.hpp"
-#include "core/threads.hpp"
 
 namespace contactsim {
 

@@ -11,8 +11,8 @@
 #include "core/conditions/active_times.hpp"
 #include "core/conditions/condition_function.hpp"
 #include "core/conditions/condition_scope.hpp"
+#include "core/elements/force_term.hpp"
 #include "core/elements/node_sums.hpp"
-#include "core/force_term.hpp"
 
 namespace contactsim {
 

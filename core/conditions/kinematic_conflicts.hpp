@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "core/base/diagnostics.hpp"
 #include "core/conditions/prescribed_motion.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "core/base/indices.hpp"
 #include "core/conditions/condition_scope.hpp"
 #include "core/conditions/prescribed_motion.hpp"
-#include "core/mesh/indices.hpp"
 
 namespace contactsim {
 

@@ -11,7 +11,7 @@
 #include "core/conditions/stored_values.hpp"
 #include "core/definition/condition_loads.hpp"
 #include "core/definition/region.hpp"
-#include "core/minimum_nodal_mass.hpp"
+#include "core/elements/minimum_nodal_mass.hpp"
 
 namespace contactsim {
 

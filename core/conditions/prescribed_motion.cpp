@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

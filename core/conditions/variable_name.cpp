@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/conditions/variable_name.hpp"
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "core/base/names.hpp"
 #include "core/conditions/entity_elements.hpp"
 #include "core/definition/death.hpp"
 #include "core/definition/region.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/block_names.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/conditions/condition_scope.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

@@ -7,8 +7,8 @@
 
 #include "core/conditions/condition_scope.hpp"
 #include "core/death/death_criteria.hpp"
-#include "core/face_groups.hpp"
-#include "core/state.hpp"
+#include "core/dynamics/state.hpp"
+#include "core/mesh/face_groups.hpp"
 
 namespace contactsim {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

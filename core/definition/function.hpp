@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

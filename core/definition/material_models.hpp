@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/names.hpp"
 #include "core/definition/elastic_constants.hpp"
 #include "core/definition/plastic_models.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

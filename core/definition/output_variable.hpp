@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

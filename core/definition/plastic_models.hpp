@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/base/names.hpp"
 #include "core/definition/elastic_constants.hpp"
-#include "core/names.hpp"
 
 /// PARAMETERS FOR MODEL of the models that flow.
 namespace contactsim {

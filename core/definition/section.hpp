@@ -9,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/lanes.hpp"
 #include "core/functions/function.hpp"
-#include "core/lanes.hpp"
 
 namespace contactsim {
 

@@ -3,8 +3,8 @@
 
 #include <array>
 
+#include "core/base/names.hpp"
 #include "core/elements/elements.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "core/elements/element_vectors.hpp"
+#include "core/elements/force_term.hpp"
 #include "core/elements/model_block.hpp"
-#include "core/force_term.hpp"
 #include "core/mesh/topology.hpp"
 
 namespace contactsim {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "core/base/lanes.hpp"
 #include "core/elements/beam_shape.hpp"
 #include "core/elements/discrete_parts.hpp"
 #include "core/elements/element_properties.hpp"
 #include "core/elements/gather.hpp"
 #include "core/elements/node_sums.hpp"
 #include "core/elements/shell_settings.hpp"
-#include "core/lanes.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {

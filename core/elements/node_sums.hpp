@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/indices.hpp"
 #include "core/elements/gather.hpp"
-#include "core/mesh/indices.hpp"
 
 namespace contactsim {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 
 /// Vectors of eight elements.
 namespace contactsim {

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "core/base/lanes.hpp"
 #include "core/elements/element_properties.hpp"
-#include "core/lanes.hpp"
 
 /// What every kernel of a solid element takes and gives.
 namespace contactsim {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/names.hpp"
 #include "core/functions/expression.hpp"
 #include "core/functions/expression_operators.hpp"
 #include "core/functions/expression_tokens.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

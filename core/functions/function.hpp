@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/function.hpp"
-#include "core/diagnostics.hpp"
 #include "core/functions/expression.hpp"
 #include "core/functions/piecewise.hpp"
 

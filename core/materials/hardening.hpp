@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 #include "core/materials/hardening_curve.hpp"
 #include "core/materials/state_variable.hpp"
 

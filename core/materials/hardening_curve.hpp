@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
+#include "core/base/lanes.hpp"
 #include "core/definition/function.hpp"
-#include "core/diagnostics.hpp"
 #include "core/functions/piecewise.hpp"
-#include "core/lanes.hpp"
 
 namespace contactsim {
 

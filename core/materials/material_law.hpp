@@ -5,8 +5,8 @@
 #include <span>
 #include <variant>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/material.hpp"
-#include "core/diagnostics.hpp"
 #include "core/materials/failing_johnson_cook.hpp"
 #include "core/materials/laws.hpp"
 #include "core/materials/mooney_rivlin.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 #include "core/materials/elastic_moduli.hpp"
 
 /// Materials in thin shells: the stress along the normal is zero.

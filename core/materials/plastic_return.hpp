@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/lanes.hpp"
+#include "core/base/lanes.hpp"
 #include "core/materials/hardening.hpp"
 
 /// The way back to a yield surface that grows along a curve, from where an elastic step would have ended.

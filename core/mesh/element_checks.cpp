@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/errors.hpp"
-#include "core/threads.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <charconv>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

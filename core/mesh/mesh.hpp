@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/indices.hpp"
 #include "core/mesh/entity_names.hpp"
 #include "core/mesh/id_lookup.hpp"
-#include "core/mesh/indices.hpp"
 #include "core/mesh/topology.hpp"
 
 namespace contactsim {

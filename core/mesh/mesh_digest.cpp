@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/digest.hpp"
+#include "core/base/digest.hpp"
 
 namespace contactsim {
 

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
+#include "core/base/names.hpp"
 #include "core/definition/finite_element_model.hpp"
-#include "core/diagnostics.hpp"
 #include "core/mesh/mesh.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "core/base/indices.hpp"
 #include "core/elements/element_vectors.hpp"
-#include "core/mesh/indices.hpp"
 #include "core/mesh/topology.hpp"
 
 namespace contactsim {

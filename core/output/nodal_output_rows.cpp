@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/energy_balance.hpp"
+#include "core/dynamics/energy_balance.hpp"
 #include "core/output/output_table.hpp"
 
 namespace contactsim {

@@ -6,9 +6,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/model.hpp"
-#include "core/output_field.hpp"
-#include "core/state.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
+#include "core/output/output_field.hpp"
 
 namespace contactsim {
 

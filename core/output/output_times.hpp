@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/output_schedule.hpp"
-#include "core/diagnostics.hpp"
 
 namespace contactsim {
 

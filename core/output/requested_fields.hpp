@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/output_variable.hpp"
-#include "core/diagnostics.hpp"
 #include "core/output/variable_selection.hpp"
 
 namespace contactsim {

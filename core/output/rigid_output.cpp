@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

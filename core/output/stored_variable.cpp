@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 
 namespace contactsim {
 

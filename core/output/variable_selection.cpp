@@ -7,7 +7,7 @@
 #include <array>
 #include <charconv>
 
-#include "core/threads.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 

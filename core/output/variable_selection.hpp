@@ -6,8 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/output_variable.hpp"
-#include "core/diagnostics.hpp"
 #include "core/output/output_variables.hpp"
 
 namespace contactsim {

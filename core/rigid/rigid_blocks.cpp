@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/rigid/rigid_blocks.hpp"
 
+#include "core/base/names.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/block_names.hpp"
-#include "core/names.hpp"
 
 namespace contactsim {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mesh/indices.hpp"
+#include "core/base/indices.hpp"
 
 namespace contactsim {
 

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <vector>
 
-#include "core/errors.hpp"
-#include "core/names.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/names.hpp"
 #include "parser/aprepro/run.hpp"
 
 namespace contactsim {

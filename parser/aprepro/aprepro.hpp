@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/source.hpp"
 #include "parser/text_file.hpp"
 

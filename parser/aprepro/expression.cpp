@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 #include "parser/aprepro/calls.hpp"
 #include "parser/aprepro/control.hpp"
 #include "parser/aprepro/operators.hpp"

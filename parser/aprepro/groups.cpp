@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/names.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 

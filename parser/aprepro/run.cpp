@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "parser/aprepro/expression.hpp"
 #include "parser/aprepro/operators.hpp"
 

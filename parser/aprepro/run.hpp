@@ -10,7 +10,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/aprepro/aprepro.hpp"
 #include "parser/aprepro/control.hpp"
 #include "parser/aprepro/functions.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/base/diagnostics.hpp"
 #include "core/definition/time_control.hpp"
-#include "core/diagnostics.hpp"
 #include "parser/commands/rows.hpp"
 
 namespace contactsim {

@@ -13,9 +13,9 @@
 #include "bench_meshes.hpp"
 #include "contact/enforcement/contact_force.hpp"
 #include "core/definition/contact.hpp"
+#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
-#include "core/integrator.hpp"
-#include "core/internal_force.hpp"
 
 namespace contactsim::bench {
 

@@ -12,9 +12,9 @@
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
-#include "core/integrator.hpp"
-#include "core/internal_force.hpp"
 
 namespace contactsim::bench {
 

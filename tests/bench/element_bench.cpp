@@ -5,8 +5,8 @@
 #include <omp.h>
 
 #include "bench_meshes.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/elements/element_table.hpp"
-#include "core/internal_force.hpp"
 
 namespace contactsim::bench {
 

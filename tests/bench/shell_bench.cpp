@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "bench_meshes.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
-#include "core/internal_force.hpp"
 
 namespace contactsim::bench {
 

@@ -6,7 +6,7 @@
 #include "bench_meshes.hpp"
 #include "contact/surfaces/resolve_surfaces.hpp"
 #include "core/definition/contact.hpp"
-#include "core/skin.hpp"
+#include "core/mesh/skin.hpp"
 
 namespace contactsim::bench {
 

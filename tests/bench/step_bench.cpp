@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "bench_meshes.hpp"
+#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/elements/element_table.hpp"
-#include "core/integrator.hpp"
-#include "core/internal_force.hpp"
 
 namespace contactsim::bench {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/deck.hpp"
 
 namespace contactsim {

@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/exodus_reader.hpp"
 #include "io/sample_mesh.hpp"
 #include "support/catch.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/exodus_blocks.hpp"
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "io/sample_mesh.hpp"
 #include "support/catch.hpp"

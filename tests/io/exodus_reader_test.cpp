@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/exodus_reader.hpp"
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/sample_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"

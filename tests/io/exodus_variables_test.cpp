@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/sample_mesh.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"

@@ -3,7 +3,7 @@
 
 #include <sys/stat.h>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/exodus_reader.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"

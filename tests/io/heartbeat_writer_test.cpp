@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/heartbeat_writer.hpp"
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"
 

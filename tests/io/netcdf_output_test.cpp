@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/netcdf_file.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_directory.hpp"

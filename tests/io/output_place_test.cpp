@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/netcdf_output.hpp"
 #include "io/write_text.hpp"
 #include "support/catch.hpp"

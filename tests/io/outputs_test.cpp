@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
+#include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/errors.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/sample_results.hpp"
 #include "support/catch.hpp"

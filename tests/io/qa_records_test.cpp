@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/qa_records.hpp"
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/netcdf_output.hpp"
 #include "io/results_writer.hpp"
 #include "support/catch.hpp"

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "support/catch.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temporary_directory.hpp"

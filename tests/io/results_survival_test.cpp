@@ -6,7 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/exodus_reader.hpp"
 #include "io/results_writer.hpp"
 #include "io/sample_mesh.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "io/exodus_reader.hpp"
 #include "io/netcdf_file.hpp"
 #include "io/sample_mesh.hpp"

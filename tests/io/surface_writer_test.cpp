@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/surface_writer.hpp"
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "core/mesh/mesh.hpp"
 #include "io/exodus_reader.hpp"
 #include "support/catch.hpp"

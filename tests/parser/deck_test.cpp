@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/deck.hpp"
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "support/catch.hpp"
 #include "support/parsed_deck.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "contact/enforcement/contact_force.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
 #include "support/contact_deck.hpp"
 
 namespace contactsim::test {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/diagnostics.hpp"
+#include "core/base/diagnostics.hpp"
 #include "parser/ast.hpp"
 
 namespace contactsim {

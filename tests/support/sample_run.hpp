@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "core/definition/output_variable.hpp"
-#include "core/model.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
 #include "core/output/output_table.hpp"
-#include "core/state.hpp"
 
 namespace contactsim::test {
 

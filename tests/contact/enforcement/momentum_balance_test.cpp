@@ -3,7 +3,7 @@
 
 #include <omp.h>
 
-#include "core/state.hpp"
+#include "core/dynamics/state.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 #include "support/law_bodies.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/formulations/start_depths.hpp"
 
-#include "core/state_archive.hpp"
+#include "core/base/state_archive.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "contact/search/contact_search.hpp"
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 

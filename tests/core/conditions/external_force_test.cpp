@@ -3,7 +3,7 @@
 
 #include <omp.h>
 
-#include "core/errors.hpp"
+#include "core/base/errors.hpp"
 #include "core/mesh/face_geometry.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/errors.hpp"
-#include "core/minimum_nodal_mass.hpp"
+#include "core/base/errors.hpp"
+#include "core/elements/minimum_nodal_mass.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/mesh_builder.hpp"

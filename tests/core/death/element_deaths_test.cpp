@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/death/death_sets.hpp"
-#include "core/internal_force.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/sample_run.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/internal_force.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Hexahedra that name nodes more than once: wedges, pyramids and tetrahedra in the guise of a hexahedron.
-#include "core/internal_force.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/integrator.hpp"
-#include "core/internal_force.hpp"
+#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/internal_force.hpp"
 #include "support/mesh_builder.hpp"
 #include "support/solid_laws.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "core/elements/material_point.hpp"
+#include "core/elements/solid/material_point.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
-#include "core/internal_force.hpp"
 #include "core/output/output_variables.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"

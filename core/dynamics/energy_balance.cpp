@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/dynamics/energy_balance.hpp"
+
+#include "core/base/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Components of the vectors of eight nodes.
+constexpr Eigen::Index group_size = 24;
+using Group = Eigen::Array<double, group_size, 1>;
+
+/// Nodes whose sums are made together. Fixed, so that the sums do not depend on the number of threads.
+constexpr Eigen::Index groups_per_chunk = 256;
+
+/// The sums of a chunk, component by component.
+struct GroupSums {
+  Group kinetic = Group::Zero(), conserved = Group::Zero(), unseen = Group::Zero();
+  Group momentum = Group::Zero();
+  Group internal_ended = Group::Zero(), internal_begun = Group::Zero();
+  Group external_ended = Group::Zero(), external_begun = Group::Zero();
+  Group contact_ended = Group::Zero(), contact_begun = Group::Zero();
+
+  /// Half steps are weighted with their sizes here.
+  ///   half_behind  as half_before; at the start, which has none, half_after
+  EnergyBalance total(double half_before, double half_after, double half_behind) const {
+    EnergyBalance balance;
+    balance.kinetic = 0.5 * kinetic.sum();
+    balance.conserved = 0.5 * conserved.sum();
+    balance.unseen = 0.5 * half_behind * half_after * unseen.sum();
+    balance.ended = {half_before * internal_ended.sum(), half_before * external_ended.sum(),
+                     half_before * contact_ended.sum()};
+    balance.begun = {half_after * internal_begun.sum(), half_after * external_begun.sum(),
+                     half_after * contact_begun.sum()};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      balance.momentum(i) = 0.0;
+      for (Eigen::Index k = i; k < group_size; k += 3) balance.momentum(i) += momentum(k);
+    }
+    return balance;
+  }
+};
+
+void add(const HalfStepWork& part, HalfStepWork& sum) {
+  sum.internal += part.internal;
+  sum.external += part.external;
+  sum.contact += part.contact;
+}
+
+/// What nodes do as they move, or as they turn: then inertias, moments and angular velocities.
+struct NodeMotion {
+  const Eigen::Matrix3Xd& mass;
+  const NodalForces& forces;
+  const Eigen::Matrix3Xd& acceleration;
+  Eigen::Matrix3Xd& velocity;
+};
+
+/// Walks the nodes in groups; the last one is filled up with zeros.
+class Completion {
+ public:
+  Completion(const NodeMotion& nodes, const State& state) : nodes_(nodes), size_(nodes.velocity.size()) {
+    half_before_ = 0.5 * state.dt;
+    half_after_ = 0.5 * state.next_dt;
+    // Before the first step the leapfrog stands mirrored, as if it had come with the step that follows.
+    product_span_ = state.dt > 0.0 ? half_before_ + half_after_ : 2.0 * half_after_;
+  }
+
+  Eigen::Index n_chunks() const {
+    const Eigen::Index per_chunk = groups_per_chunk * group_size;
+    return (size_ + per_chunk - 1) / per_chunk;
+  }
+
+  EnergyBalance complete_chunk(Eigen::Index chunk) {
+    GroupSums sums;
+    const Eigen::Index first = chunk * groups_per_chunk * group_size;
+    const Eigen::Index end = std::min(size_, first + groups_per_chunk * group_size);
+    for (Eigen::Index i = first; i < end; i += group_size) complete_group(i, sums);
+    return sums.total(half_before_, half_after_, product_span_ - half_after_);
+  }
+
+ private:
+  Group load(const Eigen::Matrix3Xd& values, Eigen::Index i) const {
+    if (i + group_size <= size_) return Eigen::Map<const Group>(values.data() + i);
+    Group group = Group::Zero();
+    group.head(size_ - i) = Eigen::Map<const Eigen::ArrayXd>(values.data() + i, size_ - i);
+    return group;
+  }
+
+  void complete_group(Eigen::Index i, GroupSums& sums) {
+    const Group a = load(nodes_.acceleration, i), mass = load(nodes_.mass, i);
+    const Group before = load(nodes_.velocity, i);
+    const Group now = before + half_before_ * a, after = now + half_after_ * a;
+    const Eigen::Index n = std::min(group_size, size_ - i);
+    Eigen::Map<Eigen::ArrayXd>(nodes_.velocity.data() + i, n) = now.head(n);
+    // In this order infinite where something pushes a node of next to no mass.
+    sums.kinetic += now * now * mass;
+    sums.conserved += after * (after - product_span_ * a) * mass;
+    sums.momentum += mass * now;
+    const Group internal = load(nodes_.forces.internal, i), external = load(nodes_.forces.external, i);
+    sums.unseen += (internal != 0.0).select(a * a * mass, 0.0);
+    sums.internal_ended += internal * before;
+    sums.internal_begun += internal * after;
+    sums.external_ended += external * before;
+    sums.external_begun += external * after;
+    if (nodes_.forces.contact.size() == 0) return;
+    const Group contact = load(nodes_.forces.contact, i);
+    sums.contact_ended += contact * before;
+    sums.contact_begun += contact * after;
+  }
+
+  NodeMotion nodes_;
+  Eigen::Index size_;
+  double half_before_, half_after_, product_span_;
+};
+
+Eigen::Vector3d reaction_at(const NodeMotion& nodes, NodeIndex node) {
+  const Eigen::Index i = node.value;
+  const NodalForces& forces = nodes.forces;
+  Eigen::Vector3d reaction = nodes.mass(0, i) * nodes.acceleration.col(i) - forces.internal.col(i);
+  reaction -= forces.external.col(i);
+  if (forces.contact.size() > 0) reaction -= forces.contact.col(i);
+  return reaction;
+}
+
+/// Work of the reactions, with the velocities already those of now.
+void add_reactions(const NodeMotion& nodes, std::span<const NodeIndex> held, const State& state,
+                   EnergyBalance& balance) {
+  const double half_before = 0.5 * state.dt, half_after = 0.5 * state.next_dt;
+  for (const NodeIndex node : held) {
+    const Eigen::Vector3d a = nodes.acceleration.col(node.value), v = nodes.velocity.col(node.value);
+    const Eigen::Vector3d reaction = reaction_at(nodes, node);
+    balance.ended.external += half_before * reaction.dot(v - half_before * a);
+    balance.begun.external += half_after * reaction.dot(v + half_after * a);
+  }
+}
+
+EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state) {
+  Completion completion(nodes, state);
+  std::vector<EnergyBalance> parts(static_cast<std::size_t>(completion.n_chunks()));
+#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.velocity.size() / 3))
+  for (std::int64_t i = 0; i < completion.n_chunks(); ++i)
+    parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i);
+  EnergyBalance balance;
+  balance.momentum.setZero();
+  for (const EnergyBalance& part : parts) {
+    balance.kinetic += part.kinetic;
+    balance.conserved += part.conserved;
+    balance.unseen += part.unseen;
+    balance.momentum += part.momentum;
+    add(part.ended, balance.ended);
+    add(part.begun, balance.begun);
+  }
+  return balance;
+}
+
+NodeMotion turning_nodes(const Model& model, NodalRotations& rotations) {
+  const Eigen::Matrix3Xd& inertia = model.rigid.empty() ? model.inertia : model.rigid.free_inertia;
+  return {inertia, rotations.moments, rotations.acceleration, rotations.velocity};
+}
+
+}  // namespace
+
+Eigen::Vector3d reaction_at(const Model& model, const State& state, NodeIndex node) {
+  Eigen::Matrix3Xd unused;
+  return reaction_at({model.mass, state.forces, state.acceleration, unused}, node);
+}
+
+Eigen::Vector3d reaction_moment_at(const Model& model, const State& state, NodeIndex node) {
+  Eigen::Matrix3Xd unused;
+  return reaction_at({model.inertia, state.rotations.moments, state.rotations.acceleration, unused}, node);
+}
+
+EnergyBalance complete_velocities(const Model& model, State& state) {
+  const Eigen::Matrix3Xd& mass = model.rigid.empty() ? model.mass : model.rigid.free_mass;
+  const NodeMotion moving{mass, state.forces, state.acceleration, state.velocity};
+  EnergyBalance balance = complete_nodes(moving, state);
+  add_reactions(moving, model.kinematic_constraints.nodes(), state, balance);
+  if (!state.rotations.exist()) return balance;
+  const NodeMotion turning = turning_nodes(model, state.rotations);
+  EnergyBalance rotational = complete_nodes(turning, state);
+  add_reactions(turning, model.rotation_constraints.nodes(), state, rotational);
+  balance.kinetic += rotational.kinetic;
+  balance.conserved += rotational.conserved;
+  balance.unseen += rotational.unseen;
+  add(rotational.ended, balance.ended);
+  add(rotational.begun, balance.begun);
+  return balance;
+}
+
+}  // namespace contactsim

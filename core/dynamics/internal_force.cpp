@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/dynamics/internal_force.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/errors.hpp"
+#include "core/base/threads.hpp"
+#include "core/dynamics/discrete_steps.hpp"
+#include "core/elements/element_table.hpp"
+#include "core/elements/elements.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The first element of the block whose volume is not positive.
+std::size_t find_inverted(const ModelBlock& block, const Eigen::Matrix3Xd& coordinates) {
+  std::vector<Lanes> volumes(block.n_batches());
+  for (const BatchChunk& chunk : block.chunks) block.element->volumes(block, chunk, coordinates, volumes);
+  for (std::size_t element = 0; element < block.n_elements; ++element) {
+    if (!(volumes[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) > 0.0)) return element;
+  }
+  return 0;
+}
+
+/// As all elements, or those of rigid bodies, would be stable at rest in the mesh if they were elastic.
+double find_step_at_rest(const Model& model, bool only_rigid) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const ModelBlock& block : model.blocks) {
+    if (only_rigid && !block.is_rigid) continue;
+    ModelBlockState state = make_state(block);
+    const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, model.mesh->n_nodes());
+    Motion motion{0.0, 0.0, model.mesh->coordinates(), still};
+    motion.angular_velocity = &still;
+    for (const BatchChunk& chunk : block.chunks)
+      step = std::min(step, block.element->advance(block, chunk, motion, state).stable_step);
+  }
+  return step;
+}
+
+/// The time that sound takes through the smallest particle: particles have no stress, but what they are made
+/// of says how fast they may answer a hit.
+double find_step_of_particles(const Model& model) {
+  double step = std::numeric_limits<double>::infinity();
+  for (const ModelBlock& block : model.blocks) {
+    if (block.element != &sphere_particle) continue;
+    const ElementProperties& properties = block.properties;
+    const ElasticModuli moduli = moduli_of(properties.law);
+    const double speed = std::sqrt((moduli.bulk + 4.0 / 3.0 * moduli.shear) / properties.density);
+    for (std::size_t i = 0; i < block.n_elements; ++i) {
+      const double radius = block.section[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
+      step = std::min(step, 2.0 * radius / speed);
+    }
+  }
+  return step;
+}
+
+}  // namespace
+
+InternalForce::InternalForce(const Model& model, State& state)
+    : model_(model), state_(state), idle_step_(find_step_at_rest(model, true)) {
+  std::size_t max_chunks = 0;
+  for (const ModelBlock& block : model.blocks) max_chunks = std::max(max_chunks, block.chunks.size());
+  chunks_.resize(max_chunks);
+}
+
+void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
+  const ModelBlock& block = model_.blocks[index];
+  ModelBlockState& state = state_.blocks[index];
+#pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements * 10))
+  for (std::int64_t i = 0; i < static_cast<std::int64_t>(block.chunks.size()); ++i) {
+    const auto chunk = static_cast<std::size_t>(i);
+    chunks_[chunk] = block.element->advance(block, block.chunks[chunk], motion, state);
+  }
+}
+
+void InternalForce::stop_at_inverted(const ModelBlock& block, const Motion& motion) const {
+  const std::size_t element = find_inverted(block, motion.coordinates);
+  const auto position = block.first_element.value + static_cast<std::uint32_t>(element);
+  throw SolveError(motion.time,
+                   fmt::format("element {} of {} has turned inside out", model_.mesh->element_id({position}),
+                               model_.mesh->name({EntityKind::block, block.mesh_block})));
+}
+
+namespace {
+
+/// What each kind of elements would allow alone.
+struct StableSteps {
+  double material = infinity, stiffness = infinity, damping = infinity;  ///< [time]
+
+  double& of(StepRule rule) {
+    if (rule == StepRule::stiffness) return stiffness;
+    return rule == StepRule::damping ? damping : material;
+  }
+  double min() const { return std::min({material, stiffness, damping}); }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+ForceReport InternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
+  forces.setZero();
+  ForceReport report;
+  StableSteps steps;
+  for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
+    const ModelBlock& block = model_.blocks[index];
+    if (block.is_rigid) continue;
+    advance_chunks(index, motion);
+    for (const ChunkStep& chunk : std::span(chunks_).first(block.chunks.size())) {
+      if (!(chunk.min_volume > 0.0)) stop_at_inverted(block, motion);
+      if (chunk.stable_step < steps.min()) {
+        report.critical_element = {block.first_element.value +
+                                   static_cast<std::uint32_t>(chunk.critical_element)};
+      }
+      double& step = steps.of(block.element->step_rule);
+      step = std::min(step, chunk.stable_step);
+      report.hourglass_work += chunk.hourglass_work;
+      state_.blocks[index].hourglass_work += chunk.hourglass_work;
+      report.viscous_work += chunk.viscous_work;
+    }
+    block.sums.add(state_.blocks[index].forces, forces);
+  }
+  report.stable_step = combined_step(steps.material, steps.stiffness, steps.damping);
+  if (std::isinf(report.stable_step)) {
+    if (std::isinf(idle_step_)) idle_step_ = find_step_at_rest(model_, false);
+    if (std::isinf(idle_step_)) idle_step_ = find_step_of_particles(model_);
+    report.stable_step = idle_step_;
+  }
+  return report;
+}
+
+void InternalForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
+  moments.setZero();
+  for (std::size_t index = 0; index < model_.blocks.size(); ++index) {
+    const ModelBlock& block = model_.blocks[index];
+    if (block.element->has_rotations && !block.is_rigid)
+      block.sums.add(state_.blocks[index].moments, moments);
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/dynamics/model.hpp"
+
+#include <algorithm>
+
+#include "core/definition/simulation.hpp"
+#include "core/dynamics/make_rigid_bodies.hpp"
+#include "core/elements/block_maker.hpp"
+#include "core/elements/element_table.hpp"
+#include "core/mesh/block_names.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// An element gives each of its nodes an equal share of what it has.
+///   element_values  [n_batches]
+void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> element_values,
+                Eigen::Matrix3Xd& sums) {
+  const ElementBlock& source = mesh.blocks()[block.mesh_block];
+  for (std::uint32_t element = 0; element < source.n_elements; ++element) {
+    const double element_value = element_values[element / n_lanes](element % n_lanes);
+    const auto nodes = source.element_nodes(element);
+    for (const NodeIndex node : nodes)
+      sums.col(node.value).array() += element_value / static_cast<double>(nodes.size());
+  }
+}
+
+}  // namespace
+
+Eigen::Matrix3Xd lumped_mass(const Mesh& mesh, std::span<const ModelBlock> blocks) {
+  Eigen::Matrix3Xd mass = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  for (const ModelBlock& block : blocks) add_shares(block, mesh, block.mass, mass);
+  return mass.cwiseMax(minimum_nodal_mass);
+}
+
+Eigen::Matrix3Xd lumped_inertia(const Mesh& mesh, std::span<const ModelBlock> blocks) {
+  const auto turns = [](const ModelBlock& block) { return block.element->has_rotations; };
+  if (std::none_of(blocks.begin(), blocks.end(), turns)) return Eigen::Matrix3Xd(3, 0);
+  Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Zero(3, mesh.n_nodes());
+  for (const ModelBlock& block : blocks) {
+    if (turns(block)) add_shares(block, mesh, block.inertia, inertia);
+  }
+  return inertia.cwiseMax(minimum_nodal_mass);
+}
+
+Model make_model(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
+                 Diagnostics& diagnostics) {
+  Model model;
+  model.mesh = &mesh;
+  const FiniteElementModel* elements = find_finite_element_model(definition, region);
+  if (elements == nullptr) {
+    diagnostics.add_error(region.name.location, "the region has no finite element model",
+                          "without one only --check can be run");
+    return model;
+  }
+  BlockMaker maker(definition, *elements, mesh, diagnostics);
+  const auto names = find_block_names(mesh, elements->aliases);
+  for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
+    if (mesh.blocks()[i].n_elements > 0) maker.add(i, names[i], model.blocks);
+  }
+  model.mass = lumped_mass(mesh, model.blocks);
+  model.inertia = lumped_inertia(mesh, model.blocks);
+  make_rigid_bodies(definition, region, model, diagnostics);
+  return model;
+}
+
+}  // namespace contactsim

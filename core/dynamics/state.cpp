@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/dynamics/state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/state_archive.hpp"
+#include "core/elements/element_table.hpp"
+
+namespace contactsim {
+
+State make_state(const Eigen::Matrix3Xd& coordinates, std::span<const ModelBlock> blocks, double time) {
+  State state;
+  state.time = time;
+  state.coordinates = coordinates;
+  const Eigen::Matrix3Xd zero = Eigen::Matrix3Xd::Zero(3, coordinates.cols());
+  state.velocity = state.acceleration = zero;
+  state.forces = {zero, zero, Eigen::Matrix3Xd(3, 0)};
+  const auto turns = [](const ModelBlock& block) { return block.element->has_rotations; };
+  const bool any_turns = std::any_of(blocks.begin(), blocks.end(), turns);
+  const Eigen::Matrix3Xd none = any_turns ? zero : Eigen::Matrix3Xd(3, 0);
+  state.rotations = {none, none, none, {none, none, Eigen::Matrix3Xd(3, 0)}};
+  for (const ModelBlock& block : blocks) state.blocks.push_back(make_state(block));
+  return state;
+}
+
+namespace {
+
+void archive(const std::string& name, NodalForces& forces, StateArchive& saved) {
+  saved.fixed(name + "/internal", forces.internal);
+  saved.fixed(name + "/external", forces.external);
+  saved.fixed(name + "/contact", forces.contact);
+}
+
+void archive(NodalRotations& rotations, bool have_contact, StateArchive& saved) {
+  if (!rotations.exist()) return;
+  saved.fixed("nodes/angle", rotations.angle);
+  saved.fixed("nodes/angular_velocity", rotations.velocity);
+  saved.fixed("nodes/angular_acceleration", rotations.acceleration);
+  if (have_contact) rotations.moments.contact.resizeLike(rotations.moments.internal);
+  archive("moments", rotations.moments, saved);
+}
+
+void archive(Energies& energies, StateArchive& saved) {
+  saved.numbers("run/energies", energies.kinetic, energies.internal, energies.hourglass,
+                energies.bulk_viscosity, energies.external, energies.contact, energies.friction,
+                energies.contact_damping, energies.impact, energies.error, energies.unseen, energies.start,
+                energies.largest);
+}
+
+void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {
+  saved.rows("run/rigid_bodies", bodies, [](RigidBodyState& body, RowNumbers& row) {
+    row(body.position, body.orientation.coeffs(), body.angle);
+    for (RigidBodyState::Motion* motion : {&body.before, &body.now, &body.after})
+      row(motion->velocity, motion->turning, motion->spin);
+    row(body.acceleration, body.angular_acceleration, body.force, body.moment, body.reaction,
+        body.reaction_moment);
+  });
+}
+
+}  // namespace
+
+void archive(State& state, StateArchive& saved) {
+  saved.numbers("run/steps", state.step, state.time, state.dt, state.next_dt, state.first_dt);
+  HeldStableStep& stable = state.stable_step;
+  saved.numbers("run/stable_step", stable.now, stable.before, stable.count, stable.returning);
+  saved.fixed("nodes/coordinates", state.coordinates);
+  saved.fixed("nodes/velocity", state.velocity);
+  saved.fixed("nodes/acceleration", state.acceleration);
+  archive("forces", state.forces, saved);
+  archive(state.rotations, state.forces.contact.cols() > 0, saved);
+  archive(state.rigid, saved);
+  archive(state.energies, saved);
+  saved.numbers("run/half_step_work", state.begun.internal, state.begun.external, state.begun.contact);
+  saved.numbers("run/momentum", state.momentum);
+  for (std::size_t i = 0; i < state.blocks.size(); ++i) {
+    std::vector<Lanes>& values = state.blocks[i].values;
+    saved.fixed(fmt::format("blocks/{}/values", i + 1),
+                std::span(values.data()->data(), n_lanes * values.size()));
+    saved.numbers(fmt::format("blocks/{}/hourglass_work", i + 1), state.blocks[i].hourglass_work);
+    std::vector<Lanes>& life = state.blocks[i].life;
+    if (!life.empty())
+      saved.fixed(fmt::format("blocks/{}/life", i + 1),
+                  std::span(life.data()->data(), n_lanes * life.size()));
+  }
+  saved.rows("death/dying", state.death.dying, [](DyingElement& dying, RowNumbers& row) {
+    row(dying.element.value, dying.n_steps, dying.n_left);
+  });
+  saved.list("death/checked", state.death.checked);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/elements/block_maker.hpp"
+
+#include <fmt/format.h>
+
+#include "core/base/names.hpp"
+#include "core/definition/finite_element_model.hpp"
+#include "core/definition/simulation.hpp"
+#include "core/elements/element_table.hpp"
+#include "core/elements/material_directions.hpp"
+
+namespace contactsim {
+
+void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
+                     std::vector<ModelBlock>& blocks) {
+  const BlockParameters* parameters = find_block_parameters(model_, names);
+  block_name_ = mesh_.name({EntityKind::block, index});
+  if (parameters == nullptr) {
+    add_error(model_.name.location,
+              fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text), "");
+    return;
+  }
+  auto block = make(topology(mesh_.blocks()[index].shape).family, index, *parameters);
+  if (!block) return;
+  if (block->element->has_material()) check_volumes(*block, *parameters);
+  const SectionDefinition* section = find_section(definition_, *parameters);
+  if (has_directions(block->properties.law) && !give_directions(*parameters, section, *block)) return;
+  block->is_rigid = section != nullptr && section->rigid_body;
+  block->material = block->element->has_material() || parameters->model
+                        ? fmt::format("{} ({})", parameters->material->text, parameters->model->text)
+                        : "none";
+  blocks.push_back(std::move(*block));
+}
+
+std::optional<ModelBlock> BlockMaker::make(Family family, std::uint32_t index,
+                                           const BlockParameters& parameters) {
+  if (family == Family::shell) return make_shells(index, parameters);
+  const bool is_thin = family == Family::line || family == Family::particle;
+  return is_thin ? make_lines(index, parameters) : make_solids(index, parameters);
+}
+
+std::optional<ModelBlock> BlockMaker::make_solids(std::uint32_t index, const BlockParameters& parameters) {
+  const SolidSection* section = find_solid_section(index, parameters);
+  const ElementFormulation* element =
+      section ? find_formulation(topology(mesh_.blocks()[index].shape), *section, parameters) : nullptr;
+  const auto properties = make_properties(parameters, section);
+  if (element == nullptr || !properties) return std::nullopt;
+  return make_solid_block(mesh_, index, *element, *properties);
+}
+
+void BlockMaker::add_error(const DeckLocation& location, std::string text, std::string hint) {
+  diagnostics_.add_error(location, std::move(text), std::move(hint));
+}
+
+const SolidSection* BlockMaker::find_solid_section(std::uint32_t index, const BlockParameters& parameters) {
+  const Topology& shape = topology(mesh_.blocks()[index].shape);
+  const SectionDefinition* section = find_section(definition_, parameters);
+  const SolidSection* solid = &default_section_;
+  if (section != nullptr) solid = std::get_if<SolidSection>(&section->properties);
+  if (shape.family != Family::solid) {
+    add_error(parameters.location,
+              fmt::format("{} has elements of type {}, which cannot move", block_name_, shape.name),
+              "--check resolves the surfaces of all of them");
+    return nullptr;
+  }
+  if (solid == nullptr) {
+    add_error(section->name.location,
+              fmt::format("{} has elements of type {}, but its section '{}' is not a SOLID SECTION",
+                          block_name_, shape.name, section->name.text),
+              "");
+    return nullptr;
+  }
+  check_options(*solid);
+  return solid;
+}
+
+/// Everything but the formulation that a SOLID SECTION may ask for.
+void BlockMaker::check_options(const SolidSection& solid) {
+  const DeckName& strain = solid.strain_incrementation;
+  // Hughes and Winget's increment is objective and taken in the middle of the step: it is both.
+  if (fold(strain.text) != "midpoint_increment" && fold(strain.text) != "strongly_objective") {
+    add_error(strain.location, fmt::format("there is no strain incrementation '{}'", strain.text),
+              "there are midpoint_increment and strongly_objective");
+  }
+  if (solid.is_hourglass_total || solid.is_hourglass_rotation_scaled) {
+    diagnostics_.add_warning(
+        "hourglass-incremental", strain.location,
+        fmt::format("{}: hourglass forces are incremental and turn with the material", block_name_),
+        "HOURGLASS FORMULATION and HOURGLASS ROTATION have no effect");
+  }
+}
+
+const ElementFormulation* BlockMaker::find_formulation(const Topology& shape, const SolidSection& solid,
+                                                       const BlockParameters& parameters) {
+  const ElementFormulation* element = find_solid_element(shape.shape, solid.formulation.text);
+  if (element != nullptr) return element;
+  const bool is_known = !list_formulations(shape.shape).empty();
+  const DeckLocation& location =
+      is_known && solid.formulation.location.is_known() ? solid.formulation.location : parameters.location;
+  if (!is_known) {
+    add_error(location,
+              fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
+              "linear hexahedra, tetrahedra, wedges and pyramids are");
+  } else {
+    add_error(location,
+              fmt::format("{}: there is no {} with the formulation {}", block_name_, shape.name,
+                          solid.formulation.text),
+              fmt::format("it has {}", list_formulations(shape.shape)));
+  }
+  return nullptr;
+}
+
+std::optional<ElementProperties> BlockMaker::make_properties(const BlockParameters& parameters,
+                                                             const SolidSection* section) {
+  if (!parameters.material || !parameters.model) {
+    add_error(parameters.location,
+              fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
+    return std::nullopt;
+  }
+  const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
+  const MaterialModel* model = material ? find_model(*material, parameters.model->text) : nullptr;
+  if (model == nullptr) return std::nullopt;  // the binder has said so
+  if (parameters.effective_moduli_model != EffectiveModuliModel::elastic) {
+    diagnostics_.add_warning("effective-moduli", parameters.location,
+                             fmt::format("{}: EFFECTIVE MODULI MODEL has no effect", block_name_),
+                             "viscosity and hourglass resistance follow the elastic moduli");
+  }
+  const auto law = make_material_law(*model, definition_.functions, diagnostics_);
+  if (!law) return std::nullopt;
+  return ElementProperties{*law,
+                           material->density,
+                           parameters.hourglass_stiffness,
+                           parameters.hourglass_viscosity,
+                           parameters.linear_bulk_viscosity,
+                           parameters.quadratic_bulk_viscosity,
+                           section != nullptr ? section->deviatoric_parameter.value_or(1.0) : 1.0};
+}
+
+/// The ORIENTATION of a shell section goes before the system of the material. False when an error was added.
+bool BlockMaker::give_directions(const BlockParameters& parameters, const SectionDefinition* section,
+                                 ModelBlock& block) {
+  const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
+  const auto& model = std::get<OrthotropicModel>(find_model(*material, parameters.model->text)->parameters);
+  const auto* shell = section != nullptr ? std::get_if<ShellSection>(&section->properties) : nullptr;
+  const auto& name = shell != nullptr && shell->orientation ? shell->orientation : model.coordinate_system;
+  MaterialDirections directions{{}, model.first_rotation, model.second_rotation};
+  if (name) {
+    const auto system = find_coordinate_system(*name, definition_, diagnostics_);
+    if (!system) return false;
+    directions.system = *system;
+  }
+  const auto lost = set_directions(directions, mesh_, block);
+  if (!lost) return true;
+  const auto id = mesh_.element_id({block.first_element.value + static_cast<std::uint32_t>(*lost)});
+  add_error(name ? name->location : parameters.location,
+            fmt::format("{}: direction 1 of the material is the normal of the shell {}", block_name_, id),
+            "turn the coordinate system, or the material in it by ALPHA");
+  return false;
+}
+
+/// Elements without a positive volume have no mass and no gradients.
+void BlockMaker::check_volumes(const ModelBlock& block, const BlockParameters& parameters) {
+  std::size_t n_bad = 0, first = 0;
+  for (std::size_t element = 0; element < block.n_elements; ++element) {
+    if (block.mass[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes)) > 0.0) continue;
+    if (n_bad++ == 0) first = element;
+  }
+  if (n_bad == 0) return;
+  const auto id = mesh_.element_id({block.first_element.value + static_cast<std::uint32_t>(first)});
+  const std::string others = n_bad > 1 ? fmt::format(" and {} more", n_bad - 1) : "";
+  add_error(
+      parameters.location,
+      fmt::format("{}: element {}{} without a positive volume", block_name_, id,
+                  n_bad > 1 ? others + " are" : " is"),
+      block.element->n_points > 1 ? "at an integration point; mean quadrature asks less of a shape" : "");
+}
+
+}  // namespace contactsim

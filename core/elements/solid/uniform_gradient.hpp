@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string_view>
+
+#include "core/elements/solid/hourglass.hpp"
+#include "core/elements/solid/material_point.hpp"
+#include "core/mesh/topology.hpp"
+
+/// Solid elements that take strain and stress as uniform, from the mean gradients of their shape functions. A
+/// geometry states
+///   n_nodes, n_modes  modes are the hourglass modes, nodal motions without a mean gradient
+///   mode_norm         the Euclidean norm of every hourglass mode
+/// and has
+///   volume_gradient(x)     derivatives of the volume by the nodes' coordinates, which are also the volume
+///                          times the mean gradients of the shape functions [length^2]
+///   mode_sums(values)      the modes summed with a value at each node
+///   add_modes(a, out)      adds to each node the modes' entries times the amounts: the transpose
+namespace contactsim {
+
+/// Bulk viscosity: linear in the dilatation rate, and quadratic while the elements close. Its length is that
+/// which a wave crosses in the undamped stable step. Source: Abaqus Theory Guide, explicit dynamic analysis.
+struct BulkViscosity {
+  Lanes stress;       ///< to be added to the diagonal [force/length^2]
+  Lanes stable_step;  ///< the undamped one shortened by the viscosity [time]
+
+  ///   undamped    stable step without viscosity [time]
+  ///   dilatation  rate of volume change [1/time]
+  ///   density     [mass/length^3]
+  ///   wave_speed  of pressure [length/time]
+  BulkViscosity(const ElementProperties& properties, const Lanes& undamped, const Lanes& dilatation,
+                const Lanes& density, const Lanes& wave_speed) {
+    const double linear = properties.linear_bulk_viscosity;
+    const double quadratic = properties.quadratic_bulk_viscosity * properties.quadratic_bulk_viscosity;
+    const Lanes closing = dilatation.min(0.0);
+    const Lanes damping = linear - quadratic * undamped * closing;
+    stable_step = undamped * ((1.0 + damping * damping).sqrt() - damping);
+    const Lanes length = undamped * wave_speed;
+    stress = density * length * (linear * wave_speed * dilatation - quadratic * length * closing * closing);
+  }
+};
+
+/// Sets the forces of a stress and of hourglass forces, whose share of the linear motion is taken off.
+template <class Geometry>
+void set_forces(const SymmetricLanes& stress, const ModeVectors<Geometry>& hourglass,
+                const NodeVectors<Geometry::n_nodes>& x, SolidStep<Geometry::n_nodes>& step) {
+  const auto gradient = Geometry::volume_gradient(x);
+  step.volume = dot(x[0], gradient[0]);
+  const ModeVectors<Geometry> sums = mode_sums<Geometry>(x);
+  const Lanes scale = 1.0 / (Geometry::mode_norm * step.volume);
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<Lanes, 3> row;  // of minus the stress
+    for (std::size_t j = 0; j < 3; ++j) {
+      row[j] = -stress[symmetric_place[i][j]];
+      for (std::size_t k = 0; k < Geometry::n_modes; ++k) row[j] += scale * hourglass[i][k] * sums[j][k];
+    }
+    for (std::size_t a = 0; a < Geometry::n_nodes; ++a)
+      step.force[i][a] = row[0] * gradient[0][a] + row[1] * gradient[1][a] + row[2] * gradient[2][a];
+    std::array<Lanes, Geometry::n_modes> amounts;
+    for (std::size_t k = 0; k < Geometry::n_modes; ++k)
+      amounts[k] = hourglass[i][k] * (-1.0 / Geometry::mode_norm);
+    Geometry::add_modes(amounts, step.force[i]);
+  }
+}
+
+/// Brings eight elements to the end of a step. Strain from the gradient in the middle of the step, stress
+/// turned by Hughes and Winget, hourglass resistance that vanishes for every linear velocity field, linear
+/// and quadratic bulk viscosity. A volume that is not positive leaves numbers without meaning: look at
+/// `volume`. The stable step is 2 / omega (sqrt(1 + z^2) - z), with z the share of bulk viscosity in critical
+/// damping, and
+///   omega^2 <= n_nodes / (m V) (lambda B:B + 2 mu e(B B^T) + k p B:B),
+/// a bound for the element's frequencies (e the largest eigenvalue; by Cauchy-Schwarz, term by term; the last
+/// one, of the hourglass modes, with p as MidpointKinematics::mode_bound). Source: Flanagan and Belytschko
+/// (1981), Int. J. Numer. Meth. Eng. 17, 679-706, and (1984), J. Appl. Mech. 51, 35-40.
+///   own  [3 x n_modes] hourglass forces
+template <class Geometry>
+void advance_uniform_gradient(const ElementProperties& properties,
+                              const SolidMotion<Geometry::n_nodes>& motion, std::span<Lanes> point,
+                              std::span<Lanes> own, SolidStep<Geometry::n_nodes>& step) {
+  const MidpointKinematics<Geometry> midpoint(motion);
+  const StepMotion split = split_motion(midpoint.velocity_gradient, motion.dt);
+  PointStep at_point = update_point(properties.law, split, point);
+  step.stress_work = at_point.work * midpoint.volume;
+
+  const Lanes per_mass = 1.0 / motion.mass;
+  const double hourglass_modulus =
+      Geometry::n_modes > 0 ? properties.hourglass_stiffness * moduli_of(properties.law).shear : 0.0;
+  const Lanes norm_modulus = at_point.moduli.lambda() + hourglass_modulus * midpoint.mode_bound;
+  const Lanes frequency_squared =
+      static_cast<double>(Geometry::n_nodes) * per_mass * midpoint.per_volume *
+      (norm_modulus * midpoint.gradient_norm + 2.0 * at_point.moduli.shear * midpoint.largest_eigenvalue);
+  const Lanes undamped = 2.0 / frequency_squared.sqrt();
+  const Lanes wave_speed = (at_point.moduli.p_wave() * midpoint.volume * per_mass).sqrt();
+  const BulkViscosity viscosity(properties, undamped, midpoint.dilatation(),
+                                motion.mass * midpoint.per_volume, wave_speed);
+  step.stable_step = viscosity.stable_step;
+  step.viscous_work = viscosity.stress * midpoint.dilatation() * midpoint.volume * motion.dt;
+  for (std::size_t i = 0; i < 3; ++i) at_point.stress[i] += viscosity.stress;
+
+  const Lanes stiffness = hourglass_modulus * midpoint.gradient_norm * midpoint.per_volume;
+  const Lanes damping = properties.hourglass_viscosity * (motion.mass * stiffness).sqrt();
+  const auto hourglass =
+      update_hourglass<Geometry>(motion, midpoint, stiffness, damping, split.rotation, own);
+  step.hourglass_work = hourglass.work;
+  set_forces<Geometry>(at_point.stress, hourglass.force, motion.x, step);
+}
+
+/// An element of this kind: one integration point, hourglass forces of its own.
+template <Shape its_shape, class Geometry>
+struct UniformGradient {
+  static constexpr Shape shape = its_shape;
+  static constexpr std::string_view formulation = "mean_quadrature";
+  static constexpr std::size_t n_nodes = Geometry::n_nodes, n_points = 1, n_own = 3 * Geometry::n_modes;
+
+  static Lanes volume(const NodeVectors<n_nodes>& x) { return dot(x[0], Geometry::volume_gradient(x)[0]); }
+  /// As advance_uniform_gradient.
+  ///   state  [6 + material + n_own]
+  static void advance(const ElementProperties& properties, const SolidMotion<n_nodes>& motion,
+                      std::span<Lanes> state, SolidStep<n_nodes>& step) {
+    const std::size_t point = state.size() - n_own;
+    advance_uniform_gradient<Geometry>(properties, motion, state.first(point), state.subspan(point), step);
+  }
+};
+
+}  // namespace contactsim

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/mesh/skin.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "core/base/threads.hpp"
+#include "core/mesh/skin_faces.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using namespace skin_faces;
+
+/// Nodes are taken in ranges of this many, whose faces fit into a core's cache together.
+constexpr std::uint32_t nodes_per_range = 1u << 15;
+
+constexpr std::uint32_t range_of(std::uint32_t node) { return node / nodes_per_range; }
+
+constexpr std::uint32_t no_element = UINT32_MAX;
+
+/// For every range of nodes the present elements that have a face whose smallest node lies in it.
+class RangeElements {
+ public:
+  RangeElements(const Mesh& mesh, std::span<const std::uint8_t> present);
+
+  std::uint32_t n_ranges() const { return static_cast<std::uint32_t>(begin_.size() - 1); }
+  /// Ascending.
+  std::span<const std::uint32_t> of(std::uint32_t range) const {
+    return {elements_.data() + begin_[range], elements_.data() + begin_[range + 1]};
+  }
+
+ private:
+  /// Calls `visit(place, element)` for every pair of a range and an element of it, on several threads.
+  ///   place  that of counts_ for the range and the thread's chunk of elements
+  template <class Visit>
+  void for_each_pair(Visit&& visit);
+
+  const Mesh& mesh_;
+  std::span<const std::uint8_t> present_;
+  std::vector<std::size_t> begin_;                ///< [n_ranges + 1]
+  std::vector<std::vector<std::size_t>> counts_;  ///< [n_chunks][n_ranges], then where the next entry goes
+  std::vector<std::uint32_t> elements_;
+};
+
+/// More counts than this cost more time than they save.
+constexpr int max_chunks = 64;
+
+RangeElements::RangeElements(const Mesh& mesh, std::span<const std::uint8_t> present)
+    : mesh_(mesh),
+      present_(present),
+      begin_((mesh.n_nodes() + nodes_per_range - 1) / nodes_per_range + 1, 0),
+      counts_(static_cast<std::size_t>(std::min(threads_for(mesh.n_elements()), max_chunks)),
+              std::vector<std::size_t>(n_ranges(), 0)) {
+  for_each_pair([](std::size_t& count, std::uint32_t) { ++count; });
+  std::size_t total = 0;
+  for (std::uint32_t range = 0; range < n_ranges(); ++range) {
+    begin_[range] = total;
+    for (auto& counts : counts_) total += std::exchange(counts[range], total);
+  }
+  begin_.back() = total;
+  elements_.resize(total);
+  for_each_pair([&](std::size_t& next, std::uint32_t element) { elements_[next++] = element; });
+}
+
+template <class Visit>
+void RangeElements::for_each_pair(Visit&& visit) {
+  const int n_chunks = static_cast<int>(counts_.size());
+  const auto begin_of = [&](int chunk) {
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(mesh_.n_elements()) * chunk / n_chunks);
+  };
+#pragma omp parallel for schedule(static, 1) num_threads(n_chunks)
+  for (int chunk = 0; chunk < n_chunks; ++chunk) {
+    auto& places = counts_[static_cast<std::size_t>(chunk)];
+    std::vector<std::uint32_t> last(places.size(), no_element);
+    visit_faces(mesh_, begin_of(chunk), begin_of(chunk + 1), [&](ElementSide side, const Corners& corners) {
+      const std::uint32_t element = side.element().value, range = range_of(smallest(corners));
+      if (!present_[element] || last[range] == element) return;
+      last[range] = element;
+      visit(places[range], element);
+    });
+  }
+}
+
+/// Turns counts into the offsets where each begins; returns their sum.
+std::uint32_t make_offsets(std::vector<std::uint32_t>& counts) {
+  std::uint32_t total = 0;
+  for (std::uint32_t& count : counts) total += std::exchange(count, total);
+  return total;
+}
+
+/// Takes bucket after bucket and tells the exterior faces from the shared ones. One per thread.
+class FaceMatcher {
+ public:
+  explicit FaceMatcher(const Mesh& mesh) : mesh_(mesh), in_between_(mesh.blocks().size(), 0) {}
+
+  /// Matches the faces that are filed under one range of nodes; returns the exterior ones.
+  ///   elements  all that have such faces, ascending
+  std::vector<ElementSide> match(std::uint32_t range, std::span<const std::uint32_t> elements) {
+    exterior_.clear();
+    sort_faces(range, elements);
+    const FaceRecord* begin = records_.data();
+    for (const std::uint32_t end : bucket_end_) {
+      match_bucket({begin, records_.data() + end});
+      begin = records_.data() + end;
+    }
+    return exterior_;
+  }
+
+  /// [n_blocks] faces found so far that a block's solids share with other blocks only.
+  const std::vector<std::uint32_t>& in_between() const { return in_between_; }
+
+ private:
+  /// Fills records_, by smallest node; within one node in element order.
+  void sort_faces(std::uint32_t range, std::span<const std::uint32_t> elements) {
+    const std::uint32_t first = range * nodes_per_range;
+    const auto n_nodes = std::min(nodes_per_range, static_cast<std::uint32_t>(mesh_.n_nodes()) - first);
+    bucket_end_.assign(n_nodes, 0);
+    found_.clear();
+    visit_faces(mesh_, elements, [&](ElementSide side, const Corners& corners) {
+      const std::uint32_t node = smallest(corners) - first;
+      if (node >= n_nodes) return;
+      ++bucket_end_[node];
+      found_.push_back({node, make_record(corners, side)});
+    });
+    const std::uint32_t n = make_offsets(bucket_end_);
+    if (n > records_.size()) records_.resize(n);
+    for (const auto& [node, record] : found_) records_[bucket_end_[node]++] = record;
+  }
+
+  void match_bucket(std::span<const FaceRecord> bucket) {
+    constexpr std::size_t small = 32;
+    if (bucket.size() <= small) return match_pairwise(bucket);
+    sorted_.assign(bucket.begin(), bucket.end());
+    std::sort(sorted_.begin(), sorted_.end());
+    for (auto first = sorted_.begin(); first != sorted_.end();) {
+      const auto last =
+          std::find_if_not(first, sorted_.end(), [&](const FaceRecord& r) { return r.has_nodes_of(*first); });
+      const auto n = static_cast<std::size_t>(last - first);
+      if (n == 1) add_single(first->side);
+      if (n > 1) add_shared({first, last});
+      first = last;
+    }
+  }
+
+  /// For the usual few faces of a node comparing all pairs is fastest.
+  void match_pairwise(std::span<const FaceRecord> bucket) {
+    std::uint32_t done = 0;  // bit i: face i was found in a group
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      if (done >> i & 1u) continue;
+      std::uint32_t same = 0;
+      for (std::size_t j = i + 1; j < bucket.size(); ++j) {
+        same |= static_cast<std::uint32_t>(bucket[i].has_nodes_of(bucket[j])) << j;
+      }
+      if (same == 0) {
+        add_single(bucket[i].side);
+      } else if (mesh_.blocks().size() > 1) {
+        group_.assign(1, bucket[i]);
+        for (std::size_t j = i + 1; j < bucket.size(); ++j) {
+          if (same >> j & 1u) group_.push_back(bucket[j]);
+        }
+        add_shared(group_);
+      }
+      done |= same;
+    }
+  }
+
+  void add_single(ElementSide side) {
+    const Shape shape = mesh_.blocks()[block_of(side.element())].shape;
+    if (topology(shape).family == Family::solid) exterior_.push_back(side);
+  }
+
+  /// Elements ascend in a group, so those of one block are neighbours.
+  void add_shared(std::span<const FaceRecord> group) {
+    const auto is_of = [&](std::size_t i, std::uint32_t block) {
+      return i < group.size() && block_of(group[i].side.element()) == block;
+    };
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const std::uint32_t block = block_of(group[i].side.element());
+      const bool is_solid = topology(mesh_.blocks()[block].shape).family == Family::solid;
+      if (is_solid && !is_of(i - 1, block) && !is_of(i + 1, block)) ++in_between_[block];
+    }
+  }
+
+  /// Nearly always the block asked for last.
+  std::uint32_t block_of(ElementIndex element) {
+    const ElementBlock& last = mesh_.blocks()[last_block_];
+    if (element.value - last.first_element.value >= last.n_elements) last_block_ = mesh_.block_of(element);
+    return last_block_;
+  }
+
+  const Mesh& mesh_;
+  std::vector<std::pair<std::uint32_t, FaceRecord>> found_;  ///< smallest node and face, in element order
+  std::vector<FaceRecord> records_;                          ///< the same by smallest node
+  std::vector<std::uint32_t> bucket_end_;  ///< [nodes of the range] end of each node's records
+  std::vector<FaceRecord> sorted_, group_;
+  std::vector<ElementSide> exterior_;
+  std::vector<std::uint32_t> in_between_;
+  std::uint32_t last_block_ = 0;
+};
+
+}  // namespace
+
+std::span<const ElementSide> Skin::sides_of_block(const ElementBlock& block) const {
+  const std::uint32_t end = block.first_element.value + block.n_elements;
+  const auto first = std::lower_bound(exterior.begin(), exterior.end(), ElementSide(block.first_element, 1));
+  const auto last = std::lower_bound(first, exterior.end(), ElementSide({end}, 1));
+  return {first, last};
+}
+
+Skin make_skin(const Mesh& mesh, std::span<const std::uint8_t> present) {
+  const RangeElements elements(mesh, present);
+  std::vector<std::vector<ElementSide>> exterior(elements.n_ranges());
+  Skin skin;
+  skin.in_between.assign(mesh.blocks().size(), 0);
+#pragma omp parallel num_threads(threads_for(mesh.n_elements()))
+  {
+    FaceMatcher matcher(mesh);
+#pragma omp for schedule(dynamic)
+    for (std::uint32_t range = 0; range < elements.n_ranges(); ++range) {
+      exterior[range] = matcher.match(range, elements.of(range));
+    }
+#pragma omp critical(contactsim_skin)
+    std::transform(skin.in_between.begin(), skin.in_between.end(), matcher.in_between().begin(),
+                   skin.in_between.begin(), std::plus<>());
+  }
+  for (const auto& range_sides : exterior) {
+    skin.exterior.insert(skin.exterior.end(), range_sides.begin(), range_sides.end());
+  }
+  std::sort(skin.exterior.begin(), skin.exterior.end());
+  return skin;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/base/diagnostics.hpp"
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+DeckLocation at(int line, int column) {
+  static const auto file =
+      std::make_shared<const SourceFile>(SourceFile{"a.i", "first line\n\tsecond line\r\nthird\n"});
+  return {file, line, column, nullptr};
+}
+
+}  // namespace
+
+TEST_CASE("diagnostics are sorted by place and equal ones are grouped", "[core][diagnostics]") {
+  Diagnostics found;
+  found.add_error(at(3, 1), "unknown command 'third'");
+  found.add_warning("deck-ignored", at(2, 2), "'second' has no effect here");
+  found.add_error(at(1, 1), "unknown command 'third'");
+  REQUIRE(found.error_count() == 2);
+  const auto groups = found.grouped();
+  REQUIRE(groups.size() == 2);
+  CHECK(format_machine(groups[0]) ==
+        "a.i:1:1: error: unknown command 'third'\n  1 more like this, at a.i:3:1\n");
+  CHECK(format_machine(groups[1]) == "a.i:2:2: warning: 'second' has no effect here [deck-ignored]\n");
+}
+
+TEST_CASE("a caret stands under the word, through tabs and without the line end", "[core][diagnostics]") {
+  Diagnostics found;
+  found.add_error(at(2, 9), "unknown word 'line'", "did you mean 'lines'?", 4);
+  CHECK(format_with_caret(found.grouped().front(), false) ==
+        "a.i:2:9: error: unknown word 'line'; did you mean 'lines'?\n"
+        "    \tsecond line\n"
+        "    \t       ^~~~\n");
+}
+
+TEST_CASE("a trail of includes and loops follows the message", "[core][diagnostics]") {
+  const auto outer = std::make_shared<const Trail>(Trail{"loop 2 of 3 at top.i:4", nullptr});
+  const auto inner = std::make_shared<const Trail>(Trail{"included from top.i:5", outer});
+  DeckLocation place = at(1, 7);
+  place.trail = inner;
+  Diagnostics found;
+  found.add_error(place, "wrong");
+  CHECK(format_machine(found.grouped().front()) ==
+        "a.i:1:7: error: wrong\n  included from top.i:5\n  loop 2 of 3 at top.i:4\n");
+}
+
+TEST_CASE("a diagnostic without a place comes last and has no prefix", "[core][diagnostics]") {
+  Diagnostics found;
+  found.add_error({}, "the mesh has no block");
+  found.add_error(at(1, 1), "first");
+  CHECK(format_machine(found.grouped().back()) == "error: the mesh has no block\n");
+}

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/dynamics/model.hpp"
+
+#include "core/definition/simulation.hpp"
+#include "core/elements/element_table.hpp"
+
+#include "support/catch.hpp"
+#include "support/lone_element.hpp"
+#include "support/mesh_builder.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+DeckName named(const std::string& text) { return {text, {}}; }
+
+/// One material `steel` with the models `elastic` and `strange`, given to `block`.
+SimulationDefinition definition_for(const std::string& block) {
+  SimulationDefinition definition;
+  ElasticModel elastic;
+  elastic.elastic.youngs_modulus = 200e9;
+  elastic.elastic.poissons_ratio = 0.3;
+  definition.materials.push_back(
+      {named("steel"), 7800.0, {{named("elastic"), elastic}, {named("strange"), {}}}});
+  BlockParameters parameters;
+  parameters.names = {named(block)};
+  parameters.material = named("steel");
+  parameters.model = named("elastic");
+  definition.finite_element_models.push_back({named("fem"), {}, {}, {parameters}});
+  return definition;
+}
+
+std::string errors_of(const SimulationDefinition& definition, const Mesh& mesh) {
+  Diagnostics diagnostics;
+  make_model(definition, {}, mesh, diagnostics);
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics.all()) text += diagnostic.text + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a model takes masses from volumes and densities, shared equally among nodes", "[core][model]") {
+  const Mesh mesh = test::MeshBuilder().add_hexes({1, "", {2, 1, 1}, {0, 0, 0}, {2, 1, 1}}).build();
+  Diagnostics diagnostics;
+  const Model model = make_model(definition_for("block_1"), {}, mesh, diagnostics);
+  CHECK(diagnostics.empty());
+  REQUIRE(model.blocks.size() == 1);
+  CHECK(model.blocks[0].material == "steel (elastic)");
+  CHECK(model.mass.row(0).sum() == Approx(2 * 7800.0));
+  CHECK(model.mass(1, 0) == Approx(7800.0 / 8));
+  CHECK(model.mass.maxCoeff() == Approx(7800.0 / 4));
+}
+
+TEST_CASE("blocks that cannot move are errors", "[core][model]") {
+  const Mesh hexes = test::MeshBuilder().add_hexes({}).build();
+  CHECK(errors_of(definition_for("block_7"), hexes) == "block_1 has no PARAMETERS FOR BLOCK in 'fem'\n");
+  const Mesh shells = test::MeshBuilder().add_shells({}).build();
+  CHECK(errors_of(definition_for("block_1"), shells) ==
+        "block_1 has no thickness: neither a section nor an attribute on the mesh\n");
+  SimulationDefinition strange = definition_for("block_1");
+  strange.finite_element_models[0].block_parameters[0].model = named("strange");
+  CHECK_THAT(errors_of(strange, hexes), Catch::Contains("model 'strange': the model is not supported"));
+  SimulationDefinition section = definition_for("block_1");
+  SolidSection solid;
+  solid.formulation = named("q1p0");
+  section.sections.push_back({named("s"), {}, solid});
+  section.finite_element_models[0].block_parameters[0].section = named("s");
+  CHECK(errors_of(section, hexes) == "block_1: there is no HEX8 with the formulation q1p0\n");
+}
+
+TEST_CASE("a section's deviatoric parameter reaches its elements, and counts 1 by default", "[core][model]") {
+  const Mesh mesh = test::MeshBuilder().add_hexes({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  SolidSection solid;
+  solid.formulation = named("Selective_Deviatoric");
+  const auto made = [&] {
+    definition.sections = {{named("s"), {}, solid}};
+    definition.finite_element_models[0].block_parameters[0].section = named("s");
+    Diagnostics diagnostics;
+    const Model model = make_model(definition, {}, mesh, diagnostics);
+    CHECK(diagnostics.empty());
+    REQUIRE(model.blocks.size() == 1);
+    CHECK(model.blocks[0].element->n_points == 8);
+    return model.blocks[0].properties.deviatoric_parameter;
+  };
+  CHECK(made() == 1.0);
+  solid.deviatoric_parameter = 0.25;
+  CHECK(made() == 0.25);
+}
+
+TEST_CASE("elements without volume are refused by id", "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({.cells = {3, 1, 1}}).parts();
+  parts.element_ids = {10, 20, 30};
+  for (Eigen::Index node = 0; node < parts.coordinates.cols(); ++node) {
+    if (parts.coordinates(0, node) > 0.5)
+      parts.coordinates(0, node) = 1.0;  // the second cell keeps its volume
+  }
+  CHECK(errors_of(definition_for("block_1"), Mesh(parts)) ==
+        "block_1: element 30 is without a positive volume\n");
+  std::swap(parts.blocks[0].nodes[0], parts.blocks[0].nodes[4]);  // the first one is turned inside out
+  std::swap(parts.blocks[0].nodes[1], parts.blocks[0].nodes[5]);
+  std::swap(parts.blocks[0].nodes[2], parts.blocks[0].nodes[6]);
+  std::swap(parts.blocks[0].nodes[3], parts.blocks[0].nodes[7]);
+  CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
+        "block_1: element 10 and 1 more are without a positive volume\n");
+}
+
+TEST_CASE("a hexahedron that turns inside out at a point is refused where points are asked for",
+          "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
+  const auto corner = parts.blocks[0].nodes[6].value;
+  parts.coordinates.col(corner).setConstant(0.25);  // a dent: the volume stays positive
+  const Mesh mesh(std::move(parts));
+  SimulationDefinition definition = definition_for("block_1");
+  CHECK(errors_of(definition, mesh).empty());
+  SolidSection solid;
+  solid.formulation = named("fully_integrated");
+  definition.sections = {{named("s"), {}, solid}};
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  CHECK(errors_of(definition, mesh) == "block_1: element 1 is without a positive volume\n");
+}
+
+TEST_CASE("a truss of rubber takes its initial load over a period only", "[core][model]") {
+  Eigen::Matrix3Xd x(3, 2);
+  x << 0, 1, 0, 0, 0, 0;
+  const Mesh mesh = test::one_element_mesh(Shape::bar2, x);
+  SimulationDefinition definition = definition_for("block_1");
+  NeoHookeanModel rubber;
+  rubber.elastic.youngs_modulus = 1e6;
+  rubber.elastic.poissons_ratio = 0.45;
+  definition.materials[0].models[0] = {named("elastic"), rubber};
+  const auto errors_with = [&](double load, double period) {
+    definition.sections = {{named("s"), {}, TrussSection{0.01, load, period}}};
+    definition.finite_element_models[0].block_parameters[0].section = named("s");
+    return errors_of(definition, mesh);
+  };
+  CHECK(errors_with(0.0, 0.0).empty());
+  CHECK(errors_with(5.0, 1.0).empty());
+  CHECK_THAT(errors_with(5.0, 0.0), Catch::Contains("cannot have its INITIAL LOAD from the start"));
+}
+
+TEST_CASE("quadratic elements are refused", "[core][model]") {
+  MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
+  parts.blocks[0].shape = Shape::tet10;
+  parts.blocks[0].nodes_per_element = 10;
+  for (std::uint32_t i = 0; i < 2; ++i) parts.blocks[0].nodes.push_back({i});
+  CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
+        "block_1 has elements of type TETRA10, which are not supported\n");
+}
+
+TEST_CASE("options of a solid section that are not supported are told", "[core][model]") {
+  const Mesh hexes = test::MeshBuilder().add_hexes({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  SolidSection solid;
+  solid.strain_incrementation = named("node_based");
+  solid.is_hourglass_total = true;
+  definition.sections.push_back({named("s"), {}, solid});
+  CHECK(errors_of(definition, hexes) ==
+        "there is no strain incrementation 'node_based'\n"
+        "block_1: hourglass forces are incremental and turn with the material\n");
+  definition.sections[0].properties = ShellSection{};
+  CHECK(errors_of(definition, hexes) ==
+        "block_1 has elements of type HEX8, but its section 's' is not a SOLID SECTION\n");
+}
+
+TEST_CASE("a membrane section makes membranes of shells' blocks", "[core][model][membranes]") {
+  const Mesh mesh = test::MeshBuilder().add_shells({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  MembraneSection membrane;
+  CHECK(errors_of(definition, mesh) != "");
+  membrane.thickness = 0.1;
+  membrane.thickness_scale_factor = 2.0;
+  definition.sections.push_back({named("s"), {}, membrane});
+  Diagnostics diagnostics;
+  const Model model = make_model(definition, {}, mesh, diagnostics);
+  CHECK(diagnostics.empty());
+  REQUIRE(model.blocks.size() == 1);
+  CHECK(model.blocks[0].element == find_membrane_element(mesh.blocks()[0].shape));
+  CHECK(model.blocks[0].thickness[0](0) == 0.2);
+  CHECK(model.blocks[0].layout.n_points == 1);
+  CHECK(model.inertia.cols() == 0);
+  membrane.formulation = named("selective_deviatoric");
+  definition.sections[0].properties = membrane;
+  CHECK(errors_of(definition, mesh) == "block_1: MEAN_QUADRATURE stands in for selective_deviatoric\n");
+  membrane.formulation = named("fully_integrated");
+  definition.sections[0].properties = membrane;
+  CHECK(errors_of(definition, mesh) ==
+        "block_1: there are no membranes with the formulation fully_integrated\n");
+}
+
+TEST_CASE("springs and point masses need no material, dampers do", "[core][model][springs]") {
+  const Mesh mesh = test::MeshBuilder().add_bars({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  BlockParameters& parameters = definition.finite_element_models[0].block_parameters[0];
+  parameters.material.reset();
+  parameters.model.reset();
+  parameters.section = named("s");
+  definition.sections.push_back({named("s"), {}, SpringSection{{}, 5.0, {}, 2.0}});
+  Diagnostics diagnostics;
+  const Model model = make_model(definition, {}, mesh, diagnostics);
+  CHECK(diagnostics.empty());
+  REQUIRE(model.blocks.size() == 1);
+  CHECK(model.blocks[0].material == "none");
+  CHECK(model.mass(0, 1) == Approx(1.0));
+  definition.sections[0].properties = DamperSection{};
+  CHECK(errors_of(definition, mesh) == "block_1 has no MATERIAL\n");
+}
