@@ -7,7 +7,8 @@
 
 namespace contactsim {
 
-/// Faces as a skin sees them (core/skin.hpp), one element at a time: all sides of solids, side 1 of shells.
+/// Faces as a skin sees them (core/mesh/skin.hpp), one element at a time: all sides of solids, side 1 of
+/// shells.
 class FaceGroups {
  public:
   /// Both must outlive this.
