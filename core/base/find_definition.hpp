@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.hpp"
+#include "core/base/names.hpp"
 
 namespace contactsim {
 
