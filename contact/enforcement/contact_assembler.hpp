@@ -50,7 +50,7 @@ class ContactAssembler {
   void begin_step();
   /// From now on the work of the forces is counted, too.
   ///   kinematics  must outlive the step
-  ///   dt       of the step [time]
+  ///   dt          of the step [time]
   void begin_work(const ContactKinematics& kinematics, double dt) {
     kinematics_ = &kinematics;
     work_.begin_step(kinematics, dt);

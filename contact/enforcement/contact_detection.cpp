@@ -4,7 +4,7 @@
 
 namespace contactsim {
 
-ContactDetection::ContactDetection(const DetectionSetup& setup, const ContactMesh& contact_mesh,
+ContactDetection::ContactDetection(const ContactSetup& setup, const ContactMesh& contact_mesh,
                                    const PairRules& rules)
     : setup_(setup),
       contact_mesh_(contact_mesh),

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/enforcement/contact_setup.hpp"
 #include "contact/enforcement/interface_constraints.hpp"
 #include "contact/formulations/edge_contacts.hpp"
 #include "contact/formulations/face_face_contacts.hpp"
@@ -16,20 +17,13 @@
 
 namespace contactsim {
 
-/// What a detection of contact is made of.
-struct DetectionSetup {
-  const ContactModel& contact;
-  const ContactDefinition& definition;
-  const Model& model;
-};
-
 /// Contact detection: the broad phase finds candidates when something has moved far enough, the narrow phase
 /// of each formulation finds the contact points among them in every step. The same points in the same order
 /// for any number of threads.
 class ContactDetection {
  public:
   /// All must outlive this.
-  ContactDetection(const DetectionSetup& setup, const ContactMesh& contact_mesh, const PairRules& rules);
+  ContactDetection(const ContactSetup& setup, const ContactMesh& contact_mesh, const PairRules& rules);
 
   /// Whether the candidates may no longer be all.
   bool is_due(const ContactKinematics& kinematics) const {
@@ -68,7 +62,7 @@ class ContactDetection {
   void visit_contact_points(Contacts& contacts, const ContactStepContext& context, const Take& take);
   std::span<const ContactPoint> find_node_points(const ContactStepContext& context);
 
-  DetectionSetup setup_;
+  const ContactSetup& setup_;
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
   ContactSearch search_;

@@ -45,7 +45,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       rules_(make_rules(setup)),
       kinematics_(contact_mesh_),
       mobility_(setup.model),
-      detection_({setup.contact, setup.definition, setup.model}, contact_mesh_, rules_),
+      detection_(setup_, contact_mesh_, rules_),
       assembler_(
           contact_mesh_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
           std::ranges::any_of(contact_mesh_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
@@ -171,8 +171,8 @@ void ContactForce::begin_step(const Motion& motion) {
 
 /// The stable step that the penalty leaves. Eigenvalues of stiffness over mass add up at most: that of the
 /// elements, 4 / dt^2, and contact's; that of laws that pull where momentum is balanced is of the step
-/// before. A bounce off a penalty must last three steps at least, or it gains
-/// energy by where its first step falls.
+/// before. A bounce off a penalty must last three steps at least, or it gains energy by where its first step
+/// falls.
 void ContactForce::limit_step(const Motion& motion, ForceReport& report) {
   const double eigenvalue = std::max(largest_eigenvalue(), pull_eigenvalue_);
   if (!(eigenvalue > 0.0)) return;

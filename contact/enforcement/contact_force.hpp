@@ -7,26 +7,14 @@
 
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
+#include "contact/enforcement/contact_setup.hpp"
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/enforcement/offset_moments.hpp"
 #include "contact/enforcement/pair_histories.hpp"
 #include "contact/formulations/penetration_depths.hpp"
-#include "core/definition/declarations.hpp"
-#include "core/definition/function.hpp"
-#include "core/definition/time_control.hpp"
-#include "core/dynamics/model.hpp"
 #include "core/elements/force_term.hpp"
 
 namespace contactsim {
-
-/// What contact is made of in a run.
-struct ContactSetup {
-  const ContactDefinition& definition;
-  const ContactModel& contact;
-  const Model& model;
-  std::span<const TimeSteppingBlock> time_stepping_blocks;  ///< the periods of the procedure
-  std::span<const FunctionDefinition> functions = {};       ///< that friction models name
-};
 
 /// How much contact lowers the stable step.
 struct ContactStep {
@@ -53,7 +41,7 @@ class ContactForce final : public ForceTerm {
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
   /// is gone is over; the energy that it stored is lost.
   ///   motion           of the last step
-  ///   eroded_nodes       ascending, that stay though their elements are dead
+  ///   eroded_nodes     ascending, that stay though their elements are dead
   ///   makes_new_edges  whether sharp edges that were none before become edges of contact
   void rebuild_surfaces(const Motion& motion, std::span<const ErodedNode> eroded_nodes,
                         bool makes_new_edges = true);

@@ -43,7 +43,7 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
   Bond bond;
   if (near.is_node) {
     const SurfaceNode& node = contact_mesh.surface_nodes[near.first];
-    static_cast<InterfaceConstraint&>(bond) = place_of_node(context, near.first, near.second);
+    static_cast<InterfaceConstraint&>(bond) = constraint_of_node(context, near.first, near.second);
     const auto closest = find_closest_point(context, near.first, near.second, near.tolerance);
     if (!closest) return std::nullopt;
     bond.weights_1 = Eigen::Vector4d::UnitX();
@@ -53,7 +53,7 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
     bond.area = near.share * context.kinematics.area_against(node, closest->normal);
     bond.penalty = make_pair_penalty(node.penalty_properties, &second.penalty_properties, pair).stiffness;
   } else {
-    static_cast<InterfaceConstraint&>(bond) = place_of_faces(context, near.first, near.second);
+    static_cast<InterfaceConstraint&>(bond) = constraint_of_faces(context, near.first, near.second);
     if (!bond_faces(context.kinematics.face(near.first), moving, near.tolerance, bond)) return std::nullopt;
     bond.penalty =
         make_pair_penalty(contact_mesh.faces[near.first].penalty_properties, &second.penalty_properties, pair)
@@ -67,27 +67,27 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
   return bond;
 }
 
-void visit_place(InterfaceConstraint& constraint, RowNumbers& row) {
+void visit_constraint(InterfaceConstraint& constraint, RowNumbers& row) {
   row(constraint.pair, constraint.is_swapped, constraint.first_entity, constraint.second_entity,
       constraint.is_node, constraint.nodes, constraint.springs, constraint.area, constraint.share);
 }
 
 void visit_tie(Tie& tie, RowNumbers& row) {
-  visit_place(tie, row);
+  visit_constraint(tie, row);
   row(tie.stiffness, tie.rest, tie.rest_energy, tie.n_points);
   for (TiePoint& point : tie.points)
     row(point.area, point.weights_1, point.weights_2, point.offset, point.force);
 }
 
 void visit_bond(Bond& bond, RowNumbers& row) {
-  visit_place(bond, row);
+  visit_constraint(bond, row);
   BondHistory& history = bond.history;
   row(bond.weights_1, bond.weights_2, bond.rest, bond.size, bond.penalty, bond.has_failed, history.worst,
       history.worst_traction, history.tangential_energy, history.gap_factor);
 }
 
 void visit_fading(DecayingConstraint& constraint, RowNumbers& row) {
-  visit_place(constraint, row);
+  visit_constraint(constraint, row);
   row(constraint.forces, constraint.stored, constraint.n_steps, constraint.n_done);
 }
 

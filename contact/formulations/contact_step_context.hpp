@@ -32,7 +32,7 @@ struct ContactStepContext {
     return steps * (balances ? coming_dt : dt > 0.0 ? dt : first_dt);
   }
   /// Whether a pair's contact points are looked for now.
-  bool looks_at(const PairRule& rule) const { return rule.is_active && rule.is_balanced == balances; }
+  bool enforces(const PairRule& rule) const { return rule.is_active && rule.is_balanced == balances; }
 };
 
 }  // namespace contactsim

@@ -125,7 +125,7 @@ void FaceFaceContacts::find_one(const ContactStepContext& context, const Candida
   const bool did_touch = touched_[candidate.position] != 0;
   touched_[candidate.position] = 0;
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
-  if (!may_touch(a, b, std::max(activation_distance, margin)) || !context.looks_at(rule) ||
+  if (!may_touch(a, b, std::max(activation_distance, margin)) || !context.enforces(rule) ||
       rule.law == ContactLaw::tied)
     return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
@@ -274,7 +274,7 @@ void FaceFaceContacts::pull_one(const ContactStepContext& context, const Candida
   ContactPoint contact_point;
   if (has_friction_) contact_point.elastic_slip = elastic_slips_[candidate.position];
   const auto feels = [&] {
-    if (!context.looks_at(rule) || !may_touch(a, b, rule.activation_distance)) return false;
+    if (!context.enforces(rule) || !may_touch(a, b, rule.activation_distance)) return false;
     const FacePenaltyInput push{
         context.kinematics.last_face(candidate.first), context.kinematics.last_face(candidate.second),
         make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair), context.dt};

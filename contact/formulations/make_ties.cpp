@@ -61,8 +61,8 @@ std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context
   return point;
 }
 
-InterfaceConstraint place_of_faces(const ContactStepContext& context, std::uint32_t first,
-                                   std::uint32_t second) {
+InterfaceConstraint constraint_of_faces(const ContactStepContext& context, std::uint32_t first,
+                                        std::uint32_t second) {
   const ContactFace &a = context.kinematics.contact_mesh().faces[first],
                     &b = context.kinematics.contact_mesh().faces[second];
   InterfaceConstraint constraint;
@@ -75,7 +75,8 @@ InterfaceConstraint place_of_faces(const ContactStepContext& context, std::uint3
   return constraint;
 }
 
-InterfaceConstraint place_of_node(const ContactStepContext& context, std::uint32_t row, std::uint32_t face) {
+InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::uint32_t row,
+                                       std::uint32_t face) {
   const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
   const ContactFace& other = context.kinematics.contact_mesh().faces[face];
   InterfaceConstraint constraint;
@@ -93,7 +94,7 @@ std::optional<Tie> make_face_tie(const ContactStepContext& context, std::uint32_
                                  double tolerance) {
   const ContactFace &a = context.kinematics.contact_mesh().faces[first],
                     &b = context.kinematics.contact_mesh().faces[second];
-  Tie tie{place_of_faces(context, first, second)};
+  Tie tie{constraint_of_faces(context, first, second)};
   const double stiffness =
       make_pair_penalty(a.penalty_properties, &b.penalty_properties, *context.rules[tie.pair].pair).stiffness;
   if (!tie_faces(context.kinematics.face(first), context.kinematics.face(second), stiffness, tolerance, tie))
@@ -106,7 +107,7 @@ std::optional<Tie> make_node_tie(const ContactStepContext& context, const NearPa
   if (!point) return std::nullopt;
   const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[near_pair.first];
   const MovingFace moving = context.kinematics.face(near_pair.second);
-  Tie tie{place_of_node(context, near_pair.first, near_pair.second)};
+  Tie tie{constraint_of_node(context, near_pair.first, near_pair.second)};
   const SurfacePair& pair = *context.rules[tie.pair].pair;
   tie.share = near_pair.share;
   tie.area = near_pair.share * context.kinematics.area_against(node, point->normal);

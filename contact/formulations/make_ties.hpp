@@ -42,9 +42,10 @@ std::vector<Tie> make_ties(const ContactStepContext& context, const PairLists& f
                            const PairLists& node_faces, double size_share, const HoldsPair& holds = is_tied);
 
 /// What ties and bonds of two faces, or of a surface node and a face, have in common.
-InterfaceConstraint place_of_faces(const ContactStepContext& context, std::uint32_t first,
-                                   std::uint32_t second);
-InterfaceConstraint place_of_node(const ContactStepContext& context, std::uint32_t row, std::uint32_t face);
+InterfaceConstraint constraint_of_faces(const ContactStepContext& context, std::uint32_t first,
+                                        std::uint32_t second);
+InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::uint32_t row,
+                                       std::uint32_t face);
 
 /// Where a surface node projects inside a face; nothing when it does not, or the gap is beyond the tolerance.
 /// The gap of a sphere counts from its surface.

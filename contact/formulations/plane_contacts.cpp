@@ -14,21 +14,21 @@
 
 namespace contactsim {
 
-void PlaneContacts::add_places(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
-                               const PairRules& rules) {
+void PlaneContacts::add_pairs(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
+                              const PairRules& rules) {
   for (std::uint32_t i = 0; i < rules.rules().size(); ++i) {
     const SurfacePair& pair = *rules[i].pair;
     for (const auto& [with_plane, other] :
          {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
       for (const std::uint32_t plane : surfaces.surfaces[with_plane].analytic_planes)
-        add_places(other, i, plane, planes[plane]);
+        add_pairs(other, i, plane, planes[plane]);
       if (pair.first == pair.second) break;
     }
   }
 }
 
-void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, std::uint32_t index,
-                               const AnalyticPlane& plane) {
+void PlaneContacts::add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t index,
+                              const AnalyticPlane& plane) {
   for (std::uint32_t node = contact_mesh_.first_node[surface]; node < contact_mesh_.first_node[surface + 1];
        ++node)
     node_plane_pairs_.push_back(
@@ -38,7 +38,7 @@ void PlaneContacts::add_places(std::uint32_t surface, std::uint32_t pair, std::u
 void PlaneContacts::remap(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
                           const PairRules& rules, const ContactRemap& remap) {
   const std::vector<NodePlanePair> before = std::exchange(node_plane_pairs_, {});
-  add_places(surfaces, planes, rules);
+  add_pairs(surfaces, planes, rules);
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // pair, plane, node
   std::map<Key, NodePlanePair*> known;
   for (NodePlanePair& pair_of_node : node_plane_pairs_)

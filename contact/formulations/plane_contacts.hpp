@@ -17,7 +17,7 @@ class PlaneContacts {
   PlaneContacts(const ContactMesh& contact_mesh, const ContactSurfaces& surfaces,
                 std::span<const AnalyticPlane> planes, const PairRules& rules)
       : contact_mesh_(contact_mesh) {
-    add_places(surfaces, planes, rules);
+    add_pairs(surfaces, planes, rules);
   }
 
   std::size_t n_rows() const { return node_plane_pairs_.size(); }
@@ -41,9 +41,9 @@ class PlaneContacts {
     Eigen::Vector3d normal, origin;
     Eigen::Vector3d elastic_slip;  ///< slip that the tangential spring holds [length]
   };
-  void add_places(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
-                  const PairRules& rules);
-  void add_places(std::uint32_t surface, std::uint32_t pair, std::uint32_t index, const AnalyticPlane& plane);
+  void add_pairs(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
+                 const PairRules& rules);
+  void add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t index, const AnalyticPlane& plane);
 
   const ContactMesh& contact_mesh_;
   std::vector<NodePlanePair> node_plane_pairs_;

@@ -57,8 +57,8 @@ EdgePairPoints::EdgePairPoints(const Segment& first, const Segment& second) {
   const double cosine = p.dot(q);
   const bool is_parallel = square > 0.0 && square - cosine * cosine < parallel * square;
   if (is_parallel && add_parallel(first, second)) return;
-  places_[0] = nearest_points(first, second);
-  places_[0].is_parallel = is_parallel;
+  points_[0] = nearest_points(first, second);
+  points_[0].is_parallel = is_parallel;
   n_ = 1;
 }
 
@@ -70,8 +70,8 @@ bool EdgePairPoints::add_parallel(const Segment& first, const Segment& second) {
   const double to = std::min(1.0, std::max(on_line(0), on_line(1)));
   if (!(to > from)) return false;
   const double half = 0.5 * (to - from) * p.norm();
-  places_[0] = {from, along(second, at(first, from)), half, true};
-  places_[1] = {to, along(second, at(first, to)), half, true};
+  points_[0] = {from, along(second, at(first, from)), half, true};
+  points_[1] = {to, along(second, at(first, to)), half, true};
   n_ = 2;
   return true;
 }

@@ -23,12 +23,12 @@ class EdgePairPoints {
  public:
   EdgePairPoints(const Segment& first, const Segment& second);
 
-  std::span<const EdgePairPoint> get() const { return {places_.data(), n_}; }
+  std::span<const EdgePairPoint> get() const { return {points_.data(), n_}; }
 
  private:
   bool add_parallel(const Segment& first, const Segment& second);
 
-  std::array<EdgePairPoint, 2> places_;
+  std::array<EdgePairPoint, 2> points_;
   std::size_t n_ = 0;
 };
 

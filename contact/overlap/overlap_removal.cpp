@@ -29,7 +29,7 @@ class OverlapRemover {
         parts_(make_overlap_parts(model, definition, mesh)),
         points_(parts_.contact_mesh, mesh),
         search_(model, definition, mesh, parts_),
-        places_(model, parts_, search_, points_, settings_.shell_tolerance),
+        detection_(model, parts_, search_, points_, settings_.shell_tolerance),
         bodies_(model, mesh, parts_),
         is_held_(is_held),
         deepest_(model.pairs.size(), 0.0),
@@ -78,7 +78,7 @@ class OverlapRemover {
   const OverlapParts parts_;
   ShiftedPoints points_;
   OverlapSearch search_;
-  OverlapDetection places_;
+  OverlapDetection detection_;
   BodyParting bodies_;
   std::span<const std::uint8_t> is_held_;
   std::int64_t n_parted_ = 0;                                    ///< passes that moved bodies
@@ -153,14 +153,14 @@ bool OverlapRemover::pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_la
   bool has_moved = false;
   if (is_last) {
     // One node at a time, or both sides would go the whole way.
-    places_.visit_nodes(pair, kind, [&](const Overlap& overlap) {
+    detection_.visit_nodes(pair, kind, [&](const Overlap& overlap) {
       note(pair, overlap);
       has_moved |= resolve(pair, overlap, overlap.depth);
     });
     return has_moved;
   }
   std::vector<Overlap> overlaps;
-  places_.visit_nodes(pair, kind, [&](const Overlap& overlap) { overlaps.push_back(overlap); });
+  detection_.visit_nodes(pair, kind, [&](const Overlap& overlap) { overlaps.push_back(overlap); });
   for (const Overlap& overlap : overlaps) {
     note(pair, overlap);
     const double share = share_of_first(pair, overlap);
@@ -178,12 +178,12 @@ bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
   bool has_moved = pass_nodes(pair, OverlapKind::lofted, is_last);
   const double deepest_node = deepest_of_pass_;
   points_.renew();
-  places_.visit_edges(pair, [&](const Overlap& overlap) {
+  detection_.visit_edges(pair, [&](const Overlap& overlap) {
     note(pair, overlap);
     has_moved |= resolve_rest(pair, overlap, 1.0);
   });
   points_.renew();
-  places_.visit_rims(pair, [&](const Overlap& overlap) {
+  detection_.visit_rims(pair, [&](const Overlap& overlap) {
     // Where nodes lie as deep, these go out first.
     if (overlap.depth <= deepest_node) return;
     note(pair, overlap);
@@ -227,7 +227,8 @@ OverlapRemoved OverlapRemover::take() {
   for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
     OverlapMoves moves;
     moves.left = left[p];
-    places_.visit_all(p, [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
+    detection_.visit_all(p,
+                         [&](const Overlap& overlap) { moves.left = std::max(moves.left, overlap.depth); });
     moves.deepest = std::max(deepest_[p], moves.left);
     if (moves.deepest == 0.0) continue;
     moves.pair = p;

@@ -53,7 +53,7 @@ void OverlapSearch::find(const ContactKinematics& kinematics) {
   add_edges(kinematics);
   if (!has_lofts_) return;
   add_rims(kinematics);
-  note_places(kinematics);
+  note_positions(kinematics);
 }
 
 void OverlapSearch::renew_lofts(const ContactKinematics& kinematics) {
@@ -67,10 +67,10 @@ void OverlapSearch::renew_lofts(const ContactKinematics& kinematics) {
   }
   add_faces(kinematics, true);
   add_rims(kinematics);
-  note_places(kinematics);
+  note_positions(kinematics);
 }
 
-void OverlapSearch::note_places(const ContactKinematics& kinematics) {
+void OverlapSearch::note_positions(const ContactKinematics& kinematics) {
   searched_at_.resize(3, static_cast<Eigen::Index>(parts_.contact_mesh.n_nodes()));
   for (std::uint32_t i = 0; i < parts_.contact_mesh.n_nodes(); ++i) searched_at_.col(i) = kinematics.x(i);
 }

@@ -63,7 +63,7 @@ class OverlapSearch {
   void add_rims(const ContactKinematics& kinematics);
   /// Whether a contact node has moved by more than the spare way since faces were searched.
   bool is_due(const ContactKinematics& kinematics) const;
-  void note_places(const ContactKinematics& kinematics);
+  void note_positions(const ContactKinematics& kinematics);
   Box box_of_node(const ContactKinematics& kinematics, std::uint32_t row) const;
   Box box_of_face(const ContactKinematics& kinematics, std::uint32_t face) const;
   bool may_meet(std::uint32_t row, std::uint32_t face) const;

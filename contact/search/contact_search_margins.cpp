@@ -10,7 +10,7 @@ namespace {
 
 /// Marks what was not there before besides what is marked already.
 ///   positions  [n before] of ContactRemap
-///   is_new  [n before], or empty when nothing was; gets [n_after]
+///   is_new     [n before], or empty when nothing was; gets [n_after]
 void mark_new(std::span<const std::uint32_t> positions, std::size_t n_after,
               std::vector<std::uint8_t>& is_new) {
   is_new.resize(positions.size(), 0);

@@ -5,7 +5,7 @@
 
 using namespace contactsim;
 
-TEST_CASE("things are counted in the singular and the plural", "[app][counted]") {
+TEST_CASE("things are counted in the singular and the plural", "[app][pluralize]") {
   CHECK(pluralize(0, "node") == "0 nodes");
   CHECK(pluralize(1, "node") == "1 node");
   CHECK(pluralize(2, "node") == "2 nodes");

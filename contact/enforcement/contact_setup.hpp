@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+
+#include "contact/mesh/contact_model.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/definition/function.hpp"
+#include "core/definition/time_control.hpp"
+#include "core/dynamics/model.hpp"
+
+namespace contactsim {
+
+/// What contact is made of in a run.
+struct ContactSetup {
+  const ContactDefinition& definition;
+  const ContactModel& contact;
+  const Model& model;
+  std::span<const TimeSteppingBlock> time_stepping_blocks;  ///< the periods of the procedure
+  std::span<const FunctionDefinition> functions = {};       ///< that friction models name
+};
+
+}  // namespace contactsim
