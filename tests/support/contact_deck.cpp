@@ -154,6 +154,11 @@ std::string list_warnings(const ContactSurfaces& result) {
   return text;
 }
 
+std::string describe_all(const Mesh& mesh, const ContactSurfaces& result) {
+  return fmt::format("{}{}{} faces ignored\n", describe(mesh, result), list_warnings(result),
+                     result.interior_faces_ignored);
+}
+
 std::vector<ElementSide> faces_where(MeshBuilder builder, const SideCondition& condition) {
   builder.add_side_set(0, "", condition);
   return builder.parts().side_sets.back().sides;

@@ -64,6 +64,8 @@ std::string list_lost(const ContactSurfaces& result, const ContactSurface& surfa
 std::string describe(const Mesh& mesh, const ContactSurfaces& result);
 /// The warnings, one a line: "surface-empty, line 2, surf_1, 0: text".
 std::string list_warnings(const ContactSurfaces& result);
+/// All of it: surfaces, warnings, faces ignored.
+std::string describe_all(const Mesh& mesh, const ContactSurfaces& result);
 
 /// Every face, interior ones included, that satisfies the condition, in order of element and side.
 std::vector<ElementSide> faces_where(MeshBuilder builder, const SideCondition& condition);
