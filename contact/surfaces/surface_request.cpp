@@ -277,6 +277,8 @@ void RequestMaker::finish(SurfaceRequest request, const DeckName& name) {
   sort_once(request.blocks);
   sort_once(request.side_sets);
   sort_once(request.node_sets);
+  if (!requests_.empty())
+    request.first_surface = requests_.back().first_surface + requests_.back().n_surfaces();
   requests_.push_back(std::move(request));
 }
 

@@ -8,8 +8,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "contact/surfaces/resolve_surfaces.hpp"
+#include "contact/surfaces/ownership_rules.hpp"
 #include "contact/surfaces/surface_request.hpp"
+#include "contact/surfaces/surface_warnings.hpp"
 #include "core/definition/contact.hpp"
 #include "support/slow_skin.hpp"
 

@@ -24,7 +24,7 @@ class DyingMesh {
         alive(mesh.n_elements(), 1),
         elements(mesh),
         faces(mesh, elements),
-        living(make_rules(), faces, alive, surfaces) {}
+        living(make_rules(), faces) {}
   DyingMesh(const DyingMesh&) = delete;
   DyingMesh& operator=(const DyingMesh&) = delete;
 
