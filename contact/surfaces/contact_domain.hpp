@@ -28,6 +28,7 @@ class ContactDomain {
     return !subdomain_ || std::ranges::all_of(nodes, [&](NodeIndex node) { return holds(node); });
   }
   bool holds(ElementSide side) const {
+    if (!subdomain_) return true;
     const auto nodes = mesh_.side_nodes(side);
     return holds(std::span<const NodeIndex>(nodes));
   }

@@ -22,11 +22,11 @@ NodeOwnershipRules::NodeOwnershipRules(std::span<const SurfaceRequest> requests,
     for (const std::uint32_t set : request.side_sets) {
       for (const ElementSide side : mesh.side_sets()[set].sides) {
         for (const NodeIndex node : mesh.side_nodes(side))
-          named.side_corners.emplace_back(node, side.element());
+          named.side_corners.push_back({node, side.element()});
       }
     }
     sort_once(named.nodes);
-    sort_once(named.side_corners);
+    std::ranges::sort(named.side_corners, {}, &SideCorner::key);
   }
 }
 
@@ -39,7 +39,7 @@ std::vector<NodeIndex> NodeOwnershipRules::find_claimed() const {
   const auto mark = [&](NodeIndex node) { is_claimed[node.value] = 1; };
   for (const Named& request : requests_) {
     for (const NodeIndex node : request.nodes) mark(node);
-    for (const auto& [node, element] : request.side_corners) mark(node);
+    for (const SideCorner& corner : request.side_corners) mark(corner.node);
     for (const std::uint32_t block : request.blocks) std::ranges::for_each(mesh_.blocks()[block].nodes, mark);
   }
   std::vector<NodeIndex> claimed;
@@ -53,9 +53,10 @@ bool NodeOwnershipRules::claims(const Named& request, NodeIndex node, std::span<
                                 std::span<const std::uint8_t> alive) const {
   const auto is_alive = [&](ElementIndex element) { return alive[element.value] != 0; };
   if (std::ranges::binary_search(request.nodes, node)) return true;
-  const auto corners =
-      std::ranges::equal_range(request.side_corners, node, {}, &std::pair<NodeIndex, ElementIndex>::first);
-  if (std::ranges::any_of(corners, [&](const auto& corner) { return is_alive(corner.second); })) return true;
+  auto corner = std::ranges::lower_bound(request.side_corners, node, {}, &SideCorner::node);
+  for (; corner != request.side_corners.end() && corner->node == node; ++corner) {
+    if (is_alive(corner->element)) return true;
+  }
   return std::ranges::any_of(elements, [&](ElementIndex element) {
     return is_alive(element) && std::ranges::binary_search(request.blocks, mesh_.block_of(element));
   });

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "contact/surfaces/claim.hpp"
@@ -31,12 +30,18 @@ class NodeOwnershipRules {
                 std::span<const std::uint8_t> alive) const;
 
  private:
+  /// A corner of a side in a side set.
+  struct SideCorner {
+    NodeIndex node;
+    ElementIndex element;
+    std::uint64_t key() const { return std::uint64_t{node.value} << 32 | element.value; }
+  };
   /// What one request names.
   struct Named {
     std::uint32_t surface = 0;
-    std::vector<std::uint32_t> blocks;                             // ascending
-    std::vector<NodeIndex> nodes;                                  // of node sets, ascending
-    std::vector<std::pair<NodeIndex, ElementIndex>> side_corners;  // of side sets, ascending
+    std::vector<std::uint32_t> blocks;     // ascending
+    std::vector<NodeIndex> nodes;          // of node sets, ascending
+    std::vector<SideCorner> side_corners;  // of side sets, ascending
   };
 
   bool claims(const Named& request, NodeIndex node, std::span<const ElementIndex> elements,

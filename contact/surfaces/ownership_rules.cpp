@@ -87,12 +87,13 @@ std::span<const OwnershipRules::Pick> OwnershipRules::picks_of(ElementIndex elem
 }
 
 /// Some requests together with those of picks and those that hold any of the sides, ascending, each once.
-///   joined  holds the answer where it is not `some` alone
+///   joined  holds the answer where it is not one of the lists that are there
 std::span<const std::uint32_t> OwnershipRules::join(std::span<const std::uint32_t> some,
                                                     std::span<const Pick> picks,
                                                     std::span<const SetSide> set_sides,
                                                     Requests& joined) const {
   if (picks.empty() && set_sides.empty()) return some;
+  if (picks.empty() && some.empty() && set_sides.size() == 1) return of_set_[set_sides.front().set];
   joined.assign(some.begin(), some.end());
   for (const Pick& pick : picks) joined.push_back(pick.request);
   for (const SetSide& one : set_sides)
@@ -123,12 +124,13 @@ void OwnershipRules::add_face(std::uint32_t request, ElementSide face, std::opti
 
 Claim OwnershipRules::of_face(ElementSide face, bool is_exterior) const {
   Claim claim;
-  if (!domain_.holds(face)) return claim;
   const auto set_sides = set_sides_.of(face);
   std::span<const std::uint32_t> skinning;
   if (is_exterior) skinning = of_block_[mesh_.block_of(face.element())];
   Requests joined;
-  for (const std::uint32_t request : join(skinning, {}, set_sides, joined)) {
+  const auto requests = join(skinning, {}, set_sides, joined);
+  if (requests.empty() || !domain_.holds(face)) return claim;
+  for (const std::uint32_t request : requests) {
     if (!is_removed(set_sides, request)) add_face(request, face, std::nullopt, claim);
   }
   return claim;

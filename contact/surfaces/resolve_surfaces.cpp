@@ -2,6 +2,7 @@
 #include "contact/surfaces/resolve_surfaces.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "contact/surfaces/surface_edits.hpp"
@@ -38,10 +39,11 @@ std::vector<ContactSurface> make_surfaces(std::span<const SurfaceRequest> reques
 /// Faces of solids: the skin, and what side sets hold besides.
 void claim_faces(const OwnershipRules& rules, const Mesh& mesh, const Skin& skin, SurfaceEdits& edits) {
   for (const ElementSide face : skin.exterior) edits.change_face(face, {}, rules.of_face(face, true));
-  for (const ElementSide side : rules.sides()) {
-    const bool is_done = is_lofted(mesh.blocks()[mesh.block_of(side.element())]) ||
-                         std::ranges::binary_search(skin.exterior, side);
-    if (!is_done) edits.change_face(side, {}, rules.of_face(side, false));
+  std::vector<ElementSide> others;
+  std::ranges::set_difference(rules.sides(), skin.exterior, std::back_inserter(others));
+  for (const ElementSide side : others) {
+    if (!is_lofted(mesh.blocks()[mesh.block_of(side.element())]))
+      edits.change_face(side, {}, rules.of_face(side, false));
   }
 }
 

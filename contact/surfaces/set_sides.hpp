@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,13 +33,20 @@ class SetSides {
   /// All, those of one element, and those of one side: ascending.
   std::span<const SetSide> all() const { return sides_; }
   std::span<const SetSide> of(ElementIndex element) const {
-    return std::ranges::equal_range(sides_, element, {}, [](const SetSide& s) { return s.side.element(); });
+    return find(element, [](const SetSide& one) { return one.side.element(); });
   }
-  std::span<const SetSide> of(ElementSide side) const {
-    return std::ranges::equal_range(sides_, side, {}, &SetSide::side);
-  }
+  std::span<const SetSide> of(ElementSide side) const { return find(side, &SetSide::side); }
 
  private:
+  /// Those with a key: few, so that the last is near the first.
+  template <class Key, class KeyOf>
+  std::span<const SetSide> find(Key key, const KeyOf& key_of) const {
+    const auto first = std::ranges::lower_bound(sides_, key, {}, key_of);
+    const auto last = std::find_if(first, sides_.end(),
+                                   [&](const SetSide& one) { return std::invoke(key_of, one) != key; });
+    return {first, last};
+  }
+
   std::vector<SetSide> sides_;
 };
 
