@@ -80,7 +80,7 @@ void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t
   Diagnostics discarded;  // reported when the model was made
   OwnershipRules rules(find_surface_requests(input_.definition, input_.region, mesh_, discarded), mesh_,
                        input_.region.contact->subdomain);
-  living_.emplace(std::move(rules), faces, std::span<const std::uint8_t>{}, contact_.surfaces, erodes);
+  living_.emplace(std::move(rules), faces, erodes);
   free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
 }
 

@@ -67,7 +67,7 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
     log.write("\nThe deck has no contact definition.\n");
     return {std::nullopt, write_surface_files(options, {}, {}, mesh, log)};
   }
-  ContactModel model = make_contact_model(definition, region, mesh, {}, warnings);
+  ContactModel model = make_contact_model(definition, region, mesh, warnings);
   if (warnings.has_errors()) throw DeckError(warnings);
   check_elements(mesh, blocks_in_contact(model, mesh));
   const auto summaries = summarize(model, mesh);

@@ -63,12 +63,11 @@ void make_lofts(const SimulationDefinition& definition, const Region& region, co
 }
 
 ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
-                                const Mesh& mesh, std::span<const std::uint8_t> alive,
-                                Diagnostics& diagnostics) {
+                                const Mesh& mesh, Diagnostics& diagnostics) {
   ContactModel model;
   model.planes = region.analytic_planes;
   const RegionNames names = names_of(definition, region, mesh);
-  model.surfaces = resolve_surfaces(*region.contact, names, mesh, alive, diagnostics);
+  model.surfaces = resolve_surfaces(*region.contact, names, mesh, diagnostics);
   if (takes_all_blocks(*region.contact)) model.surfaces.blocks_passed_over = names.sizeless_blocks;
   for (ContactSurface& surface : model.surfaces.surfaces)
     surface.may_gain_faces = surface.may_gain_faces && !region.element_deaths.empty();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "contact/lofting/loft.hpp"
@@ -29,13 +28,11 @@ struct ContactModel {
 };
 
 /// Resolves the surfaces of a region's contact definition, pairs them and builds their lofts.
-///   alive        [n_elements] 0 or 1, or empty when all live
 ///   diagnostics  gets an error for every wrong name and every block without a thickness or radius,
 ///                and what make_surface_pairs() reports
 /// Throws FileError when contact needs a block whose element type is not known.
 ContactModel make_contact_model(const SimulationDefinition& definition, const Region& region,
-                                const Mesh& mesh, std::span<const std::uint8_t> alive,
-                                Diagnostics& diagnostics);
+                                const Mesh& mesh, Diagnostics& diagnostics);
 
 /// Lofts the elements that the model's surfaces own, in place of what was lofted before.
 ///   diagnostics  gets an error for every block without a thickness or radius

@@ -2,6 +2,7 @@
 #include "contact/mesh/eroded_nodes.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "contact/surfaces/sort_once.hpp"
 
@@ -15,7 +16,7 @@ std::size_t ErodedNodes::n_nodes() const {
 
 void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) const {
   const Mesh& mesh = faces_.mesh();
-  std::uint32_t best = Claim::nobody;
+  std::optional<std::uint32_t> best;
   ElementSide stands_for;
   std::vector<ElementSide> own;
   for (const ElementIndex element : faces_.elements().of(node)) {
@@ -24,22 +25,22 @@ void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) c
     for (const ElementSide face : own) {
       const auto corners = mesh.side_nodes(face);
       if (std::ranges::find(corners, node) == corners.end()) continue;
-      const std::uint32_t owner = rules_.of_face(face, true).owner;
-      if (owner >= best) continue;
+      const auto owner = rules_.of_face(face, true).owner;
+      if (!owner || (best && *best <= *owner)) continue;
       best = owner;
       stands_for = face;
     }
   }
-  if (best != Claim::nobody) found.push_back({node, best, stands_for});
+  if (best) found.push_back({node, *best, stands_for});
 }
 
 /// A node set of the mesh has its nodes still, dead elements or not.
 void ErodedNodes::add_of_nodes(NodeIndex node, std::span<const std::uint8_t> alive,
                                std::vector<ErodedNode>& found) const {
-  const NodeElements& elements = faces_.elements();
-  if (rules_.of_node(node, elements, alive).owner != Claim::nobody) return;
-  const std::uint32_t owner = rules_.of_node(node, elements, all_alive_).owner;
-  if (owner != Claim::nobody) found.push_back({node, owner, ElementSide(elements.of(node).front(), 1)});
+  const auto elements = faces_.elements().of(node);
+  if (rules_.nodes().of_node(node, elements, alive).owner) return;
+  const auto owner = rules_.nodes().of_node(node, elements, all_alive_).owner;
+  if (owner) found.push_back({node, *owner, ElementSide(elements.front(), 1)});
 }
 
 void ErodedNodes::add(std::span<const ElementIndex> dead, std::span<const std::uint8_t> alive) {
@@ -56,7 +57,7 @@ void ErodedNodes::add(std::span<const ElementIndex> dead, std::span<const std::u
     const auto stays = [&](ElementIndex element) { return erodes_[element.value] == 0; };
     if (std::ranges::all_of(elements, is_removed) && std::ranges::any_of(elements, stays)) {
       add_of_faces(node, found);
-      if (rules_.has_node_requests()) add_of_nodes(node, alive, found);
+      if (rules_.nodes().has_requests()) add_of_nodes(node, alive, found);
     }
   }
   const auto n_before = static_cast<std::ptrdiff_t>(nodes_.size());

@@ -3,172 +3,163 @@
 
 #include <algorithm>
 
-#include "contact/surfaces/resolve_surfaces.hpp"
-#include "contact/surfaces/sort_once.hpp"
+#include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {
 
 namespace {
 
-std::vector<std::uint8_t> marks(std::size_t n, std::span<const std::uint32_t> marked) {
-  std::vector<std::uint8_t> is_marked(n, 0);
-  for (const std::uint32_t i : marked) is_marked[i] = 1;
-  return is_marked;
+/// A face's unit normal must point nearer than this to a subset's normal. Source: Sierra/SM 5.22, 8.4.4.1.
+constexpr double subset_threshold = 0.45;
+/// Dot products nearer than this are a tie, which the first listed subset wins.
+constexpr double subset_tie = 1e-9;
+
+/// The side sets that requests for faces hold or remove, ascending.
+std::vector<std::uint32_t> named_side_sets(std::span<const SurfaceRequest> requests) {
+  std::vector<std::uint32_t> sets;
+  for (const SurfaceRequest& request : requests) {
+    if (request.kind == SurfaceKind::node) continue;
+    sets.insert(sets.end(), request.side_sets.begin(), request.side_sets.end());
+    sets.insert(sets.end(), request.removed_side_sets.begin(), request.removed_side_sets.end());
+  }
+  sort_once(sets);
+  return sets;
 }
 
 }  // namespace
+
+bool is_lofted(const ElementBlock& block) {
+  const Family family = topology(block.shape).family;
+  return family == Family::shell || family == Family::line || family == Family::particle;
+}
+
+std::uint32_t choose_subset(const std::vector<SubsetRequest>& subsets, const Mesh& mesh, ElementSide face) {
+  if (subsets.empty()) return 0;
+  const Eigen::Vector3d normal = area_vector(mesh, face).normalized();
+  std::uint32_t best = 0;
+  double best_dot = subset_threshold;
+  for (std::uint32_t i = 0; i < subsets.size(); ++i) {
+    const double dot = normal.dot(subsets[i].normal);
+    const bool is_better = best == 0 ? dot > subset_threshold : dot > best_dot + subset_tie;
+    if (!is_better) continue;
+    best = i + 1;
+    best_dot = dot;
+  }
+  return best;
+}
 
 OwnershipRules::OwnershipRules(std::vector<SurfaceRequest> requests, const Mesh& mesh,
                                const std::optional<ContactSubdomain>& subdomain)
     : requests_(std::move(requests)),
       mesh_(mesh),
-      domain_(mesh, subdomain, {}),
-      is_block_form_(mesh.blocks().size(), 0) {
-  std::uint32_t surface = 0;
-  for (const SurfaceRequest& request : requests_) {
-    Named named{surface,
-                marks(mesh.blocks().size(), request.blocks),
-                marks(mesh.side_sets().size(), request.side_sets),
-                marks(mesh.side_sets().size(), request.removed_side_sets),
-                {}};
-    for (const std::uint32_t set : request.node_sets) {
-      const auto& nodes = mesh.node_sets()[set].nodes;
-      named.nodes.insert(named.nodes.end(), nodes.begin(), nodes.end());
+      domain_(mesh, subdomain),
+      of_block_(mesh.blocks().size()),
+      of_set_(mesh.side_sets().size()),
+      set_sides_(mesh, named_side_sets(requests_)),
+      is_block_form_(mesh.blocks().size(), 0),
+      nodes_(requests_, mesh, domain_) {
+  for (std::uint32_t r = 0; r < requests_.size(); ++r) {
+    const SurfaceRequest& request = requests_[r];
+    if (request.kind == SurfaceKind::node) continue;
+    for (const std::uint32_t block : request.blocks) {
+      of_block_[block].push_back(r);
+      if (request.is_block_form) is_block_form_[block] = 1;
     }
-    sort_once(named.nodes);
-    named_.push_back(std::move(named));
-    surface += 1 + static_cast<std::uint32_t>(request.subsets.size());
-    has_node_requests_ |= request.kind == SurfaceKind::node;
-    if (!request.is_block_form) continue;
-    for (const std::uint32_t block : request.blocks) is_block_form_[block] = 1;
+    for (const std::uint32_t set : request.side_sets) of_set_[set].push_back(r);
+    for (const ElementIndex element : request.elements) picks_.push_back({element, r});
   }
-  add_set_sides();
+  sort_once(picks_);
 }
 
-void OwnershipRules::add_set_sides() {
-  for (std::uint32_t set = 0; set < mesh_.side_sets().size(); ++set) {
-    const bool is_used = std::ranges::any_of(
-        named_, [&](const Named& named) { return named.sets[set] != 0 || named.removed_sets[set] != 0; });
-    if (!is_used) continue;
-    for (const ElementSide side : mesh_.side_sets()[set].sides) set_sides_.push_back({side, set});
+std::vector<std::uint8_t> OwnershipRules::find_present() const {
+  std::vector<std::uint8_t> present(mesh_.n_elements(), 0);
+  for (std::size_t b = 0; b < of_block_.size(); ++b) {
+    const ElementBlock& block = mesh_.blocks()[b];
+    const std::uint8_t is_named = of_block_[b].empty() ? 0 : 1;
+    std::fill_n(present.begin() + block.first_element.value, block.n_elements, is_named);
   }
-  sort_once(set_sides_);
+  for (const Pick& pick : picks_) present[pick.element.value] = 1;
+  return present;
 }
 
-std::span<const OwnershipRules::SetSide> OwnershipRules::sets_of(ElementSide side) const {
-  return std::ranges::equal_range(set_sides_, side, {}, &SetSide::side);
+std::span<const OwnershipRules::Pick> OwnershipRules::picks_of(ElementIndex element) const {
+  return std::ranges::equal_range(picks_, element, {}, &Pick::element);
 }
 
-std::vector<ElementSide> OwnershipRules::sides_of(ElementIndex element) const {
-  const auto first = std::ranges::lower_bound(set_sides_, ElementSide(element, 1), {}, &SetSide::side);
-  std::vector<ElementSide> sides;
-  for (auto at = first; at != set_sides_.end() && at->side.element() == element; ++at) {
-    if (sides.empty() || sides.back() != at->side) sides.push_back(at->side);
-  }
-  return sides;
+/// Some requests together with those of picks and those that hold any of the sides, ascending, each once.
+///   joined  holds the answer where it is not one of the lists that are there
+std::span<const std::uint32_t> OwnershipRules::join(std::span<const std::uint32_t> some,
+                                                    std::span<const Pick> picks,
+                                                    std::span<const SetSide> set_sides,
+                                                    Requests& joined) const {
+  if (picks.empty() && set_sides.empty()) return some;
+  if (picks.empty() && some.empty() && set_sides.size() == 1) return of_set_[set_sides.front().set];
+  joined.assign(some.begin(), some.end());
+  for (const Pick& pick : picks) joined.push_back(pick.request);
+  for (const SetSide& one : set_sides)
+    joined.insert(joined.end(), of_set_[one.set].begin(), of_set_[one.set].end());
+  sort_once(joined);
+  return joined;
 }
 
-bool OwnershipRules::is_in(std::span<const SetSide> places, const std::vector<std::uint8_t>& sets) const {
-  return std::ranges::any_of(places, [&](const SetSide& place) { return sets[place.set] != 0; });
+bool OwnershipRules::is_held(std::span<const SetSide> set_sides, std::uint32_t request) const {
+  return std::ranges::any_of(set_sides, [&](const SetSide& one) {
+    return std::ranges::binary_search(requests_[request].side_sets, one.set);
+  });
+}
+
+bool OwnershipRules::is_removed(std::span<const SetSide> set_sides, std::uint32_t request) const {
+  return std::ranges::any_of(set_sides, [&](const SetSide& one) {
+    return std::ranges::binary_search(requests_[request].removed_side_sets, one.set);
+  });
+}
+
+void OwnershipRules::add_face(std::uint32_t request, ElementSide face, std::optional<std::uint32_t> other,
+                              Claim& claim) const {
+  const std::uint32_t surface = requests_[request].first_surface;
+  const bool is_free = !claim.owner && !other;
+  const std::uint32_t subset = is_free ? choose_subset(requests_[request].subsets, mesh_, face) : 0;
+  claim.add(surface, surface + subset, other);
 }
 
 Claim OwnershipRules::of_face(ElementSide face, bool is_exterior) const {
   Claim claim;
-  if (!domain_.holds(face)) return claim;
-  const auto sets = sets_of(face);
-  const std::uint32_t block = mesh_.block_of(face.element());
-  for (std::size_t r = 0; r < requests_.size(); ++r) {
-    const Named& named = named_[r];
-    if (requests_[r].kind == SurfaceKind::node || is_in(sets, named.removed_sets)) continue;
-    if (!(is_exterior && named.blocks[block] != 0) && !is_in(sets, named.sets)) continue;
-    if (claim.owner == Claim::nobody) {
-      claim.owner = named.surface + choose_subset(requests_[r].subsets, mesh_, face);
-    } else {
-      claim.lost.push_back({named.surface, claim.owner});
-    }
+  const auto set_sides = set_sides_.of(face);
+  std::span<const std::uint32_t> skinning;
+  if (is_exterior) skinning = of_block_[mesh_.block_of(face.element())];
+  Requests joined;
+  const auto requests = join(skinning, {}, set_sides, joined);
+  if (requests.empty() || !domain_.holds(face)) return claim;
+  for (const std::uint32_t request : requests) {
+    if (!is_removed(set_sides, request)) add_face(request, face, std::nullopt, claim);
   }
   return claim;
 }
 
-bool OwnershipRules::is_picked(const SurfaceRequest& request, ElementIndex element) const {
-  return std::ranges::find(request.elements, element) != request.elements.end();
-}
-
-bool OwnershipRules::is_removed(std::size_t request, ElementIndex element) const {
-  return std::ranges::any_of(sides_of(element), [&](ElementSide side) {
-    return is_in(sets_of(side), named_[request].removed_sets);
-  });
-}
-
-bool OwnershipRules::claims_body(std::size_t request, ElementIndex element) const {
-  const bool is_named = named_[request].blocks[mesh_.block_of(element)] != 0;
-  if (!is_named && !is_picked(requests_[request], element)) return false;
-  return domain_.holds(mesh_.element_nodes(element)) && !is_removed(request, element);
+/// Whether the request names the element, and neither the subdomain nor REMOVE SURFACE takes it out.
+bool OwnershipRules::claims_body(std::uint32_t request, ElementIndex element) const {
+  const bool is_named = std::ranges::binary_search(of_block_[mesh_.block_of(element)], request) ||
+                        std::ranges::binary_search(picks_of(element), request, {}, &Pick::request);
+  return is_named && domain_.holds(mesh_.element_nodes(element)) &&
+         !is_removed(set_sides_.of(element), request);
 }
 
 LoftedClaim OwnershipRules::of_lofted(ElementIndex element) const {
+  const auto set_sides = set_sides_.of(element);
   LoftedClaim claim;
-  for (const ElementSide side : sides_of(element)) {
-    if (domain_.holds(side)) claim.sides.push_back(side);
-  }
+  claim.sides = distinct_sides(set_sides);
+  std::erase_if(claim.sides, [&](ElementSide side) { return !domain_.holds(side); });
   claim.of_sides.resize(claim.sides.size());
-  const auto owner_of_sides = [&] {
-    for (const Claim& of_side : claim.of_sides) {
-      if (of_side.owner != Claim::nobody) return of_side.owner;
-    }
-    return Claim::nobody;
-  };
-  for (std::size_t r = 0; r < requests_.size(); ++r) {
-    if (requests_[r].kind == SurfaceKind::node) continue;
-    const std::uint32_t surface = named_[r].surface;
-    if (claims_body(r, element)) {
-      const std::uint32_t owner = claim.body.owner != Claim::nobody ? claim.body.owner : owner_of_sides();
-      if (owner == Claim::nobody) {
-        claim.body.owner = surface;
-      } else {
-        claim.body.lost.push_back({surface, owner});
-      }
-    }
+  Requests joined;
+  const auto& lofting = of_block_[mesh_.block_of(element)];
+  for (const std::uint32_t request : join(lofting, picks_of(element), set_sides, joined)) {
+    const std::uint32_t surface = requests_[request].first_surface;
+    if (claims_body(request, element)) claim.body.add(surface, surface, claim.owner_of_sides());
+    if (claim.body.owner == surface) continue;  // its sides are lofted here already
     for (std::size_t i = 0; i < claim.sides.size(); ++i) {
-      const auto sets = sets_of(claim.sides[i]);
-      if (!is_in(sets, named_[r].sets) || is_in(sets, named_[r].removed_sets)) continue;
-      Claim& of_side = claim.of_sides[i];
-      const std::uint32_t owner = of_side.owner != Claim::nobody ? of_side.owner : claim.body.owner;
-      if (owner == surface) continue;  // the shell is lofted here already
-      if (owner == Claim::nobody) {
-        of_side.owner = surface + choose_subset(requests_[r].subsets, mesh_, claim.sides[i]);
-      } else {
-        of_side.lost.push_back({surface, owner});
-      }
-    }
-  }
-  return claim;
-}
-
-bool OwnershipRules::claims_node(std::size_t request, NodeIndex node, const NodeElements& elements,
-                                 std::span<const std::uint8_t> alive) const {
-  const Named& named = named_[request];
-  if (std::ranges::binary_search(named.nodes, node)) return true;
-  return std::ranges::any_of(elements.of(node), [&](ElementIndex element) {
-    if (alive[element.value] == 0) return false;
-    if (named.blocks[mesh_.block_of(element)] != 0) return true;
-    return std::ranges::any_of(sides_of(element), [&](ElementSide side) {
-      const auto corners = mesh_.side_nodes(side);
-      return is_in(sets_of(side), named.sets) && std::ranges::find(corners, node) != corners.end();
-    });
-  });
-}
-
-Claim OwnershipRules::of_node(NodeIndex node, const NodeElements& elements,
-                              std::span<const std::uint8_t> alive) const {
-  Claim claim;
-  if (!domain_.holds(node)) return claim;
-  for (std::size_t r = 0; r < requests_.size(); ++r) {
-    if (requests_[r].kind != SurfaceKind::node || !claims_node(r, node, elements, alive)) continue;
-    if (claim.owner == Claim::nobody) {
-      claim.owner = named_[r].surface;
-    } else {
-      claim.lost.push_back({named_[r].surface, claim.owner});
+      const auto sets = set_sides_.of(claim.sides[i]);
+      if (is_held(sets, request) && !is_removed(sets, request))
+        add_face(request, claim.sides[i], claim.body.owner, claim.of_sides[i]);
     }
   }
   return claim;

@@ -1,36 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "contact/surfaces/skin_faces.hpp"
+#include "contact/surfaces/claim.hpp"
+#include "contact/surfaces/contact_domain.hpp"
+#include "contact/surfaces/node_ownership.hpp"
+#include "contact/surfaces/set_sides.hpp"
 #include "contact/surfaces/surface_request.hpp"
-#include "core/mesh/node_elements.hpp"
 
 namespace contactsim {
 
-/// Who owns one face, lofted element or node, and who claims it in vain: surfaces by position.
-struct Claim {
-  static constexpr std::uint32_t nobody = UINT32_MAX;
+/// Whether contact lofts the elements of a block: shells, lines and particles.
+bool is_lofted(const ElementBlock& block);
 
-  /// A surface that claimed in vain, and who had it already.
-  struct Lost {
-    std::uint32_t loser, winner;
-  };
-  std::uint32_t owner = nobody;
-  std::vector<Lost> lost;
-};
+/// The subset that a face of the surface goes to, from 1; 0 when it stays.
+/// Source: Sierra/SM 5.22, 8.4.4.1.
+std::uint32_t choose_subset(const std::vector<SubsetRequest>& subsets, const Mesh& mesh, ElementSide face);
 
-/// What all requests claim of a lofted element: its body, and its sides that are in side sets.
-struct LoftedClaim {
-  Claim body;
-  std::vector<ElementSide> sides;
-  std::vector<Claim> of_sides;  ///< [sides]
-};
-
-/// The rules of ownership one thing at a time: what resolve_surfaces() does for a whole mesh. Time of a
-/// look-up does not depend on the mesh's size.
+/// The rules of ownership, one face, lofted element or node at a time: requests claim in deck order and the
+/// first one owns. Time of an answer grows with the requests that name the thing, not with the mesh.
+/// Source: Sierra/SM 5.22, 8.4.
 class OwnershipRules {
  public:
   /// mesh, subdomain  must outlive this
@@ -40,48 +33,50 @@ class OwnershipRules {
   /// Of a face of a living solid.
   ///   is_exterior  whether no other present element shares it
   Claim of_face(ElementSide face, bool is_exterior) const;
-  /// Of a living shell, line or particle.
+  /// Of a living element of a lofted block.
   LoftedClaim of_lofted(ElementIndex element) const;
-  /// Of a node, among surfaces of nodes.
-  ///   alive  [n_elements] 0 of dead elements
-  Claim of_node(NodeIndex node, const NodeElements& elements, std::span<const std::uint8_t> alive) const;
+  const NodeOwnershipRules& nodes() const { return nodes_; }
 
-  bool has_node_requests() const { return has_node_requests_; }
+  /// [n_elements] 1 of elements of blocks that requests for faces name, and of those that they pick: by these
+  /// faces are exterior or not. Source: Sierra/SM 5.22, 8.4.8.
+  std::vector<std::uint8_t> find_present() const;
+  /// The sides that side sets of these requests hold, ascending: all, and those of one element.
+  std::vector<ElementSide> sides() const { return distinct_sides(set_sides_.all()); }
+  std::vector<ElementSide> sides_of(ElementIndex element) const {
+    return distinct_sides(set_sides_.of(element));
+  }
   /// Whether a block form names the block.
   bool is_of_block_form(std::uint32_t block) const { return is_block_form_[block] != 0; }
-  /// The sides of an element that side sets of requests hold, ascending, each once.
-  std::vector<ElementSide> sides_of(ElementIndex element) const;
   std::span<const SurfaceRequest> requests() const { return requests_; }
 
  private:
-  struct SetSide {
-    ElementSide side;
-    std::uint32_t set = 0;
-    auto operator<=>(const SetSide&) const = default;
+  /// A single element that a request names.
+  struct Pick {
+    ElementIndex element;
+    std::uint32_t request = 0;
+    auto operator<=>(const Pick&) const = default;
   };
-  /// What one request names, ready to be looked up.
-  struct Named {
-    std::uint32_t surface = 0;                             ///< the first that it makes
-    std::vector<std::uint8_t> blocks, sets, removed_sets;  ///< [n_blocks], [n_side_sets] twice, 0 or 1
-    std::vector<NodeIndex> nodes;                          ///< of node sets, ascending
-  };
+  using Requests = std::vector<std::uint32_t>;  // positions in requests_, ascending
 
-  void add_set_sides();
-  std::span<const SetSide> sets_of(ElementSide side) const;
-  bool is_in(std::span<const SetSide> places, const std::vector<std::uint8_t>& sets) const;
-  bool is_picked(const SurfaceRequest& request, ElementIndex element) const;
-  bool claims_body(std::size_t request, ElementIndex element) const;
-  bool claims_node(std::size_t request, NodeIndex node, const NodeElements& elements,
-                   std::span<const std::uint8_t> alive) const;
-  bool is_removed(std::size_t request, ElementIndex element) const;
+  std::span<const Pick> picks_of(ElementIndex element) const;
+  std::span<const std::uint32_t> join(std::span<const std::uint32_t> some, std::span<const Pick> picks,
+                                      std::span<const SetSide> set_sides, Requests& joined) const;
+  bool is_held(std::span<const SetSide> set_sides, std::uint32_t request) const;
+  bool is_removed(std::span<const SetSide> set_sides, std::uint32_t request) const;
+  bool claims_body(std::uint32_t request, ElementIndex element) const;
+  void add_face(std::uint32_t request, ElementSide face, std::optional<std::uint32_t> other,
+                Claim& claim) const;
 
   std::vector<SurfaceRequest> requests_;
   const Mesh& mesh_;
   ContactDomain domain_;
-  std::vector<Named> named_;                 // [n_requests]
-  std::vector<SetSide> set_sides_;           // of all side sets that requests name, ascending
+  // Of requests for faces:
+  std::vector<Requests> of_block_;           // [n_blocks] that name the block
+  std::vector<Requests> of_set_;             // [n_side_sets] that hold the set
+  std::vector<Pick> picks_;                  // ascending
+  SetSides set_sides_;                       // that they hold or remove
   std::vector<std::uint8_t> is_block_form_;  // [n_blocks]
-  bool has_node_requests_ = false;
+  NodeOwnershipRules nodes_;
 };
 
 }  // namespace contactsim

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/surfaces/surface_pairs.hpp"
 
-#include "core/definition/contact.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <tuple>
-#include <unordered_map>
+
+#include "contact/surfaces/surface_meetings.hpp"
+#include "core/definition/contact.hpp"
 
 namespace contactsim {
 
@@ -19,25 +19,6 @@ std::shared_ptr<const FrictionLaw> frictionless_law() {
 }
 
 namespace {
-
-/// What a surface can bring into a pair.
-struct SurfaceParts {
-  bool faces = false;  ///< of elements or of lofts
-  bool nodes = false;  ///< of a surface of nodes
-  bool planes = false;
-
-  bool can_give_faces() const { return faces || planes; }
-  bool can_give_nodes() const { return faces || nodes; }
-};
-
-SurfaceParts parts_of(const ContactSurface& surface) {
-  return {!surface.faces.empty() || !surface.lofted_elements.empty() || surface.may_gain_faces,
-          !surface.nodes.empty(), !surface.analytic_planes.empty()};
-}
-
-bool can_meet_one_way(const SurfaceParts& faces, const SurfaceParts& nodes) {
-  return faces.can_give_faces() && nodes.can_give_nodes();
-}
 
 /// What all pairs of one interaction, or of the defaults, have in common.
 SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& contact) {
@@ -89,15 +70,6 @@ ActivePeriods rest_of(const ActivePeriods& periods) {
   return rest;
 }
 
-/// Two surfaces in the order in which an interaction names them.
-struct Meeting {
-  std::uint32_t first = 0, second = 0;
-  bool has_sides = false;
-};
-
-/// Two surfaces in either order.
-using PairKey = std::pair<std::uint32_t, std::uint32_t>;
-
 /// Gathers pairs; what is added later overrides.
 class PairMaker {
  public:
@@ -116,20 +88,14 @@ class PairMaker {
   };
   using Overridden = std::map<std::size_t, std::vector<PairKey>>;  ///< by the earlier interaction
 
-  std::vector<std::uint32_t> positions_of(const std::vector<DeckName>& names) const;
-  std::map<PairKey, Meeting> meetings_of(const Interaction& interaction) const;
-  bool can_meet(const Meeting& meeting) const;
-  bool has_empty_side(const Meeting& meeting) const;
-  void settle(const Meeting& meeting, SurfacePair& pair) const;
   void warn_of_overridden(std::size_t index, const Overridden& overridden);
   std::string interaction_name(std::size_t index) const;
 
   const ContactDefinition& contact_;
   const std::vector<ContactSurface>& surfaces_;
   Diagnostics& diagnostics_;
+  SurfaceMeetings meetings_;
   PairSettings defaults_;
-  std::vector<SurfaceParts> parts_;                           ///< [n_surfaces]
-  std::unordered_map<std::string, std::uint32_t> positions_;  ///< by folded name
   std::map<PairKey, Entry> entries_;
 };
 
@@ -138,50 +104,13 @@ PairMaker::PairMaker(const ContactDefinition& contact, const ContactSurfaces& su
     : contact_(contact),
       surfaces_(surfaces.surfaces),
       diagnostics_(diagnostics),
+      meetings_(surfaces.surfaces),
       defaults_(shared_settings(contact)) {
   if (contact.interaction_defaults) defaults_ = with_defaults(contact.interaction_defaults->pair, defaults_);
-  for (std::uint32_t i = 0; i < surfaces_.size(); ++i) {
-    parts_.push_back(parts_of(surfaces_[i]));
-    positions_.try_emplace(fold(surfaces_[i].name), i);
-  }
-}
-
-std::vector<std::uint32_t> PairMaker::positions_of(const std::vector<DeckName>& names) const {
-  std::vector<std::uint32_t> positions;
-  for (const DeckName& name : names) {
-    const auto found = positions_.find(fold(name.text));
-    if (found != positions_.end()) positions.push_back(found->second);
-  }
-  return positions;
-}
-
-bool PairMaker::can_meet(const Meeting& meeting) const {
-  const SurfaceParts &a = parts_[meeting.first], &b = parts_[meeting.second];
-  return can_meet_one_way(a, b) || can_meet_one_way(b, a);
-}
-
-bool PairMaker::has_empty_side(const Meeting& meeting) const {
-  return surfaces_[meeting.first].is_empty() || surfaces_[meeting.second].is_empty();
-}
-
-/// Who gives what. A pair that only one order can serve gets that order, whatever the sides say.
-void PairMaker::settle(const Meeting& meeting, SurfacePair& pair) const {
-  pair.first = meeting.first;
-  pair.second = meeting.second;
-  const bool has_faces = parts_[pair.first].faces && parts_[pair.second].faces;
-  if (has_faces) {
-    const bool is_node_face = pair.formulation == ConstraintFormulation::node_face;
-    pair.is_one_sided = meeting.has_sides && is_node_face && pair.first != pair.second;
-    if (!pair.is_one_sided && pair.first > pair.second) std::swap(pair.first, pair.second);
-    return;
-  }
-  pair.formulation = ConstraintFormulation::node_face;
-  pair.is_one_sided = true;
-  if (!can_meet_one_way(parts_[pair.first], parts_[pair.second])) std::swap(pair.first, pair.second);
 }
 
 void PairMaker::add_defaults(const InteractionDefaults& defaults) {
-  std::vector<std::uint32_t> members = positions_of(defaults.surfaces);
+  std::vector<std::uint32_t> members = meetings_.positions_of(defaults.surfaces);
   if (defaults.surfaces.empty()) {
     for (std::uint32_t i = 0; i < surfaces_.size(); ++i) members.push_back(i);
   }
@@ -190,11 +119,11 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
   pair.is_from_defaults = true;
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
     const Meeting meeting{std::min(a, b), std::max(a, b)};
-    if (!can_meet(meeting)) return;
+    if (!meetings_.can_meet(meeting)) return;
     Entry& entry = entries_[{meeting.first, meeting.second}];
     entry.pair = pair;
     entry.pair.interaction = a == b ? "self contact" : "general contact";
-    settle(meeting, entry.pair);
+    meetings_.settle(meeting, entry.pair);
   };
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (defaults.self_contact) add(members[i], members[i]);
@@ -202,25 +131,6 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
       if (members[i] != members[j]) add(members[i], members[j]);
     }
   }
-}
-
-std::map<PairKey, Meeting> PairMaker::meetings_of(const Interaction& interaction) const {
-  std::map<PairKey, Meeting> meetings;
-  const auto add = [&](const Meeting& meeting) {
-    const PairKey key = std::minmax(meeting.first, meeting.second);
-    const auto [known, is_new] = meetings.try_emplace(key, meeting);
-    const bool is_turned = !is_new && known->second.first != meeting.first;
-    if (is_turned) known->second.has_sides = false;
-  };
-  for (const std::uint32_t a : positions_of(interaction.side_a)) {
-    for (const std::uint32_t b : positions_of(interaction.side_b)) add({a, b, true});
-  }
-  const auto listed = positions_of(interaction.surfaces);
-  if (interaction.surfaces.size() == 1 && listed.size() == 1) add({listed[0], listed[0]});
-  for (std::size_t i = 0; i < listed.size(); ++i) {
-    for (std::size_t j = i + 1; j < listed.size(); ++j) add({listed[i], listed[j]});
-  }
-  return meetings;
 }
 
 void PairMaker::add_interaction(std::size_t index) {
@@ -231,12 +141,12 @@ void PairMaker::add_interaction(std::size_t index) {
   pair.interaction = interaction_name(index);
   pair.location = interaction.name.location;
   pair.periods = interaction.periods;
-  const auto meetings = meetings_of(interaction);
+  const auto meetings = meetings_.meetings_of(interaction);
   Overridden overridden;
   bool is_served = meetings.empty();
   for (const auto& [key, meeting] : meetings) {
-    is_served = is_served || has_empty_side(meeting);
-    if (!can_meet(meeting)) continue;
+    is_served = is_served || meetings_.has_empty_side(meeting);
+    if (!meetings_.can_meet(meeting)) continue;
     is_served = true;
     const bool is_known = entries_.contains(key);
     Entry& entry = entries_[key];
@@ -245,7 +155,7 @@ void PairMaker::add_interaction(std::size_t index) {
     if (!entry.interaction && is_known) otherwise = std::move(entry.pair);
     if (otherwise && has_periods(pair.periods)) otherwise->periods = rest_of(pair.periods);
     entry = {pair, index, std::move(otherwise)};
-    settle(meeting, entry.pair);
+    meetings_.settle(meeting, entry.pair);
   }
   warn_of_overridden(index, overridden);
   if (is_served) return;

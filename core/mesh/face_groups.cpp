@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/mesh/face_groups.hpp"
 
-#include "core/mesh/skin_faces.hpp"
+#include "core/mesh/element_faces.hpp"
 
 namespace contactsim {
 
@@ -9,7 +9,7 @@ namespace {
 
 template <class Visit>
 void visit_faces_of(const Mesh& mesh, ElementIndex element, const Visit& visit) {
-  skin_faces::visit_faces(mesh, std::span(&element.value, 1), visit);
+  element_faces::visit_faces(mesh, std::span(&element.value, 1), visit);
 }
 
 }  // namespace
@@ -17,11 +17,11 @@ void visit_faces_of(const Mesh& mesh, ElementIndex element, const Visit& visit) 
 void FaceGroups::find_faces(ElementIndex element, std::vector<ElementSide>& faces) const {
   faces.clear();
   visit_faces_of(mesh_, element,
-                 [&](ElementSide side, const skin_faces::Corners&) { faces.push_back(side); });
+                 [&](ElementSide side, const element_faces::Corners&) { faces.push_back(side); });
 }
 
 void FaceGroups::find_group(ElementSide face, std::vector<ElementSide>& group) const {
-  using namespace skin_faces;
+  using namespace element_faces;
   group.clear();
   FaceRecord wanted{};
   std::uint32_t node = 0;

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "core/base/threads.hpp"
-#include "core/mesh/skin_faces.hpp"
+#include "core/mesh/element_faces.hpp"
 
 namespace contactsim {
 
 namespace {
 
-using namespace skin_faces;
+using namespace element_faces;
 
 /// Nodes are taken in ranges of this many, whose faces fit into a core's cache together.
 constexpr std::uint32_t nodes_per_range = 1u << 15;
@@ -141,7 +141,11 @@ class FaceMatcher {
           std::find_if_not(first, sorted_.end(), [&](const FaceRecord& r) { return r.has_nodes_of(*first); });
       const auto n = static_cast<std::size_t>(last - first);
       if (n == 1) add_single(first->side);
-      if (n > 1) add_shared({first, last});
+      if (n > 1) {
+        group_.clear();
+        std::transform(first, last, std::back_inserter(group_), [](const FaceRecord& r) { return r.side; });
+        add_shared(group_);
+      }
       first = last;
     }
   }
@@ -158,9 +162,9 @@ class FaceMatcher {
       if (same == 0) {
         add_single(bucket[i].side);
       } else if (mesh_.blocks().size() > 1) {
-        group_.assign(1, bucket[i]);
+        group_.assign(1, bucket[i].side);
         for (std::size_t j = i + 1; j < bucket.size(); ++j) {
-          if (same >> j & 1u) group_.push_back(bucket[j]);
+          if (same >> j & 1u) group_.push_back(bucket[j].side);
         }
         add_shared(group_);
       }
@@ -173,16 +177,10 @@ class FaceMatcher {
     if (topology(shape).family == Family::solid) exterior_.push_back(side);
   }
 
-  /// Elements ascend in a group, so those of one block are neighbours.
-  void add_shared(std::span<const FaceRecord> group) {
-    const auto is_of = [&](std::size_t i, std::uint32_t block) {
-      return i < group.size() && block_of(group[i].side.element()) == block;
-    };
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      const std::uint32_t block = block_of(group[i].side.element());
-      const bool is_solid = topology(mesh_.blocks()[block].shape).family == Family::solid;
-      if (is_solid && !is_of(i - 1, block) && !is_of(i + 1, block)) ++in_between_[block];
-    }
+  void add_shared(std::span<const ElementSide> group) {
+    visit_in_between(
+        mesh_, group, [this](ElementIndex element) { return block_of(element); },
+        [this](std::uint32_t block) { ++in_between_[block]; });
   }
 
   /// Nearly always the block asked for last.
@@ -196,7 +194,8 @@ class FaceMatcher {
   std::vector<std::pair<std::uint32_t, FaceRecord>> found_;  ///< smallest node and face, in element order
   std::vector<FaceRecord> records_;                          ///< the same by smallest node
   std::vector<std::uint32_t> bucket_end_;  ///< [nodes of the range] end of each node's records
-  std::vector<FaceRecord> sorted_, group_;
+  std::vector<FaceRecord> sorted_;
+  std::vector<ElementSide> group_;
   std::vector<ElementSide> exterior_;
   std::vector<std::uint32_t> in_between_;
   std::uint32_t last_block_ = 0;

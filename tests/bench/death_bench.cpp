@@ -66,12 +66,12 @@ void mass_death(benchmark::State& bench) {
   const Region region = make_region();
   const SimulationDefinition definition;
   Diagnostics told;
-  ContactModel contact = make_contact_model(definition, region, mesh, {}, told);
+  ContactModel contact = make_contact_model(definition, region, mesh, told);
   const NodeElements elements(mesh);
   const FaceGroups faces(mesh, elements);
   OwnershipRules rules(find_surface_requests(definition, region, mesh, told), mesh,
                        region.contact->subdomain);
-  SurfaceTracker living(std::move(rules), faces, {}, contact.surfaces);
+  SurfaceTracker living(std::move(rules), faces);
   ErodedNodes eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), 0));
   const std::vector<TimeSteppingBlock> blocks(1);
   ContactForce force({*region.contact, contact, model, blocks});

@@ -40,7 +40,7 @@ void surfaces_of_million_hexes(benchmark::State& state) {
   omp_set_num_threads(1);
   for (auto _ : state) {
     Diagnostics diagnostics;
-    const ContactSurfaces surfaces = resolve_surfaces(contact, {}, mesh, {}, diagnostics);
+    const ContactSurfaces surfaces = resolve_surfaces(contact, {}, mesh, diagnostics);
     if (surfaces.surfaces.size() != contact.surface_commands.size() || diagnostics.has_errors()) {
       state.SkipWithError("wrong surfaces");
     }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "contact/surfaces/resolve_surfaces.hpp"
+#include "contact/surfaces/surface_tracker.hpp"
 #include "parser/commands/contact_commands.hpp"
 #include "parser/commands/region_commands.hpp"
 #include "parser/commands/sierra_commands.hpp"
@@ -37,11 +38,27 @@ std::string error_messages(const Diagnostics& diagnostics) {
   return messages(errors);
 }
 
+/// Lets the elements that are not alive die.
+///   requests  that the surfaces were made by
+void remove_dead(const Mesh& mesh, const ContactDefinition& contact, std::vector<SurfaceRequest> requests,
+                 std::span<const std::uint8_t> alive, ContactSurfaces& surfaces) {
+  const NodeElements elements(mesh);
+  const FaceGroups faces(mesh, elements);
+  std::vector<ElementIndex> dead;
+  for (std::uint32_t i = 0; i < alive.size(); ++i) {
+    if (alive[i] == 0) dead.push_back({i});
+  }
+  SurfaceTracker(OwnershipRules(std::move(requests), mesh, contact.subdomain), faces)
+      .update_for_deaths(dead, surfaces);
+}
+
 Resolved resolve(const Mesh& mesh, const ContactDefinition& contact, const RegionNames& names,
                  std::span<const std::uint8_t> alive) {
-  Diagnostics diagnostics;
-  Resolved resolved{resolve_surfaces(contact, names, mesh, alive, diagnostics), ""};
+  Diagnostics diagnostics, discarded;
+  Resolved resolved{resolve_surfaces(contact, names, mesh, diagnostics), ""};
   resolved.messages = messages(diagnostics);
+  if (!alive.empty())
+    remove_dead(mesh, contact, make_surface_requests(contact, names, mesh, discarded), alive, resolved);
   return resolved;
 }
 
@@ -87,8 +104,14 @@ Resolved resolve(const Mesh& mesh, const Region& region, std::span<const MeshAli
 Modelled make_model(const Mesh& mesh, const Region& region, const std::string& definitions,
                     std::span<const std::uint8_t> alive) {
   Diagnostics diagnostics;
-  Modelled modelled{make_contact_model(parse_definitions(definitions), region, mesh, alive, diagnostics), ""};
+  const SimulationDefinition definition = parse_definitions(definitions);
+  Modelled modelled{make_contact_model(definition, region, mesh, diagnostics), ""};
   modelled.messages = error_messages(diagnostics);
+  if (!alive.empty()) {
+    remove_dead(mesh, *region.contact, find_surface_requests(definition, region, mesh, diagnostics), alive,
+                modelled.surfaces);
+    make_lofts(definition, region, mesh, modelled, diagnostics);
+  }
   return modelled;
 }
 
@@ -152,6 +175,11 @@ std::string list_warnings(const ContactSurfaces& result) {
                         warning.count, warning.text);
   }
   return text;
+}
+
+std::string describe_all(const Mesh& mesh, const ContactSurfaces& result) {
+  return fmt::format("{}{}{} faces ignored\n", describe(mesh, result), list_warnings(result),
+                     result.interior_faces_ignored);
 }
 
 std::vector<ElementSide> faces_where(MeshBuilder builder, const SideCondition& condition) {

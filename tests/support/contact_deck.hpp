@@ -29,8 +29,8 @@ struct Resolved : ContactSurfaces {
   const ContactSurface& operator[](const std::string& name) const;
 };
 
-/// Resolves the surfaces of contact definition lines on a mesh.
-///   alive  [n_elements] 0 or 1, or empty when all live
+/// Resolves the surfaces of contact definition lines on a mesh, and then lets elements die.
+///   alive  [n_elements] 0 of those, or empty when all live
 Resolved resolve(const Mesh& mesh, const std::string& lines, std::span<const std::uint8_t> alive = {});
 /// The same of a region, whose analytic objects may be used, with aliases.
 Resolved resolve(const Mesh& mesh, const Region& region, std::span<const MeshAlias> aliases = {});
@@ -41,7 +41,7 @@ struct Modelled : ContactModel {
 };
 
 /// Makes the contact model of contact definition lines, under definitions (sections, finite element models).
-///   alive  [n_elements] 0 or 1, or empty when all live
+///   alive  [n_elements] 0 of elements that die then, or empty when all live
 Modelled make_model(const Mesh& mesh, const std::string& contact_lines, const std::string& definitions = "",
                     std::span<const std::uint8_t> alive = {});
 /// The same of a region, whose analytic objects may be used.
@@ -64,6 +64,8 @@ std::string list_lost(const ContactSurfaces& result, const ContactSurface& surfa
 std::string describe(const Mesh& mesh, const ContactSurfaces& result);
 /// The warnings, one a line: "surface-empty, line 2, surf_1, 0: text".
 std::string list_warnings(const ContactSurfaces& result);
+/// All of it: surfaces, warnings, faces ignored.
+std::string describe_all(const Mesh& mesh, const ContactSurfaces& result);
 
 /// Every face, interior ones included, that satisfies the condition, in order of element and side.
 std::vector<ElementSide> faces_where(MeshBuilder builder, const SideCondition& condition);

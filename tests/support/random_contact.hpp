@@ -89,8 +89,46 @@ inline std::vector<std::string> random_lines(Random& random) {
   return lines;
 }
 
+/// A mesh of all that ownership tells apart: one of the above, with particles (block 8) and a hexahedron that
+/// is degenerate to a wedge beside the first element (block 9). surface_5: some faces of shells and of that
+/// hexahedron, collapsed ones too.
+inline Mesh random_mesh_of_all_kinds(Random& random) {
+  MeshBuilder b = random_mesh_or_blocking(random);
+  b.add_spheres(8, "", {{0, 0, 6}, {1, 0, 6}, {3, 0, 4}});
+  const Mesh before = b.build();
+  const auto node = [&](std::size_t corner) { return before.element_nodes({0})[corner].value; };
+  const std::uint32_t p = b.add_node({9, 0, 0}).value, q = b.add_node({9, 0, 1}).value;
+  b.add_block(9, "", Shape::hex8, {node(1), p, p, node(2), node(5), q, q, node(6)});
+  b.add_side_set(5, "", [&](const CandidateSide& c) { return c.block_id >= 6 && random() % 3 == 0; });
+  return b.build();
+}
+
 inline std::string join(const std::vector<std::string>& lines) {
   return std::accumulate(lines.begin(), lines.end(), std::string());
+}
+
+/// For such a mesh random_lines() and commands with subsets, removed parts, single shells and, at times, a
+/// subdomain.
+inline std::string random_commands(const Mesh& mesh, Random& random) {
+  std::vector<std::string> lines = random_lines(random);
+  lines.push_back(
+      "begin contact surface with_subsets\n block = block_1 block_3 block_6 block_9\n"
+      " subset up with normal 0 0 1\n subset right with normal 1 0 0\n remove surface = surface_2\nend\n");
+  lines.push_back("begin contact surface of_all\n include all blocks\n remove block = block_2\nend\n");
+  lines.push_back("contact surface of_shells contains surface_5 block_6 block_8\n");
+  lines.push_back("contact node set of_blocks contains block_1 surface_3\n");
+  std::string picked = "begin contact surface of_elements\n remove surface = surface_5\n element =";
+  for (const ElementBlock& block : mesh.blocks()) {
+    for (std::uint32_t i = 0; (block.id == 6 || block.id == 7) && i < block.n_elements; ++i) {
+      if (random() % 2 == 0) picked += fmt::format(" {}", mesh.element_id({block.first_element.value + i}));
+    }
+  }
+  if (picked.back() != '=') lines.push_back(picked + "\nend\n");
+  std::shuffle(lines.begin(), lines.end(), random);
+  lines.resize(3 + random() % (lines.size() - 3));
+  if (random() % 3 == 0)
+    lines.push_back("restrict contact to subdomain defined by radius 2.6 and point 1 1 1\n");
+  return join(lines);
 }
 
 }  // namespace contactsim::test

@@ -37,8 +37,7 @@ struct DyingBodies : ContactBodies {
         alive(mesh.n_elements(), 1),
         elements(mesh),
         faces(mesh, elements),
-        living(make_rules(), faces, alive, definition.surfaces,
-               std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)),
+        living(make_rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)),
         eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
 
   void kill(const std::vector<ElementIndex>& dead) {

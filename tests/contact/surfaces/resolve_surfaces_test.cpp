@@ -193,7 +193,9 @@ TEST_CASE("a block with elements of an unknown type matters only in contact", "[
       as<std::string>{}, "contact surface s contains block_1\n", "skin all blocks = on exclude block_9\n",
       "begin contact surface s\n include all blocks\n remove block = block_9\nend\n",
       "begin contact surface s\n block = block_9 block_1\n remove block = block_9\nend\n",
-      "begin contact surface s\n block = block_1\n remove surface = on_odd\nend\n");
+      "begin contact surface s\n block = block_1\n remove surface = on_odd\nend\n",
+      "begin contact surface s\n block = block_1\n remove surface = on_odd\nend\n"
+      "restrict contact to subdomain defined by radius 1 and point 0 0 0\n");
   CHECK(resolve(mesh, unused).messages.empty());
   const std::string used = GENERATE(
       as<std::string>{}, "contact surface s contains block_9\n", "skin all blocks = on\n",

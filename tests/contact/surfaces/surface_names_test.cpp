@@ -27,7 +27,7 @@ std::string errors_of(const std::string& lines) {
       "skin all blocks = on exclude plate\n" +
       lines);
   Diagnostics diagnostics;
-  const ContactSurfaces surfaces = resolve_surfaces(contact, {}, b.build(), {}, diagnostics);
+  const ContactSurfaces surfaces = resolve_surfaces(contact, {}, b.build(), diagnostics);
   REQUIRE(diagnostics.empty());
   check_surface_names(contact, surfaces, diagnostics);
   return messages(diagnostics);

@@ -42,7 +42,7 @@ Paired pair_up(const std::string& lines, const std::string& planes = "") {
       lines);
   Diagnostics diagnostics;
   const ContactSurfaces surfaces =
-      resolve_surfaces(contact, {region.analytic_planes, {}}, b.build(), {}, diagnostics);
+      resolve_surfaces(contact, {region.analytic_planes, {}}, b.build(), diagnostics);
   REQUIRE(diagnostics.empty());
   Paired paired{make_surface_pairs(contact, surfaces, diagnostics), "", ""};
   for (const SurfacePair& pair : paired.pairs) paired.text += describe(surfaces, pair);

@@ -4,8 +4,9 @@
 #include "support/catch.hpp"
 #include "support/contact_deck.hpp"
 #include "support/random_contact.hpp"
+#include "support/slow_surfaces.hpp"
 
-// Ownership that follows deaths is compared with what resolving the living elements anew gives.
+// Ownership that follows deaths is compared with what a slow resolution of the living elements gives.
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -23,7 +24,7 @@ class DyingMesh {
         alive(mesh.n_elements(), 1),
         elements(mesh),
         faces(mesh, elements),
-        living(make_rules(), faces, alive, surfaces) {}
+        living(make_rules(), faces) {}
   DyingMesh(const DyingMesh&) = delete;
   DyingMesh& operator=(const DyingMesh&) = delete;
 
@@ -31,8 +32,8 @@ class DyingMesh {
     for (const ElementIndex element : dead) alive[element.value] = 0;
     return living.update_for_deaths(dead, surfaces);
   }
-  std::string all() const { return all(surfaces); }
-  std::string all_anew() const { return all(resolve(mesh, lines, alive)); }
+  std::string all() const { return describe_all(mesh, surfaces); }
+  std::string all_anew() const { return describe_all(mesh, resolve_slowly(contact, mesh, alive)); }
 
   const Mesh& mesh;
   std::string lines;
@@ -48,26 +49,7 @@ class DyingMesh {
     Diagnostics diagnostics;
     return {make_surface_requests(contact, {}, mesh, diagnostics), mesh, contact.subdomain};
   }
-  std::string all(const ContactSurfaces& some) const {
-    return describe(mesh, some) + list_warnings(some) + std::to_string(some.interior_faces_ignored);
-  }
 };
-
-/// Lines of blocks with subsets, removed parts and single shells besides the random ones.
-std::string lines_of_all_kinds(Random& random) {
-  auto lines = random_lines(random);
-  lines.push_back(
-      "begin contact surface with_subsets\n block = block_1 block_3 block_6\n subset up with normal 0 0 1\n"
-      " subset right with normal 1 0 0\n remove surface = surface_2\nend\n");
-  lines.push_back("begin contact surface of_all\n include all blocks\n remove block = block_2\nend\n");
-  lines.push_back("contact surface of_shells contains surface_5 block_6\n");
-  lines.push_back("contact node set of_blocks contains block_1 surface_3\n");
-  std::shuffle(lines.begin(), lines.end(), random);
-  lines.resize(3 + random() % (lines.size() - 3));
-  if (random() % 3 == 0)
-    lines.push_back("restrict contact to subdomain defined by radius 2.6 and point 1 1 1\n");
-  return join(lines);
-}
 
 std::vector<ElementIndex> some_of_the_living(const std::vector<std::uint8_t>& alive, Random& random) {
   const std::uint32_t share = 1 + random() % 12;
@@ -84,10 +66,8 @@ TEST_CASE("after any deaths ownership is what it would be without the dead", "[c
   int n_deaths = 0;
   for (unsigned seed = 0; seed < 150; ++seed) {
     Random random(seed);
-    MeshBuilder builder = random_mesh_or_blocking(random);
-    builder.add_side_set(5, "", [&](const CandidateSide& c) { return c.block_id >= 6 && random() % 3 == 0; });
-    const Mesh mesh = builder.build();
-    DyingMesh dying(mesh, lines_of_all_kinds(random));
+    const Mesh mesh = random_mesh_of_all_kinds(random);
+    DyingMesh dying(mesh, random_commands(mesh, random));
     INFO("seed " << seed << "\n" << dying.lines);
     REQUIRE(dying.surfaces.messages.empty());
     REQUIRE(dying.all() == dying.all_anew());

@@ -4,15 +4,14 @@
 #include <omp.h>
 
 #include <algorithm>
-#include <map>
 #include <random>
-#include <set>
 
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
+#include "support/slow_skin.hpp"
 
 using namespace contactsim;
-using contactsim::test::MeshBuilder;
+using namespace contactsim::test;
 
 namespace {
 
@@ -20,25 +19,10 @@ std::vector<std::uint8_t> all_present(const Mesh& mesh) {
   return std::vector<std::uint8_t>(mesh.n_elements(), 1);
 }
 
-/// The slow and obvious skin: a map from node sets to the faces that have them.
-std::vector<ElementSide> brute_force_skin(const Mesh& mesh, const std::vector<std::uint8_t>& present) {
-  std::map<std::set<NodeIndex>, std::vector<ElementSide>> faces;
-  for (std::uint32_t i = 0; i < mesh.n_elements(); ++i) {
-    const Topology& shape = topology(mesh.blocks()[mesh.block_of({i})].shape);
-    const bool has_faces = shape.family == Family::solid || shape.family == Family::shell;
-    if (!present[i] || !has_faces) continue;
-    for (int s = 1; s <= static_cast<int>(shape.sides.size()); ++s) {
-      if (shape.sides[static_cast<std::size_t>(s - 1)].kind != SideKind::face) continue;
-      const auto nodes = mesh.side_nodes(ElementSide({i}, s));
-      faces[std::set<NodeIndex>(nodes.begin(), nodes.end())].push_back(ElementSide({i}, s));
-    }
-  }
-  std::vector<ElementSide> skin;
-  for (const auto& [nodes, sides] : faces) {
-    if (sides.size() == 1 && nodes.size() > 2) skin.push_back(sides.front());
-  }
-  std::sort(skin.begin(), skin.end());
-  return skin;
+void check_skin(const Mesh& mesh, const std::vector<std::uint8_t>& present) {
+  const Skin skin = make_skin(mesh, present), slow = make_slow_skin(mesh, present);
+  CHECK(skin.exterior == slow.exterior);
+  CHECK(skin.in_between == slow.in_between);
 }
 
 /// A brick of mixed shapes: hexahedra, then tetrahedra, wedges and pyramids apart from it, shells on one
@@ -111,20 +95,20 @@ TEST_CASE("a hexahedron that is degenerate to a wedge meets a wedge and a hexahe
   CHECK(skin.sides_of_block(mesh.blocks()[0]).size() == 5);
   CHECK(skin.sides_of_block(mesh.blocks()[1]).size() == 3);  // two triangles and one quadrilateral
   CHECK(skin.sides_of_block(mesh.blocks()[2]).size() == 4);
-  CHECK(skin.exterior == brute_force_skin(mesh, present));
+  check_skin(mesh, present);
 }
 
-TEST_CASE("the skin of random parts of a mixed mesh equals a brute-force skin", "[core][skin]") {
+TEST_CASE("the skin of random parts of a mixed mesh equals a slow skin", "[core][skin]") {
   const Mesh mesh = mixed_mesh();
   std::mt19937 random(7);
   for (int round = 0; round < 50; ++round) {
     std::vector<std::uint8_t> present(mesh.n_elements());
     for (auto& p : present) p = random() % 4 != 0;
-    CHECK(make_skin(mesh, present).exterior == brute_force_skin(mesh, present));
+    check_skin(mesh, present);
   }
 }
 
-TEST_CASE("the skin of random blockings equals a brute-force skin", "[core][skin]") {
+TEST_CASE("the skin of random blockings equals a slow skin", "[core][skin]") {
   std::mt19937 random(11);
   for (int round = 0; round < 30; ++round) {
     MeshParts parts = MeshBuilder().add_hexes({.id = 1, .cells = {4, 4, 4}}).parts();
@@ -147,7 +131,7 @@ TEST_CASE("the skin of random blockings equals a brute-force skin", "[core][skin
       if (random() % 3 == 0) continue;
       std::fill_n(present.begin() + block.first_element.value, block.n_elements, std::uint8_t{1});
     }
-    CHECK(make_skin(mesh, present).exterior == brute_force_skin(mesh, present));
+    check_skin(mesh, present);
   }
 }
 
@@ -185,13 +169,13 @@ TEST_CASE("the skin does not depend on the number of threads", "[core][skin]") {
   omp_set_num_threads(n_threads);
 }
 
-TEST_CASE("a skin of many nodes equals a brute-force skin", "[core][skin]") {
+TEST_CASE("a skin of many nodes equals a slow skin", "[core][skin]") {
   // 41 x 41 x 25 nodes: more than are taken at a time, and layers that straddle the ranges.
   const Mesh mesh = MeshBuilder().add_hexes({.cells = {40, 40, 24}}).build();
   std::mt19937 random(5);
   std::vector<std::uint8_t> present(mesh.n_elements());
   for (std::uint8_t& mark : present) mark = random() % 8 != 0;
-  CHECK(make_skin(mesh, present).exterior == brute_force_skin(mesh, present));
+  check_skin(mesh, present);
 }
 
 TEST_CASE("a mesh without elements has no skin", "[core][skin]") {

@@ -9,8 +9,9 @@
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/side_tables.hpp"
 
-/// The faces of a mesh one after the other, and the records by which equal ones are found. Of make_skin only.
-namespace contactsim::skin_faces {
+/// The faces of a mesh one after the other, and the records by which equal ones are found: what the skin of a
+/// whole mesh and that around one element have in common.
+namespace contactsim::element_faces {
 
 /// A face by its corner nodes; a triangle repeats its last node.
 using Corners = std::array<std::uint32_t, 4>;
@@ -41,6 +42,23 @@ inline FaceRecord make_record(Corners c, ElementSide side) {
   order(1, 3);
   order(1, 2);
   return {c[1], c[2], c[3], side};
+}
+
+/// Calls visit(block) for each solid of a group of at least two faces with the same corner nodes that is the
+/// only one of its block: its face is exterior to the block alone and interior to all.
+///   block_of  (ElementIndex) -> position of its block
+///   group     ascending
+template <class BlockOf, class Visit>
+void visit_in_between(const Mesh& mesh, std::span<const ElementSide> group, const BlockOf& block_of,
+                      const Visit& visit) {
+  const auto is_of = [&](std::size_t i, std::uint32_t block) {
+    return i < group.size() && block_of(group[i].element()) == block;
+  };
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const std::uint32_t block = block_of(group[i].element());
+    const bool is_solid = topology(mesh.blocks()[block].shape).family == Family::solid;
+    if (is_solid && !is_of(i - 1, block) && !is_of(i + 1, block)) visit(block);
+  }
 }
 
 /// Turns a face with repeated nodes into a triangle, or into nothing (false) when fewer than three nodes are
@@ -133,4 +151,4 @@ void visit_faces(const Mesh& mesh, std::span<const std::uint32_t> elements, Visi
   }
 }
 
-}  // namespace contactsim::skin_faces
+}  // namespace contactsim::element_faces

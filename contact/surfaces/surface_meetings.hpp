@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "contact/surfaces/contact_surface.hpp"
+#include "contact/surfaces/surface_pairs.hpp"
+#include "core/definition/interaction.hpp"
+
+namespace contactsim {
+
+/// Two surfaces in the order in which an interaction names them.
+struct Meeting {
+  std::uint32_t first = 0, second = 0;
+  bool has_sides = false;
+};
+
+/// Two surfaces in either order.
+using PairKey = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Which surfaces can meet, and who of two gives faces and who nodes: nodes meet faces and planes only,
+/// planes never each other. Source: Sierra/SM 5.22, 8.6.
+class SurfaceMeetings {
+ public:
+  /// `surfaces` must outlive this.
+  explicit SurfaceMeetings(const std::vector<ContactSurface>& surfaces);
+
+  /// Positions of the surfaces with these names; names that there are not are passed over.
+  std::vector<std::uint32_t> positions_of(const std::vector<DeckName>& names) const;
+  /// All that an interaction names. Two surfaces that both ways name have no sides.
+  std::map<PairKey, Meeting> meetings_of(const Interaction& interaction) const;
+  bool can_meet(const Meeting& meeting) const;
+  bool has_empty_side(const Meeting& meeting) const;
+  /// Sets who gives what. A pair that only one order can serve gets that order, whatever the sides say.
+  void settle(const Meeting& meeting, SurfacePair& pair) const;
+
+ private:
+  /// What a surface can bring into a pair.
+  struct Parts {
+    bool faces = false;  ///< of elements or of lofts
+    bool nodes = false;  ///< of a surface of nodes
+    bool planes = false;
+  };
+  static bool can_meet_one_way(const Parts& faces, const Parts& nodes) {
+    return (faces.faces || faces.planes) && (nodes.faces || nodes.nodes);
+  }
+
+  const std::vector<ContactSurface>& surfaces_;
+  std::vector<Parts> parts_;                                  // [n_surfaces]
+  std::unordered_map<std::string, std::uint32_t> positions_;  // by folded name
+};
+
+}  // namespace contactsim
