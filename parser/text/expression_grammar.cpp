@@ -293,4 +293,9 @@ DeckExpression read_deck_expression(DeckLocation location, std::string text) {
   return expression;
 }
 
+bool is_aprepro_name(std::string_view text) {
+  auto first = text.begin();
+  return x3::parse(first, text.end(), name_start >> *(name_start | digit | ':') >> x3::eoi);
+}
+
 }  // namespace contactsim

@@ -25,4 +25,7 @@ std::vector<ExpressionItem> parse_expression(std::string_view text, ExpressionDi
 ///   location  of the text, or of the quote before it
 DeckExpression read_deck_expression(DeckLocation location, std::string text);
 
+/// Whether the text is one of Aprepro's names: a letter or _, then letters, digits, _ and colons.
+bool is_aprepro_name(std::string_view text);
+
 }  // namespace contactsim

@@ -118,3 +118,8 @@ TEST_CASE("a mistake in an expression of the deck is kept", "[parser][expression
   CHECK(wrong.error->offset == 4);
   CHECK_FALSE(read_deck_expression({}, "1 + x").error.has_value());
 }
+
+TEST_CASE("names of Aprepro hold letters, digits, _ and colons", "[parser][expression]") {
+  for (const char* name : {"a", "_", "x:1", "A_b:C9"}) CHECK(is_aprepro_name(name));
+  for (const char* other : {"", "1a", ":a", "a.b", "a b", "a+"}) CHECK_FALSE(is_aprepro_name(other));
+}
