@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/names.hpp"
+#include "core/definition/expression.hpp"
 
 namespace contactsim {
 
@@ -55,12 +56,6 @@ struct ExpressionVariable {
   DeckName variable;  ///< such as coordinates(x)
 };
 
-/// EVALUATE EXPRESSION = "<text>".
-struct FunctionExpression {
-  DeckLocation location;  ///< of the text, or of the quote before it
-  std::string text;
-};
-
 enum class DiscontinuitySide : std::uint8_t { left, right };
 
 /// BEGIN FUNCTION <name>. Both coordinates are transformed alike: scale * (value + offset).
@@ -74,7 +69,7 @@ struct FunctionDefinition {
   double y_scale = 1.0, y_offset = 0.0;        ///< of the ordinate: scale [1], offset [ordinate]
   std::string abscissa_label, ordinate_label;  ///< for people only
   DiscontinuitySide at_discontinuity = DiscontinuitySide::right;
-  std::optional<FunctionExpression> expression;  ///< of x when there are no variables
+  std::optional<DeckExpression> expression;  ///< of x when there are no variables
   std::vector<ExpressionVariable> variables;
 };
 

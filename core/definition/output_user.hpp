@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "core/definition/entity_set.hpp"
+#include "core/definition/expression.hpp"
 #include "core/definition/output_variable.hpp"
 
 /// Variables that the deck makes. Source: Sierra/SM 5.22, 9.4 and 10.1.
@@ -41,7 +41,7 @@ struct FunctionVariable {
 /// COMPUTE GLOBAL <name> FROM EXPRESSION "<text>".
 struct ComputedExpression {
   DeckName name;
-  std::string text;
+  DeckExpression expression;
 };
 
 /// COMPUTE ELEMENT <name> AS VOLUME WEIGHTED AVERAGE OF ELEMENT <source>: over integration points.

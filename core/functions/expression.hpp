@@ -5,20 +5,12 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/definition/expression.hpp"
 #include "core/functions/expression_functions.hpp"
 
 namespace contactsim {
-
-/// What is wrong in an expression, and where.
-struct ExpressionError {
-  std::size_t offset = 0;  ///< into the expression's text
-  int length = 1;
-  std::string text;
-  std::string hint = {};
-};
 
 /// One step of an expression's postfix program. Values are pushed on a stack and taken from it.
 struct ExpressionStep {
@@ -58,12 +50,11 @@ class Expression {
 /// More values than this are never on the stack, assigned names included.
 constexpr std::size_t max_expression_values = 512;
 
-/// Compiles the text of EVALUATE EXPRESSION: numbers, names in any case, + - * / % ^ < <= > >= == != && || !
-/// ?:, the rows of expression_functions(), PI TWO_PI E TRUE FALSE, and statements `name = value;` before
-/// the last. Truth is 1 or 0, and anything but 0 is true. Throws ExpressionError; also for what Sierra and C
-/// read differently, where only parentheses say what is meant: -2^2, a^b^c, a && b || c, a < b < c.
+/// Compiles an expression: the rows of expression_functions(), PI TWO_PI E TRUE FALSE, the inputs, and names
+/// that it sets itself; names in any case. Truth is 1 or 0, and anything but 0 is true. Throws
+/// ExpressionError, also for the mistake that was found when the text was read.
 ///   inputs  names the expression may read, in lower case; they hide constants of the same name
 /// Source: Sierra decks' EVALUATE EXPRESSION; Trilinos STK expreval (the evaluator behind it).
-Expression compile_expression(std::string_view text, std::span<const std::string> inputs);
+Expression compile_expression(const DeckExpression& expression, std::span<const std::string> inputs);
 
 }  // namespace contactsim

@@ -2,11 +2,21 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 
 namespace contactsim {
+
+/// The kinds of expressions: those of BEGIN FUNCTION and user output, which read numbers in every step, and
+/// Aprepro's, which know strings and are evaluated once.
+enum class ExpressionDialects : std::uint8_t { function, aprepro, all };
+
+/// Whether what belongs to `dialects` is part of one of them.
+constexpr bool has_dialect(ExpressionDialects dialects, ExpressionDialects one) {
+  return dialects == ExpressionDialects::all || dialects == one;
+}
 
 /// A function that expressions may call: one row of the table.
 struct ExpressionFunction {
@@ -18,9 +28,10 @@ struct ExpressionFunction {
   std::size_t max_arguments = 1;
   Body body = nullptr;    ///< null when the function is refused
   std::string_view help;  ///< one line; of a refused function why it is refused
+  ExpressionDialects dialects = ExpressionDialects::function;  ///< all: Aprepro's function is the same
 };
 
-/// All rows, sorted by name.
+/// All rows, sorted by name: every function of BEGIN FUNCTION, and so some of Aprepro's.
 /// Source: Trilinos STK expreval, whose names and definitions Sierra decks use.
 std::span<const ExpressionFunction> expression_functions();
 

@@ -39,7 +39,7 @@ class DeckCursor {
 
 }  // namespace
 
-DeckLocation locate(const FunctionExpression& expression, std::size_t offset) {
+DeckLocation locate(const DeckExpression& expression, std::size_t offset) {
   if (!expression.location.is_known()) return expression.location;
   DeckCursor deck(expression.location);
   if (deck.is_at('"') || deck.is_at('\'')) deck.skip(1);

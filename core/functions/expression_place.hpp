@@ -3,12 +3,12 @@
 
 #include <cstddef>
 
-#include "core/definition/function.hpp"
+#include "core/definition/expression.hpp"
 
 namespace contactsim {
 
 /// Where in the deck the character at `offset` of an expression stands, through quotes and continued lines;
 /// the expression's own place when the deck's text is not the expression's, as after Aprepro.
-DeckLocation locate(const FunctionExpression& expression, std::size_t offset);
+DeckLocation locate(const DeckExpression& expression, std::size_t offset);
 
 }  // namespace contactsim

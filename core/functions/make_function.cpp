@@ -182,9 +182,9 @@ std::optional<Expression> FunctionMaker::compile(std::span<const FunctionInput> 
   std::vector<std::string> names;
   for (const FunctionInput& input : inputs) names.push_back(input.name);
   if (names.empty()) names.emplace_back("x");
-  const FunctionExpression& expression = *definition_.expression;
+  const DeckExpression& expression = *definition_.expression;
   try {
-    return compile_expression(expression.text, names);
+    return compile_expression(expression, names);
   } catch (const ExpressionError& error) {
     diagnostics_.add_error(locate(expression, error.offset),
                            fmt::format("the function '{}': {}", definition_.name.text, error.text),

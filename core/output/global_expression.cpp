@@ -3,19 +3,16 @@
 
 #include <algorithm>
 
-#include "core/functions/expression_tokens.hpp"
-
 namespace contactsim {
 
 namespace {
 
 // The names that an expression reads, in order of first mention.
-std::vector<std::string> names_in(std::string_view expression) {
+std::vector<std::string> names_in(const DeckExpression& expression) {
   std::vector<std::string> names;
-  const std::vector<ExpressionToken> tokens = read_expression_tokens(expression);
-  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].kind != ExpressionTokenKind::name || tokens[i + 1].text == "(") continue;
-    std::string name = fold(tokens[i].text);
+  for (const ExpressionItem& item : expression.items) {
+    if (item.kind != ExpressionItem::Kind::name) continue;
+    std::string name = fold(item.text);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
   return names;
@@ -31,16 +28,16 @@ std::optional<VariableSelection> find_global_number(const OutputVariables& varia
 
 }  // namespace
 
-GlobalExpression::GlobalExpression(std::string_view text, const OutputVariables& variables) {
+GlobalExpression::GlobalExpression(const DeckExpression& expression, const OutputVariables& variables) {
   std::vector<std::string> names;
-  for (std::string& name : names_in(text)) {
+  for (std::string& name : names_in(expression)) {
     // Others are constants, names that the expression sets, or unknown to the compiler too.
     const auto selection = find_global_number(variables, name);
     if (!selection) continue;
     inputs_.push_back(*selection);
     names.push_back(std::move(name));
   }
-  expression_ = compile_expression(text, names);
+  expression_ = compile_expression(expression, names);
 }
 
 double GlobalExpression::evaluate(const OutputContext& context) const {

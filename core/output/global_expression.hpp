@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string_view>
 #include <vector>
 
 #include "core/functions/expression.hpp"
@@ -14,7 +13,7 @@ namespace contactsim {
 class GlobalExpression {
  public:
   /// Throws ExpressionError. The variables must outlive it.
-  GlobalExpression(std::string_view text, const OutputVariables& variables);
+  GlobalExpression(const DeckExpression& expression, const OutputVariables& variables);
 
   double evaluate(const OutputContext& context) const;
 

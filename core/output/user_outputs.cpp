@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/definition/simulation.hpp"
+#include "core/functions/expression_place.hpp"
 #include "core/output/element_geometry.hpp"
 #include "core/output/entity_ranges.hpp"
 #include "core/output/function_inputs.hpp"
@@ -180,14 +181,14 @@ class UserOutputMaker {
     const Storage values = store(computed.name, FieldLocation::global, FieldShape::scalar, {0.0});
     if (values == nullptr) return;
     try {
-      const auto expression = std::make_shared<GlobalExpression>(computed.text, variables_);
+      const auto expression = std::make_shared<GlobalExpression>(computed.expression, variables_);
       compute([expression, values](const OutputContext& context) {
         values->at(EntityRange{})[0] = expression->evaluate(context);
       });
     } catch (const ExpressionError& error) {
-      scope_.diagnostics.add_error(computed.name.location,
+      scope_.diagnostics.add_error(locate(computed.expression, error.offset),
                                    fmt::format("the expression of {}: {}", computed.name.text, error.text),
-                                   error.hint);
+                                   error.hint, error.length);
     }
   }
 

@@ -12,6 +12,7 @@
 #include "core/base/errors.hpp"
 #include "core/base/names.hpp"
 #include "parser/aprepro/run.hpp"
+#include "parser/text/expression_grammar.hpp"
 
 namespace contactsim {
 

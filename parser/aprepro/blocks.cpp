@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "parser/aprepro/expression.hpp"
+#include "parser/aprepro/groups.hpp"
 #include "parser/aprepro/run.hpp"
-#include "parser/aprepro/tokens.hpp"
+#include "parser/text/expression_grammar.hpp"
 
 namespace contactsim {
 
@@ -37,14 +38,15 @@ bool has_live_first_line(std::string_view text) {
 std::vector<TextRange> split_arguments(std::string_view text, TextRange range) {
   std::vector<TextRange> arguments{{range.begin, range.end}};
   int depth = 0;
-  for (const ApreproToken& token :
-       read_aprepro_tokens(text.substr(range.begin, range.end - range.begin), range.begin)) {
-    if (token.text == "(") ++depth;
-    if (token.text == ")") --depth;
-    const bool is_comma = token.kind == ApreproTokenKind::symbol && token.text == "," && depth == 0;
-    if (!is_comma) continue;
-    arguments.back().end = token.offset;
-    arguments.push_back({token.offset + 1, range.end});
+  const std::string_view inside = text.substr(0, range.end);
+  for (std::size_t i = range.begin; i < range.end; ++i) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') i = skip_aprepro_string(inside, i) - 1;
+    if (c == '(') ++depth;
+    if (c == ')') --depth;
+    if (c != ',' || depth != 0) continue;
+    arguments.back().end = i;
+    arguments.push_back({i + 1, range.end});
   }
   return arguments;
 }
@@ -55,7 +57,7 @@ void ApreproRunner::run_include(const ApreproNode& node) {
   std::string path;
   try {
     path = included_path(node.range);
-  } catch (const ApreproError& error) {
+  } catch (const ExpressionError& error) {
     report(Severity::error, "", error);
     return;
   }
@@ -102,7 +104,7 @@ std::string ApreproRunner::included_path(TextRange argument) {
   if (text.find_first_of("\"'") == std::string_view::npos) return std::string(text);
   const ApreproValue value = evaluate(argument);
   if (const std::string* path = std::get_if<std::string>(&value)) return *path;
-  throw ApreproError{argument.begin, 1, "an include takes a file name, found a number"};
+  throw ExpressionError{argument.begin, 1, "an include takes a file name, found a number"};
 }
 
 /// Why the file may not be included, or "".
@@ -143,18 +145,19 @@ void ApreproRunner::run_loop(const ApreproNode& node) {
   try {
     const auto arguments = split_arguments(frame_.source->text(), node.range);
     if (arguments.size() > 4) {
-      throw ApreproError{arguments[4].begin, 1, "a loop takes a count, a name, a first value and a step"};
+      throw ExpressionError{arguments[4].begin, 1, "a loop takes a count, a name, a first value and a step"};
     }
     const double n = loop_count(arguments[0]);
     std::string variable = fmt::format("__loop_{}", loop_depth_ + 1);
     if (arguments.size() > 1) variable = trim(text_of(arguments[1]));
     if (!is_aprepro_name(variable)) {
-      throw ApreproError{arguments[1].begin, 1, fmt::format("'{}' is not a name for a variable", variable)};
+      throw ExpressionError{arguments[1].begin, 1,
+                            fmt::format("'{}' is not a name for a variable", variable)};
     }
     const double first = arguments.size() > 2 ? evaluate_number(arguments[2]) : 0.0;
     const double step = arguments.size() > 3 ? evaluate_number(arguments[3]) : 1.0;
     run_passes(node, n, variable, first, step);
-  } catch (const ApreproError& error) {
+  } catch (const ExpressionError& error) {
     report(Severity::error, "", error);
   }
 }
@@ -182,14 +185,14 @@ void ApreproRunner::run_passes(const ApreproNode& node, double n, const std::str
 
 /// The number of passes, whole and not negative.
 double ApreproRunner::loop_count(TextRange range) {
-  const auto tokens = read_aprepro_tokens(text_of(range), range.begin);
-  const bool is_single = tokens.size() == 2 && (tokens[0].kind == ApreproTokenKind::number ||
-                                                tokens[0].kind == ApreproTokenKind::name);
+  using Kind = ExpressionItem::Kind;
+  const auto items = parse_expression(text_of(range), ExpressionDialects::aprepro, range.begin);
+  const bool is_single = items.size() == 1 && (items[0].kind == Kind::number || items[0].kind == Kind::name);
   const bool is_negative =
-      tokens.size() == 3 && tokens[0].text == "-" && tokens[1].kind == ApreproTokenKind::number;
+      items.size() == 2 && items[0].kind == Kind::number && items[1].kind == Kind::prefix;
   if (!is_single && !is_negative) {
-    throw ApreproError{tokens[0].offset, 1, "the count of a loop is a number or the name of a variable",
-                       "give the expression a name first"};
+    throw ExpressionError{items[0].offset, 1, "the count of a loop is a number or the name of a variable",
+                          "give the expression a name first"};
   }
   return std::max(0.0, std::trunc(evaluate_number(range)));
 }
@@ -197,7 +200,7 @@ double ApreproRunner::loop_count(TextRange range) {
 double ApreproRunner::evaluate_number(TextRange range) {
   const ApreproValue value = evaluate(range);
   if (const double* number = std::get_if<double>(&value)) return *number;
-  throw ApreproError{range.begin, 1, "a loop takes numbers, found a string"};
+  throw ExpressionError{range.begin, 1, "a loop takes numbers, found a string"};
 }
 
 }  // namespace contactsim

@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+
+#include "core/functions/expression_operators.hpp"
 
 namespace contactsim {
 
@@ -12,17 +15,15 @@ namespace {
 using F = ApreproFunction;
 using Arguments = ApreproFunction::Arguments;
 
-double number(const ApreproValue& value) { return std::get<double>(value); }
-
 /// Calls the row's function with arguments that have been checked.
 struct Caller {
   Arguments arguments;
   ApreproState& state;
   ApreproValue operator()(std::monostate) const { return 0.0; }
-  ApreproValue operator()(F::OfOne f) const { return f(number(arguments[0])); }
-  ApreproValue operator()(F::OfTwo f) const { return f(number(arguments[0]), number(arguments[1])); }
-  ApreproValue operator()(F::OfFour f) const {
-    return f(number(arguments[0]), number(arguments[1]), number(arguments[2]), number(arguments[3]));
+  ApreproValue operator()(ExpressionFunction::Body body) const {
+    std::array<double, 4> numbers{};
+    for (std::size_t i = 0; i < arguments.size(); ++i) numbers[i] = std::get<double>(arguments[i]);
+    return body({numbers.data(), arguments.size()});
   }
   ApreproValue operator()(F::General f) const { return f(arguments, state); }
 };
@@ -48,26 +49,25 @@ std::string find_obstacle(const F& function, Arguments arguments) {
 void check_result(const F& function, const ApreproValue& value) {
   const double* found = std::get_if<double>(&value);
   if (found != nullptr && !std::isfinite(*found)) {
-    throw ApreproError{0, 0, fmt::format("'{}' has no finite value here", function.name)};
+    throw ExpressionError{0, 0, fmt::format("'{}' has no finite value here", function.name)};
   }
   if (found == nullptr && std::get<std::string>(value).size() > max_aprepro_string) {
-    throw ApreproError{0, 0, fmt::format("'{}' gives a string of more than 1 MiB", function.name)};
+    throw ExpressionError{0, 0, fmt::format("'{}' gives a string of more than 1 MiB", function.name)};
   }
 }
 
 }  // namespace
 
-ApreproValue call_aprepro_function(const ApreproFunction& function, const ApreproToken& name,
+ApreproValue call_aprepro_function(const ApreproFunction& function, const ExpressionItem& name,
                                    Arguments arguments, ApreproState& state) {
-  const int length = static_cast<int>(name.text.size());
   const std::string obstacle = find_obstacle(function, arguments);
-  if (!obstacle.empty()) throw ApreproError{name.offset, length, obstacle};
+  if (!obstacle.empty()) fail_at(name, obstacle);
   try {
     ApreproValue value = std::visit(Caller{arguments, state}, function.call);
     check_result(function, value);
     return value;
-  } catch (const ApreproError& error) {
-    throw ApreproError{name.offset, length, error.text, error.hint};
+  } catch (const ExpressionError& error) {
+    fail_at(name, error.text, error.hint);
   }
 }
 

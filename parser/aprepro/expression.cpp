@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,187 +11,114 @@
 #include "parser/aprepro/calls.hpp"
 #include "parser/aprepro/control.hpp"
 #include "parser/aprepro/operators.hpp"
-#include "parser/aprepro/tokens.hpp"
+#include "parser/text/expression_grammar.hpp"
 
 namespace contactsim {
 
 namespace {
 
-using Kind = ApreproTokenKind;
-using Token = ApreproToken;
+using Item = ExpressionItem;
+using Kind = ExpressionItem::Kind;
 
-constexpr int max_depth = 200;
-
-std::string shown(const Token& token) {
-  return token.kind == Kind::end ? "the end of the expression" : fmt::format("'{}'", token.text);
-}
-
-/// One expression, evaluated while it is read, by precedence climbing.
+/// The stack on which the items of one expression act.
 class Evaluator {
  public:
-  Evaluator(std::vector<Token> tokens, ApreproState& state) : tokens_(std::move(tokens)), state_(state) {}
-  ApreproValue evaluate();
+  explicit Evaluator(ApreproState& state) : state_(state) {}
+  ApreproValue evaluate(std::span<const Item> items);
 
  private:
-  ApreproValue read(ApreproLevel lowest);
-  ApreproValue read_prefix();
-  ApreproValue read_primary();
-  ApreproValue read_named(const Token& name);
-  ApreproValue read_call(const Token& name);
-  ApreproValue read_ternary(const ApreproValue& condition);
-  ApreproValue read_assignment(const Token& name);
-  ApreproValue read_step(const Token& name, const Token& step, bool gives_new_value);
-  ApreproValue value_of(const Token& name);
-  ApreproValue assign(const Token& name, ApreproValue value);
+  void act(const Item& item);
+  void combine_two(const Item& op);
+  void call(const Item& name);
+  void choose(const Item& question);
+  ApreproValue value_of(const Item& name);
+  ApreproValue assign(const Item& name, ApreproValue value);
+  void charge(std::size_t work, const Item& at);
+  ApreproValue take();
 
-  void charge(std::size_t work, const Token& at);
-
-  const Token& peek() const { return tokens_[next_]; }
-  const Token& take() { return tokens_[peek().kind == Kind::end ? next_ : next_++]; }
-  bool is_next(std::string_view symbol) const { return peek().kind == Kind::symbol && peek().text == symbol; }
-  bool accept(std::string_view symbol);
-  void expect(std::string_view symbol, const Token& opened_at);
-
-  std::vector<Token> tokens_;
   ApreproState& state_;
-  std::size_t next_ = 0;
-  int depth_ = 0;
+  std::vector<ApreproValue> values_;
 };
 
-void Evaluator::charge(std::size_t work, const Token& at) {
-  state_.work += work;
-  if (state_.work > state_.max_work) fail_at(at, "the deck expands without end, or to too much");
+ApreproValue Evaluator::evaluate(std::span<const Item> items) {
+  values_.reserve(items.size());
+  for (const Item& item : items) act(item);
+  return take();
 }
 
-bool Evaluator::accept(std::string_view symbol) {
-  if (!is_next(symbol)) return false;
-  ++next_;
-  return true;
+ApreproValue Evaluator::take() {
+  ApreproValue value = std::move(values_.back());
+  values_.pop_back();
+  return value;
 }
 
-void Evaluator::expect(std::string_view symbol, const Token& opened_at) {
-  if (accept(symbol)) return;
-  fail_at(peek(),
-          fmt::format("expected '{}' for this '{}', found {}", symbol, opened_at.text, shown(peek())));
-}
-
-ApreproValue Evaluator::evaluate() {
-  ApreproValue value = read(ApreproLevel::lowest);
-  if (peek().kind == Kind::end) return value;
-  fail_at(peek(), fmt::format("expected an operator or '}}', found {}", shown(peek())),
-          "one expression per pair of braces");
-}
-
-ApreproValue Evaluator::read(ApreproLevel lowest) {
-  if (++depth_ > max_depth)
-    fail_at(peek(), fmt::format("the expression is nested more than {} deep", max_depth));
-  ApreproValue left = read_prefix();
-  while (peek().kind == Kind::symbol) {
-    const Token& at = peek();
-    const auto level = find_aprepro_level(at.text);
-    if (!level || *level < lowest) break;
-    ++next_;
-    if (*level == ApreproLevel::ternary) {
-      left = read_ternary(left);
-    } else {
-      const auto above = static_cast<ApreproLevel>(static_cast<int>(*level) + 1);
-      const ApreproValue right = read(*level == ApreproLevel::power ? *level : above);
-      left = combine(left, at, right);
-      if (const std::string* text = std::get_if<std::string>(&left)) charge(text->size(), at);
-    }
+void Evaluator::act(const Item& item) {
+  switch (item.kind) {
+    case Kind::number:
+    case Kind::string:
+    case Kind::name:
+      values_.push_back(value_of(item));
+      break;
+    case Kind::call:
+      return call(item);
+    case Kind::prefix:
+      values_.back() = combine(item, values_.back());
+      break;
+    case Kind::binary:
+      return combine_two(item);
+    case Kind::store:
+      values_.back() = assign(item, values_.back());
+      break;
+    case Kind::drop:
+      values_.pop_back();
+      break;
+    case Kind::copy:
+      values_.push_back(ApreproValue(values_.back()));
+      break;
+    case Kind::swap:
+      std::swap(values_.back(), values_[values_.size() - 2]);
+      break;
+    case Kind::choose:
+    case Kind::otherwise:
+      break;  // both sides are evaluated
+    case Kind::chosen:
+      return choose(item);
   }
-  --depth_;
-  return left;
 }
 
-ApreproValue Evaluator::read_ternary(const ApreproValue& condition) {
-  const Token& question = tokens_[next_ - 1];
-  ApreproValue if_true = read(ApreproLevel::lowest);
-  if (!is_next(":")) {
-    fail_at(peek(), fmt::format("expected ':' for this '?', found {}", shown(peek())),
-            "a name may hold ':', so put a blank before it");
-  }
-  ++next_;
-  ApreproValue if_false = read(ApreproLevel::ternary);
+void Evaluator::combine_two(const Item& op) {
+  const ApreproValue right = take();
+  values_.back() = combine(values_.back(), op, right);
+  if (const std::string* text = std::get_if<std::string>(&values_.back())) charge(text->size(), op);
+}
+
+void Evaluator::choose(const Item& question) {
+  ApreproValue if_false = take(), if_true = take();
   if (if_true.index() != if_false.index()) fail_at(question, "'?' chooses between a number and a string");
-  return is_true(condition) ? if_true : if_false;
+  values_.back() = is_true(values_.back()) ? std::move(if_true) : std::move(if_false);
 }
 
-ApreproValue Evaluator::read_prefix() {
-  const Token at = peek();
-  if (at.kind != Kind::symbol) return read_primary();
-  if (accept("-")) return -number_of(read(ApreproLevel::power), at);
-  if (accept("+")) return number_of(read(ApreproLevel::power), at);
-  if (accept("!")) return is_true(read(ApreproLevel::power)) ? 0.0 : 1.0;
-  if (!is_next("++") && !is_next("--")) return read_primary();
-  ++next_;
-  const Token target = take();
-  if (target.kind == Kind::name) return read_step(target, at, true);
-  if (target.kind == Kind::number) return target.number + (at.text == "++" ? 1.0 : -1.0);
-  fail_at(at, fmt::format("'{}' takes a name, found {}", at.text, shown(target)));
-}
-
-ApreproValue Evaluator::read_primary() {
-  const Token at = take();
-  if (at.kind == Kind::number) return at.number;
-  if (at.kind == Kind::string) return std::string(at.text);
-  if (at.kind == Kind::name) return read_named(at);
-  if (at.text == "(") {
-    ApreproValue value = read(ApreproLevel::lowest);
-    expect(")", at);
-    return value;
-  }
-  if (at.text == "[") {
-    const double value = number_of(read(ApreproLevel::lowest), at);
-    expect("]", at);
-    return std::trunc(value);
-  }
-  fail_at(at, fmt::format("expected a value, found {}", shown(at)));
-}
-
-ApreproValue Evaluator::read_named(const Token& name) {
-  if (is_next("(")) return read_call(name);
-  if (is_next("[")) fail_at(name, "arrays are not supported");
-  if (is_next("++") || is_next("--")) return read_step(name, take(), false);
-  constexpr std::array<std::string_view, 7> assignments = {"=", "+=", "-=", "*=", "/=", "^=", "**="};
-  for (const std::string_view symbol : assignments) {
-    if (is_next(symbol)) return read_assignment(name);
-  }
-  return value_of(name);
-}
-
-ApreproValue Evaluator::read_call(const Token& name) {
+void Evaluator::call(const Item& name) {
   const ApreproFunction* function = find_aprepro_function(name.text);
   if (function == nullptr) {
     std::vector<std::string> known = aprepro_control_words();
     for (const ApreproFunction& row : aprepro_functions()) known.emplace_back(row.name);
     fail_at(name, fmt::format("unknown function '{}'", name.text), suggest(name.text, known));
   }
-  const Token& opened_at = take();
-  std::vector<ApreproValue> arguments;
-  if (!is_next(")")) {
-    do {
-      arguments.push_back(read(ApreproLevel::lowest));
-    } while (accept(",") || accept(";"));
-  }
-  expect(")", opened_at);
-  return call_aprepro_function(*function, name, arguments, state_);
+  const auto first = values_.end() - static_cast<std::ptrdiff_t>(name.n_arguments);
+  ApreproValue value = call_aprepro_function(*function, name, {first, values_.end()}, state_);
+  values_.erase(first, values_.end());
+  values_.push_back(std::move(value));
 }
 
-ApreproValue Evaluator::read_assignment(const Token& name) {
-  const Token at = take();
-  ApreproValue value = read(ApreproLevel::lowest);
-  if (at.text == "=") return assign(name, std::move(value));
-  return assign(name, combine(value_of(name), at, value));
+void Evaluator::charge(std::size_t work, const Item& at) {
+  state_.work += work;
+  if (state_.work > state_.max_work) fail_at(at, "the deck expands without end, or to too much");
 }
 
-ApreproValue Evaluator::read_step(const Token& name, const Token& step, bool gives_new_value) {
-  const double old_value = number_of(value_of(name), step);
-  const ApreproValue value = assign(name, step.text == "++" ? old_value + 1.0 : old_value - 1.0);
-  return gives_new_value ? value : ApreproValue(old_value);
-}
-
-ApreproValue Evaluator::value_of(const Token& name) {
+ApreproValue Evaluator::value_of(const Item& name) {
+  if (name.kind == Kind::number) return name.number;
+  if (name.kind == Kind::string) return name.text;
   if (const ApreproValue* value = state_.variables.find(name.text)) {
     if (const std::string* text = std::get_if<std::string>(value)) charge(text->size(), name);
     return *value;
@@ -211,7 +134,7 @@ ApreproValue Evaluator::value_of(const Token& name) {
   return 0.0;
 }
 
-ApreproValue Evaluator::assign(const Token& name, ApreproValue value) {
+ApreproValue Evaluator::assign(const Item& name, ApreproValue value) {
   using Assigned = ApreproVariables::Assigned;
   const auto assigned = state_.variables.assign(name.text, value, state_.makes_immutable);
   if (assigned == Assigned::done) return value;
@@ -229,9 +152,13 @@ ApreproValue Evaluator::assign(const Token& name, ApreproValue value) {
 
 }  // namespace
 
+ApreproValue evaluate_aprepro(std::span<const ExpressionItem> expression, ApreproState& state) {
+  return Evaluator(state).evaluate(expression);
+}
+
 ApreproValue evaluate_aprepro(std::string_view expression, std::size_t base, ApreproState& state) {
   state.work += expression.size();
-  return Evaluator(read_aprepro_tokens(expression, base), state).evaluate();
+  return evaluate_aprepro(parse_expression(expression, ExpressionDialects::aprepro, base), state);
 }
 
 }  // namespace contactsim

@@ -9,7 +9,8 @@
 #include <string_view>
 #include <variant>
 
-#include "parser/aprepro/tokens.hpp"
+#include "core/definition/expression.hpp"
+#include "core/functions/expression_functions.hpp"
 #include "parser/aprepro/values.hpp"
 #include "parser/text_file.hpp"
 
@@ -26,25 +27,23 @@ struct ApreproState {
   FileReader read_file = read_no_file;
   std::size_t work = 0;  ///< characters handled so far, against endless loops
   std::size_t max_work = std::size_t{1} << 28;
-  std::function<void(std::string_view id, const ApreproError&)> warn = {};
+  std::function<void(std::string_view id, const ExpressionError&)> warn = {};
 };
 
 /// A function that expressions may call: one row of the table.
 struct ApreproFunction {
   using Arguments = std::span<const ApreproValue>;
-  using OfOne = double (*)(double);
-  using OfTwo = double (*)(double, double);
-  using OfFour = double (*)(double, double, double, double);
+  using OfNumbers = ExpressionFunction::Body;
   using General = ApreproValue (*)(Arguments, ApreproState&);
 
   std::string_view name;
   std::string_view parameters;  ///< as the user reads them, "x, y"
   std::string_view types;       ///< one letter per argument: n a number, s a string
   std::string_view help;        ///< one line; of a refused function why it is refused
-  std::variant<std::monostate, OfOne, OfTwo, OfFour, General> call;  ///< monostate: known to Aprepro, refused
+  std::variant<std::monostate, OfNumbers, General> call;  ///< monostate: known to Aprepro, refused
 };
 
-/// All rows, sorted by name.
+/// All rows, those shared with expression_functions() among them, sorted by name.
 std::span<const ApreproFunction> aprepro_functions();
 
 /// The row of a name, case mattering; null when there is none.

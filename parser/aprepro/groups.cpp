@@ -63,13 +63,6 @@ std::string_view part(std::string_view text, TextRange range) {
   return text.substr(range.begin, range.end - range.begin);
 }
 
-/// The end of the string that opens at `at`, or the next character when it is broken.
-std::size_t skip_string(std::string_view text, std::size_t at) {
-  const std::size_t end = text.find_first_of(text[at] == '"' ? "\"\n" : "'", at + 1);
-  const bool is_closed = end != std::string_view::npos && text[end] == text[at];
-  return is_closed ? end + 1 : at + 1;
-}
-
 void find_word(std::string_view text, ApreproGroup& group) {
   const TextRange range = trimmed(text, group.inside);
   const std::string_view inside = part(text, range);
@@ -98,6 +91,12 @@ void find_word(std::string_view text, ApreproGroup& group) {
 
 }  // namespace
 
+std::size_t skip_aprepro_string(std::string_view text, std::size_t at) {
+  const std::size_t end = text.find_first_of(text[at] == '"' ? "\"\n" : "'", at + 1);
+  const bool is_closed = end != std::string_view::npos && text[end] == text[at];
+  return is_closed ? end + 1 : at + 1;
+}
+
 ApreproGroup read_aprepro_group(std::string_view text, std::size_t at) {
   ApreproGroup group;
   group.at = at;
@@ -105,7 +104,7 @@ ApreproGroup read_aprepro_group(std::string_view text, std::size_t at) {
   std::size_t i = at + (group.is_silent ? 2 : 1);
   group.inside.begin = i;
   while (i < text.size() && text[i] != '{' && text[i] != '}') {
-    i = text[i] == '"' || text[i] == '\'' ? skip_string(text, i) : i + 1;
+    i = text[i] == '"' || text[i] == '\'' ? skip_aprepro_string(text, i) : i + 1;
   }
   group.inside.end = i;
   const std::string_view closing = group.is_silent ? "}}" : "}";

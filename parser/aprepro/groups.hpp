@@ -44,6 +44,9 @@ struct ApreproGroup {
   bool is_closed = true;
 };
 
+/// The end of the string that opens at `at`, or the next character when it is broken.
+std::size_t skip_aprepro_string(std::string_view text, std::size_t at);
+
 /// Reads the group whose brace stands at `at`. Braces in its strings do not count.
 ApreproGroup read_aprepro_group(std::string_view text, std::size_t at);
 

@@ -8,6 +8,7 @@
 #include "core/base/errors.hpp"
 #include "parser/aprepro/expression.hpp"
 #include "parser/aprepro/operators.hpp"
+#include "parser/text/expression_grammar.hpp"
 
 namespace contactsim {
 
@@ -25,7 +26,7 @@ ApreproRunner::ApreproRunner(const ApreproOptions& options, Diagnostics& diagnos
     : options_(options), diagnostics_(diagnostics) {
   state_.read_file = options.read_file;
   state_.max_work = options.max_work;
-  state_.warn = [this](std::string_view id, const ApreproError& problem) {
+  state_.warn = [this](std::string_view id, const ExpressionError& problem) {
     report(Severity::warning, id, problem);
   };
 }
@@ -104,7 +105,7 @@ void ApreproRunner::run_expression(const ApreproNode& node) {
       const ApreproValue value = evaluate(node.range);
       const double* number = std::get_if<double>(&value);
       printed = number != nullptr ? state_.variables.print(*number) : std::get<std::string>(value);
-    } catch (const ApreproError& error) {
+    } catch (const ExpressionError& error) {
       report(Severity::error, "", error);
     }
   }
@@ -119,7 +120,7 @@ void ApreproRunner::run_branches(const ApreproNode& node) {
   ApreproValue compared = 0.0;
   try {
     if (node.kind == Kind::choice) compared = evaluate(node.range);
-  } catch (const ApreproError& error) {
+  } catch (const ExpressionError& error) {
     report(Severity::error, "", error);
     return;
   }
@@ -139,7 +140,7 @@ bool ApreproRunner::holds(const ApreproBranch& branch, const ApreproValue& compa
     const bool is_undefined_name = is_aprepro_name(condition) && state_.variables.find(condition) == nullptr;
     const bool is_set = !is_undefined_name && is_true(evaluate(branch.condition));
     return is_set == (branch.test == Test::is_defined);
-  } catch (const ApreproError& error) {
+  } catch (const ExpressionError& error) {
     report(Severity::error, "", error);
     return false;
   }
@@ -159,7 +160,7 @@ DeckLocation ApreproRunner::locate(std::size_t offset) const {
   return location;
 }
 
-void ApreproRunner::report(Severity severity, std::string_view id, const ApreproError& problem) {
+void ApreproRunner::report(Severity severity, std::string_view id, const ExpressionError& problem) {
   if (lacks_file_ && id == "aprepro-undefined") return;
   const DeckLocation location = locate(problem.offset);
   const std::string file = location.is_known() ? location.file->name : "";

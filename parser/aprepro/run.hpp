@@ -61,7 +61,7 @@ class ApreproRunner {
   DeckLocation locate(std::size_t offset) const;
   void check_work(std::size_t offset);
   [[noreturn]] void stop(std::size_t offset, std::string text);
-  void report(Severity severity, std::string_view id, const ApreproError& problem);
+  void report(Severity severity, std::string_view id, const ExpressionError& problem);
   void fail(std::size_t offset, std::string text, std::string hint = "", int length = 1) {
     report(Severity::error, "", {offset, length, std::move(text), std::move(hint)});
   }

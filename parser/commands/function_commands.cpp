@@ -53,16 +53,6 @@ void read_value(Arguments& arguments, FunctionDefinition& function) {
   function.values.push_back(std::move(value));
 }
 
-void read_expression(Arguments& arguments, FunctionDefinition& function) {
-  FunctionExpression expression{arguments.location(), ""};
-  if (!arguments.at_end()) {
-    expression.location = arguments.peek().location;
-    expression.text = arguments.peek().kind == WordKind::quoted ? arguments.text() : arguments.rest();
-  }
-  if (expression.text.empty()) arguments.fail_here("expected an expression between double quotes");
-  function.expression = std::move(expression);
-}
-
 void read_variable(Arguments& arguments, FunctionDefinition& function) {
   ExpressionVariable variable;
   variable.name = arguments.name();
@@ -104,8 +94,10 @@ const Table<FunctionDefinition>& function_table() {
           .or_spelled("ordinate offset"),
       row("at discontinuity evaluate to", choice_of<DiscontinuitySide>({"left", "right"}),
           &F::at_discontinuity, "Side whose value a piecewise constant function takes at a jump"),
-      row<F>("evaluate expression", "= \"<expression>\"", read_expression,
-             "The function's value, C-like, of x or of the expression variables", "none")
+      row<F>(
+          "evaluate expression", "= \"<expression>\"",
+          [](Arguments& arguments, F& function) { function.expression = read_expression(arguments); },
+          "The function's value, C-like, of x or of the expression variables", "none")
           .once(),
       row<F>("expression variable", ": <name> = " + braced(source_words()) + " <variable>", read_variable,
              "A variable of the expression and what it reads", "none"),

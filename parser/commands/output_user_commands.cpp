@@ -36,7 +36,7 @@ void read_global(Arguments& arguments, UserOutput& output) {
   if (arguments.accept("from")) {
     arguments.expect("expression");
     arguments.skip_separator();
-    output.variables.emplace_back(ComputedExpression{name, arguments.text()});
+    output.variables.emplace_back(ComputedExpression{name, read_expression(arguments)});
     return;
   }
   arguments.expect("as");

@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
+
+#include "parser/text/expression_grammar.hpp"
 
 namespace contactsim {
 
@@ -41,6 +44,15 @@ const Reader<std::vector<std::int64_t>> integers{"<integer> ...", &Arguments::in
                                                  show_none<std::vector<std::int64_t>>};
 
 }  // namespace read
+
+DeckExpression read_expression(Arguments& arguments) {
+  DeckLocation location = arguments.at_end() ? arguments.location() : arguments.peek().location;
+  std::string text;
+  if (!arguments.at_end())
+    text = arguments.peek().kind == WordKind::quoted ? arguments.text() : arguments.rest();
+  if (text.empty()) arguments.fail_here("expected an expression between double quotes");
+  return read_deck_expression(std::move(location), std::move(text));
+}
 
 std::string syntax_of_choice(const std::vector<std::string>& words) {
   return fmt::format("{{{}}}", fmt::join(words, "|"));

@@ -11,6 +11,8 @@
 /// How the values in commands are read and shown: one reader per kind of value.
 namespace contactsim {
 
+struct DeckExpression;
+
 /// How one kind of value is read from a line and shown as a default.
 template <class V>
 struct Reader {
@@ -30,6 +32,10 @@ extern const Reader<std::vector<DeckName>> names;
 extern const Reader<std::vector<double>> reals;
 extern const Reader<std::vector<std::int64_t>> integers;
 }  // namespace read
+
+/// EVALUATE EXPRESSION and the like: the text between quotes, or the rest of the line. A mistake in it is
+/// kept.
+DeckExpression read_expression(Arguments& arguments);
 
 /// "{on|off}": how the choice of a word is written in a syntax.
 std::string syntax_of_choice(const std::vector<std::string>& words);

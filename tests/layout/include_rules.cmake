@@ -38,7 +38,7 @@ set(allowed_contact_output mesh enforcement)
 
 # package header pattern -> files that may include it
 set(package_boost "boost/")
-set(owners_boost "parser/line_grammar")
+set(owners_boost "parser/(line|text/expression)_grammar")
 set(package_netcdf "netcdf")
 set(owners_netcdf "io/")
 set(package_hdf5 "hdf5|H5")

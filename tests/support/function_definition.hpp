@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/definition/function.hpp"
+#include "parser/text/expression_grammar.hpp"
 
 namespace contactsim {
 
@@ -33,7 +34,7 @@ inline FunctionDefinition analytic_function(const std::string& expression) {
   const auto file = std::make_shared<const SourceFile>(SourceFile{"a.i", "\"" + expression + "\"\n"});
   definition.name = {"f", {file, 100, 1, nullptr}};
   definition.type = FunctionType::analytic;
-  definition.expression = FunctionExpression{{file, 1, 1, nullptr}, expression};
+  definition.expression = read_deck_expression({file, 1, 1, nullptr}, expression);
   return definition;
 }
 

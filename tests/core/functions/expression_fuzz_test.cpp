@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/functions/expression.hpp"
+#include "parser/text/expression_grammar.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -87,7 +88,9 @@ Tree make_tree(int depth, Random& random) {
           [a, b, c](const auto& in) { return a.value(in) != 0.0 ? b.value(in) : c.value(in); }};
 }
 
-const std::vector<std::string> inputs{"x", "y"};
+Expression compile(const std::string& text) {
+  return compile_expression(read_deck_expression({}, text), std::vector<std::string>{"x", "y"});
+}
 
 /// Chains of terms without parentheses: precedence and grouping to the left, by two loops.
 Tree make_sum_of_products(Random& random) {
@@ -117,7 +120,7 @@ TEST_CASE("compiled expressions equal a slow tree bit for bit", "[core][expressi
   int n_finite = 0;
   for (int i = 0; i < 3000; ++i) {
     const Tree tree = make_tree(1 + below(5, random), random);
-    const Expression compiled = compile_expression(tree.text, inputs);
+    const Expression compiled = compile(tree.text);
     for (const std::array<double, 2> at : {std::array{0.0, 1.0}, {-1.5, 0.3}, {7.0, -2.0}}) {
       const double expected = tree.value(at), found = compiled.evaluate(at);
       INFO(tree.text);
@@ -137,7 +140,7 @@ TEST_CASE("chains of operators without parentheses group to the left", "[core][e
   for (int i = 0; i < 2000; ++i) {
     const Tree tree = make_sum_of_products(random);
     INFO(tree.text);
-    CHECK(compile_expression(tree.text, inputs).evaluate(std::array{0.0, 0.0}) == tree.value({}));
+    CHECK(compile(tree.text).evaluate(std::array{0.0, 0.0}) == tree.value({}));
   }
 }
 
@@ -154,7 +157,7 @@ TEST_CASE("random characters either compile or are refused inside the text", "[c
     }
     INFO(text);
     try {
-      compile_expression(text, inputs).evaluate(std::array{1.0, 2.0});
+      compile(text).evaluate(std::array{1.0, 2.0});
       ++n_compiled;
     } catch (const ExpressionError& error) {
       if (error.offset > text.size() || error.length < 1 || error.text.empty()) FAIL("no place or text");

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "parser/text/expression_grammar.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -14,15 +15,19 @@ namespace {
 
 constexpr double lost = std::numeric_limits<double>::quiet_NaN();
 
+Expression compile(const std::string& text, const std::vector<std::string>& inputs) {
+  return compile_expression(read_deck_expression({}, text), inputs);
+}
+
 double value_of(const std::string& text, double x = lost) {
   const std::vector<std::string> inputs{"x"};
-  return compile_expression(text, inputs).evaluate({&x, 1});
+  return compile(text, inputs).evaluate({&x, 1});
 }
 
 /// "offset+length: text; hint" of what is wrong with the expression, "" when it compiles.
 std::string problem_of(const std::string& text, const std::vector<std::string>& inputs = {"x"}) {
   try {
-    compile_expression(text, inputs);
+    compile(text, inputs);
     return "";
   } catch (const ExpressionError& error) {
     return std::to_string(error.offset) + "+" + std::to_string(error.length) + ": " + error.text +
@@ -100,7 +105,7 @@ TEST_CASE("names of expressions may be written in any case", "[core][expression]
   CHECK(value_of("TRUE - false") == 1.0);
   const std::vector<std::string> inputs{"e", "v_x"};
   const std::array<double, 2> values{5.0, 7.0};
-  CHECK(compile_expression("E + v_X", inputs).evaluate(values) == 12.0);
+  CHECK(compile("E + v_X", inputs).evaluate(values) == 12.0);
 }
 
 TEST_CASE("numbers of expressions may be written as in C", "[core][expression]") {
@@ -206,6 +211,6 @@ TEST_CASE("an expression never keeps more values than it may", "[core][expressio
 
 TEST_CASE("an expression that reads no input is constant", "[core][expression]") {
   const std::vector<std::string> inputs{"x"};
-  CHECK(compile_expression("a = 2; a*pi", inputs).is_constant());
-  CHECK_FALSE(compile_expression("a = x; 2", inputs).is_constant());
+  CHECK(compile("a = 2; a*pi", inputs).is_constant());
+  CHECK_FALSE(compile("a = x; 2", inputs).is_constant());
 }

@@ -16,7 +16,7 @@ struct Session {
   std::vector<std::string> warnings;
 
   Session() {
-    state.warn = [this](std::string_view id, const ApreproError& problem) {
+    state.warn = [this](std::string_view id, const ExpressionError& problem) {
       warnings.push_back(std::string(id) + ": " + problem.text);
     };
   }
@@ -27,7 +27,7 @@ struct Session {
       const ApreproValue value = evaluate_aprepro(expression, 0, state);
       const double* number = std::get_if<double>(&value);
       return number != nullptr ? state.variables.print(*number) : '"' + std::get<std::string>(value) + '"';
-    } catch (const ApreproError& error) {
+    } catch (const ExpressionError& error) {
       return std::to_string(error.offset) + ": " + error.text + (error.hint.empty() ? "" : "; " + error.hint);
     }
   }
@@ -189,7 +189,7 @@ TEST_CASE("mistakes in expressions are named at their place", "[parser][aprepro]
       {"1 # 2", "2: unexpected '#' in an expression"},
       {"1 \x01", "2: unexpected character 0x01 in an expression"},
       {"a[1]", "0: arrays are not supported"},
-      {"++(1)", "0: '++' takes a name, found '('"},
+      {"++(1)", "2: expected a name for '++' or '--', found '('"},
       {"csv_array(\"f\")", "0: Aprepro's 'csv_array' is not supported: arrays are not supported"},
       {"execute(\"1\")", "0: Aprepro's 'execute' is not supported: text made by the deck is not run as deck"},
       {"error(\"stop here\")", "0: stop here"},

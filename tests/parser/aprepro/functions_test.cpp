@@ -17,7 +17,7 @@ namespace {
 
 ApreproValue value_of(std::string_view expression) {
   ApreproState state;
-  state.warn = [](std::string_view, const ApreproError& problem) { FAIL(problem.text); };
+  state.warn = [](std::string_view, const ExpressionError& problem) { FAIL(problem.text); };
   state.read_file = [](const std::string& path) -> TextFile {
     if (path == "there") return {"two\nlines\n"};
     return {"", "there is no such file", TextFile::Failure::missing};
@@ -47,11 +47,11 @@ TEST_CASE("every function is documented, sorted, and callable with the arguments
     const bool is_refused = std::holds_alternative<std::monostate>(row.call);
     const bool stops = row.name == "error" || row.name == "atanh" || row.name == "file_to_string";
     ApreproState state;
-    const ApreproToken name{ApreproTokenKind::name, row.name, 0.0, 7};
+    const ExpressionItem name{.kind = ExpressionItem::Kind::call, .offset = 7, .text = std::string(row.name)};
     try {
       call_aprepro_function(row, name, arguments, state);
       CHECK_FALSE((is_refused || stops));
-    } catch (const ApreproError& error) {
+    } catch (const ExpressionError& error) {
       CHECK((is_refused || stops));
       CHECK(error.offset == 7);
     }

@@ -57,7 +57,7 @@ TEST_CASE("the other ways to compute variables are bound, in order", "[parser][o
   CHECK(std::get<FunctionVariable>(output.variables[1]).location == VariableLocation::element);
   CHECK(std::get<FunctionVariable>(output.variables[2]).location == VariableLocation::global);
   CHECK(std::get<FunctionVariable>(output.variables[2]).function.text == "h");
-  CHECK(std::get<ComputedExpression>(output.variables[3]).text == "a + b, 2");
+  CHECK(std::get<ComputedExpression>(output.variables[3]).expression.text == "a + b, 2");
   CHECK(std::get<VolumeAverage>(output.variables[4]).source.name.text == "eqps");
   CHECK(std::get<NodalExtrapolation>(output.variables[5]).source.name.text == "e");
   CHECK(std::get<NodalExtrapolation>(output.variables[5]).name.text == "en");
