@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,26 +31,27 @@ class NodeOwnershipRules {
                 std::span<const std::uint8_t> alive) const;
 
  private:
-  /// A corner of a side in a side set.
-  struct SideCorner {
-    NodeIndex node;
-    ElementIndex element;
-    std::uint64_t key() const { return std::uint64_t{node.value} << 32 | element.value; }
+  /// That a request names a node: always by a node set, by a side while its element lives.
+  struct Naming {
+    std::uint32_t request = 0;
+    std::optional<ElementIndex> element;
   };
-  /// What one request names.
+  /// What one request makes, and whole blocks that it names.
   struct Named {
     std::uint32_t surface = 0;
-    std::vector<std::uint32_t> blocks;     // ascending
-    std::vector<NodeIndex> nodes;          // of node sets, ascending
-    std::vector<SideCorner> side_corners;  // of side sets, ascending
+    std::vector<std::uint32_t> blocks;  // ascending
   };
 
-  bool claims(const Named& request, NodeIndex node, std::span<const ElementIndex> elements,
-              std::span<const std::uint8_t> alive) const;
+  void find_namings(std::span<const SurfaceRequest> requests);
+  std::span<const Naming> namings_of(NodeIndex node) const {
+    return std::span(namings_).subspan(begin_[node.value], begin_[node.value + 1] - begin_[node.value]);
+  }
 
   const Mesh& mesh_;
   ContactDomain domain_;
-  std::vector<Named> requests_;  // those for nodes, in deck order
+  std::vector<Named> requests_;       // those for nodes, in deck order
+  std::vector<std::uint32_t> begin_;  // [n_nodes + 1]; empty without requests
+  std::vector<Naming> namings_;       // by node, then in deck order
 };
 
 }  // namespace contactsim
