@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/table.hpp"
+#include "parser/binding/table.hpp"
 
 namespace contactsim {
 

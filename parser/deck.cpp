@@ -7,10 +7,10 @@
 
 #include "core/base/errors.hpp"
 #include "parser/aprepro/aprepro.hpp"
+#include "parser/aprepro/deck_source.hpp"
 #include "parser/commands/deck_commands.hpp"
-#include "parser/deck_source.hpp"
-#include "parser/name_resolution.hpp"
-#include "parser/syntax.hpp"
+#include "parser/commands/name_resolution.hpp"
+#include "parser/text/syntax.hpp"
 
 namespace contactsim {
 

@@ -11,7 +11,7 @@
 
 #include "parser/aprepro/tokens.hpp"
 #include "parser/aprepro/values.hpp"
-#include "parser/text_file.hpp"
+#include "parser/text/text_file.hpp"
 
 namespace contactsim {
 

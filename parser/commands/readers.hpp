@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/arguments.hpp"
+#include "parser/binding/arguments.hpp"
 
 /// How the values in commands are read and shown: one reader per kind of value.
 namespace contactsim {

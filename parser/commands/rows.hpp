@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "parser/binding/table.hpp"
 #include "parser/commands/readers.hpp"
-#include "parser/table.hpp"
 
 /// The functions that make the rows of commands, in which the tables are written.
 namespace contactsim {

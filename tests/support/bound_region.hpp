@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "parser/commands/region_commands.hpp"
-#include "parser/region_names.hpp"
-#include "parser/syntax.hpp"
+#include "parser/commands/region_names.hpp"
+#include "parser/text/syntax.hpp"
 #include "support/deck_dump.hpp"
 
 namespace contactsim {
