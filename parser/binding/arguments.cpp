@@ -139,6 +139,22 @@ DeckName Arguments::name() {
   return {found.text, found.location};
 }
 
+DeckName Arguments::reference(NameKind kind) {
+  notes_.referred.push_back({kind, name()});
+  return notes_.referred.back().name;
+}
+
+std::vector<DeckName> Arguments::references(NameKind kind) {
+  std::vector<DeckName> list{reference(kind)};
+  while (!at_end()) list.push_back(reference(kind));
+  return list;
+}
+
+DeckName Arguments::definition(NameKind kind) {
+  define(kind, name());
+  return notes_.defined.back().name;
+}
+
 std::string Arguments::text() { return name().text; }
 
 std::string Arguments::rest() {

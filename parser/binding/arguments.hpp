@@ -13,6 +13,7 @@
 
 #include "core/base/diagnostics.hpp"
 #include "core/base/names.hpp"
+#include "parser/binding/deck_names.hpp"
 #include "parser/text/ast.hpp"
 
 namespace contactsim {
@@ -59,6 +60,15 @@ class Arguments {
   std::vector<double> reals();           ///< all remaining words, at least one
   std::vector<std::int64_t> integers();  ///< all remaining words, at least one
 
+  /// A name() that stands for something that is defined elsewhere, or in the mesh.
+  DeckName reference(NameKind kind);
+  std::vector<DeckName> references(NameKind kind);  ///< all remaining words, at least one
+  DeckName definition(NameKind kind);               ///< a name() that this line defines
+  void define(NameKind kind, DeckName name) { notes_.defined.push_back({kind, std::move(name)}); }
+  /// Says that the mesh gives further names of the kind, here and in the block around.
+  void leave_open(NameKind kind) { notes_.left_open.push_back(kind); }
+  const NameNotes& notes() const { return notes_; }
+
   bool is_next(std::string_view keyword) const;  ///< case-blind, '_' as blank is not expanded
   bool accept(std::string_view keyword);         ///< reads the word if it is the keyword
   void expect(std::string_view keyword);
@@ -86,6 +96,7 @@ class Arguments {
   DeckLocation location_;
   std::size_t next_ = 0;
   std::vector<Diagnostic> warnings_;
+  NameNotes notes_;
 };
 
 /// A number in the deck's spelling: 1, 1., .9, -50, +2, 1e-4, 1.0d0.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -11,8 +12,8 @@
 
 namespace contactsim {
 
-/// The names of one kind that a deck defines, and which of them something uses. Names are compared without
-/// case.
+/// The names of one kind that are known in one place of a deck, and what they stand for. Names are compared
+/// without case.
 class KnownNames {
  public:
   /// kind   as messages say it: "function"
@@ -20,24 +21,29 @@ class KnownNames {
   explicit KnownNames(std::string kind, std::string owner = "")
       : kind_(std::move(kind)), owner_(std::move(owner)) {}
 
-  /// Adds a definition. A second one of the same name is an error there. An empty name is passed over.
-  void define(const DeckName& name, Diagnostics& diagnostics);
+  /// Adds a definition. A second one of the same name is an error there, and stands for the name as well. An
+  /// empty name is passed over.
+  ///   definition  the caller's number for it
+  void define(const DeckName& name, std::size_t definition, Diagnostics& diagnostics);
   /// Adds a name that needs no definition. It is not offered as a suggestion.
-  void add_built_in(std::string_view name) { by_name_.try_emplace(fold(name)); }
+  ///   may_be_defined  whether a definition may take its place
+  void add_built_in(std::string_view name, bool may_be_defined = false);
   /// From now on a name that is not known counts as defined elsewhere.
   void allow_unknown() { allows_unknown_ = true; }
 
-  /// Marks the name as used; a name that is not known is an error at the reference, with the nearest known
-  /// one. Returns whether it is known.
-  bool use(const DeckName& reference, Diagnostics& diagnostics);
+  /// The definitions that the name stands for, none of a built-in one. A name that is not known is an error
+  /// at the reference, with the nearest known one.
+  std::vector<std::size_t> look_up(const DeckName& reference, Diagnostics& diagnostics) const;
 
   bool knows(std::string_view name) const { return by_name_.count(fold(name)) > 0; }
-  bool is_used(std::string_view name) const;
+  /// The same without a word about names that are not known.
+  std::vector<std::size_t> find(std::string_view name) const;
 
  private:
   struct Entry {
-    DeckLocation location;
-    bool is_used = false;
+    std::vector<std::size_t> definitions;
+    DeckLocation location;        ///< of the first
+    bool may_be_defined = false;  ///< of a built-in name
   };
 
   std::string name_for_message(const DeckName& name) const;

@@ -4,18 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
+#include "parser/binding/given_rows.hpp"
 #include "parser/text/syntax.hpp"
 
 namespace contactsim {
 
 namespace {
-
-std::size_t find_row(const std::vector<RowText>& rows, RowText::Matches matches) {
-  const auto row =
-      std::find_if(rows.begin(), rows.end(), [&](const RowText& r) { return r.matches == matches; });
-  return static_cast<std::size_t>(row - rows.begin());
-}
 
 /// The words of an item by which it is known: of a command all, of a block its title.
 const std::vector<Word>& words_of(const Item& item) {
@@ -34,19 +30,13 @@ std::optional<MatchedItem> find_row(const Item& item, const TableText& table) {
   return std::nullopt;
 }
 
-std::string shown(const std::vector<Word>& words, std::size_t n) {
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < std::min(n, words.size()); ++i) texts.push_back(words[i].text);
-  return fmt::format("{}", fmt::join(texts, " "));
-}
-
 int underline(const std::vector<Word>& words, std::size_t n) {
-  return static_cast<int>(shown(words, n).size());
+  return static_cast<int>(joined_words(words, n).size());
 }
 
 std::string block_title(const Block& block) {
   return block.title.empty() ? "the deck's top level"
-                             : fmt::format("'{}'", shown(block.title, block.title.size()));
+                             : fmt::format("'{}'", joined_words(block.title, block.title.size()));
 }
 
 void report_unknown(const Item& item, const Block& block, const TableText& table, Binding& binding) {
@@ -63,7 +53,7 @@ void report_unknown(const Item& item, const Block& block, const TableText& table
   }
   const std::size_t n_shown = 4;
   std::string text =
-      fmt::format("unknown {} '{}{}' in {}", is_block ? "block" : "command", shown(words, n_shown),
+      fmt::format("unknown {} '{}{}' in {}", is_block ? "block" : "command", joined_words(words, n_shown),
                   words.size() > n_shown ? " ..." : "", block_title(block));
   const DeckLocation& place = words.empty() ? block.location : words.front().location;
   if (binding.is_lenient) {
@@ -116,81 +106,36 @@ void report(const ArgumentError& error, Binding& binding) {
 bool ends_in_other_spelling(const Block& block, const MatchedItem& matched, const TableText& table) {
   const auto ended = table.blocks.find(block.end);
   if (!ended || ended->row != matched.row) return false;
-  return fold(shown(block.end, ended->n_words)) != fold(shown(block.title, matched.n_words));
+  return fold(joined_words(block.end, ended->n_words)) != fold(joined_words(block.title, matched.n_words));
 }
 
-/// Notices lines that replace an earlier line of the same block.
-class RepeatedLines {
- public:
-  explicit RepeatedLines(const TableText& table) : table_(&table), latest_(table.rows.size(), nullptr) {}
-
-  void check(const Item& item, const MatchedItem& matched, Diagnostics& diagnostics) {
-    const RowText& row = table_->rows[matched.row];
-    if (!row.is_single) return;
-    const auto& words = words_of(item);
-    const Word*& latest = latest_[matched.row];
-    if (latest != nullptr) {
-      diagnostics.add_warning("deck-repeated", words.front().location,
-                              fmt::format("'{}' is given twice in one block, this one counts", row.phrase),
-                              "the other stands at " + to_string(latest->location),
-                              underline(words, matched.n_words));
-    }
-    latest = &words.front();
-  }
-
- private:
-  const TableText* table_;
-  std::vector<const Word*> latest_;  ///< of each row: the latest line of it
-};
+/// Whether a row says what its reader reads names of.
+[[maybe_unused]] bool declares(const RowText& row, const NameNotes& notes) {
+  return std::all_of(notes.referred.begin(), notes.referred.end(), [&](const NamedKind& name) {
+    return std::find(row.references.begin(), row.references.end(), name.kind) != row.references.end();
+  });
+}
 
 }  // namespace
 
-RowPhrases::RowPhrases(const std::vector<RowText>& rows, bool is_for_blocks) {
-  std::vector<std::string> phrases;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].is_block != is_for_blocks || rows[i].matches != RowText::Matches::phrase) continue;
-    phrases.push_back(rows[i].phrase);
-    phrases.insert(phrases.end(), rows[i].spellings.begin(), rows[i].spellings.end());
-    rows_.resize(phrases.size(), i);
-  }
-  index_ = PhraseIndex(phrases);
-}
-
-std::optional<MatchedItem> RowPhrases::find(std::span<const Word> words) const {
-  const auto match = index_.find(words);
-  if (!match) return std::nullopt;
-  return MatchedItem{rows_[match->phrase], match->n_words};
-}
-
-std::string use_key(std::string_view kind, std::string_view name) {
-  return fmt::format("{}/{}", kind, fold(name));
-}
-
-TableText::TableText(std::vector<RowText> row_texts)
-    : rows(std::move(row_texts)),
-      commands(rows, false),
-      blocks(rows, true),
-      numbers_row(find_row(rows, RowText::Matches::numbers)),
-      anything_row(find_row(rows, RowText::Matches::anything)) {}
-
-void bind_held(Binding& binding, const std::string& key, const std::function<void(Binding&)>& bind) {
-  Diagnostics problems;
-  Binding inner{problems, binding.is_lenient, binding.held};
+void bind_block(Binding& binding, const BlockHead& head, const std::function<void(Binding&)>& bind) {
+  if (binding.names == nullptr) return bind(binding);
+  DeckNames& names = *binding.names;
+  names.begin_block(head.phrase, head.kind, head.name);
+  for (const NameKind kind : head.references) names.refer(kind, head.name);
+  Binding inner{names.problems_of_lines(binding.diagnostics), binding.is_lenient, &names};
   try {
     bind(inner);
   } catch (const ArgumentError& error) {
-    problems.add(error.diagnostic);
+    names.drop_block();
+    report(error, inner);
   }
-  if (binding.held == nullptr) {
-    binding.diagnostics.append(problems);
-  } else if (!problems.empty()) {
-    binding.held->push_back({key, std::move(problems)});
-  }
+  names.end_block();
 }
 
 void bind_items(const Block& block, const TableText& table, Binding& binding,
                 const std::function<void(const Item&, const MatchedItem&)>& bind) {
-  RepeatedLines repeated(table);
+  GivenRows given(table);
   for (const Item& item : block.items) {
     const auto matched = find_row(item, table);
     if (!matched) {
@@ -203,13 +148,24 @@ void bind_items(const Block& block, const TableText& table, Binding& binding,
       check_end(*inner, matched->n_words, binding.diagnostics);
     }
     if (!check_support(item, *matched, table.rows[matched->row], binding)) continue;
-    repeated.check(item, *matched, binding.diagnostics);
+    given.add(words_of(item), *matched, binding.diagnostics);
     try {
       bind(item, *matched);
     } catch (const ArgumentError& error) {
       report(error, binding);
     }
   }
+  if (binding.names != nullptr) given.check(*binding.names);
+}
+
+void note_findings(const Arguments& arguments, const RowText& row, Binding& binding) {
+  for (const Diagnostic& warning : arguments.warnings()) binding.diagnostics.add(warning);
+  assert(declares(row, arguments.notes()));
+  if (binding.names != nullptr) binding.names->note(row.phrase, arguments.notes());
+}
+
+BlockHead head_of(const Block& block, const RowText& row, const MatchedItem& matched) {
+  return {row.phrase, row.defines, block_name(block, matched.n_words), row.references};
 }
 
 DeckName block_name(const Block& block, std::size_t n_type_words) {
@@ -230,8 +186,8 @@ std::vector<DeckName> block_names(const Block& block, std::string_view phrase) {
 
 Arguments make_arguments(const Command& command, const MatchedItem& matched) {
   const std::size_t n_named = std::max<std::size_t>(matched.n_words, 1);
-  return Arguments(shown(command.words, n_named), std::span(command.words).subspan(matched.n_words), command,
-                   command.words.front().location);
+  return Arguments(joined_words(command.words, n_named), std::span(command.words).subspan(matched.n_words),
+                   command, command.words.front().location);
 }
 
 }  // namespace contactsim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,30 +10,31 @@
 
 #include "core/base/diagnostics.hpp"
 #include "parser/binding/arguments.hpp"
+#include "parser/binding/deck_names.hpp"
 #include "parser/binding/table_text.hpp"
 #include "parser/text/ast.hpp"
 
 namespace contactsim {
 
-/// The problems of a definition that matter only if something uses it.
-struct HeldDiagnostics {
-  std::string key;  ///< says which definition: see use_key
-  Diagnostics found;
-};
-
 /// What binding a deck needs besides the blocks: where problems go, and how strict to be.
 struct Binding {
   Diagnostics& diagnostics;
   bool is_lenient = false;
-  std::vector<HeldDiagnostics>* held = nullptr;  ///< null: definitions count as used
+  /// Where names and what is missing are noted; null: nowhere, definitions count as used.
+  DeckNames* names = nullptr;
 };
 
-/// The key under which the problems of a definition are held: "material/steel", names case-blind.
-std::string use_key(std::string_view kind, std::string_view name);
+/// What a block is, for DeckNames.
+struct BlockHead {
+  std::string_view phrase;       ///< of its row, which must outlive the DeckNames
+  std::optional<NameKind> kind;  ///< what its name defines
+  DeckName name;
+  std::vector<NameKind> references = {};  ///< what its name stands for
+};
 
-/// Binds with the problems held back under a key when the binding can hold them, else reports them at once.
-/// ArgumentErrors that `bind` throws are collected.
-void bind_held(Binding& binding, const std::string& key, const std::function<void(Binding&)>& bind);
+/// Binds a block, and notes it and what is inside. ArgumentErrors that `bind` throws are collected where
+/// names are noted.
+void bind_block(Binding& binding, const BlockHead& head, const std::function<void(Binding&)>& bind);
 
 /// Goes through the items of a block in deck order, calls `bind` for every item that has a supported row, and
 /// reports the rest: unknown words with the nearest known ones, ignored and refused commands, and a command
@@ -49,6 +51,10 @@ std::vector<DeckName> block_names(const Block& block, std::string_view phrase);
 
 /// Makes the arguments of a matched command.
 Arguments make_arguments(const Command& command, const MatchedItem& matched);
+/// What the reading of a command's arguments found besides its values: warnings and names.
+void note_findings(const Arguments& arguments, const RowText& row, Binding& binding);
+
+BlockHead head_of(const Block& block, const RowText& row, const MatchedItem& matched);
 
 /// One row of a table: a command (or block) and how it is bound into a T.
 template <class T>
@@ -67,13 +73,40 @@ struct Row {
     text.is_single = true;
     return std::move(*this);
   }
+  /// The same row, without which a block is not whole.
+  Row required() && {
+    text.is_required = true;
+    text.default_text = "required";
+    return std::move(*this);
+  }
+  /// The same row as part of a choice.
+  Row one_of(const Choice& choice) && {
+    text.choice = choice;
+    return std::move(*this);
+  }
+  /// The same row, whose names stand for this: what its reader reads by Arguments::reference, or the name of
+  /// its block.
+  Row references(NameKind kind) && {
+    text.references.push_back(kind);
+    return std::move(*this);
+  }
+  /// The same row, whose name is defined here: what its reader reads by Arguments::definition, or the name of
+  /// its block.
+  Row defines(NameKind kind) && {
+    text.defines = kind;
+    return std::move(*this);
+  }
 };
 
 /// The commands and blocks that may stand in one block type, bound into a T.
 template <class T>
 class Table {
  public:
-  Table(std::vector<Row<T>> rows) : text_(texts_of(rows)), rows_(std::move(rows)) {}
+  /// Adds what is wrong with a T that holds all lines of its block, beyond what the rows say.
+  using Check = void (*)(const T&, DeckNames&);
+
+  Table(std::vector<Row<T>> rows, Check check = nullptr)
+      : text_(texts_of(rows)), rows_(std::move(rows)), check_(check) {}
 
   const TableText& text() const { return text_; }
   const std::vector<Row<T>>& rows() const { return rows_; }
@@ -82,14 +115,17 @@ class Table {
     bind_items(block, text_, binding, [&](const Item& item, const MatchedItem& matched) {
       const Row<T>& row = rows_[matched.row];
       if (const Block* inner = std::get_if<Block>(&item.value)) {
-        row.read_block(*inner, block_name(*inner, matched.n_words), target, binding);
+        const BlockHead head = head_of(*inner, row.text, matched);
+        bind_block(binding, head,
+                   [&](Binding& within) { row.read_block(*inner, head.name, target, within); });
       } else {
         Arguments arguments = make_arguments(std::get<Command>(item.value), matched);
         row.read_command(arguments, target);
         arguments.expect_end();
-        for (const Diagnostic& warning : arguments.warnings()) binding.diagnostics.add(warning);
+        note_findings(arguments, row.text, binding);
       }
     });
+    if (check_ != nullptr && binding.names != nullptr) check_(target, *binding.names);
   }
 
  private:
@@ -102,6 +138,7 @@ class Table {
 
   TableText text_;
   std::vector<Row<T>> rows_;
+  Check check_;
 };
 
 }  // namespace contactsim

@@ -6,8 +6,10 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "parser/binding/name_kinds.hpp"
 #include "parser/text/ast.hpp"
 #include "parser/text/phrases.hpp"
 
@@ -29,6 +31,13 @@ struct MatchedItem {
 
 struct TableText;
 
+/// Rows of a block that stand for one another: those with equal texts are one choice.
+struct Choice {
+  std::string lack;    ///< what is said when none is given, "has no direction"; "": none need be
+  std::string excess;  ///< what is said when several are given, "has two values"; "": all may be
+  bool operator==(const Choice&) const = default;
+};
+
 /// What a row says about its command. The parser, the suggestions, `contactsim explain` and the coverage
 /// tests all read this.
 struct RowText {
@@ -48,7 +57,23 @@ struct RowText {
   std::function<const TableText&()> contents = nullptr;  ///< of a block whose commands are known
   bool is_single = false;  ///< a second such line in a block replaces the first, which is worth a warning
   std::vector<std::string> spellings = {};  ///< further phrases by which the deck may call it
+  bool is_required = false;                 ///< a block without such a line lacks it
+  Choice choice = {};                       ///< both texts "": no choice
+  std::vector<NameKind> references = {};    ///< what names in the line, or after BEGIN, stand for
+  std::optional<NameKind> defines = {};     ///< what the name of the line or block is defined to be
+
+  bool is_choice() const { return choice != Choice{}; }
 };
+
+/// A row as a deck would have it, keywords in capitals: "BEGIN FUNCTION <name>", "THICKNESS = <real > 0>".
+std::string deck_form_of(const RowText& row);
+
+/// The dimensions in brackets of a row's help: "length/time", of several "length, force", "" of none.
+std::string dimension_of(const RowText& row);
+
+/// The rows of one choice of a table as their phrases, "COMPONENT, DIRECTION and CYLINDRICAL AXIS".
+///   conjunction  "and" or "or"
+std::string phrases_of_choice(const TableText& table, const Choice& choice, std::string_view conjunction);
 
 /// The phrases of the commands of a block, or of its inner blocks, and the rows that they belong to.
 class RowPhrases {
@@ -70,8 +95,9 @@ struct TableText {
   std::vector<RowText> rows;
   RowPhrases commands;
   RowPhrases blocks;
-  std::size_t numbers_row;   ///< position of the row of Matches::numbers, rows.size() if none
-  std::size_t anything_row;  ///< position of the row of Matches::anything, rows.size() if none
+  std::vector<std::size_t> needed;  ///< positions of the rows that are required or part of a choice
+  std::size_t numbers_row;          ///< position of the row of Matches::numbers, rows.size() if none
+  std::size_t anything_row;         ///< position of the row of Matches::anything, rows.size() if none
 };
 
 }  // namespace contactsim

@@ -40,6 +40,16 @@ const Reader<std::vector<double>> reals{"<real> ...", &Arguments::reals, show_no
 const Reader<std::vector<std::int64_t>> integers{"<integer> ...", &Arguments::integers,
                                                  show_none<std::vector<std::int64_t>>};
 
+Reader<DeckName> name_of(NameKind kind) {
+  return {fmt::format("<{}>", text_of(kind).word),
+          [kind](Arguments& arguments) { return arguments.reference(kind); }, name.show, kind};
+}
+
+Reader<std::vector<DeckName>> names_of(NameKind kind) {
+  return {fmt::format("<{}> ...", text_of(kind).word),
+          [kind](Arguments& arguments) { return arguments.references(kind); }, names.show, kind};
+}
+
 }  // namespace read
 
 std::string syntax_of_choice(const std::vector<std::string>& words) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct Reader {
   std::string syntax;  ///< "<real>"
   std::function<V(Arguments&)> read;
   std::function<std::string(const V&)> show;
+  std::optional<NameKind> references = {};  ///< what the names stand for that it reads
 };
 
 namespace read {
@@ -29,6 +31,9 @@ extern const Reader<Eigen::Vector3d> vector3;
 extern const Reader<std::vector<DeckName>> names;
 extern const Reader<std::vector<double>> reals;
 extern const Reader<std::vector<std::int64_t>> integers;
+/// A name of something that the deck defines, or that the mesh holds; or several, all that remain.
+Reader<DeckName> name_of(NameKind kind);
+Reader<std::vector<DeckName>> names_of(NameKind kind);
 }  // namespace read
 
 /// "{on|off}": how the choice of a word is written in a syntax.

@@ -22,6 +22,20 @@ std::vector<std::string> split_phrase(std::string_view phrase) {
   return words;
 }
 
+std::string joined_words(const std::vector<Word>& words, std::size_t n) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < std::min(n, words.size()); ++i) texts.push_back(words[i].text);
+  return fmt::format("{}", fmt::join(texts, " "));
+}
+
+std::string upper(std::string_view text) {
+  std::string capitals(text);
+  for (char& c : capitals) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return capitals;
+}
+
 std::size_t match_phrase(std::span<const std::string> phrase, std::span<const Word> words) {
   std::size_t matched = 0;
   for (std::size_t n = 0; n < words.size(); ++n) {

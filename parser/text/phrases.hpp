@@ -16,6 +16,12 @@ namespace contactsim {
 /// "set"}.
 std::vector<std::string> split_phrase(std::string_view phrase);
 
+/// The first n words of a line as one text.
+std::string joined_words(const std::vector<Word>& words, std::size_t n);
+
+/// The text in capitals.
+std::string upper(std::string_view text);
+
 /// How many words of a line the phrase takes when the line begins with it, 0 when it does not. Case is
 /// ignored, and an underscore inside a word counts as a blank, so "node_set" begins with the phrase {"node",
 /// "set"}.

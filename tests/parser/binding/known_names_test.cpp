@@ -15,37 +15,42 @@ DeckName name_at(const std::string& text, int line) {
 
 }  // namespace
 
-TEST_CASE("names are found in any case and marked as used", "[parser][names]") {
+TEST_CASE("names are found in any case", "[parser][names]") {
   KnownNames names("function");
   Diagnostics diagnostics;
-  names.define(name_at("Ramp", 1), diagnostics);
-  names.define(name_at("hold", 2), diagnostics);
-  CHECK(names.use(name_at("RAMP", 3), diagnostics));
-  CHECK(names.is_used("ramp"));
-  CHECK_FALSE(names.is_used("hold"));
-  CHECK_FALSE(names.is_used("nothing"));
+  names.define(name_at("Ramp", 1), 7, diagnostics);
+  names.define(name_at("hold", 2), 8, diagnostics);
+  CHECK(names.look_up(name_at("RAMP", 3), diagnostics) == std::vector<std::size_t>{7});
+  CHECK(names.find("hold") == std::vector<std::size_t>{8});
+  CHECK(names.find("nothing").empty());
+  CHECK(names.knows("HOLD"));
   CHECK(diagnostics.empty());
 }
 
 TEST_CASE("an unknown name is told with the nearest known one", "[parser][names]") {
   KnownNames names("function");
   Diagnostics diagnostics;
-  CHECK_FALSE(names.use(name_at("ramp", 1), diagnostics));
-  names.define(name_at("Ramp", 2), diagnostics);
-  CHECK_FALSE(names.use(name_at("rmap", 3), diagnostics));
+  CHECK(names.look_up(name_at("ramp", 1), diagnostics).empty());
+  names.define(name_at("Ramp", 2), 0, diagnostics);
+  CHECK(names.look_up(name_at("rmap", 3), diagnostics).empty());
   CHECK(messages(diagnostics) ==
         "a.i:1:5: error: unknown function 'ramp'; the deck has no function\n"
         "a.i:3:5: error: unknown function 'rmap'; did you mean 'Ramp'?\n");
 }
 
-TEST_CASE("a second definition names the place of the first", "[parser][names]") {
+TEST_CASE("a second definition names the place of the first, and stands for the name too",
+          "[parser][names]") {
   KnownNames names("material");
   Diagnostics diagnostics;
   names.add_built_in("air");
-  names.define(name_at("Steel", 1), diagnostics);
-  names.define(name_at("STEEL", 2), diagnostics);
-  names.define(name_at("AIR", 3), diagnostics);
-  names.define(name_at("", 4), diagnostics);
+  names.add_built_in("water", true);
+  names.define(name_at("Steel", 1), 1, diagnostics);
+  names.define(name_at("STEEL", 2), 2, diagnostics);
+  names.define(name_at("AIR", 3), 3, diagnostics);
+  names.define(name_at("Water", 3), 4, diagnostics);
+  names.define(name_at("", 4), 5, diagnostics);
+  CHECK(names.find("steel") == std::vector<std::size_t>{1, 2});
+  CHECK(names.find("water") == std::vector<std::size_t>{4});
   CHECK(messages(diagnostics) ==
         "a.i:2:5: error: the material 'STEEL' is defined a second time; the first stands at a.i:1:5\n"
         "a.i:3:5: error: the material 'AIR' is defined a second time; the name is built in\n");
@@ -55,6 +60,6 @@ TEST_CASE("names of a fragment may be defined elsewhere", "[parser][names]") {
   KnownNames names("function");
   Diagnostics diagnostics;
   names.allow_unknown();
-  CHECK_FALSE(names.use(name_at("ramp", 1), diagnostics));
+  CHECK(names.look_up(name_at("ramp", 1), diagnostics).empty());
   CHECK(diagnostics.empty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parser/commands/region_names.hpp"
+#include "parser/commands/region_commands.hpp"
 
 #include "support/bound_region.hpp"
 #include "support/catch.hpp"
@@ -13,9 +13,9 @@ TEST_CASE("element death needs elements, a criterion and known materials", "[par
           "begin element death e\n include blocks with material = STEEL\n death on inversion = on\nend\n") ==
       "");
   CHECK(name_messages("begin element death d\nend\n") ==
-        "a.i:1:21: error: the element death picks no elements; give it a BLOCK or ASSEMBLY line, "
-        "or INCLUDE ALL BLOCKS\n"
-        "a.i:1:21: error: the element death has no criterion; give it a CRITERION line\n");
+        "a.i:1:21: error: the element death 'd' picks no elements; give it INCLUDE ALL BLOCKS, NODE SET, "
+        "SURFACE, BLOCK, ASSEMBLY, RIGID BODY, NODE, ELEMENT or INCLUDE BLOCKS WITH MATERIAL\n"
+        "a.i:1:21: error: the element death 'd' has no criterion; give it a CRITERION line\n");
   CHECK(
       name_messages(
           "begin element death d\n include blocks with material = steal\n criterion is always true\nend\n") ==
@@ -31,17 +31,19 @@ TEST_CASE("a spot weld needs nodes, faces and a function that is defined", "[par
                     " failure function = gg\nend\n") ==
       "a.i:4:37: error: unknown function 'ff'; did you mean 'f'?\n"
       "a.i:5:21: error: unknown function 'gg'; did you mean 'g'?\n");
-  CHECK(name_messages("begin spot weld w\nend\n") ==
-        "a.i:1:17: error: the spot weld has no NODE SET\n"
-        "a.i:1:17: error: the spot weld has no SURFACE\n"
-        "a.i:1:17: error: the spot weld has no DISPLACEMENT FUNCTION, normal or tangential\n");
+  CHECK(
+      name_messages("begin spot weld w\nend\n") ==
+      "a.i:1:17: error: the spot weld 'w' has no NODE SET; add NODE SET = <node set> ...\n"
+      "a.i:1:17: error: the spot weld 'w' has no SURFACE; add SURFACE = <side set> ...\n"
+      "a.i:1:17: error: the spot weld 'w' has no DISPLACEMENT FUNCTION, normal or tangential; give it NORMAL "
+      "DISPLACEMENT FUNCTION or TANGENTIAL DISPLACEMENT FUNCTION\n");
 }
 
 TEST_CASE("mass scaling needs a set and a target", "[parser][region]") {
   CHECK(name_messages("begin mass scaling\nend\n") ==
-        "a.i:1:1: error: the mass scaling picks no part of the mesh; give it a BLOCK or NODE SET "
-        "line, or INCLUDE ALL BLOCKS\n"
-        "a.i:1:1: error: the mass scaling has no TARGET TIME STEP\n");
+        "a.i:1:1: error: the mass scaling picks no part of the mesh; give it INCLUDE ALL BLOCKS, NODE SET, "
+        "SURFACE, BLOCK, ASSEMBLY, RIGID BODY, NODE or ELEMENT\n"
+        "a.i:1:1: error: the mass scaling has no TARGET TIME STEP; add TARGET TIME STEP = <real > 0>\n");
 }
 
 TEST_CASE("schedulers of every output and functions of user output are looked up", "[parser][region]") {
@@ -65,8 +67,10 @@ TEST_CASE("user variables and analytic objects have names of their own", "[parse
 }
 
 TEST_CASE("an analytic object needs a normal", "[parser][region]") {
-  CHECK(name_messages("begin analytic object floor\n type = plane\n origin = 0 0 1\nend\n") ==
-        "a.i:1:23: error: the analytic object has no normal; give it a NORMAL DIRECTION line\n");
+  CHECK(
+      name_messages("begin analytic object floor\n type = plane\n origin = 0 0 1\nend\n") ==
+      "a.i:1:23: error: the analytic object 'floor' has no NORMAL DIRECTION; add NORMAL DIRECTION = <x> <y> "
+      "<z>\n");
   // A normal that is written and wrong is said to be so besides.
   CHECK(name_messages("begin analytic object floor\n normal direction = 0 0 0\nend\n").find("a.i:2:") == 0);
 }

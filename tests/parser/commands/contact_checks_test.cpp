@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parser/commands/contact_names.hpp"
+#include "parser/commands/contact_checks.hpp"
 
 #include "support/bound_region.hpp"
 #include "support/catch.hpp"
@@ -55,8 +55,8 @@ TEST_CASE("the surface of a subset must have a name of its own", "[parser][conta
 TEST_CASE("a contact surface block that names nothing is an error", "[parser][contact]") {
   CHECK(
       contact_name_messages("begin contact surface s\nremove block = b\nsubset t with normal 1 0 0\nend\n") ==
-      "a.i:2:23: error: the contact surface 's' names nothing; give it a BLOCK, SURFACE, "
-      "ASSEMBLY or ELEMENT line, or INCLUDE ALL BLOCKS\n");
+      "a.i:2:23: error: the contact surface 's' names nothing; give it INCLUDE ALL BLOCKS, "
+      "BLOCK, ELEMENT, SURFACE or ASSEMBLY\n");
   CHECK(contact_name_messages("begin contact surface s\nelement = 3\nend\n") == "");
   CHECK(contact_name_messages("begin contact surface s\ninclude all blocks\nend\n") == "");
 }
@@ -85,7 +85,7 @@ TEST_CASE("an interaction names surfaces or two sides", "[parser][contact]") {
   CHECK(interaction("side a = s\n") == "a.i:4:1: error: the interaction has SIDE A and lacks SIDE B\n");
   CHECK(interaction("slave = s\n") == "a.i:4:1: error: the interaction has SIDE B and lacks SIDE A\n");
   CHECK(interaction("surfaces = s t\nside a = s\n") ==
-        "a.i:4:1: error: an interaction takes either SURFACES or SIDE A and SIDE B, found both\n");
+        "a.i:4:1: error: the interaction takes either SURFACES or SIDE A and SIDE B, found both\n");
 }
 
 TEST_CASE("a contact node set meets faces only", "[parser][contact]") {
@@ -111,7 +111,8 @@ TEST_CASE("a friction model and a friction coefficient contradict each other", "
   CHECK(contact_name_messages(
             "contact surface s contains b\nbegin interaction\nsurfaces = s\nfriction model = tied\n"
             "friction coefficient = 0.1\nend\n") ==
-        "a.i:5:18: error: an interaction takes either FRICTION MODEL or FRICTION COEFFICIENT, found both\n");
+        "a.i:6:1: error: the interaction has both a friction model and a friction coefficient; keep one "
+        "of FRICTION COEFFICIENT and FRICTION MODEL; the first stands at a.i:5:1\n");
 }
 
 TEST_CASE("the periods of contact and of its interactions must be defined", "[parser][contact]") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "parser/commands/friction_names.hpp"
+#include "parser/commands/friction_commands.hpp"
 
 #include "support/bound_region.hpp"
 #include "support/catch.hpp"
@@ -66,25 +66,35 @@ TEST_CASE("equality looks at the names in a model, without case", "[parser][fric
 
 TEST_CASE("what a used model needs is reported when it is missing", "[parser][friction]") {
   CHECK(use_of("m", "begin spring weld model m\nend\n") ==
-        "a.i:7:25: error: the friction model 'm' has no NORMAL DISPLACEMENT FUNCTION\n"
-        "a.i:7:25: error: the friction model 'm' has no TANGENTIAL DISPLACEMENT FUNCTION\n");
+        "a.i:7:25: error: the friction model 'm' has no NORMAL DISPLACEMENT FUNCTION; add NORMAL "
+        "DISPLACEMENT FUNCTION = <function>\n"
+        "a.i:7:25: error: the friction model 'm' has no TANGENTIAL DISPLACEMENT FUNCTION; add TANGENTIAL "
+        "DISPLACEMENT FUNCTION = <function>\n");
   CHECK(use_of("m", "begin area weld model m\nnormal capacity = 1\nend\n") ==
-        "a.i:7:23: error: the friction model 'm' has no TANGENTIAL CAPACITY\n");
+        "a.i:7:23: error: the friction model 'm' has no TANGENTIAL CAPACITY; add TANGENTIAL CAPACITY = <real "
+        "> 0>\n");
   CHECK(use_of("m", "begin adhesion model m\nend\n") ==
-        "a.i:7:22: error: the friction model 'm' has no ADHESION FUNCTION\n");
+        "a.i:7:22: error: the friction model 'm' has no ADHESION FUNCTION; add ADHESION FUNCTION = "
+        "<function>\n");
   CHECK(use_of("m",
                "begin cohesive zone model m\ntraction displacement function = f\ncritical normal gap = "
-               "1\nend\n") == "a.i:7:27: error: the friction model 'm' has no CRITICAL TANGENTIAL GAP\n");
+               "1\nend\n") ==
+        "a.i:7:27: error: the friction model 'm' has no CRITICAL TANGENTIAL GAP; add CRITICAL TANGENTIAL GAP "
+        "= <real > 0>\n");
   CHECK(use_of("m", "begin junction model m\nnormal traction function = f\nend\n") ==
-        "a.i:7:22: error: the friction model 'm' has no TANGENTIAL TRACTION FUNCTION\n");
+        "a.i:7:22: error: the friction model 'm' has no TANGENTIAL TRACTION FUNCTION; add TANGENTIAL "
+        "TRACTION FUNCTION = <function>\n");
   CHECK(use_of("m",
                "begin threaded model m\nnormal traction function = f\ntangential traction function = g\n"
                "normal capacity = 1\nend\n") ==
-        "a.i:7:22: error: the friction model 'm' has no TANGENTIAL CAPACITY\n");
+        "a.i:7:22: error: the friction model 'm' has no TANGENTIAL CAPACITY; add TANGENTIAL CAPACITY = <real "
+        "> 0>\n");
   CHECK(use_of("m", "begin pv_dependent model m\nend\n") ==
-        "a.i:7:26: error: the friction model 'm' has no REFERENCE PRESSURE\n");
+        "a.i:7:26: error: the friction model 'm' has no REFERENCE PRESSURE; add REFERENCE PRESSURE = <real > "
+        "0>\n");
   CHECK(use_of("m", "begin time variant model m\nend\n") ==
-        "a.i:7:26: error: the friction model 'm' has no MODEL\n");
+        "a.i:7:26: error: the friction model 'm' has no MODEL; add MODEL = <model> DURING PERIODS <period> "
+        "...\n");
 }
 
 TEST_CASE("a model that nothing uses is not looked into", "[parser][friction]") {
