@@ -46,18 +46,4 @@ const std::vector<TreeRow>& command_tree() {
   return tree;
 }
 
-std::string upper(std::string_view text) {
-  std::string capitals(text);
-  for (char& c : capitals) {
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  }
-  return capitals;
-}
-
-std::string deck_form_of(const RowText& row) {
-  const std::string text = (row.is_block ? "BEGIN " : "") + upper(row.phrase);
-  const bool is_glued = text.empty() || row.syntax.empty() || row.syntax.front() == ':';
-  return text + (is_glued ? "" : " ") + row.syntax;
-}
-
 }  // namespace contactsim

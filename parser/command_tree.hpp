@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "parser/table.hpp"
+#include "parser/binding/table.hpp"
 
 namespace contactsim {
 
@@ -19,11 +17,5 @@ struct TreeRow {
 
 /// Every row of a full deck's language, a block before its contents, each table's contents once.
 const std::vector<TreeRow>& command_tree();
-
-/// The text in capitals.
-std::string upper(std::string_view text);
-
-/// A row as a deck would have it, keywords in capitals: "BEGIN FUNCTION <name>", "THICKNESS = <real > 0>".
-std::string deck_form_of(const RowText& row);
 
 }  // namespace contactsim

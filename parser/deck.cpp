@@ -7,10 +7,10 @@
 
 #include "core/base/errors.hpp"
 #include "parser/aprepro/aprepro.hpp"
+#include "parser/aprepro/deck_source.hpp"
 #include "parser/commands/deck_commands.hpp"
-#include "parser/deck_source.hpp"
-#include "parser/name_resolution.hpp"
-#include "parser/syntax.hpp"
+#include "parser/commands/name_resolution.hpp"
+#include "parser/text/syntax.hpp"
 
 namespace contactsim {
 
@@ -54,10 +54,10 @@ SimulationDefinition bind_deck(const DeckSource& source, bool is_lenient, Diagno
   if (!deck) return simulation;
   simulation.form = find_deck_form(*deck);
   if (simulation.form != DeckForm::full) simulation.procedures.emplace_back().regions.emplace_back();
-  std::vector<HeldDiagnostics> held;
-  Binding binding{diagnostics, is_lenient, &held};
+  DeckNames names;
+  Binding binding{diagnostics, is_lenient, &names};
   deck_table(simulation.form).bind(*deck, simulation, binding);
-  resolve_names(simulation, held, diagnostics);
+  resolve_names(simulation, names, diagnostics);
   return simulation;
 }
 

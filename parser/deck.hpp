@@ -8,7 +8,7 @@
 
 #include "core/base/diagnostics.hpp"
 #include "core/definition/simulation.hpp"
-#include "parser/text_file.hpp"
+#include "parser/text/text_file.hpp"
 
 namespace contactsim {
 

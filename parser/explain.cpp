@@ -137,15 +137,34 @@ std::string support_of(const RowText& row) {
   return "";
 }
 
+/// The rows that a row may be given in place of, and whether one of them must be.
+std::string choice_text(const TreeRow& entry) {
+  const RowText& row = *entry.row;
+  const std::string phrases = phrases_of_choice(entry.around.back()->contents(), row.choice, "or");
+  return fmt::format("{} of {}",
+                     row.choice.lack.empty()     ? "at most one"
+                     : row.choice.excess.empty() ? "at least one"
+                                                 : "one",
+                     phrases);
+}
+
 /// What a matching row says; `places` are the blocks in which it stands.
-std::string row_entry(const RowText& row, const std::vector<std::string>& places) {
+std::string row_entry(const TreeRow& entry, const std::vector<std::string>& places) {
+  const RowText& row = *entry.row;
   std::string text = wrapped(deck_form_of(row), 0, 6);
   const auto add = [&](const std::string& label, const std::string& value) {
-    if (!value.empty()) text += fmt::format("  {:<9}{}", label, wrapped(value, 11, 11));
+    if (!value.empty()) text += fmt::format("  {:<11}{}", label, wrapped(value, 13, 13));
   };
   text += "  " + wrapped(help_of(row), 2, 2);
   for (const std::string& spelling : row.spellings) add("also", spelling);
+  for (const NameKind kind : row.references) {
+    const NameKindText& names = text_of(kind);
+    add("names", fmt::format("a {}{}", names.word, names.is_in_mesh ? " of the mesh" : ""));
+  }
+  add("dimension", dimension_of(row));
   if (!row.is_block) add("default", row.default_text);
+  if (row.is_block && row.is_required) add("default", "required");
+  if (row.is_choice()) add("choice", choice_text(entry));
   add("support", support_of(row));
   for (const std::string& place : places) add("in", place);
   return text;
@@ -162,13 +181,14 @@ std::string contents_of(const RowText& row) {
 
 /// Rows of several blocks that say the same are one entry.
 struct Match {
-  const RowText* row;
+  const TreeRow* entry;
   std::vector<std::string> places;
 };
 
 bool says_the_same(const RowText& a, const RowText& b) {
   return a.phrase == b.phrase && a.is_block == b.is_block && a.syntax == b.syntax && a.help == b.help &&
-         a.default_text == b.default_text && a.support == b.support;
+         a.default_text == b.default_text && a.support == b.support && a.is_required == b.is_required &&
+         a.choice == b.choice && a.references == b.references;
 }
 
 std::vector<Match> find_matches(const std::string& query) {
@@ -176,15 +196,15 @@ std::vector<Match> find_matches(const std::string& query) {
   for (const TreeRow& entry : command_tree()) {
     if (entry.row->phrase.empty() || !holds(*entry.row, query)) continue;
     const auto same = std::find_if(matches.begin(), matches.end(),
-                                   [&](const Match& m) { return says_the_same(*m.row, *entry.row); });
+                                   [&](const Match& m) { return says_the_same(*m.entry->row, *entry.row); });
     if (same == matches.end()) {
-      matches.push_back({entry.row, {place_of(entry)}});
+      matches.push_back({&entry, {place_of(entry)}});
     } else {
       same->places.push_back(place_of(entry));
     }
   }
   std::stable_partition(matches.begin(), matches.end(),
-                        [&](const Match& m) { return is_phrase(*m.row, query); });
+                        [&](const Match& m) { return is_phrase(*m.entry->row, query); });
   return matches;
 }
 
@@ -225,8 +245,9 @@ Explanation explain(std::span<const std::string> words) {
   std::string text;
   for (const Match& match : matches) {
     if (!text.empty()) text += '\n';
-    text += row_entry(*match.row, match.places);
-    if (match.row->contents && is_phrase(*match.row, query)) text += contents_of(*match.row);
+    const RowText& row = *match.entry->row;
+    text += row_entry(*match.entry, match.places);
+    if (row.contents && is_phrase(row, query)) text += contents_of(row);
   }
   return {text};
 }

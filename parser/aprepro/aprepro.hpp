@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/diagnostics.hpp"
-#include "parser/source.hpp"
-#include "parser/text_file.hpp"
+#include "parser/text/source.hpp"
+#include "parser/text/text_file.hpp"
 
 namespace contactsim {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/diagnostics.hpp"
-#include "parser/source.hpp"
+#include "parser/text/source.hpp"
 
 namespace contactsim {
 

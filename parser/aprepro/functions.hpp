@@ -12,7 +12,7 @@
 #include "core/definition/expression.hpp"
 #include "core/functions/expression_functions.hpp"
 #include "parser/aprepro/values.hpp"
-#include "parser/text_file.hpp"
+#include "parser/text/text_file.hpp"
 
 namespace contactsim {
 

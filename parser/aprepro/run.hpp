@@ -14,7 +14,7 @@
 #include "parser/aprepro/aprepro.hpp"
 #include "parser/aprepro/control.hpp"
 #include "parser/aprepro/functions.hpp"
-#include "parser/source.hpp"
+#include "parser/text/source.hpp"
 
 namespace contactsim {
 

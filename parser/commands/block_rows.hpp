@@ -86,19 +86,6 @@ Row<T> block(std::string_view phrase, Naming naming, const Table<Part>& (*table)
   return made;
 }
 
-/// The same block row, whose problems count only when the definition is used: an unused definition is not
-/// judged as if it were used.
-///   kind  "material", the first part of the definition's use_key
-template <class T>
-Row<T> held(std::string kind, Row<T> row) {
-  row.read_block = [kind = std::move(kind), read_block = std::move(row.read_block)](
-                       const Block& found, const DeckName& name, T& target, Binding& binding) {
-    bind_held(binding, use_key(kind, name.text),
-              [&](Binding& inner) { read_block(found, name, target, inner); });
-  };
-  return row;
-}
-
 /// A block that is added to a list.
 template <class T, class Part>
 Row<T> block(std::string_view phrase, Naming naming, const Table<Part>& (*table)(),

@@ -12,7 +12,7 @@ namespace {
 const Table<FixedCondition>& fixed_table() {
   using F = FixedCondition;
   static const Table<F> table(joined<F>({
-      lift_all(entity_set_rows(), &F::set),
+      lift_all(entity_set_rows(must_pick_parts), &F::set),
       lift_all(direction_rows(), &F::direction),
       lift_all(period_rows(), &F::periods),
       user_subroutine_rows<F>(),
@@ -46,9 +46,9 @@ template <PrescribedQuantity quantity>
 const Table<PrescribedCondition>& prescribed_table() {
   using P = PrescribedCondition;
   static const Table<P> table(joined<P>({
-      lift_all(entity_set_rows(), &P::set),
+      lift_all(entity_set_rows(must_pick_parts), &P::set),
       lift_all(direction_or_axis_rows(), &P::direction),
-      scaled_function_rows("", &P::function, words_of(quantity).value),
+      scaled_function_rows("", &P::function, words_of(quantity).value, one_value),
       lift_all(mesh_variable_rows(), &P::variable),
       lift_all(period_rows(), &P::periods),
       user_subroutine_rows<P>(),

@@ -9,6 +9,8 @@ namespace contactsim {
 
 namespace {
 
+const Choice one_direction{"has no direction", "has more than one kind of direction"};
+
 /// Letters, in one word or several, with slashes between them if one likes: "X Y", "x/y/z".
 void read_components(Arguments& arguments, DirectionChoice& choice) {
   do {
@@ -42,31 +44,37 @@ std::vector<Row<DirectionChoice>> direction_rows() {
   return {
       row<D>("component", "= {X|Y|Z} ...", read_components, "Acts along these global axes, on each alike",
              "none")
-          .or_spelled("components"),
-      row("direction", read::name, &D::direction, "Acts along a direction of DEFINE DIRECTION"),
+          .or_spelled("components")
+          .one_of(one_direction),
+      row("direction", read::name_of(NameKind::direction), &D::direction,
+          "Acts along a direction of DEFINE DIRECTION")
+          .one_of(one_direction),
   };
 }
 
 std::vector<Row<DirectionChoice>> direction_or_axis_rows() {
   std::vector<Row<DirectionChoice>> rows = direction_rows();
-  rows.push_back(row("cylindrical axis", read::name, &DirectionChoice::cylindrical_axis,
-                     "Turns about an axis of DEFINE AXIS: values are angles in radians [1] for lengths"));
+  rows.push_back(row("cylindrical axis", read::name_of(NameKind::axis), &DirectionChoice::cylindrical_axis,
+                     "Turns about an axis of DEFINE AXIS: values are angles in radians [1] for lengths")
+                     .one_of(one_direction));
   return rows;
 }
 
 std::vector<Row<ActivePeriods>> period_rows() {
   using P = ActivePeriods;
-  return {
-      row("active periods", read::names, &P::active, "Acts in these time stepping blocks only", "all"),
-      row("inactive periods", read::names, &P::inactive, "Acts in all time stepping blocks but these"),
-  };
+  const auto periods = read::names_of(NameKind::time_stepping_block);
+  return one_of<P>(
+      {"", "has both active and inactive periods"},
+      {row("active periods", periods, &P::active, "Acts in these time stepping blocks only", "all"),
+       row("inactive periods", periods, &P::inactive, "Acts in all time stepping blocks but these")});
 }
 
 std::vector<Row<MeshVariable>> mesh_variable_rows() {
   using V = MeshVariable;
   static const auto object = choice_of<V::Object>({"node", "face"});
   return {
-      row("read variable", read::name, &V::variable, "Variable of the mesh file that gives the values"),
+      row("read variable", read::name, &V::variable, "Variable of the mesh file that gives the values")
+          .one_of(one_value),
       row<V>("time", "= {<t>|FIRST|LAST}", read_stored_time, "Stored time [time] that is read",
              "as the run goes"),
       row("object type", object, &V::object, "Where the variable that is read lives", "as the block says"),
@@ -75,10 +83,13 @@ std::vector<Row<MeshVariable>> mesh_variable_rows() {
   };
 }
 
-std::vector<Row<ScaledFunction>> scaled_function_rows(const std::string& prefix, const std::string& meaning) {
+std::vector<Row<ScaledFunction>> scaled_function_rows(const std::string& prefix, const std::string& meaning,
+                                                      const Choice& choice) {
   const std::string start = prefix.empty() ? "" : prefix + " ";
   return {
-      row(start + "function", read::name, &ScaledFunction::function, "Function " + meaning),
+      row(start + "function", read::name_of(NameKind::function), &ScaledFunction::function,
+          "Function " + meaning)
+          .one_of(choice),
       row(start + "scale factor", read::real, &ScaledFunction::scale_factor, "Multiplies the function [1]"),
   };
 }

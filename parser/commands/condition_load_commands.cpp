@@ -13,11 +13,12 @@ template <bool is_moment>
 const Table<NodalLoad>& nodal_load_table() {
   using L = NodalLoad;
   static const Table<L> table(joined<L>({
-      lift_all(entity_set_rows(), &L::set),
+      lift_all(entity_set_rows(must_pick_parts), &L::set),
       lift_all(direction_rows(), &L::direction),
       scaled_function_rows("", &L::function,
                            is_moment ? "of time [time]: the moment on each node [force*length]"
-                                     : "of time [time]: the force on each node [force]"),
+                                     : "of time [time]: the force on each node [force]",
+                           one_value),
       lift_all(mesh_variable_rows(), &L::variable),
       lift_all(period_rows(), &L::periods),
       user_subroutine_rows<L>(),
@@ -40,8 +41,9 @@ const Table<Pressure>& pressure_table() {
   using P = Pressure;
   static const auto masking = choice_of<P::Masking>({"off", "on", "contact"});
   static const Table<P> table(joined<P>({
-      lift_all(entity_set_rows(), &P::set),
-      scaled_function_rows("", &P::function, "of time [time]: the pressure into the face [force/length^2]"),
+      lift_all(entity_set_rows(must_pick_parts), &P::set),
+      scaled_function_rows("", &P::function, "of time [time]: the pressure into the face [force/length^2]",
+                           one_value),
       lift_all(mesh_variable_rows(), &P::variable),
       {
           row("velocity damping coefficient", read::real, &P::velocity_damping_coefficient,
@@ -59,9 +61,9 @@ const Table<Pressure>& pressure_table() {
 const Table<Traction>& traction_table() {
   using T = Traction;
   static const Table<T> table(joined<T>({
-      lift_all(entity_set_rows(), &T::set),
+      lift_all(entity_set_rows(must_pick_parts), &T::set),
       lift_all(direction_rows(), &T::direction),
-      scaled_function_rows("", &T::function, "of time [time]: the traction [force/length^2]"),
+      first_required(scaled_function_rows("", &T::function, "of time [time]: the traction [force/length^2]")),
       lift_all(period_rows(), &T::periods),
       user_subroutine_rows<T>(),
   }));
@@ -75,7 +77,7 @@ const Table<Gravity>& gravity_table() {
       lift_all(direction_rows(), &G::direction),
       lift_all<G, ScaledFunction>(
           {
-              row("function", read::name, &ScaledFunction::function,
+              row("function", read::name_of(NameKind::function), &ScaledFunction::function,
                   "Function of time [time]: a factor of gravity [1]", "SIERRA_CONSTANT_FUNCTION_ONE"),
               row("scale factor", read::real, &ScaledFunction::scale_factor, "Multiplies the function [1]"),
           },

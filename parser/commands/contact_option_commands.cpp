@@ -86,8 +86,10 @@ const Table<SurfaceOptions>& surface_options_table() {
   static const auto shells = choice_of<S::CoincidentShells>({"disallow", "ignore", "simple"});
   static const auto hexes = choice_of<S::CoincidentShellHexes>({"disallow", "ignore", "tapered", "embedded"});
   static const Table<S> table({
-      row("surface", read::names, &S::surfaces, "Contact surfaces that these options are for", "all"),
-      row("remove surface", read::names, &S::removed_surfaces, "Contact surfaces that they are not for"),
+      row("surface", read::names_of(NameKind::contact_surface), &S::surfaces,
+          "Contact surfaces that these options are for", "all"),
+      row("remove surface", read::names_of(NameKind::contact_surface), &S::removed_surfaces,
+          "Contact surfaces that they are not for"),
       row("beam radius", read::positive, &S::beam_radius, "Radius of lofted beams [length]", "the section's"),
       row("edge contact", read::on_off, &S::has_edge_contact,
           "Whether beams, particles and sharp edges meet each other; contactsim's own line", "ON"),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/contact_surface_commands.hpp"
 
-#include "parser/commands/block_rows.hpp"
+#include "parser/commands/row_lists.hpp"
 
 namespace contactsim {
 
@@ -12,7 +12,7 @@ template <class Line>
 void read_contains(Arguments& arguments, ContactDefinition& contact) {
   Line line;
   line.location = arguments.location();
-  line.name = arguments.name();
+  line.name = arguments.definition(NameKind::contact_surface);
   if (arguments.is_next("contacts"))
     arguments.fail_here("unknown word 'contacts'", "did you mean 'contains'?");
   arguments.expect("contains");
@@ -27,10 +27,13 @@ void read_skin_all_blocks(Arguments& arguments, ContactDefinition& contact) {
     arguments.skip_separator();
     skin.excluded = arguments.names();
   }
-  if (is_on) contact.surface_commands.emplace_back(std::move(skin));
+  if (!is_on) return;
+  arguments.leave_open(NameKind::contact_surface);
+  contact.surface_commands.emplace_back(std::move(skin));
 }
 
 void read_contact_all_blocks(Arguments& arguments, ContactDefinition& contact) {
+  arguments.leave_open(NameKind::contact_surface);
   contact.surface_commands.emplace_back(SkinAllBlocks{arguments.location(), {}});
 }
 
@@ -59,6 +62,8 @@ void read_subset(Arguments& arguments, ContactSurfaceBlock& surface) {
   arguments.expect("normal");
   arguments.skip_separator();
   subset.normal = read_direction(arguments);
+  arguments.define(NameKind::contact_surface,
+                   {surface.name.text + "_" + subset.name.text, subset.name.location});
   surface.subsets.push_back(subset);
 }
 
@@ -71,17 +76,25 @@ void read_elements(Arguments& arguments, ContactSurfaceBlock& surface) {
 
 const Table<ContactSurfaceBlock>& contact_surface_table() {
   using S = ContactSurfaceBlock;
-  static const Table<S> table({
-      flag("include all blocks", &S::includes_all_blocks, "Every block of the mesh but those of particles"),
-      row("block", read::names, &S::blocks, "Blocks to skin (solids) or loft (shells, beams)"),
-      row<S>("element", "= <id> ...", read_elements, "Exodus ids of single lofted elements", "none"),
-      row("surface", read::names, &S::side_sets, "Side sets whose faces are taken, interior ones too"),
-      row("assembly", read::names, &S::assemblies, "Assemblies of blocks or of side sets"),
-      row("remove block", read::names, &S::removed_blocks, "Blocks to leave out"),
-      row("remove surface", read::names, &S::removed_side_sets, "Side sets whose faces are left out"),
-      row<S>("subset", "<name> WITH NORMAL <x> <y> <z>", read_subset,
-             "Moves faces within 63.3 degrees of the normal [1] to the surface <surface>_<name>", "none"),
-  });
+  using K = NameKind;
+  static const Table<S> table(joined<S>({
+      one_of<S>({"names nothing", ""}, {flag("include all blocks", &S::includes_all_blocks,
+                                             "Every block of the mesh but those of particles"),
+                                        row("block", read::names_of(K::block), &S::blocks,
+                                            "Blocks to skin (solids) or loft (shells, beams)"),
+                                        row<S>("element", "= <id> ...", read_elements,
+                                               "Exodus ids of single lofted elements", "none"),
+                                        row("surface", read::names_of(K::side_set), &S::side_sets,
+                                            "Side sets whose faces are taken, interior ones too"),
+                                        row("assembly", read::names_of(K::assembly), &S::assemblies,
+                                            "Assemblies of blocks or of side sets")}),
+      {row("remove block", read::names_of(K::block), &S::removed_blocks, "Blocks to leave out"),
+       row("remove surface", read::names_of(K::side_set), &S::removed_side_sets,
+           "Side sets whose faces are left out"),
+       row<S>("subset", "<name> WITH NORMAL <x> <y> <z>", read_subset,
+              "Moves faces within 63.3 degrees of the normal [1] to the surface <surface>_<name>", "none")
+           .defines(K::contact_surface)},
+  }));
   return table;
 }
 
@@ -92,15 +105,18 @@ std::vector<Row<ContactDefinition>> contact_surface_rows() {
   return {
       row<C>("contact surface", "<name> CONTAINS <block, side set, assembly, analytic object> ...",
              read_contains<ContactSurfaceLine>, "Makes a surface of block skins, lofts and side-set faces",
-             "none"),
+             "none")
+          .defines(NameKind::contact_surface),
       row<C>("contact node set", "<name> CONTAINS <node set, side set, block, assembly> ...",
-             read_contains<ContactNodeSetLine>, "Makes a surface of nodes, which meets faces only", "none"),
+             read_contains<ContactNodeSetLine>, "Makes a surface of nodes, which meets faces only", "none")
+          .defines(NameKind::contact_surface),
       block<C, ContactSurfaceBlock>(
           "contact surface", Naming::required, contact_surface_table,
           [](C& contact, ContactSurfaceBlock part) {
             contact.surface_commands.emplace_back(std::move(part));
           },
-          "Makes a surface from adds and removes, split by normals if asked"),
+          "Makes a surface from adds and removes, split by normals if asked")
+          .defines(NameKind::contact_surface),
       row<C>("skin all blocks", "= {ON|OFF} [EXCLUDE <block or assembly> ...]", read_skin_all_blocks,
              "Makes one surface per block, named as the block, at this place in the deck", "OFF"),
       row<C>("contact all blocks", "", read_contact_all_blocks, "Older spelling of SKIN ALL BLOCKS = ON",
@@ -119,7 +135,8 @@ const Table<AnalyticPlane>& analytic_object_table() {
       row<A>(
           "normal direction", "= <x> <y> <z>",
           [](Arguments& arguments, A& plane) { plane.normal = read_direction(arguments); },
-          "Normal of the plane towards its free side [1]", "required"),
+          "Normal of the plane towards its free side [1]", "none")
+          .required(),
       row("origin", read::vector3, &A::origin, "A point of the plane [length]", "0 0 0"),
       row("scale factor", read::positive, &A::scale_factor,
           "Size of the drawn square, in units of three times the mesh's largest length [1]"),

@@ -114,17 +114,26 @@ std::vector<Row<ElementDeath>> other_rows() {
   };
 }
 
+void check(const ElementDeath& death, DeckNames& names) {
+  if (!death.criteria.empty() || death.on_inversion || death.on_ill_defined_contact) return;
+  names.add_problem_of_block("has no criterion", "give it a CRITERION line");
+}
+
 }  // namespace
 
 const Table<ElementDeath>& element_death_table() {
   using D = ElementDeath;
+  static const Choice must_pick_elements{"picks no elements", ""};
   static const Table<D> table(joined<D>({
-      lift_all(entity_set_rows(), &D::set),
-      {row("include blocks with material", read::names, &D::materials, "Adds the blocks of these materials")},
-      criterion_rows(),
-      timing_rows(),
-      other_rows(),
-  }));
+                                  lift_all(entity_set_rows(must_pick_elements), &D::set),
+                                  {row("include blocks with material", read::names_of(NameKind::material),
+                                       &D::materials, "Adds the blocks of these materials")
+                                       .one_of(must_pick_elements)},
+                                  criterion_rows(),
+                                  timing_rows(),
+                                  other_rows(),
+                              }),
+                              check);
   return table;
 }
 

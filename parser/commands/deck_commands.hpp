@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/definition/simulation.hpp"
-#include "parser/ast.hpp"
 #include "parser/commands/rows.hpp"
+#include "parser/text/ast.hpp"
 
 namespace contactsim {
 

@@ -8,7 +8,10 @@
 
 namespace contactsim {
 
-/// The lines by which a block picks mesh parts.
-std::vector<Row<EntitySet>> entity_set_rows();
+/// A block that must pick mesh parts.
+inline const Choice must_pick_parts{"picks no part of the mesh", ""};
+
+/// The lines by which a block picks mesh parts; those that add some are the choice.
+std::vector<Row<EntitySet>> entity_set_rows(const Choice& choice = {});
 
 }  // namespace contactsim

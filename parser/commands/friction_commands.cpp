@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/friction_commands.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "parser/commands/block_rows.hpp"
 #include "parser/commands/condition_line_commands.hpp"
 
 namespace contactsim {
 
 namespace {
+
+/// A second model of one name that says the same as the first does no harm.
+void add_model(ContactDefinition& contact, FrictionModel model, Binding& binding) {
+  const auto first = std::find_if(contact.friction_models.begin(), contact.friction_models.end(),
+                                  [&](const FrictionModel& other) { return other.name == model.name; });
+  if (first != contact.friction_models.end() && first->law == model.law && binding.names != nullptr) {
+    binding.names->drop_block();
+    binding.diagnostics.add_warning(
+        "deck-duplicate", model.name.location,
+        fmt::format("the friction model '{}' is defined twice, with equal content", model.name.text),
+        "the first stands at " + to_string(first->name.location), static_cast<int>(model.name.text.size()));
+  }
+  contact.friction_models.push_back(std::move(model));
+}
 
 /// A block that defines a friction model with the law that its table binds.
 ///   law_of_type  the law before any line of the block is read
@@ -21,9 +39,9 @@ Row<ContactDefinition> friction_block(std::string phrase, const Table<Law>& (*ta
     check_name(found, name, Naming::required);
     Law law = law_of_type;
     table().bind(found, law, binding);
-    contact.friction_models.push_back({name, std::move(law)});
+    add_model(contact, {name, std::move(law)}, binding);
   };
-  return made;
+  return std::move(made).defines(NameKind::friction_model);
 }
 
 /// Of laws without parameters.
@@ -48,7 +66,8 @@ std::vector<Row<T>> failure_rows(WeldFailure T::*failure) {
       {
           row("failure decay cycles", read::positive_integer, &W::decay_cycles,
               "Steps [1] over which the force fades after failure"),
-          row("failed model", read::name, &W::failed_model, "Friction model after failure", "frictionless"),
+          row("failed model", read::name_of(NameKind::friction_model), &W::failed_model,
+              "Friction model after failure", "frictionless"),
       },
       failure);
 }
@@ -62,10 +81,10 @@ Row<T> envelope_exponent_row() {
 const Table<SpringWeld>& spring_weld_table() {
   using W = SpringWeld;
   static const Table<W> table(joined<W>({
-      scaled_function_rows("normal displacement", &W::normal,
-                           "of opening [length]: the normal force [force]"),
-      scaled_function_rows("tangential displacement", &W::tangential,
-                           "of slip [length]: the tangential force [force]"),
+      first_required(scaled_function_rows("normal displacement", &W::normal,
+                                          "of opening [length]: the normal force [force]")),
+      first_required(scaled_function_rows("tangential displacement", &W::tangential,
+                                          "of slip [length]: the tangential force [force]")),
       {envelope_exponent_row<W>()},
       failure_rows(&W::failure),
   }));
@@ -80,9 +99,11 @@ const Table<SurfaceWeld>& surface_weld_table() {
   static const Table<W> table(joined<W>({
       {
           row("normal capacity", read::positive, &W::normal_capacity,
-              "Normal " + dimension + " that breaks the weld"),
+              "Normal " + dimension + " that breaks the weld")
+              .required(),
           row("tangential capacity", read::positive, &W::tangential_capacity,
-              "Tangential " + dimension + " that breaks the weld"),
+              "Tangential " + dimension + " that breaks the weld")
+              .required(),
       },
       failure_rows(&W::failure),
   }));
@@ -96,21 +117,24 @@ SurfaceWeld area_weld() {
 }
 
 const Table<Adhesion>& adhesion_table() {
-  static const Table<Adhesion> table(scaled_function_rows(
-      "adhesion", &Adhesion::adhesion, "of the gap [length]: the traction that holds it [force/length^2]"));
+  static const Table<Adhesion> table(first_required(scaled_function_rows(
+      "adhesion", &Adhesion::adhesion, "of the gap [length]: the traction that holds it [force/length^2]")));
   return table;
 }
 
 const Table<CohesiveZone>& cohesive_zone_table() {
   using Z = CohesiveZone;
   static const Table<Z> table(joined<Z>({
-      scaled_function_rows("traction displacement", &Z::traction,
-                           "of the opening over the critical one [1]: the traction [force/length^2]"),
+      first_required(
+          scaled_function_rows("traction displacement", &Z::traction,
+                               "of the opening over the critical one [1]: the traction [force/length^2]")),
       {
           row("critical normal gap", read::positive, &Z::critical_normal_gap,
-              "Normal opening at failure [length]"),
+              "Normal opening at failure [length]")
+              .required(),
           row("critical tangential gap", read::positive, &Z::critical_tangential_gap,
-              "Tangential opening at failure [length]"),
+              "Tangential opening at failure [length]")
+              .required(),
       },
   }));
   return table;
@@ -119,10 +143,11 @@ const Table<CohesiveZone>& cohesive_zone_table() {
 const Table<Junction>& junction_table() {
   using J = Junction;
   static const Table<J> table(joined<J>({
-      scaled_function_rows("normal traction", &J::normal,
-                           "of the gap [length]: the traction [force/length^2]"),
-      scaled_function_rows("tangential traction", &J::tangential,
-                           "of the slip rate [length/time]: the largest traction [force/length^2]"),
+      first_required(scaled_function_rows("normal traction", &J::normal,
+                                          "of the gap [length]: the traction [force/length^2]")),
+      first_required(
+          scaled_function_rows("tangential traction", &J::tangential,
+                               "of the slip rate [length/time]: the largest traction [force/length^2]")),
       {row("normal cutoff distance for tangential traction", read::non_negative, &J::tangential_cutoff,
            "Gap from which on there is no tangential traction [length]", "where the normal function ends")},
   }));
@@ -132,17 +157,19 @@ const Table<Junction>& junction_table() {
 const Table<Threaded>& threaded_table() {
   using T = Threaded;
   static const Table<T> table(joined<T>({
-      scaled_function_rows("normal traction", &T::normal,
-                           "of the gap [length]: the traction [force/length^2]"),
-      scaled_function_rows("tangential traction", &T::tangential,
-                           "of the slip [length]: the traction [force/length^2]"),
+      first_required(scaled_function_rows("normal traction", &T::normal,
+                                          "of the gap [length]: the traction [force/length^2]")),
+      first_required(scaled_function_rows("tangential traction", &T::tangential,
+                                          "of the slip [length]: the traction [force/length^2]")),
       scaled_function_rows("tangential traction gap", &T::tangential_gap,
                            "of the gap [length]: a factor of the tangential traction [1]"),
       {
           row("normal capacity", read::positive, &T::normal_capacity,
-              "Normal traction at failure [force/length^2]"),
+              "Normal traction at failure [force/length^2]")
+              .required(),
           row("tangential capacity", read::positive, &T::tangential_capacity,
-              "Tangential traction at failure [force/length^2]"),
+              "Tangential traction at failure [force/length^2]")
+              .required(),
           envelope_exponent_row<T>(),
       },
       failure_rows(&T::failure),
@@ -159,7 +186,8 @@ const Table<PressureVelocityFriction>& pressure_velocity_table() {
       row("velocity decay", read::non_negative, &P::velocity_decay,
           "How fast the coefficient falls with the slip rate [time/length]"),
       row("reference pressure", read::positive, &P::reference_pressure,
-          "Pressure that the sum of pressure and offset is measured by [force/length^2]"),
+          "Pressure that the sum of pressure and offset is measured by [force/length^2]")
+          .required(),
       row("offset pressure", read::non_negative, &P::offset_pressure,
           "Added to the pressure [force/length^2]"),
       row("pressure exponent", read::real, &P::pressure_exponent, "Power of the relative pressure [1]"),
@@ -170,26 +198,31 @@ const Table<PressureVelocityFriction>& pressure_velocity_table() {
 const Table<HybridFriction>& hybrid_table() {
   using H = HybridFriction;
   static const Table<H> table({
-      row("initially close", read::name, &H::initially_close,
+      row("initially close", read::name_of(NameKind::friction_model), &H::initially_close,
           "Friction model where the sides touch at the start", "frictionless"),
-      row("initially far", read::name, &H::initially_far, "Friction model everywhere else", "frictionless"),
+      row("initially far", read::name_of(NameKind::friction_model), &H::initially_far,
+          "Friction model everywhere else", "frictionless"),
   });
   return table;
 }
 
 void read_period_model(Arguments& arguments, TimeVariantFriction& friction) {
-  PeriodModel model{arguments.name(), {}};
+  PeriodModel model{arguments.reference(NameKind::friction_model), {}};
   arguments.expect("during");
   if (!arguments.accept("period")) arguments.expect("periods");
   arguments.skip_separator();
-  model.periods = arguments.names();
+  model.periods = arguments.references(NameKind::time_stepping_block);
   friction.models.push_back(std::move(model));
 }
 
 const Table<TimeVariantFriction>& time_variant_table() {
   static const Table<TimeVariantFriction> table({
       row<TimeVariantFriction>("model", "= <model> DURING PERIODS <period> ...", read_period_model,
-                               "Friction model in these time stepping blocks", "frictionless"),
+                               "Friction model in these time stepping blocks, frictionless in all others",
+                               "none")
+          .references(NameKind::friction_model)
+          .references(NameKind::time_stepping_block)
+          .required(),
   });
   return table;
 }

@@ -80,7 +80,9 @@ std::string braced(const T& words) {
 const Table<FunctionDefinition>& function_table() {
   using F = FunctionDefinition;
   static const Table<F> table({
-      row<F>("type", "= " + braced(type_words()), read_type, "How the function is given", "required").once(),
+      row<F>("type", "= " + braced(type_words()), read_type, "How the function is given", "none")
+          .once()
+          .required(),
       block_into("values", Naming::none, values_table, "The points of a function, one a line"),
       row("abscissa", read::rest_of_line, &F::abscissa_label, "What the abscissa is, for people"),
       row("ordinate", read::rest_of_line, &F::ordinate_label, "What the ordinate is, for people"),

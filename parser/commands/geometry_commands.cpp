@@ -15,14 +15,14 @@ void expect_with(Arguments& arguments, std::string_view word) {
 }
 
 void read_point(Arguments& arguments, S& simulation) {
-  PointDefinition point{arguments.name(), {}};
+  PointDefinition point{arguments.definition(NameKind::point), {}};
   expect_with(arguments, "coordinates");
   point.coordinates = arguments.vector();
   simulation.points.push_back(std::move(point));
 }
 
 void read_direction(Arguments& arguments, S& simulation) {
-  DirectionDefinition direction{arguments.name(), {}};
+  DirectionDefinition direction{arguments.definition(NameKind::direction), {}};
   expect_with(arguments, "vector");
   const Word* first = arguments.at_end() ? nullptr : &arguments.peek();
   direction.vector = arguments.vector();
@@ -31,30 +31,30 @@ void read_direction(Arguments& arguments, S& simulation) {
 }
 
 void read_axis(Arguments& arguments, S& simulation) {
-  AxisDefinition axis{arguments.name(), {}, {}, {}};
+  AxisDefinition axis{arguments.definition(NameKind::axis), {}, {}, {}};
   expect_with(arguments, "point");
-  axis.point = arguments.name();
+  axis.point = arguments.reference(NameKind::point);
   if (arguments.accept("point")) {
-    axis.second_point = arguments.name();
+    axis.second_point = arguments.reference(NameKind::point);
   } else {
     arguments.expect("direction");
-    axis.direction = arguments.name();
+    axis.direction = arguments.reference(NameKind::direction);
   }
   simulation.axes.push_back(std::move(axis));
 }
 
 void read_coordinate_system(Arguments& arguments, S& simulation) {
   static const std::vector<std::string> kinds{"rectangular", "cylindrical", "spherical"};
-  CoordinateSystemDefinition system{arguments.name(), {}, {}, {}, {}};
+  CoordinateSystemDefinition system{arguments.definition(NameKind::coordinate_system), {}, {}, {}, {}};
   if (!arguments.is_next("with")) {
     system.kind = static_cast<CoordinateSystemKind>(arguments.choice(kinds));
   }
   expect_with(arguments, "point");
-  system.origin = arguments.name();
+  system.origin = arguments.reference(NameKind::point);
   arguments.expect("point");
-  system.point_on_z = arguments.name();
+  system.point_on_z = arguments.reference(NameKind::point);
   arguments.expect("point");
-  system.point_in_xz = arguments.name();
+  system.point_in_xz = arguments.reference(NameKind::point);
   simulation.coordinate_systems.push_back(std::move(system));
 }
 
@@ -62,14 +62,21 @@ void read_coordinate_system(Arguments& arguments, S& simulation) {
 
 std::vector<Row<SimulationDefinition>> geometry_rows() {
   return {
-      row<S>("define point", "<name> WITH COORDINATES <x> <y> <z>", read_point, "A point [length]", "none"),
+      row<S>("define point", "<name> WITH COORDINATES <x> <y> <z>", read_point, "A point [length]", "none")
+          .defines(NameKind::point),
       row<S>("define direction", "<name> WITH VECTOR <x> <y> <z>", read_direction,
-             "A direction, of any length [1]", "none"),
+             "A direction, of any length [1]", "none")
+          .defines(NameKind::direction),
       row<S>("define axis", "<name> WITH POINT <p> {DIRECTION <d>|POINT <q>}", read_axis,
-             "An axis through a point, along a direction or to a second point", "none"),
+             "An axis through a point, along a direction or to a second point", "none")
+          .defines(NameKind::axis)
+          .references(NameKind::point)
+          .references(NameKind::direction),
       row<S>("define coordinate system",
              "<name> [{RECTANGULAR|CYLINDRICAL|SPHERICAL}] WITH POINT <origin> POINT <on z> POINT <in xz>",
-             read_coordinate_system, "A coordinate system through three points", "none"),
+             read_coordinate_system, "A coordinate system through three points", "none")
+          .defines(NameKind::coordinate_system)
+          .references(NameKind::point),
   };
 }
 

@@ -8,6 +8,8 @@ namespace contactsim {
 
 namespace {
 
+const Choice one_friction{"", "has both a friction model and a friction coefficient"};
+
 void read_penalty_stiffness(Arguments& arguments, PairSettings& pair) {
   pair.penalty_stiffness.emplace();
   if (!arguments.accept("auto")) pair.penalty_stiffness->given = arguments.positive();
@@ -21,7 +23,9 @@ std::vector<Row<PairSettings>> pair_rows() {
       choice_of<InteractionBehavior>({"sliding", "infinitesimal_sliding", "no_interaction"});
   static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty"});
   return {
-      row("friction model", read::name, &P::friction_model, "Friction model of the pair", "frictionless"),
+      row("friction model", read::name_of(NameKind::friction_model), &P::friction_model,
+          "Friction model of the pair", "frictionless")
+          .one_of(one_friction),
       row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
       row("interaction behavior", behavior, &P::behavior,
           "How the pair moves: INFINITESIMAL_SLIDING keeps the partners of the start, but for what element "
@@ -61,8 +65,8 @@ const Table<InteractionDefaults>& interaction_defaults_table() {
       {
           row("general contact", read::on_off, &D::general_contact, "Every surface meets every other"),
           row("self contact", read::on_off, &D::self_contact, "Every surface meets itself"),
-          row("surfaces", read::names, &D::surfaces, "Contact surfaces that general and self contact take",
-              "all")
+          row("surfaces", read::names_of(NameKind::contact_surface), &D::surfaces,
+              "Contact surfaces that general and self contact take", "all")
               .or_spelled("contact surfaces"),
       },
       lift_all(pair_rows(), &D::pair),
@@ -70,27 +74,44 @@ const Table<InteractionDefaults>& interaction_defaults_table() {
   return table;
 }
 
+void check(const Interaction& interaction, DeckNames& names) {
+  const bool has_a = !interaction.side_a.empty(), has_b = !interaction.side_b.empty();
+  if ((has_a || has_b) && !interaction.surfaces.empty()) {
+    names.add_problem_of_block("takes either SURFACES or SIDE A and SIDE B, found both");
+  } else if (has_a != has_b) {
+    names.add_problem_of_block(has_a ? "has SIDE A and lacks SIDE B" : "has SIDE B and lacks SIDE A");
+  } else if (!has_a && interaction.surfaces.empty()) {
+    names.add_problem_of_block("names no contact surfaces", "give it a SURFACES line, or SIDE A and SIDE B");
+  }
+}
+
 const Table<Interaction>& interaction_table() {
   using I = Interaction;
-  static const Table<I> table(joined<I>({
-      {
-          row("surfaces", read::names, &I::surfaces,
-              "Contact surfaces of which every pair meets; one alone or twice meets itself")
-              .or_spelled("contact surfaces"),
-          row("side a", read::names, &I::side_a, "Contact surfaces that give the faces of NODE_FACE")
-              .or_spelled("master"),
-          row("side b", read::names, &I::side_b, "Contact surfaces that give the nodes of NODE_FACE")
-              .or_spelled("slave"),
-          row("friction coefficient", read::non_negative, &I::friction_coefficient,
-              "Coulomb coefficient, in place of a friction model [1]"),
-          ignored<I>("kinematic partition", "= <real>", "Of ACME's enforcement; penalties are balanced"),
-          ignored<I>("tension release", "= <real>", "Of implicit runs only"),
-          ignored<I>("slip penalty", "= <real>", "Of implicit runs only"),
-          ignored<I>("pushback factor", "= <real>", "Penalties push back by their stiffness alone"),
-      },
-      lift_all(pair_rows(), &I::pair),
-      lift_all(period_rows(), &I::periods),
-  }));
+  using K = NameKind;
+  static const Table<I> table(
+      joined<I>({
+          {
+              row("surfaces", read::names_of(K::contact_surface), &I::surfaces,
+                  "Contact surfaces of which every pair meets; one alone or twice meets itself")
+                  .or_spelled("contact surfaces"),
+              row("side a", read::names_of(K::contact_surface), &I::side_a,
+                  "Contact surfaces that give the faces of NODE_FACE")
+                  .or_spelled("master"),
+              row("side b", read::names_of(K::contact_surface), &I::side_b,
+                  "Contact surfaces that give the nodes of NODE_FACE")
+                  .or_spelled("slave"),
+              row("friction coefficient", read::non_negative, &I::friction_coefficient,
+                  "Coulomb coefficient, in place of a friction model [1]")
+                  .one_of(one_friction),
+              ignored<I>("kinematic partition", "= <real>", "Of ACME's enforcement; penalties are balanced"),
+              ignored<I>("tension release", "= <real>", "Of implicit runs only"),
+              ignored<I>("slip penalty", "= <real>", "Of implicit runs only"),
+              ignored<I>("pushback factor", "= <real>", "Penalties push back by their stiffness alone"),
+          },
+          lift_all(pair_rows(), &I::pair),
+          lift_all(period_rows(), &I::periods),
+      }),
+      check);
   return table;
 }
 
@@ -114,7 +135,8 @@ std::vector<Row<ContactDefinition>> interaction_rows() {
                                     add_defaults, "What every pair of surfaces gets")
           .or_spelled("defaults"),
       block<C, Interaction>("interaction", Naming::optional, interaction_table, &C::interactions,
-                            "Pairs of surfaces that are treated their own way"),
+                            "Pairs of surfaces that are treated their own way")
+          .defines(NameKind::interaction),
   };
 }
 

@@ -15,9 +15,6 @@ const Table<MaterialDefinition>& material_table();
 /// others, which are kept as they stand.
 std::vector<Row<MaterialDefinition>> material_model_rows();
 
-/// The key under which the problems of a model are held until a block uses it.
-std::string model_use_key(std::string_view material, std::string_view model);
-
 /// What is wrong with a model that a block uses: elastic constants other than two, a required parameter
 /// missing. An opaque model has nothing to check.
 void check_used_model(const MaterialDefinition& material, const MaterialModel& model,

@@ -128,18 +128,14 @@ Row<MaterialDefinition> model_row(const std::string& model, const Table<Model>& 
       name.text += word.text;
     }
     Model parameters;
-    bind_held(binding, model_use_key(material.name.text, name.text),
-              [&](Binding& inner) { table().bind(found, parameters, inner); });
+    bind_block(binding, {text_of(NameKind::model).word, NameKind::model, name},
+               [&](Binding& inner) { table().bind(found, parameters, inner); });
     material.models.push_back({std::move(name), std::move(parameters)});
   };
   return made;
 }
 
 }  // namespace
-
-std::string model_use_key(std::string_view material, std::string_view model) {
-  return use_key("model", fmt::format("{}/{}", material, model));
-}
 
 std::vector<Row<MaterialDefinition>> material_model_rows() {
   return {

@@ -13,11 +13,13 @@ constexpr const char* block_phrase = "parameters for block";
 const Table<P>& block_parameters_table() {
   static const Table<P> table({
       flag("include all blocks", &P::includes_all_blocks, "For every block that no other such block names"),
-      row("remove block", read::names, &P::removed_blocks, "Blocks that these parameters are not for"),
-      row("material", read::name, &P::material, "Material of the blocks"),
-      row("model", read::name, &P::model, "Which model of the material the blocks take")
+      row("remove block", read::names_of(NameKind::block), &P::removed_blocks,
+          "Blocks that these parameters are not for"),
+      row("material", read::name_of(NameKind::material), &P::material, "Material of the blocks"),
+      row("model", read::name_of(NameKind::model), &P::model, "Which model of the material the blocks take")
           .or_spelled("solid mechanics use model"),
-      row("section", read::name, &P::section, "Section of the blocks", "a solid section"),
+      row("section", read::name_of(NameKind::section), &P::section, "Section of the blocks",
+          "a solid section"),
       row("linear bulk viscosity", read::non_negative, &P::linear_bulk_viscosity,
           "Bulk viscosity linear in the strain rate [1]"),
       row("quadratic bulk viscosity", read::non_negative, &P::quadratic_bulk_viscosity,

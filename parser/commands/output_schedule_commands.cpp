@@ -40,10 +40,8 @@ std::vector<Row<OutputSchedule>> output_schedule_rows() {
       row("termination time", read::real, &S::termination_time, "Nothing is written after this time [time]"),
       row("timestep adjustment interval", read::positive_integer, &S::adjustment_interval,
           "Steps [1] before an output time that are stretched to hit it"),
-      row<S>(
-          "use output scheduler", "<name>",
-          [](Arguments& arguments, S& schedule) { schedule.scheduler = arguments.name(); },
-          "A schedule defined by BEGIN OUTPUT SCHEDULER", "none"),
+      row("use output scheduler", read::name_of(NameKind::output_scheduler), &S::scheduler,
+          "A schedule defined by BEGIN OUTPUT SCHEDULER"),
       ignored<S>("synchronize output", "", "There is one region only, nothing to synchronise with"),
       ignored<S>("output on signal", "= <signal>", "Signals are not listened to"),
       ignored<S>("exists", "= <words>", "Existing files are overwritten or not by OVERWRITE alone"),

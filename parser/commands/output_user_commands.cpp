@@ -27,7 +27,7 @@ void read_reduction(Arguments& arguments, const DeckName& name, UserOutput& outp
 bool read_function(Arguments& arguments, VariableLocation location, const DeckName& name,
                    UserOutput& output) {
   if (!arguments.accept("function")) return false;
-  output.variables.emplace_back(FunctionVariable{location, name, arguments.name()});
+  output.variables.emplace_back(FunctionVariable{location, name, arguments.reference(NameKind::function)});
   return true;
 }
 
@@ -85,11 +85,14 @@ const Table<UserOutput>& user_output_table() {
               "compute global",
               "<name> AS {{SUM|MAX|MIN|AVERAGE|MAX ABSOLUTE VALUE|L2NORM|VARIANCE} OF {NODAL|ELEMENT|FACE} "
               "<variable>|FUNCTION <function>}, or <name> FROM EXPRESSION \"...\"",
-              read_global, "A value of the set, in its source's dimension", "none"),
-          row<U>("compute nodal", "<name> AS FUNCTION <function>", read_nodal, "A value at nodes", "none"),
+              read_global, "A value of the set, in its source's dimension", "none")
+              .references(NameKind::function),
+          row<U>("compute nodal", "<name> AS FUNCTION <function>", read_nodal, "A value at nodes", "none")
+              .references(NameKind::function),
           row<U>("compute element",
                  "<name> AS {FUNCTION <function>|VOLUME WEIGHTED AVERAGE OF ELEMENT <variable>}",
-                 read_element, "A value in elements", "none"),
+                 read_element, "A value in elements", "none")
+              .references(NameKind::function),
           row<U>("extrapolate element variable", "<variable> TO NODAL VARIABLE <name>", read_extrapolation,
                  "Carries element values to nodes", "none"),
       },
@@ -134,7 +137,7 @@ const Table<UserVariable>& user_variable_table() {
           "Values at the start, in the variable's dimension", "0"),
       row("global operator", global_operator, &U::global_operator,
           "How values of several processors become one"),
-      row("block", read::names, &U::blocks, "Blocks that have the variable", "all"),
+      row("block", read::names_of(NameKind::block), &U::blocks, "Blocks that have the variable", "all"),
       flag("use with restart", &U::is_in_restart, "Writes the variable to restart files"),
   });
   return table;
@@ -148,7 +151,8 @@ std::vector<Row<Region>> user_output_rows() {
       block<R, UserOutput>("user output", Naming::optional, user_output_table, &R::user_outputs,
                            "Variables computed from others"),
       block<R, UserVariable>("user variable", Naming::required, user_variable_table, &R::user_variables,
-                             "A variable that functions and user output fill"),
+                             "A variable that functions and user output fill")
+          .defines(NameKind::user_variable),
   };
 }
 

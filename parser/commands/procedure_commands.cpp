@@ -18,7 +18,7 @@ const Table<ProceduralTransfer>& transfer_table() {
   using T = ProceduralTransfer;
   static const Table<T> table({
       flag("include all blocks", &T::includes_all_blocks, "Takes over the state of every block"),
-      row("block", read::names, &T::blocks, "Blocks whose state is taken over"),
+      row("block", read::names_of(NameKind::block), &T::blocks, "Blocks whose state is taken over"),
   });
   return table;
 }
@@ -44,8 +44,10 @@ void add_region(P& procedure, Region region, Solution solution) {
 
 Row<P> region_row(std::string_view phrase, Solution solution, std::string_view help) {
   return block<P, Region>(
-      phrase, Naming::required, region_table,
-      [solution](P& procedure, Region region) { add_region(procedure, std::move(region), solution); }, help);
+             phrase, Naming::required, region_table,
+             [solution](P& procedure, Region region) { add_region(procedure, std::move(region), solution); },
+             help)
+      .defines(NameKind::region);
 }
 
 const Table<P>& procedure_table() {
@@ -89,11 +91,12 @@ void add_procedure(Procedures& procedures, P procedure, Solution solution) {
 
 Row<Procedures> procedure_row(std::string_view phrase, Solution solution, std::string_view help) {
   return block<Procedures, P>(
-      phrase, Naming::optional, procedure_table,
-      [solution](Procedures& procedures, P procedure) {
-        add_procedure(procedures, std::move(procedure), solution);
-      },
-      help);
+             phrase, Naming::optional, procedure_table,
+             [solution](Procedures& procedures, P procedure) {
+               add_procedure(procedures, std::move(procedure), solution);
+             },
+             help)
+      .defines(NameKind::procedure);
 }
 
 }  // namespace

@@ -43,6 +43,16 @@ const Reader<std::vector<double>> reals{"<real> ...", &Arguments::reals, show_no
 const Reader<std::vector<std::int64_t>> integers{"<integer> ...", &Arguments::integers,
                                                  show_none<std::vector<std::int64_t>>};
 
+Reader<DeckName> name_of(NameKind kind) {
+  return {fmt::format("<{}>", text_of(kind).word),
+          [kind](Arguments& arguments) { return arguments.reference(kind); }, name.show, kind};
+}
+
+Reader<std::vector<DeckName>> names_of(NameKind kind) {
+  return {fmt::format("<{}> ...", text_of(kind).word),
+          [kind](Arguments& arguments) { return arguments.references(kind); }, names.show, kind};
+}
+
 }  // namespace read
 
 DeckExpression read_expression(Arguments& arguments) {

@@ -3,10 +3,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "parser/arguments.hpp"
+#include "parser/binding/arguments.hpp"
 
 /// How the values in commands are read and shown: one reader per kind of value.
 namespace contactsim {
@@ -19,6 +20,7 @@ struct Reader {
   std::string syntax;  ///< "<real>"
   std::function<V(Arguments&)> read;
   std::function<std::string(const V&)> show;
+  std::optional<NameKind> references = {};  ///< what the names stand for that it reads
 };
 
 namespace read {
@@ -31,6 +33,9 @@ extern const Reader<Eigen::Vector3d> vector3;
 extern const Reader<std::vector<DeckName>> names;
 extern const Reader<std::vector<double>> reals;
 extern const Reader<std::vector<std::int64_t>> integers;
+/// A name of something that the deck defines, or that the mesh holds; or several, all that remain.
+Reader<DeckName> name_of(NameKind kind);
+Reader<std::vector<DeckName>> names_of(NameKind kind);
 }  // namespace read
 
 /// EVALUATE EXPRESSION and the like: the text between quotes, or the rest of the line. A mistake in it is

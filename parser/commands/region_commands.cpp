@@ -16,7 +16,7 @@ namespace contactsim {
 namespace {
 
 void read_finite_element_model(Arguments& arguments, Region& region) {
-  region.finite_element_model = arguments.name();
+  region.finite_element_model = arguments.reference(NameKind::finite_element_model);
   if (arguments.at_end()) return;
   const Word& word = arguments.peek();
   arguments.expect("model");
@@ -42,7 +42,8 @@ std::vector<Row<Region>> head_rows() {
   const std::string planes = "Write BEGIN ANALYTIC OBJECT, TYPE = PLANE";
   return {
       row<R>("use finite element model", "<name>", read_finite_element_model,
-             "The finite element model that the region works on", "required")
+             "The finite element model that the region works on", "the only one, with a warning")
+          .references(NameKind::finite_element_model)
           .once(),
       ignored<R>("logfile precision", "= <n>", "The log has its own precision"),
       ignored<R>("global energy reporting", "= {EXACT|APPROXIMATE|OFF}", "Energies are always exact"),
@@ -51,9 +52,11 @@ std::vector<Row<Region>> head_rows() {
                  "Rigid body variables are written when they are asked for"),
       ignored<R>("level 1 predictor", "= <words>", "Of implicit runs only"),
       block<R, ContactDefinition>("contact definition", Naming::optional, contact_definition_table,
-                                  add_contact, "Contact surfaces and how they meet"),
+                                  add_contact, "Contact surfaces and how they meet")
+          .defines(NameKind::contact_definition),
       block<R, AnalyticPlane>("analytic object", Naming::required, analytic_object_table, &R::analytic_planes,
-                              "A plane that contact surfaces may contain"),
+                              "A plane that contact surfaces may contain")
+          .defines(NameKind::analytic_object),
       refused_block<R>("analytic plane", planes),
       refused_block<R>("analytic cylinder", "Only planes are known: " + planes),
       refused_block<R>("analytic sphere", "Only planes are known: " + planes),

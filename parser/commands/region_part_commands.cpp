@@ -23,24 +23,30 @@ const Table<MassProperties>& mass_properties_table() {
 }
 
 const Table<SpotWeld>& spot_weld_table() {
+  static const Choice one_force{"has no DISPLACEMENT FUNCTION, normal or tangential", ""};
   using W = SpotWeld;
   static const Table<W> table(joined<W>({
       {
-          row("node set", read::names, &W::node_sets, "Node sets of the welded nodes").or_spelled("nodeset"),
-          row("surface", read::names, &W::side_sets, "Side sets that the nodes are welded to")
+          row("node set", read::names_of(NameKind::node_set), &W::node_sets, "Node sets of the welded nodes")
+              .or_spelled("nodeset")
+              .required(),
+          row("surface", read::names_of(NameKind::side_set), &W::side_sets,
+              "Side sets that the nodes are welded to")
               .or_spelled("side set")
-              .or_spelled("sideset"),
+              .or_spelled("sideset")
+              .required(),
       },
-      scaled_function_rows("normal displacement", &W::normal,
-                           "of opening [length]: the normal force [force]"),
+      scaled_function_rows("normal displacement", &W::normal, "of opening [length]: the normal force [force]",
+                           one_force),
       scaled_function_rows("tangential displacement", &W::tangential,
-                           "of slip [length]: the tangential force [force]"),
+                           "of slip [length]: the tangential force [force]", one_force),
       {
           row("failure envelope exponent", read::positive, &W::envelope_exponent,
               "Exponent p of the failure envelope (normal part)^p + (tangential part)^p = 1 [1]"),
           row("failure decay cycles", read::positive_integer, &W::decay_cycles,
               "Steps [1] over which the force fades after failure"),
-          row("failure function", read::name, &W::failure_function, "Failure envelope as a function [1]"),
+          row("failure function", read::name_of(NameKind::function), &W::failure_function,
+              "Failure envelope as a function [1]"),
           row("ignore initial offsets", read::on_off, &W::ignores_initial_offsets,
               "Takes the gap at the start as no displacement"),
       },
@@ -51,10 +57,10 @@ const Table<SpotWeld>& spot_weld_table() {
 const Table<MassScaling>& mass_scaling_table() {
   using M = MassScaling;
   static const Table<M> table(joined<M>({
-      lift_all(entity_set_rows(), &M::set),
+      lift_all(entity_set_rows(must_pick_parts), &M::set),
       {
-          row("target time step", read::positive, &M::target_time_step, "Critical step that is wanted [time]",
-              "required"),
+          row("target time step", read::positive, &M::target_time_step, "Critical step that is wanted [time]")
+              .required(),
           row("allowable mass increase ratio", read::positive, &M::allowable_mass_increase,
               "Largest mass over the mesh's [1]", "no bound"),
       },

@@ -26,4 +26,18 @@ std::vector<Row<T>> lift_all(const std::vector<Row<Part>>& rows_of_part, Part T:
   return lifted;
 }
 
+/// The rows as one choice.
+template <class T>
+std::vector<Row<T>> one_of(const Choice& choice, std::vector<Row<T>> rows) {
+  for (Row<T>& row : rows) row.text.choice = choice;
+  return rows;
+}
+
+/// The rows, of which the first is required.
+template <class T>
+std::vector<Row<T>> first_required(std::vector<Row<T>> rows) {
+  rows.front() = std::move(rows.front()).required();
+  return rows;
+}
+
 }  // namespace contactsim

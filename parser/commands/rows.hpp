@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "parser/binding/table.hpp"
 #include "parser/commands/readers.hpp"
-#include "parser/table.hpp"
 
 /// The functions that make the rows of commands, in which the tables are written.
 namespace contactsim {
@@ -56,13 +56,14 @@ void store(V value, F& field) {
 }
 
 /// A command with one value that goes into a field. The default shown is the field's own unless one is given
-/// (a field that is NaN or empty by default should give one: "required", "critical step").
+/// (a field that is NaN or empty by default should give one, "critical step", or be required()).
 template <class T, class V, class F>
 Row<T> row(std::string_view phrase, const Reader<V>& reader, F T::*field, std::string_view help,
            std::string_view default_text = "") {
   RowText text{std::string(phrase), "= " + reader.syntax, std::string(help),
                default_text.empty() ? default_of(reader, defaults<T>().*field) : std::string(default_text)};
   text.is_single = replaces<V, F>;
+  if (reader.references) text.references.push_back(*reader.references);
   return {std::move(text), [read_value = reader.read, field](Arguments& arguments, T& target) {
             store(read_value(arguments), target.*field);
           }};

@@ -79,7 +79,8 @@ std::vector<Row<ShellSection>> rows_of(const ShellSection&) {
           "Integration points through the thickness [1]"),
       row("drilling stiffness factor", read::non_negative, &S::drilling_stiffness_factor,
           "Factor of the stiffness against drilling rotation [1]"),
-      row("orientation", read::name, &S::orientation, "Coordinate system of the material directions"),
+      row("orientation", read::name_of(NameKind::coordinate_system), &S::orientation,
+          "Coordinate system of the material directions"),
   };
   rows.insert(rows.end(), std::begin(more), std::end(more));
   return rows;
@@ -150,7 +151,8 @@ std::vector<Row<SpringSection>> rows_of(const SpringSection&) {
   return {
       row("area", read::positive, &S::area, "Cross-section [length^2]"),
       row("default stiffness", read::positive, &S::default_stiffness, "Stiffness [force/length]"),
-      row("force strain function", read::name, &S::force_strain_function, "Force over strain"),
+      row("force strain function", read::name_of(NameKind::function), &S::force_strain_function,
+          "Force over strain"),
       row("mass per unit length", read::non_negative, &S::mass_per_unit_length, "Mass [mass/length]"),
   };
 }
@@ -162,9 +164,9 @@ std::vector<Row<DamperSection>> rows_of(const DamperSection&) {
 template <class P>
 const Table<SectionOf<P>>& table_of() {
   using S = SectionOf<P>;
-  static const Table<S> table(joined(
-      {lift_all(rows_of(P{}), &S::properties),
-       {row("rigid body", read::name, &S::rigid_body, "Rigid body that the section's blocks belong to")}}));
+  static const Table<S> table(joined({lift_all(rows_of(P{}), &S::properties),
+                                      {row("rigid body", read::name_of(NameKind::rigid_body), &S::rigid_body,
+                                           "Rigid body that the section's blocks belong to")}}));
   return table;
 }
 
@@ -172,12 +174,13 @@ using Sections = std::vector<SectionDefinition>;
 
 template <class P>
 Row<Sections> section_row(std::string phrase, std::string help) {
-  return held("section", block<Sections, SectionOf<P>>(
-                             std::move(phrase), Naming::required, table_of<P>,
-                             [](Sections& sections, SectionOf<P> part) {
-                               sections.push_back({part.name, part.rigid_body, part.properties});
-                             },
-                             std::move(help)));
+  return block<Sections, SectionOf<P>>(
+             std::move(phrase), Naming::required, table_of<P>,
+             [](Sections& sections, SectionOf<P> part) {
+               sections.push_back({part.name, part.rigid_body, part.properties});
+             },
+             std::move(help))
+      .defines(NameKind::section);
 }
 
 struct OpaqueSection {
@@ -195,11 +198,12 @@ const Table<OpaqueSection>& opaque_section_table() {
 
 Row<Sections> unsupported_section_row(const std::string& phrase) {
   return block<Sections, OpaqueSection>(
-      phrase, Naming::required, opaque_section_table,
-      [phrase](Sections& sections, const OpaqueSection& part) {
-        sections.push_back({part.name, {}, UnsupportedSection{phrase}});
-      },
-      "Not supported: an error when a block uses it");
+             phrase, Naming::required, opaque_section_table,
+             [phrase](Sections& sections, const OpaqueSection& part) {
+               sections.push_back({part.name, {}, UnsupportedSection{phrase}});
+             },
+             "Not supported: an error when a block uses it")
+      .defines(NameKind::section);
 }
 
 }  // namespace

@@ -47,19 +47,24 @@ std::vector<Row<S>> run_rows() {
 }  // namespace
 
 std::vector<Row<S>> definition_rows() {
+  using K = NameKind;
   const std::vector<Row<S>> blocks{
-      held("function", block("function", Naming::required, function_table, &S::functions,
-                             "A function of time, of place or of variables"))
-          .or_spelled("definition for function"),
-      held("material", block("material", Naming::required, material_table, &S::materials,
-                             "A material: density and models"))
-          .or_spelled("property specification for material"),
+      block("function", Naming::required, function_table, &S::functions,
+            "A function of time, of place or of variables")
+          .or_spelled("definition for function")
+          .defines(K::function),
+      block("material", Naming::required, material_table, &S::materials, "A material: density and models")
+          .or_spelled("property specification for material")
+          .defines(K::material),
       block("rigid body", Naming::required, rigid_body_table, &S::rigid_bodies,
-            "A rigid body, which sections name"),
+            "A rigid body, which sections name")
+          .defines(K::rigid_body),
       block("finite element model", Naming::required, finite_element_model_table, &S::finite_element_models,
-            "A mesh file and what its blocks are made of"),
+            "A mesh file and what its blocks are made of")
+          .defines(K::finite_element_model),
       block("output scheduler", Naming::required, output_scheduler_table, &S::output_schedulers,
-            "Output times that several outputs share"),
+            "Output times that several outputs share")
+          .defines(K::output_scheduler),
   };
   return joined({geometry_rows(), blocks, lift_all(section_rows(), &S::sections)});
 }

@@ -33,7 +33,7 @@ const Table<ImplicitTimeParameters>& implicit_parameters_table() {
       row("time increment", read::positive, &P::time_increment, "Implicit only: time step [time]"),
       row("number of time steps", read::positive_integer, &P::n_time_steps,
           "Implicit only: steps in the block [1]"),
-      row("time increment function", read::name, &P::increment_function,
+      row("time increment function", read::name_of(NameKind::function), &P::increment_function,
           "Implicit only: function of time whose value is the step"),
   });
   return table;
@@ -42,58 +42,58 @@ const Table<ImplicitTimeParameters>& implicit_parameters_table() {
 const Table<TimeSteppingBlock>& time_stepping_block_table() {
   using B = TimeSteppingBlock;
   static const Table<B> table({
-      row("start time", read::real, &B::start_time, "When the block begins [time]"),
+      row("start time", read::real, &B::start_time, "When the block begins [time]").required(),
       block("parameters for presto region", Naming::required, explicit_parameters_table,
-            &B::explicit_parameters, "Time step of a region"),
+            &B::explicit_parameters, "Time step of a region")
+          .references(NameKind::region),
       block("parameters for adagio region", Naming::required, implicit_parameters_table,
-            &B::implicit_parameters, "Time step of a region; makes the procedure implicit"),
+            &B::implicit_parameters, "Time step of a region; makes the procedure implicit")
+          .references(NameKind::region),
   });
   return table;
 }
 
-void add_at(Diagnostics& diagnostics, const DeckName& name, std::string text, std::string hint = "") {
-  diagnostics.add_error(name.location, std::move(text), std::move(hint), static_cast<int>(name.text.size()));
+void add_at(DeckNames& names, const DeckName& block, std::string text, std::string hint = "") {
+  names.problems_of_block().add_error(block.location,
+                                      fmt::format("the time stepping block '{}' {}", block.text, text),
+                                      std::move(hint), static_cast<int>(block.text.size()));
+}
+
+/// Blocks must follow each other in time; one without a start time is told of elsewhere.
+void check(const TimeControl& control, DeckNames& names) {
+  const TimeSteppingBlock* last = nullptr;
+  for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
+    if (std::isnan(block.start_time)) continue;
+    if (last != nullptr && block.start_time <= last->start_time) {
+      add_at(names, block.name,
+             fmt::format("starts at {}, not after '{}', which starts at {}", block.start_time,
+                         last->name.text, last->start_time),
+             "blocks follow each other in time");
+    }
+    last = &block;
+  }
+  if (last != nullptr && control.termination_time <= last->start_time) {
+    add_at(names, last->name,
+           fmt::format("starts at {}, not before the termination time {}", last->start_time,
+                       control.termination_time));
+  }
 }
 
 }  // namespace
 
 const Table<TimeControl>& time_control_table() {
   using C = TimeControl;
-  static const Table<C> table({
-      block("time stepping block", Naming::required, time_stepping_block_table, &C::time_stepping_blocks,
-            "A period: from its start time to that of the next such block"),
-      row("termination time", read::real, &C::termination_time, "When the procedure ends [time]"),
-  });
+  static const Table<C> table(
+      {
+          block("time stepping block", Naming::required, time_stepping_block_table, &C::time_stepping_blocks,
+                "A period: from its start time to that of the next such block")
+              .defines(NameKind::time_stepping_block)
+              .required(),
+          row("termination time", read::real, &C::termination_time, "When the procedure ends [time]")
+              .required(),
+      },
+      check);
   return table;
-}
-
-void check_time_control(const TimeControl& control, Diagnostics& diagnostics) {
-  if (control.time_stepping_blocks.empty()) {
-    add_at(diagnostics, control.name, "the TIME CONTROL has no TIME STEPPING BLOCK");
-  }
-  if (std::isnan(control.termination_time)) {
-    add_at(diagnostics, control.name, "the TIME CONTROL has no TERMINATION TIME");
-  }
-  const TimeSteppingBlock* last = nullptr;
-  for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
-    if (std::isnan(block.start_time)) {
-      add_at(diagnostics, block.name,
-             fmt::format("the time stepping block '{}' has no START TIME", block.name.text));
-      continue;
-    }
-    if (last != nullptr && block.start_time <= last->start_time) {
-      add_at(diagnostics, block.name,
-             fmt::format("the time stepping block '{}' starts at {}, not after '{}', which starts at {}",
-                         block.name.text, block.start_time, last->name.text, last->start_time),
-             "blocks follow each other in time");
-    }
-    last = &block;
-  }
-  if (last != nullptr && control.termination_time <= last->start_time) {
-    add_at(diagnostics, last->name,
-           fmt::format("the time stepping block '{}' starts at {}, not before the termination time {}",
-                       last->name.text, last->start_time, control.termination_time));
-  }
 }
 
 }  // namespace contactsim

@@ -3,7 +3,7 @@
 
 #include "core/definition/death.hpp"
 #include "core/definition/output_variable.hpp"
-#include "parser/arguments.hpp"
+#include "parser/binding/arguments.hpp"
 
 namespace contactsim {
 

@@ -141,7 +141,7 @@ TEST_CASE("all problems of a deck are told in one run, in the order of its lines
       "did you mean 'density'? [deck-unused]\n"
       "a.i:4:13: warning: expected a number for 'density', found 'heavy', but nothing uses this definition "
       "[deck-unused]\n"
-      "a.i:7:3: error: the TIME CONTROL has no TIME STEPPING BLOCK\n"
+      "a.i:7:3: error: the time control has no TIME STEPPING BLOCK; add BEGIN TIME STEPPING BLOCK <name>\n"
       "a.i:11:30: error: unknown finite element model 'm'; the deck has no finite element model\n");
 }
 

@@ -40,13 +40,15 @@ TEST_CASE("without words the tree of blocks is shown", "[parser][explain]") {
 }
 
 TEST_CASE("a command is explained with its place, syntax, default and support", "[parser][explain]") {
-  CHECK(explained({"Time", "step", "INCREASE", "factor"}) ==
-        "TIME STEP INCREASE FACTOR = <real > 0>\n"
-        "  Largest growth from one step to the next [1]\n"
-        "  default  1.1\n"
-        "  support  supported\n"
-        "  in       sierra > presto procedure > time control > time stepping block > parameters for presto\n"
-        "           region\n");
+  CHECK(
+      explained({"Time", "step", "INCREASE", "factor"}) ==
+      "TIME STEP INCREASE FACTOR = <real > 0>\n"
+      "  Largest growth from one step to the next [1]\n"
+      "  dimension  1\n"
+      "  default    1.1\n"
+      "  support    supported\n"
+      "  in         sierra > presto procedure > time control > time stepping block > parameters for presto\n"
+      "             region\n");
 }
 
 TEST_CASE("underscores and BEGIN do not matter to a question", "[parser][explain]") {
@@ -55,13 +57,23 @@ TEST_CASE("underscores and BEGIN do not matter to a question", "[parser][explain
   CHECK(explained({"parameters for model elastic plastic"}).find("YIELD STRESS") != std::string::npos);
 }
 
+TEST_CASE("what a command names, needs and stands for is told", "[parser][explain]") {
+  CHECK(holds_line(explained({"start", "time"}), "  default    required"));
+  CHECK(holds_line(explained({"failure", "function"}), "  names      a function"));
+  CHECK(holds_line(explained({"include", "nodes", "in"}), "  names      a node set of the mesh"));
+  CHECK(holds_line(explained({"angular", "velocity"}),
+                   "  choice     one of MAGNITUDE, ANGULAR VELOCITY or FUNCTION"));
+  CHECK(holds_line(explained({"inactive", "periods"}),
+                   "  choice     at most one of ACTIVE PERIODS or INACTIVE PERIODS"));
+}
+
 TEST_CASE("a block is explained with what it holds", "[parser][explain]") {
   CHECK(
       explained({"begin", "time", "control"}) ==
       "BEGIN TIME CONTROL [<name>]\n"
       "  When the procedure begins and ends, and its time steps\n"
-      "  support  supported\n"
-      "  in       sierra > presto procedure\n"
+      "  support    supported\n"
+      "  in         sierra > presto procedure\n"
       "  holds\n"
       "    BEGIN TIME STEPPING BLOCK <name>                    A period: from its start time to that of the\n"
       "                                                        next such block\n"
@@ -73,21 +85,22 @@ TEST_CASE("rows that say the same in several blocks are one entry", "[parser][ex
   CHECK(text ==
         "THICKNESS SCALE FACTOR = <real > 0>\n"
         "  Factor of the thickness [1]\n"
-        "  default  1\n"
-        "  support  supported\n"
-        "  in       sierra > shell section\n"
-        "  in       sierra > membrane section\n");
+        "  dimension  1\n"
+        "  default    1\n"
+        "  support    supported\n"
+        "  in         sierra > shell section\n"
+        "  in         sierra > membrane section\n");
 }
 
 TEST_CASE("another spelling finds its row", "[parser][explain]") {
   const std::string text = explained({"solid", "mechanics", "use", "model"});
-  CHECK(holds_line(text, "MODEL = <name>"));
-  CHECK(holds_line(text, "  also     solid mechanics use model"));
+  CHECK(holds_line(text, "MODEL = <model>"));
+  CHECK(holds_line(text, "  also       solid mechanics use model"));
 }
 
 TEST_CASE("ignored and refused commands are called that", "[parser][explain]") {
-  CHECK(holds_line(explained({"omit block"}), "  support  refused: it would change the answer"));
-  CHECK(holds_line(explained({"decomposition method"}), "  support  ignored: read, without effect"));
+  CHECK(holds_line(explained({"omit block"}), "  support    refused: it would change the answer"));
+  CHECK(holds_line(explained({"decomposition method"}), "  support    ignored: read, without effect"));
 }
 
 TEST_CASE("a question that nothing answers gets the nearest phrases", "[parser][explain]") {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "parser/commands/contact_checks.hpp"
 #include "parser/commands/region_commands.hpp"
-#include "parser/region_names.hpp"
-#include "parser/syntax.hpp"
+#include "parser/text/syntax.hpp"
 #include "support/deck_dump.hpp"
 
 namespace contactsim {
@@ -40,22 +40,30 @@ inline BoundContact bound_contact(const std::string& lines, bool is_lenient = fa
   return {bound.region.contact.value_or(ContactDefinition{}), bound.messages};
 }
 
-/// What name resolution says about the lines of a region. Outside it the functions f and g, the time stepping
-/// blocks p1 and p2, the direction up, the axis spin, the rigid body rb, the material steel and the output
-/// scheduler often are defined.
+/// What the tables and name resolution say about the lines of a region. Outside it the functions f and g, the
+/// time stepping blocks p1 and p2, the direction up, the axis spin, the rigid body rb, the material steel and
+/// the output scheduler often are defined.
 inline std::string name_messages(const std::string& lines) {
+  using K = NameKind;
+  DeckNames names;
+  const std::pair<K, const char*> defined[] = {{K::function, "f"},
+                                               {K::function, "g"},
+                                               {K::time_stepping_block, "p1"},
+                                               {K::time_stepping_block, "p2"},
+                                               {K::direction, "up"},
+                                               {K::axis, "spin"},
+                                               {K::rigid_body, "rb"},
+                                               {K::material, "steel"},
+                                               {K::output_scheduler, "often"}};
+  for (const auto& [kind, name] : defined) names.note("", {{{kind, {name, {}}}}, {}, {}});
   Diagnostics diagnostics;
-  OutsideNames outside;
-  for (const char* name : {"f", "g"}) outside.functions.define({name, {}}, diagnostics);
-  for (const char* name : {"p1", "p2"}) outside.periods.define({name, {}}, diagnostics);
-  outside.directions.define({"up", {}}, diagnostics);
-  outside.axes.define({"spin", {}}, diagnostics);
-  outside.rigid_bodies.define({"rb", {}}, diagnostics);
-  outside.materials.define({"steel", {}}, diagnostics);
-  outside.output_schedulers.define({"often", {}}, diagnostics);
-  const BoundRegion bound = bound_region(lines);
-  resolve_region_names(bound.region, outside, diagnostics);
-  return bound.messages + messages(diagnostics);
+  const Block block = parse_syntax(make_source("a.i", lines), diagnostics, read_no_file);
+  Binding binding{diagnostics, false, &names};
+  Region region;
+  region_table().bind(block, region, binding);
+  names.resolve(diagnostics);
+  if (region.contact) check_contact(*region.contact, names, diagnostics);
+  return messages(diagnostics);
 }
 
 /// The same of the lines of a contact definition; the first is line 2 of "a.i".

@@ -5,7 +5,7 @@
 
 #include "parser/commands/region_commands.hpp"
 #include "parser/commands/sierra_commands.hpp"
-#include "parser/syntax.hpp"
+#include "parser/text/syntax.hpp"
 
 namespace contactsim::test {
 

@@ -10,7 +10,7 @@
 #include "parser/commands/contact_commands.hpp"
 #include "parser/commands/region_commands.hpp"
 #include "parser/commands/sierra_commands.hpp"
-#include "parser/syntax.hpp"
+#include "parser/text/syntax.hpp"
 #include "support/deck_dump.hpp"
 
 namespace contactsim::test {

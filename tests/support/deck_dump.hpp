@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/base/diagnostics.hpp"
-#include "parser/ast.hpp"
+#include "parser/text/ast.hpp"
 
 namespace contactsim {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "parser/syntax.hpp"
+#include "parser/text/syntax.hpp"
 #include "support/catch.hpp"
 #include "support/deck_dump.hpp"
 

@@ -90,7 +90,9 @@ TEST_CASE("a piecewise constant function may take the left value at a jump", "[p
 
 TEST_CASE("what a used function lacks is told", "[parser][function]") {
   CHECK(using_function("").messages ==
-        "a.i:2:16: error: the function 'f' has no type; add a line such as TYPE = ANALYTIC\n");
+        "a.i:2:16: error: the function 'f' has no TYPE; add TYPE = {piecewise linear|piecewise "
+        "constant|constant|analytic|piecewise analytic|piecewise multivariate|multicolumn piecewise "
+        "linear|xtable|polynomial|haversine spike}\n");
   CHECK(using_function("  type = analytic\n").messages ==
         "a.i:2:16: error: the function 'f' has no expression; add EVALUATE EXPRESSION\n");
   CHECK(using_function("  type = piecewise linear\n").messages ==
@@ -139,7 +141,6 @@ TEST_CASE("function types of the language are all known", "[parser][function]") 
   }
   CHECK(
       using_function("  type = piecewise linaer\n").messages ==
-      "a.i:2:16: error: the function 'f' has no type; add a line such as TYPE = ANALYTIC\n"
       "a.i:3:10: error: expected one of piecewise linear, piecewise constant, constant, analytic, piecewise "
       "analytic, piecewise multivariate, multicolumn piecewise linear, xtable, polynomial, haversine spike "
       "for "

@@ -55,10 +55,10 @@ TEST_CASE("a time control is bound", "[parser][time]") {
 
 TEST_CASE("what a time control lacks is told", "[parser][time]") {
   CHECK(with_time_control("").messages ==
-        "a.i:3:1: error: the TIME CONTROL has no TIME STEPPING BLOCK\n"
-        "a.i:3:1: error: the TIME CONTROL has no TERMINATION TIME\n");
+        "a.i:3:1: error: the time control has no TIME STEPPING BLOCK; add BEGIN TIME STEPPING BLOCK <name>\n"
+        "a.i:3:1: error: the time control has no TERMINATION TIME; add TERMINATION TIME = <real>\n");
   CHECK(with_time_control("begin time stepping block t\nend\ntermination time = 1\n").messages ==
-        "a.i:4:27: error: the time stepping block 't' has no START TIME\n");
+        "a.i:4:27: error: the time stepping block 't' has no START TIME; add START TIME = <real>\n");
 }
 
 TEST_CASE("time stepping blocks follow each other", "[parser][time]") {
