@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/cli/options.hpp"
+
+namespace contactsim {
+
+/// A file of a run and what it is to the user: "the deck", "the log", "the file of --surfaces-csv".
+struct RunFile {
+  std::string path;
+  std::string what;
+};
+
+/// The files that the command line has the run read.
+std::vector<RunFile> files_read(const Options& options);
+
+/// The files that the command line has the run write, the log first.
+std::vector<RunFile> files_written(const Options& options);
+
+/// What would be lost if the run wrote its files: one that it reads, or one that it writes under two names.
+/// Devices such as /dev/null lose nothing. "" when all is well.
+std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFile> written);
+
+}  // namespace contactsim
