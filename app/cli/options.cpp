@@ -58,6 +58,24 @@ std::string log_path(const Options& options) {
   return options.log.value_or(std::filesystem::path(options.deck).stem().string() + ".log");
 }
 
+std::vector<RunFile> files_read(const Options& options) {
+  std::vector<RunFile> files{{options.deck, "the deck"}};
+  if (options.mesh) files.push_back({*options.mesh, "the mesh"});
+  return files;
+}
+
+std::vector<RunFile> files_written(const Options& options) {
+  std::vector<RunFile> files{{log_path(options), "the log"}};
+  const auto add = [&](const std::optional<std::string>& path, const char* what) {
+    if (path) files.push_back({*path, what});
+  };
+  add(options.results, "the results file");
+  add(options.surfaces_json, "the file of --surfaces-json");
+  add(options.surfaces_csv, "the file of --surfaces-csv");
+  add(options.surfaces_exodus, "the file of --surfaces");
+  return files;
+}
+
 CommandLine read_command_line(int argc, const char* const* argv) {
   CommandLine line;
   Options& options = line.options;

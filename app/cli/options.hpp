@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
 
 namespace contactsim {
@@ -36,6 +37,12 @@ struct Options {
 
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.
 std::string log_path(const Options& options);
+
+/// The files that the command line has the run read.
+std::vector<RunFile> files_read(const Options& options);
+
+/// The files that the command line has the run write, the log first.
+std::vector<RunFile> files_written(const Options& options);
 
 /// What the command line means: options, or an exit code when all is said and done (--help, --version,
 /// mistakes).

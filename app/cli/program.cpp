@@ -32,7 +32,7 @@ ExitCode run(const Options& options, Log& log) {
   Diagnostics warnings;
   const auto work = [&] {
     try {
-      const ExitCode code = simulate(options, log, warnings);
+      const ExitCode code = run_deck(options, log, warnings);
       write_summary(warnings, log);
       return code;
     } catch (const DeckError& error) {

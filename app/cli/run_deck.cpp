@@ -4,13 +4,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "app/cli/run_mesh.hpp"
+#include "app/cli/stop_signal.hpp"
 #include "app/cli/surface_stage.hpp"
+#include "app/reports/deck_report.hpp"
+#include "app/reports/overlap_report.hpp"
+#include "app/reports/run_log.hpp"
 #include "app/run/file_clashes.hpp"
 #include "app/run/simulation.hpp"
 #include "app/run/start_overlap.hpp"
-#include "core/base/pluralize.hpp"
+#include "core/definition/simulation.hpp"
 #include "parser/deck.hpp"
 
 namespace contactsim {
@@ -30,30 +35,6 @@ ParseOptions parse_options(const Options& options) {
     parse.overrides.emplace_back(definition.substr(0, equals), definition.substr(equals + 1));
   }
   return parse;
-}
-
-std::string describe(const SimulationDefinition& definition) {
-  return fmt::format(
-      "  {}, {}, {}, {}, {} with contact\n", pluralize(definition.materials.size(), "material"),
-      pluralize(definition.sections.size(), "section"), pluralize(definition.functions.size(), "function"),
-      pluralize(definition.procedures.size(), "procedure"),
-      pluralize(regions_with_contact(definition).size(), "region"));
-}
-
-std::string describe(const Mesh& mesh) {
-  std::string text = fmt::format(
-      "  {}, {}, {}, {}, {}, {}\n", pluralize(mesh.n_nodes(), "node"),
-      pluralize(mesh.n_elements(), "element"), pluralize(mesh.blocks().size(), "block"),
-      pluralize(mesh.side_sets().size(), "side set"), pluralize(mesh.node_sets().size(), "node set"),
-      pluralize(mesh.assemblies().size(), "assembly", "assemblies"));
-  for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
-    const ElementBlock& block = mesh.blocks()[i];
-    const std::string type = block.shape == Shape::unknown ? fmt::format("'{}'", block.type_name)
-                                                           : std::string(topology(block.shape).name);
-    text += fmt::format("  block {:<28} id {:>8} {:>10} elements {}\n", mesh.name({EntityKind::block, i}),
-                        block.id, block.n_elements, type);
-  }
-  return text;
 }
 
 /// A region and the procedure that it is part of.
@@ -118,6 +99,21 @@ void add_name_errors(const Options& options, const SimulationDefinition& definit
   }
 }
 
+/// Removes overlaps where the deck wants it; the mesh whose nodes have moved, if some have.
+std::optional<Mesh> part_overlaps(const RunInput& input, Log& log, Diagnostics& warnings) {
+  auto removed = remove_initial_overlap(input);
+  if (!removed) return std::nullopt;
+  log.write(format_overlap(*removed, *input.contact, input.mesh));
+  return move_nodes(input, std::move(*removed), warnings);
+}
+
+std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log) {
+  if (input.contact == nullptr) return {};
+  auto overlaps = find_start_overlaps(*input.contact, input.mesh, *input.region.contact);
+  log.write(format_start_overlaps(overlaps, *input.contact, input.mesh));
+  return overlaps;
+}
+
 /// The mesh that the deck names must outlive the run as well.
 void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
   const RunFile mesh{mesh_path, "the mesh"};
@@ -125,39 +121,73 @@ void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
   if (!clash.empty()) throw FileError(mesh_path, clash);
 }
 
+RunSettings run_settings(const Options& options, const Mesh& mesh, Log& log) {
+  std::vector<RunFile> kept = files_read(options);
+  kept.push_back({mesh.path(), "the mesh"});
+  kept.push_back({log_path(options), "the log"});
+  return {options.results, options.command_line, std::move(kept),
+          [&log](std::string_view text) { log.write(text); }};
+}
+
+/// Has the run do what signals ask for.
+void obey(StopSignals& signals, Simulation& simulation) {
+  if (const auto signal = signals.find_stop()) simulation.stop(*signal);
+  if (signals.take_restart_wish()) simulation.store_restart();
+}
+
+/// The loop of a run.
+ExitCode run_to_end(Simulation& simulation) {
+  StopSignals signals;
+  ExitCode code = ExitCode::done;
+  try {
+    simulation.begin();
+    obey(signals, simulation);
+    while (!simulation.is_over()) {
+      simulation.step();
+      obey(signals, simulation);
+    }
+  } catch (const SolveError&) {
+    code = ExitCode::solve;
+  }
+  simulation.finish();
+  return simulation.stopped_by() ? ExitCode::stopped : code;
+}
+
 }  // namespace
 
-ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings) {
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings) {
   const SimulationDefinition definition = parse_deck(options.deck, parse_options(options), warnings);
   log.begin(asks_to_resume(definition));
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
     throw DeckError(warnings);
   }
-  log.write(fmt::format("Deck {}\n{}", options.deck, describe(definition)));
+  log.write(fmt::format("Deck {}\n{}", options.deck, format_definition(definition)));
   if (options.stage == Stage::parse) return ExitCode::done;
 
-  const ChosenRegion chosen = choose_region(definition, warnings);
-  const Region& region = chosen.region;
+  const auto [procedure, region] = choose_region(definition, warnings);
   check_mesh_is_kept(options, run_mesh_path(options, definition, region));
-  const Mesh mesh = read_run_mesh(options, definition, region, warnings);
-  log.write(fmt::format("Mesh {}\n{}", mesh.path(), describe(mesh)));
+  Mesh mesh = read_run_mesh(options, definition, region, warnings);
+  log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
+
   ResolvedContact contact;
   if (region.contact || options.stage == Stage::check) {
     contact = resolve_contact(options, definition, region, mesh, log, warnings);
     if (contact.code != ExitCode::done) return contact.code;
   }
-  const ContactModel* model = contact.model ? &*contact.model : nullptr;
-  const RunInput input{options, definition, chosen.procedure, region, mesh, model};
-  const std::optional<Mesh> moved = remove_initial_overlap(input, log, warnings);
-  const RunInput started{options, definition, chosen.procedure, region, moved ? *moved : mesh, model};
-  const std::vector<StartOverlap> overlaps = find_overlaps(started, log);
+  RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
+  if (auto moved = part_overlaps(input, log, warnings)) mesh = std::move(*moved);
+  const std::vector<StartOverlap> overlaps = find_overlaps(input, log);
   if (options.stage == Stage::check) {
-    warn_of_overlaps(started, overlaps, {}, warnings);
+    warn_of_overlaps(input, overlaps, {}, warnings);
     return ExitCode::done;
   }
-  return run_transient({options, definition, chosen.procedure, region, started.mesh, model, overlaps}, log,
-                       warnings);
+
+  input.overlaps = overlaps;
+  Simulation simulation(input, run_settings(options, mesh, log), warnings);
+  RunLog run_log(log);
+  simulation.observe([&](RunEvent event, const Simulation& run) { run_log.look(event, run); });
+  return run_to_end(simulation);
 }
 
 }  // namespace contactsim

@@ -8,9 +8,9 @@
 
 namespace contactsim {
 
-/// Takes a deck as far as the options ask: deck, mesh, contact surfaces, results.
+/// Takes a deck as far as the options ask: deck, mesh, contact surfaces, run.
 ///   warnings  gains what was found on the way, to be repeated at the end
 /// Throws DeckError, FileError.
-ExitCode simulate(const Options& options, Log& log, Diagnostics& warnings);
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings);
 
 }  // namespace contactsim

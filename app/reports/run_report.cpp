@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/pluralize.hpp"
 #include "core/elements/element_table.hpp"
 
 namespace contactsim {
@@ -56,6 +57,24 @@ std::string format_step(const State& state) {
   return fmt::format("{:>9} {:>13.6e} {:>12.4e} {:>13.5e} {:>13.5e} {:>13.5e} {:>13.5e} {:>9.4f}\n",
                      state.step, state.time, state.next_dt, e.kinetic, e.internal, e.external, e.contact,
                      error);
+}
+
+std::string format_restart_source(const RunRestart& restart) {
+  if (!restart.resumes()) return "";
+  if (!restart.source()) {
+    return fmt::format("\nRestart: there is no state in {} yet, the run begins at its start\n",
+                       restart.input());
+  }
+  const StoredState& state = *restart.source();
+  return fmt::format("\nRestart from {}: step {}, time {:.6g}{}\n", state.path, state.head.step,
+                     state.head.time, restart.shifts() ? ", moved to the start time" : "");
+}
+
+std::string format_stored_states(const RunRestart& restart) {
+  if (!restart.last_step()) return "";
+  return fmt::format("\nRestart: {} stored, the last one of step {} in {}\n",
+                     pluralize(static_cast<std::size_t>(restart.n_written()), "state"), *restart.last_step(),
+                     restart.last_path());
 }
 
 std::string format_energy_balance(const Energies& energies, double stored_at_start,

@@ -4,6 +4,8 @@
 #include <span>
 #include <string>
 
+#include "app/run/run_restart.hpp"
+#include "app/run/simulation.hpp"
 #include "core/dynamics/integrator.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
@@ -24,17 +26,17 @@ std::string step_heading();
 /// Step, time, step size, energies and their error as a share of the largest.
 std::string format_step(const State& state);
 
+/// The state that the run goes on from, or that there is none yet; "" when the deck asks for none.
+std::string format_restart_source(const RunRestart& restart);
+
+/// The states that were stored; "" when there was nothing to write.
+std::string format_stored_states(const RunRestart& restart);
+
 /// What was put into a run with contact and what has become of it.
 ///   stored_at_start        in springs of overlaps, before the first step [energy]
 ///   given_out_by_overlaps  by contact without springs, to part them: booked as < 0 where sides met [energy]
 std::string format_energy_balance(const Energies& energies, double stored_at_start,
                                   double given_out_by_overlaps);
-
-/// A part of the run and how long it took.
-struct PartTime {
-  std::string name;
-  double seconds = 0.0;  ///< of the clock
-};
 
 /// Times of the parts and the whole, steps and element-steps per second.
 ///   whole  seconds of the clock

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <vector>
 
 namespace contactsim {
 
@@ -29,24 +30,6 @@ bool is_same_file(const fs::path& one, const fs::path& other) {
 }
 
 }  // namespace
-
-std::vector<RunFile> files_read(const Options& options) {
-  std::vector<RunFile> files{{options.deck, "the deck"}};
-  if (options.mesh) files.push_back({*options.mesh, "the mesh"});
-  return files;
-}
-
-std::vector<RunFile> files_written(const Options& options) {
-  std::vector<RunFile> files{{log_path(options), "the log"}};
-  const auto add = [&](const std::optional<std::string>& path, const char* what) {
-    if (path) files.push_back({*path, what});
-  };
-  add(options.results, "the results file");
-  add(options.surfaces_json, "the file of --surfaces-json");
-  add(options.surfaces_csv, "the file of --surfaces-csv");
-  add(options.surfaces_exodus, "the file of --surfaces");
-  return files;
-}
 
 std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFile> written) {
   std::vector<RunFile> taken(read.begin(), read.end());

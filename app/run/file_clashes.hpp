@@ -3,9 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
-
-#include "app/cli/options.hpp"
 
 namespace contactsim {
 
@@ -14,12 +11,6 @@ struct RunFile {
   std::string path;
   std::string what;
 };
-
-/// The files that the command line has the run read.
-std::vector<RunFile> files_read(const Options& options);
-
-/// The files that the command line has the run write, the log first.
-std::vector<RunFile> files_written(const Options& options);
 
 /// What would be lost if the run wrote its files: one that it reads, or one that it writes under two names.
 /// Devices such as /dev/null lose nothing. "" when all is well.

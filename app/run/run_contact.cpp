@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/reports/contact_report.hpp"
-#include "app/reports/pair_report.hpp"
 #include "app/run/energy_watch.hpp"
 #include "app/run/start_overlap.hpp"
+#include "app/run/start_warnings.hpp"
 #include "contact/output/surface_drawing.hpp"
+#include "core/base/errors.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
@@ -192,7 +192,7 @@ void RunContact::stop_at_runaway(const State& state) {
                               names_of(contact_, culprit), force_.histories()[culprit].made(), made, put_in));
 }
 
-std::string RunContact::start_report(Diagnostics& warnings) const {
+void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
   warn_of_edges(force_, contact_, warnings);
   warn_of_idle_settings(contact_, warnings);
@@ -200,11 +200,13 @@ std::string RunContact::start_report(Diagnostics& warnings) const {
   std::vector<double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
   warn_of_overlaps(input_, input_.overlaps, stored, warnings);
-  return format_contact_start(force_, contact_);
 }
 
-std::string RunContact::report() const {
-  return format_pair_histories(contact_, force_.histories()) + format_contact(force_);
+void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {
+  if (state.energies.largest > energy_of_round_off(model_, state.dt))
+    warn_of_energy(state.energies, warnings);
+  warn_of_lost(warnings);
+  warn_of_penetration(warnings);
 }
 
 }  // namespace contactsim

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/run/contact_debug.hpp"
-#include "app/run/simulation.hpp"
+#include "app/run/run_input.hpp"
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/output/contact_output.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
@@ -22,6 +22,7 @@ class RunContact {
   RunContact(const RunInput& input, const Model& model);
 
   ContactForce& force() { return force_; }
+  const ContactForce& force() const { return force_; }
   const ContactModel& model() const { return contact_; }
 
   /// From now on surfaces follow deaths.
@@ -46,23 +47,23 @@ class RunContact {
   /// Gives the names of these files an end.
   void add_suffix(const std::string& suffix);
 
-  /// What the log says once the first forces are known. Ties that tie nothing are a warning.
-  std::string start_report(Diagnostics& warnings) const;
-  /// Warns when contact has given out energy that nothing had put into it, and names the pair.
-  void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
-  /// Warns of pairs whose contact ended though it was deep.
-  void warn_of_lost(Diagnostics& warnings) const;
-  /// Warns of pairs that have penetrated by more than a tenth of their thickness.
-  void warn_of_penetration(Diagnostics& warnings) const;
+  /// To be called once the first forces are known: warns of ties that tie nothing, of overlaps and of lines
+  /// without effect.
+  void warn_of_start(Diagnostics& warnings) const;
+  /// To be called at the end: warns of energy that nothing had put into contact, and names the pair; of pairs
+  /// whose contact ended though it was deep; and of those that have penetrated by more than a tenth of their
+  /// thickness.
+  void warn_of_end(const State& state, Diagnostics& warnings) const;
   /// What pairs without springs gave out to come out of overlaps of the mesh [energy].
   double given_out_by_overlaps() const;
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
   /// out more energy from nowhere than all that was put into the model.
   void stop_at_runaway(const State& state);
-  /// What the pairs did and the search took, for the log.
-  std::string report() const;
 
  private:
+  void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
+  void warn_of_lost(Diagnostics& warnings) const;
+  void warn_of_penetration(Diagnostics& warnings) const;
   bool came_out_of_overlap(std::size_t pair) const;
 
   const RunInput& input_;

@@ -85,12 +85,12 @@ void RunDeath::step(State& state) {
   tally_.n_died += dead.size();
   tally_.n_dead = deaths_.n_dead();
   tally_.n_dying = state.death.dying.size();
-  if (tally_.n_died > 0 && is_report_due(state)) parts_.log.write(take_report(state));
   seconds_ += clock_seconds() - begun;
 }
 
 /// The shortest interval of all blocks counts; without any every step does.
 bool RunDeath::is_report_due(const State& state) const {
+  if (tally_.n_died == 0) return false;
   bool has_interval = false, is_due = false;
   for (const ElementDeath& death : definitions_) {
     has_interval |= death.summary_step_interval.has_value() || death.summary_time_interval.has_value();
@@ -100,18 +100,10 @@ bool RunDeath::is_report_due(const State& state) const {
   return is_due || !has_interval;
 }
 
-std::string RunDeath::take_report(const State& state) {
-  const ContactModel* contact = parts_.contact != nullptr ? &parts_.contact->model() : nullptr;
-  const std::string text = format_deaths(tally_, state, detail_, contact, mesh_);
+void RunDeath::begin_tally(const State& state) {
   reported_at_ = state.time;
   tally_.n_died = 0;
   std::ranges::fill(tally_.changes, SurfaceChange{});
-  return text;
-}
-
-std::string RunDeath::report(const State& state) {
-  const std::string last = tally_.n_died > 0 ? take_report(state) : "";
-  return last + format_death_total(tally_, n_may_die_);
 }
 
 }  // namespace contactsim

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/reports/death_report.hpp"
 #include "app/run/run_contact.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/death/element_deaths.hpp"
+#include "core/definition/death.hpp"
 
 namespace contactsim {
 
@@ -16,7 +16,15 @@ namespace contactsim {
 struct DeathParts {
   ExternalForce& external;  ///< loses the faces of the dead
   RunContact* contact;      ///< follows the deaths; null without contact
-  Log& log;
+};
+
+/// What has died since the last report.
+struct DeathTally {
+  std::size_t n_died = 0;              ///< elements
+  std::size_t n_dead = 0;              ///< elements since the start
+  std::size_t n_dying = 0;             ///< elements whose stress fades
+  std::size_t n_free = 0;              ///< nodes in contact whose elements are all dead
+  std::vector<SurfaceChange> changes;  ///< [n_surfaces], summed; empty without contact
 };
 
 /// All that a run has because its region has ELEMENT DEATH blocks.
@@ -30,17 +38,21 @@ class RunDeath {
   /// Gives the state room for deaths; takes over those that it has.
   void begin(State& state);
   /// To be called once for the state of the start and that after every step: who has died is taken out of
-  /// loads and contact, and the log reports them when it is due.
+  /// loads and contact.
   void step(State& state);
-  /// What is left to report at the end, and how many died.
-  std::string report(const State& state);
+
+  /// Whether elements have died that a report is due of; begin_tally() is to follow the report.
+  bool is_report_due(const State& state) const;
+  void begin_tally(const State& state);
+  const DeathTally& tally() const { return tally_; }
+  /// How much the deck wants to know.
+  DeathLog detail() const { return detail_; }
+  std::size_t n_may_die() const { return n_may_die_; }
   /// Time that all this has taken, of the clock.
   double seconds() const { return seconds_; }
 
  private:
   void update_for_deaths(const State& state, std::span<const ElementIndex> dead);
-  bool is_report_due(const State& state) const;
-  std::string take_report(const State& state);
 
   std::span<const ElementDeath> definitions_;
   DeathParts parts_;

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/run/file_clashes.hpp"
+#include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {
@@ -19,21 +20,18 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 }  // namespace
 
-OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& log) {
-  OutputSettings settings;
-  settings.results_path = input.options.results;
-  settings.command_line = input.options.command_line;
-  settings.always_computes = !input.region.element_deaths.empty();
-  settings.deck_lines = lines_of(input.definition.text);
-  if (contact != nullptr) contact->add_to(settings);
-  settings.log = [&log](std::string_view text) { log.write(text); };
-  return settings;
+OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact) {
+  OutputSettings made;
+  made.results_path = settings.results_path;
+  made.command_line = settings.command_line;
+  made.always_computes = !input.region.element_deaths.empty();
+  made.deck_lines = lines_of(input.definition.text);
+  if (contact != nullptr) contact->add_to(made);
+  made.log = settings.write_text;
+  return made;
 }
 
-void check_output_paths(const RunInput& input, const std::vector<std::string>& paths) {
-  std::vector<RunFile> kept = files_read(input.options);
-  kept.push_back({input.mesh.path(), "the mesh"});
-  kept.push_back({log_path(input.options), "the log"});
+void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const RunFile file{path, "the output file " + path};
     const std::string clash = find_file_clash(kept, {&file, 1});

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/run_restart.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "app/run/timed_force.hpp"
-#include "core/base/pluralize.hpp"
+#include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {
@@ -76,7 +74,7 @@ void RunRestart::check_overwriting() const {
   if (!states.empty()) throw FileError(states.front().path, "exists, and the deck says OVERWRITE = OFF");
 }
 
-void RunRestart::find_state(const std::vector<std::string>& outputs, Log& log, Diagnostics& warnings) {
+void RunRestart::find_state(const std::vector<std::string>& outputs, Diagnostics& warnings) {
   if (!resumes_) return check_overwriting();
   const std::vector<StoredState> states = stored_states(warnings);
   for (const StoredState& state : states) {
@@ -89,14 +87,12 @@ void RunRestart::find_state(const std::vector<std::string>& outputs, Log& log, D
     begun_ = state.head.begun;
     run_ = state.head.run + 1;
     choose_run(outputs);
-    log.write(fmt::format("\nRestart from {}: step {}, time {:.6g}{}\n", state.path, state.head.step,
-                          state.head.time, shifts_ ? ", moved to the start time" : ""));
+    source_ = state;
     return;
   }
   if (!states.empty()) throw FileError(input_, "none of the restart files of this name can be used");
   if (time_ && !is_optional_)
     throw FileError(restart_path(input_, 1, 1), "does not exist, and RESTART TIME needs it");
-  log.write(fmt::format("\nRestart: there is no state in {} yet, the run begins at its start\n", input_));
 }
 
 /// The first run from the one that follows the stored one on whose files do not exist.
@@ -139,12 +135,6 @@ bool RunRestart::store(const Checkpoint& checkpoint, bool is_last, bool is_wante
   last_step_ = state.step;
   ++n_written_;
   return true;
-}
-
-std::string RunRestart::report() const {
-  if (!last_step_) return "";
-  return fmt::format("\nRestart: {} stored, the last one of step {} in {}\n",
-                     pluralize(static_cast<std::size_t>(n_written_), "state"), *last_step_, last_path_);
 }
 
 }  // namespace contactsim

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/reports/log.hpp"
 #include "app/run/checkpoint.hpp"
-#include "app/run/simulation.hpp"
+#include "app/run/run_input.hpp"
 #include "core/base/saved_state.hpp"
 #include "core/dynamics/time_step.hpp"
 #include "core/output/output_times.hpp"
@@ -23,11 +22,11 @@ class RunRestart {
   /// What cannot be done is an error.
   RunRestart(const RunInput& input, Diagnostics& diagnostics);
 
-  /// Finds the state that the deck asks for, says which one it is, and from then on is a run that resumes. A
-  /// damaged file is passed over for the next older one with a warning.
+  /// Finds the state that the deck asks for, and from then on is a run that resumes. A damaged file is passed
+  /// over for the next older one with a warning.
   ///   outputs  that the run is to write, whose files of earlier runs must be kept
   /// Throws FileError when there is none and the deck does not allow that.
-  void find_state(const std::vector<std::string>& outputs, Log& log, Diagnostics& warnings);
+  void find_state(const std::vector<std::string>& outputs, Diagnostics& warnings);
   /// The state to resume from; null when the run begins at its start.
   const SavedState* earlier() const { return earlier_ ? &*earlier_ : nullptr; }
   /// Whether its time becomes the start time of the run: SHIFT TO START TIME.
@@ -46,8 +45,16 @@ class RunRestart {
   ///   is_last  the run ends with it
   bool store(const Checkpoint& checkpoint, bool is_last, bool is_wanted);
   bool stores() const { return times_.has_value(); }
-  /// What was written, for the log; "" when there was nothing to write.
-  std::string report() const;
+
+  /// Whether the deck asks for a state to resume from, and the database where it may be.
+  bool resumes() const { return resumes_; }
+  const std::string& input() const { return input_; }
+  /// The one that was found.
+  const std::optional<StoredState>& source() const { return source_; }
+  /// What was written; the last step is absent when nothing was.
+  std::int64_t n_written() const { return n_written_; }
+  std::optional<std::int64_t> last_step() const { return last_step_; }
+  const std::string& last_path() const { return last_path_; }
 
  private:
   std::vector<StoredState> stored_states(Diagnostics& warnings) const;
@@ -65,6 +72,7 @@ class RunRestart {
   double clock_begun_ = 0.0;                       // [s]
   RestartSlots slots_{0, std::nullopt};
   std::int64_t begun_ = std::time(nullptr), run_ = 1;
+  std::optional<StoredState> source_;
   std::optional<SavedState> earlier_;
   std::string last_path_;
   std::optional<std::int64_t> last_step_;

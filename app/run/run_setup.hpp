@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/run/simulation.hpp"
+#include "app/run/run_input.hpp"
 #include "core/conditions/external_force.hpp"
 #include "core/dynamics/initial_state.hpp"
 #include "core/dynamics/model.hpp"

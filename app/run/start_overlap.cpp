@@ -106,29 +106,6 @@ std::string describe(const StartOverlap& overlap, const ContactModel& model, con
 
 }  // namespace
 
-std::string format_start_overlaps(std::span<const StartOverlap> overlaps, const ContactModel& model,
-                                  const Mesh& mesh) {
-  if (overlaps.empty()) return "";
-  constexpr const char* row = "{:>4}  {:<28} {:<28} {:>9} {:>9} {:>9} {:>15} {:>10}\n";
-  std::string text = "\nOverlap at the start\n" + fmt::format(row, "no", "first", "second", "nodes", "faces",
-                                                              "deep", "deepest overlap", "at node");
-  for (const StartOverlap& overlap : overlaps) {
-    const SurfacePair& pair = model.pairs[overlap.pair];
-    text += fmt::format(row, overlap.pair + 1, model.surfaces.surfaces[pair.first].name,
-                        model.surfaces.surfaces[pair.second].name, overlap.n_nodes, overlap.n_faces,
-                        overlap.n_deep, fmt::format("{:.6g}", overlap.deepest), mesh.node_id(overlap.node));
-  }
-  return text +
-         "      deep: nodes more than half an element, or half a shell's thickness, behind the surface\n";
-}
-
-std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log) {
-  if (input.contact == nullptr) return {};
-  auto overlaps = find_start_overlaps(*input.contact, input.mesh, *input.region.contact);
-  log.write(format_start_overlaps(overlaps, *input.contact, input.mesh));
-  return overlaps;
-}
-
 void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
                       std::span<const double> stored, Diagnostics& warnings) {
   if (input.contact == nullptr || input.region.contact->overlap_removal.is_on()) return;
@@ -146,34 +123,14 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
   }
 }
 
-std::string format_overlap(const OverlapRemoved& removed, const ContactModel& model, const Mesh& mesh) {
-  constexpr const char* row = "{:>4}  {:<28} {:<28} {:>11} {:>15} {:>13} {:>10} {:>13}\n";
-  if (removed.moves.empty()) return "\nOverlap removal: no surfaces overlap\n";
-  const auto passes = [](std::int64_t n) { return pluralize(static_cast<std::size_t>(n), "pass", "passes"); };
-  std::string text = fmt::format("\nOverlap removal in {}\n", passes(removed.n_passes));
-  if (removed.n_body_passes > 0)
-    text += fmt::format("  before, in {}, bodies that lay deep in others went apart as wholes\n",
-                        passes(removed.n_body_passes));
-  text += fmt::format(row, "no", "first", "second", "nodes moved", "deepest overlap", "largest move",
-                      "of node", "left");
-  for (const OverlapMoves& moves : removed.moves) {
-    const SurfacePair& pair = model.pairs[moves.pair];
-    const std::string node = moves.n_nodes > 0 ? fmt::to_string(mesh.node_id(moves.largest_node)) : "-";
-    text += fmt::format(row, moves.pair + 1, model.surfaces.surfaces[pair.first].name,
-                        model.surfaces.surfaces[pair.second].name, moves.n_nodes,
-                        fmt::format("{:.6g}", moves.deepest), fmt::format("{:.6g}", moves.largest), node,
-                        fmt::format("{:.6g}", moves.left));
-  }
-  return text;
-}
-
-std::optional<Mesh> remove_initial_overlap(const RunInput& input, Log& log, Diagnostics& warnings) {
+std::optional<OverlapRemoved> remove_initial_overlap(const RunInput& input) {
   if (input.contact == nullptr) return std::nullopt;
   const OverlapRemoval& settings = input.region.contact->overlap_removal;
   if (!settings.is_on() && !settings.is_all_there_is) return std::nullopt;
-  OverlapRemoved removed =
-      remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
-  log.write(format_overlap(removed, *input.contact, input.mesh));
+  return remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
+}
+
+std::optional<Mesh> move_nodes(const RunInput& input, OverlapRemoved removed, Diagnostics& warnings) {
   stop_at_turned(removed, input);
   warn_of_rest(removed, *input.contact, warnings);
   if (removed.n_passes + removed.n_body_passes == 0) return std::nullopt;

@@ -104,3 +104,17 @@ TEST_CASE("a wrong command line ends with code 2, says why on standard error and
   CHECK_THAT(err, Contains(said));
   CHECK(directory.list().empty());
 }
+
+TEST_CASE("a run reads the deck and the mesh and writes what is asked for, the log first", "[app][files]") {
+  Options options;
+  options.deck = "decks/plate.i";
+  options.mesh = "m.g";
+  options.surfaces_csv = "s.csv";
+  const auto read = files_read(options), written = files_written(options);
+  REQUIRE(read.size() == 2);
+  CHECK(read[0].path == "decks/plate.i");
+  CHECK(read[1].path == "m.g");
+  REQUIRE(written.size() == 2);
+  CHECK(written[0].path == "plate.log");
+  CHECK(written[1].path == "s.csv");
+}

@@ -39,17 +39,3 @@ TEST_CASE("two files that are not there yet clash when they are one", "[app][fil
 TEST_CASE("a device takes any number of files", "[app][files]") {
   CHECK(clash({}, {{"/dev/null", "the log"}, {"/dev/null", "the table"}}) == "");
 }
-
-TEST_CASE("a run reads the deck and the mesh and writes what is asked for, the log first", "[app][files]") {
-  Options options;
-  options.deck = "decks/plate.i";
-  options.mesh = "m.g";
-  options.surfaces_csv = "s.csv";
-  const auto read = files_read(options), written = files_written(options);
-  REQUIRE(read.size() == 2);
-  CHECK(read[0].path == "decks/plate.i");
-  CHECK(read[1].path == "m.g");
-  REQUIRE(written.size() == 2);
-  CHECK(written[0].path == "plate.log");
-  CHECK(written[1].path == "s.csv");
-}

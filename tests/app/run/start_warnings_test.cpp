@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/reports/contact_report.hpp"
+#include "app/run/start_warnings.hpp"
 
 #include <fmt/format.h>
 

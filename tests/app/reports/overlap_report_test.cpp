@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/run/start_overlap.hpp"
+#include "app/reports/overlap_report.hpp"
 
 #include "support/catch.hpp"
 
