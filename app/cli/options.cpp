@@ -4,6 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 
+#include "core/base/version.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -86,7 +88,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
       "tells which contact surface owns which face.",
       "contactsim");
   app.footer(footer);
-  app.set_version_flag("--version", std::string("contactsim ") + CONTACTSIM_VERSION);
+  app.set_version_flag("--version", std::string("contactsim ") + version);
   add_run_options(app, options);
   add_surface_options(app, add_stages(app, options.stage), options);
   auto* explain =

@@ -15,6 +15,7 @@
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/pluralize.hpp"
+#include "core/base/version.hpp"
 #include "parser/explain.hpp"
 
 namespace contactsim {
@@ -74,7 +75,7 @@ ExitCode start(const Options& options) {
   }
   if (options.n_threads > 0) omp_set_num_threads(options.n_threads);
   Log log(log_path(options));
-  log.write(fmt::format("contactsim {}\n", CONTACTSIM_VERSION));
+  log.write(fmt::format("contactsim {}\n", version));
   const ExitCode code = run(options, log);
   log.close();
   return code;
