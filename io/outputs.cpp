@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "core/base/version.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/block_names.hpp"
 #include "core/output/single_values.hpp"
@@ -179,7 +180,7 @@ ResultsText Outputs::make_text(const std::string& title) const {
   if (!mesh.path().empty()) text.qa_records = read_qa_records(mesh.path());
   const std::time_t now = settings_.clock();
   text.qa_records.push_back(
-      {"contactsim", CONTACTSIM_VERSION, format_clock(now, "%m/%d/%Y"), format_clock(now, "%H:%M:%S")});
+      {"contactsim", version, format_clock(now, "%m/%d/%Y"), format_clock(now, "%H:%M:%S")});
   text.info.push_back(settings_.command_line);
   text.info.insert(text.info.end(), settings_.deck_lines.begin(), settings_.deck_lines.end());
   return text;

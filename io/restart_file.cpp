@@ -15,6 +15,7 @@
 
 #include "core/base/digest.hpp"
 #include "core/base/errors.hpp"
+#include "core/base/version.hpp"
 #include "io/hdf5_arrays.hpp"
 #include "io/output_place.hpp"
 
@@ -73,8 +74,8 @@ HeadBytes make_head(const RestartHead& head, std::uint64_t n_bytes, std::uint64_
   HeadBytes bytes{};
   fmt::format_to_n(bytes.data(), bytes.size(),
                    "{}{}{:0{}x}\nbytes {}\nprogram {}\nbegun {}\nrun {}\nstep {}\ntime {:.17g}\n", first_line,
-                   checksum_word, checksum, checksum_length, n_bytes, CONTACTSIM_VERSION, head.begun,
-                   head.run, head.step, head.time);
+                   checksum_word, checksum, checksum_length, n_bytes, version, head.begun, head.run,
+                   head.step, head.time);
   return bytes;
 }
 

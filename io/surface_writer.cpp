@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/errors.hpp"
+#include "core/base/version.hpp"
 #include "io/netcdf_output.hpp"
 
 namespace contactsim {
@@ -146,7 +147,7 @@ void SurfaceFile::define_blocks() {
 
 void SurfaceFile::write_coordinates() {
   // Without date and time, so that the same surfaces give the same bytes.
-  file_.write(records_, string_length, {"contactsim", CONTACTSIM_VERSION, "", ""});
+  file_.write(records_, string_length, {"contactsim", version, "", ""});
   file_.write(axis_names_, name_length_ + 1, {"x", "y", "z"});
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     const Eigen::VectorXd values = mesh_.coordinates.row(static_cast<Eigen::Index>(axis));

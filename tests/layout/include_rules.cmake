@@ -11,7 +11,7 @@ set(allowed_contact core contact)
 set(allowed_io core io)
 set(allowed_app core parser contact io app)
 
-# rooms of core, contact and parser, from the lowest up: each may include itself and what its line says
+# rooms of core, contact, parser and app, from the lowest up: each may include itself and what its line says
 set(rooms_core base definition functions mesh materials elements rigid conditions dynamics output death)
 set(allowed_core_base "")
 set(allowed_core_definition base)
@@ -42,6 +42,11 @@ set(allowed_parser_binding text)
 set(allowed_parser_commands text binding)
 # what other modules call stands before the rooms of parser and may include all of them
 set(front_parser deck explain command_tree)
+set(rooms_app run manual reports cli)
+set(allowed_app_run "")
+set(allowed_app_manual "")
+set(allowed_app_reports run)
+set(allowed_app_cli run manual reports)
 
 # package header pattern -> files that may include it
 set(package_boost "boost/")
@@ -53,9 +58,9 @@ set(owners_hdf5 "io/")
 set(package_fcl "fcl/")
 set(owners_fcl "contact/search/broad_phase")
 set(package_cli "CLI/")
-set(owners_cli "app/")
+set(owners_cli "app/cli/")
 set(package_json "nlohmann/")
-set(owners_json "app/")
+set(owners_json "app/reports/")
 
 set(failures "")
 foreach(module core parser contact io app)
@@ -82,7 +87,7 @@ foreach(module core parser contact io app)
   endforeach()
 endforeach()
 
-foreach(module core contact parser)
+foreach(module core contact parser app)
   file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR}/${module} ${SOURCE_DIR}/${module}/*.hpp ${SOURCE_DIR}/${module}/*.cpp)
   foreach(file ${files})
     string(REGEX MATCH "^[a-z_]+" room ${file})

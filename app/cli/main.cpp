@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <csignal>
+#include <cstdlib>
+
+#include "app/cli/program.hpp"
+
+namespace {
+
+/// Has threads that wait for each other sleep soon. By default they spin for milliseconds, which takes the
+/// processor from the very thread that they wait for as soon as other programs run beside this one: steps
+/// then take twenty times as long. OpenMP's library reads the variable when it is initialised: as it is
+/// linked statically, after constructors of this priority.
+[[gnu::constructor(101)]] void sleep_while_waiting() {
+  if (std::getenv("OMP_WAIT_POLICY") == nullptr) setenv("GOMP_SPINCOUNT", "3000", 0);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file that passes the limit of its size is then an error like a full disk, not the end of the process.
+  std::signal(SIGXFSZ, SIG_IGN);
+  return contactsim::run_program(argc, argv);
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/file_clashes.hpp"
+#include "core/base/errors.hpp"
+
+namespace contactsim {
+
+/// How far a run goes.
+enum class Stage {
+  parse,  ///< read and bind the deck, no mesh
+  check,  ///< resolve the contact surfaces
+  run     ///< everything
+};
+
+/// What the command line asks for.
+struct Options {
+  std::string command_line;  ///< as it was typed, words joined by blanks
+  std::string deck;
+  std::optional<std::string> mesh;     ///< in place of the deck's DATABASE NAME
+  std::optional<std::string> results;  ///< in place of the deck's results file
+  Stage stage = Stage::run;
+  std::optional<std::string> surfaces_json;    ///< file for the ownership table
+  std::optional<std::string> surfaces_csv;     ///< file for the list of facets
+  std::optional<std::string> surfaces_exodus;  ///< file for the surfaces as a mesh
+  bool is_lenient = false;
+  int n_threads = 0;                     ///< 0: as many as OpenMP chooses
+  std::optional<std::string> log;        ///< in place of <deck base>.log
+  std::vector<std::string> definitions;  ///< "name=value" for Aprepro
+  bool explains = false;
+  std::vector<std::string> explain_words;  ///< of `contactsim explain`
+};
+
+/// The log file of a run: the one asked for, else <deck base>.log in the run directory.
+std::string log_path(const Options& options);
+
+/// The files that the command line has the run read.
+std::vector<RunFile> files_read(const Options& options);
+
+/// The files that the command line has the run write, the log first.
+std::vector<RunFile> files_written(const Options& options);
+
+/// What the command line means: options, or an exit code when all is said and done (--help, --version,
+/// mistakes).
+struct CommandLine {
+  Options options;
+  std::optional<ExitCode> exit_code;
+};
+
+/// Reads the command line; prints help, version and mistakes itself.
+CommandLine read_command_line(int argc, const char* const* argv);
+
+}  // namespace contactsim

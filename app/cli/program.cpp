@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/program.hpp"
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "app/cli/exit_guard.hpp"
+#include "app/cli/options.hpp"
+#include "app/cli/run_deck.hpp"
+#include "app/manual/explain_variables.hpp"
+#include "app/reports/log.hpp"
+#include "app/run/file_clashes.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/pluralize.hpp"
+#include "core/base/version.hpp"
+#include "parser/explain.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Warnings once more at the end, where they are seen.
+void write_summary(const Diagnostics& warnings, Log& log) {
+  if (warnings.empty()) return;
+  log.write(fmt::format("\n{}\n", pluralize(warnings.all().size(), "warning")));
+  log.write(warnings);
+}
+
+ExitCode run(const Options& options, Log& log) {
+  Diagnostics warnings;
+  const auto work = [&] {
+    try {
+      const ExitCode code = run_deck(options, log, warnings);
+      write_summary(warnings, log);
+      return code;
+    } catch (const DeckError& error) {
+      log.write(error.diagnostics());
+      log.write_error("contactsim: " + pluralize(error.diagnostics().error_count(), "error"));
+      return ExitCode::deck;
+    }
+  };
+  return guard_exit(work, [&](const std::string& line) {
+    log.write(warnings);
+    log.write_error(line);
+  });
+}
+
+/// A mistyped deck leaves no log behind.
+void check_deck_is_a_file(const std::string& deck) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(deck, ignored);
+  if (!std::filesystem::exists(status)) throw FileError(deck, "there is no such deck");
+  if (std::filesystem::is_directory(status)) throw FileError(deck, "this is a directory, not a deck");
+}
+
+/// The deck language, and output variables of the same name.
+Explanation explain_all(std::span<const std::string> words) {
+  Explanation explanation = explain(words);
+  const std::string variables = words.empty() ? "" : explain_variables(words);
+  if (variables.empty()) return explanation;
+  if (!explanation.is_found) return {variables, true};
+  explanation.text += "\n" + variables;
+  return explanation;
+}
+
+ExitCode start(const Options& options) {
+  check_deck_is_a_file(options.deck);
+  const std::string clash = find_file_clash(files_read(options), files_written(options));
+  if (!clash.empty()) {
+    std::fprintf(stderr, "error: %s\n", clash.c_str());
+    return ExitCode::deck;
+  }
+  if (options.n_threads > 0) omp_set_num_threads(options.n_threads);
+  Log log(log_path(options));
+  log.write(fmt::format("contactsim {}\n", version));
+  const ExitCode code = run(options, log);
+  log.close();
+  return code;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv) {
+  const auto work = [&] {
+    const CommandLine line = read_command_line(argc, argv);
+    if (line.exit_code) return *line.exit_code;
+    if (!line.options.explains) return start(line.options);
+    const Explanation explanation = explain_all(line.options.explain_words);
+    std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
+    return explanation.is_found ? ExitCode::done : ExitCode::deck;
+  };
+  const ExitCode code =
+      guard_exit(work, [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
+  return static_cast<int>(code);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/run_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/cli/run_mesh.hpp"
+#include "app/cli/stop_signal.hpp"
+#include "app/cli/surface_stage.hpp"
+#include "app/reports/deck_report.hpp"
+#include "app/reports/overlap_report.hpp"
+#include "app/reports/run_log.hpp"
+#include "app/run/file_clashes.hpp"
+#include "app/run/simulation.hpp"
+#include "app/run/start_overlap.hpp"
+#include "core/definition/simulation.hpp"
+#include "parser/deck.hpp"
+
+namespace contactsim {
+
+namespace {
+
+ParseOptions parse_options(const Options& options) {
+  ParseOptions parse;
+  parse.is_lenient = options.is_lenient;
+  for (const std::string& definition : options.definitions) {
+    const std::size_t equals = definition.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      Diagnostics mistake;
+      mistake.add_error({}, fmt::format("-D {}: expected name=value", definition));
+      throw DeckError(mistake);
+    }
+    parse.overrides.emplace_back(definition.substr(0, equals), definition.substr(equals + 1));
+  }
+  return parse;
+}
+
+/// A region and the procedure that it is part of.
+struct ChosenRegion {
+  Procedure procedure;
+  Region region;
+};
+
+/// The region to work on: with contact before without, of an explicit procedure before an implicit one, then
+/// the first.
+ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& warnings) {
+  const Procedure* of = nullptr;
+  const Region* chosen = nullptr;
+  int best = -1;
+  for (const Procedure& procedure : definition.procedures) {
+    for (const Region& region : procedure.regions) {
+      const int merit = (region.contact ? 2 : 0) + (procedure.implicit_by ? 0 : 1);
+      if (merit <= best) continue;
+      best = merit;
+      of = &procedure;
+      chosen = &region;
+    }
+  }
+  for (const Region* other : regions_with_contact(definition)) {
+    if (other == chosen) continue;
+    warnings.add_warning("deck-region", other->name.location,
+                         fmt::format("the contact of the region '{}' is passed over", other->name.text),
+                         fmt::format("that of '{}' is resolved", chosen->name.text),
+                         static_cast<int>(other->name.text.size()));
+  }
+  return chosen != nullptr ? ChosenRegion{*of, *chosen} : ChosenRegion{};
+}
+
+/// Whether a run may resume from where an earlier one was.
+bool asks_to_resume(const SimulationDefinition& definition) {
+  if (definition.restart.is_automatic || definition.restart.time) return true;
+  for (const Procedure& procedure : definition.procedures) {
+    for (const Region& region : procedure.regions) {
+      if (std::ranges::any_of(region.restart_data, [](const RestartData& restart) {
+            return restart.is_automatic || restart.restart_time;
+          }))
+        return true;
+    }
+  }
+  return false;
+}
+
+/// A deck with errors goes no further, but wrong names of surfaces are found all the same.
+void add_name_errors(const Options& options, const SimulationDefinition& definition, Diagnostics& errors) {
+  Diagnostics discarded, found;
+  const Region region = choose_region(definition, discarded).region;
+  add_surface_name_errors(definition, region, run_mesh_path(options, definition, region), found);
+  // What the deck alone shows to be wrong has been reported.
+  const auto is_reported = [known = errors.all()](const Diagnostic& error) {
+    return std::ranges::any_of(known, [&](const Diagnostic& other) {
+      return other.severity == Severity::error && error.severity == Severity::error &&
+             to_string(other.location) == to_string(error.location);
+    });
+  };
+  for (const Diagnostic& error : found.all()) {
+    if (!is_reported(error)) errors.add(error);
+  }
+}
+
+/// Removes overlaps where the deck wants it; the mesh whose nodes have moved, if some have.
+std::optional<Mesh> part_overlaps(const RunInput& input, Log& log, Diagnostics& warnings) {
+  auto removed = remove_initial_overlap(input);
+  if (!removed) return std::nullopt;
+  log.write(format_overlap(*removed, *input.contact, input.mesh));
+  return move_nodes(input, std::move(*removed), warnings);
+}
+
+std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log) {
+  if (input.contact == nullptr) return {};
+  auto overlaps = find_start_overlaps(*input.contact, input.mesh, *input.region.contact);
+  log.write(format_start_overlaps(overlaps, *input.contact, input.mesh));
+  return overlaps;
+}
+
+/// The mesh that the deck names must outlive the run as well.
+void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
+  const RunFile mesh{mesh_path, "the mesh"};
+  const std::string clash = find_file_clash({&mesh, 1}, files_written(options));
+  if (!clash.empty()) throw FileError(mesh_path, clash);
+}
+
+RunSettings run_settings(const Options& options, const Mesh& mesh, Log& log) {
+  std::vector<RunFile> kept = files_read(options);
+  kept.push_back({mesh.path(), "the mesh"});
+  kept.push_back({log_path(options), "the log"});
+  return {options.results, options.command_line, std::move(kept),
+          [&log](std::string_view text) { log.write(text); }};
+}
+
+/// Has the run do what signals ask for.
+void obey(StopSignals& signals, Simulation& simulation) {
+  if (const auto signal = signals.find_stop()) simulation.stop(*signal);
+  if (signals.take_restart_wish()) simulation.store_restart();
+}
+
+/// The loop of a run.
+ExitCode run_to_end(Simulation& simulation) {
+  StopSignals signals;
+  ExitCode code = ExitCode::done;
+  try {
+    simulation.begin();
+    obey(signals, simulation);
+    while (!simulation.is_over()) {
+      simulation.step();
+      obey(signals, simulation);
+    }
+  } catch (const SolveError&) {
+    code = ExitCode::solve;
+  }
+  simulation.finish();
+  return simulation.stopped_by() ? ExitCode::stopped : code;
+}
+
+}  // namespace
+
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings) {
+  const SimulationDefinition definition = parse_deck(options.deck, parse_options(options), warnings);
+  log.begin(asks_to_resume(definition));
+  if (warnings.has_errors()) {
+    if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
+    throw DeckError(warnings);
+  }
+  log.write(fmt::format("Deck {}\n{}", options.deck, format_definition(definition)));
+  if (options.stage == Stage::parse) return ExitCode::done;
+
+  const auto [procedure, region] = choose_region(definition, warnings);
+  check_mesh_is_kept(options, run_mesh_path(options, definition, region));
+  Mesh mesh = read_run_mesh(options, definition, region, warnings);
+  log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
+
+  ResolvedContact contact;
+  if (region.contact || options.stage == Stage::check) {
+    contact = resolve_contact(options, definition, region, mesh, log, warnings);
+    if (contact.code != ExitCode::done) return contact.code;
+  }
+  RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
+  if (auto moved = part_overlaps(input, log, warnings)) mesh = std::move(*moved);
+  const std::vector<StartOverlap> overlaps = find_overlaps(input, log);
+  if (options.stage == Stage::check) {
+    warn_of_overlaps(input, overlaps, {}, warnings);
+    return ExitCode::done;
+  }
+
+  input.overlaps = overlaps;
+  Simulation simulation(input, run_settings(options, mesh, log), warnings);
+  RunLog run_log(log);
+  simulation.observe([&](RunEvent event, const Simulation& run) { run_log.look(event, run); });
+  return run_to_end(simulation);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/run_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/base/errors.hpp"
+#include "core/definition/simulation.hpp"
+#include "io/exodus_reader.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Who asks for a mesh that is not there, and where it may be.
+std::string describe_missing_mesh(const std::string& path, const Options& options,
+                                  const SimulationDefinition& definition, const Region& region) {
+  const FiniteElementModel* model = find_finite_element_model(definition, region);
+  std::string text = "no such file; ";
+  if (model != nullptr && model->database) {
+    text += fmt::format("it is the DATABASE NAME at {}", to_string(model->database->location));
+  } else {
+    text += "the deck names no mesh, so its own base name is taken";
+  }
+  const std::filesystem::path beside = std::filesystem::path(options.deck).parent_path() / path;
+  std::error_code ignored;
+  if (std::filesystem::exists(beside, ignored)) {
+    return text + fmt::format(
+                      ", and file names are relative to the run directory: run in the deck's "
+                      "directory, or add '{}' to the command line",
+                      beside.string());
+  }
+  return text + "; a mesh named on the command line, after the deck, goes before it";
+}
+
+}  // namespace
+
+std::string run_mesh_path(const Options& options, const SimulationDefinition& definition,
+                          const Region& region) {
+  return options.mesh.value_or(mesh_path(definition, region));
+}
+
+Mesh read_run_mesh(const Options& options, const SimulationDefinition& definition, const Region& region,
+                   Diagnostics& warnings) {
+  const std::string path = run_mesh_path(options, definition, region);
+  std::error_code ignored;
+  const auto type = std::filesystem::status(path, ignored).type();
+  if (!options.mesh && type == std::filesystem::file_type::not_found) {
+    throw FileError(path, describe_missing_mesh(path, options, definition, region));
+  }
+  return read_mesh(path, warnings);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/stop_signal.hpp"
+
+#include <csignal>
+
+namespace contactsim {
+
+namespace {
+
+// All that a handler of signals may write to, and the only numbers of the program that are nobody's.
+volatile std::sig_atomic_t signal_to_end = 0, wants_restart = 0;
+
+extern "C" void contactsim_note_end(int signal) { signal_to_end = signal; }
+extern "C" void contactsim_note_restart(int) { wants_restart = 1; }
+
+void set_handler(int signal, void (*handler)(int), int flags) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
+}  // namespace
+
+StopSignals::StopSignals() {
+  signal_to_end = 0;
+  wants_restart = 0;
+  // Writes to files go on after a signal, and a second one has its usual way.
+  constexpr int once = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  set_handler(SIGTERM, contactsim_note_end, once);
+  set_handler(SIGINT, contactsim_note_end, once);
+  set_handler(SIGUSR1, contactsim_note_restart, SA_RESTART);
+}
+
+StopSignals::~StopSignals() {
+  for (const int signal : {SIGTERM, SIGINT, SIGUSR1}) set_handler(signal, SIG_DFL, 0);
+}
+
+std::optional<std::string> StopSignals::find_stop() const {
+  if (signal_to_end == 0) return std::nullopt;
+  return signal_to_end == SIGINT ? "SIGINT" : "SIGTERM";
+}
+
+bool StopSignals::take_restart_wish() {
+  const bool is_wanted = wants_restart != 0;
+  wants_restart = 0;
+  return is_wanted;
+}
+
+}  // namespace contactsim

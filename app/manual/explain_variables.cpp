@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/manual/explain_variables.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "contact/output/contact_output.hpp"
+#include "core/base/names.hpp"
+#include "core/materials/hardening.hpp"
+#include "core/output/output_table.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Adds the variables that are wanted to a text.
+struct Listing {
+  std::string wanted;  ///< part of a name, folded; "" for all
+  std::string text;
+
+  void add(std::string_view location, std::string_view name, int n_components, std::string_view help) {
+    if (name.find(wanted) == std::string_view::npos) return;
+    const std::string size = n_components == 1 ? "" : fmt::format("({})", n_components);
+    text += fmt::format("  {:<8} {:<34} {}\n", location, std::string(name) + size, help);
+  }
+
+  void add(std::span<const OutputRow> rows) {
+    for (const OutputRow& row : rows) add(to_string(row.location), row.name, row.n_components(), row.help);
+  }
+};
+
+}  // namespace
+
+std::string explain_variables(std::span<const std::string> words) {
+  Listing listing{fold(fmt::format("{}", fmt::join(words, "_"))), ""};
+  if (listing.wanted == "output_variables") listing.wanted.clear();
+  listing.add(global_output_rows());
+  for (const ContactTotalRow& row : contact_total_rows()) {
+    for (const char* of : {"_<surface>", "_<first>_<second>"})
+      listing.add("global", std::string(row.name) + of, component_count(row.shape), row.help);
+  }
+  listing.add(nodal_output_rows());
+  for (const ContactNodeRow& row : contact_node_rows())
+    listing.add("nodal", row.name, component_count(row.shape), row.help);
+  listing.add(element_output_rows());
+  for (const StateVariable& variable : LinearHardening::variables)
+    listing.add("element", variable.name, static_cast<int>(variable.n_components), variable.help);
+  return listing.text.empty() ? ""
+                              : "output variables, the number of components in parentheses\n" + listing.text;
+}
+
+}  // namespace contactsim

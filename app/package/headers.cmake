@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the public headers and all that they include below include/contactsim: those of app/run and the version at its
+# top, others at their path in the tree. Set before: SOURCE_DIR, GENERATED_DIR, PUBLIC_HEADERS.
+cmake_minimum_required(VERSION 3.25)
+
+set(staged ${GENERATED_DIR}/include/contactsim)
+file(REMOVE_RECURSE ${staged})
+set(found ${PUBLIC_HEADERS})
+set(waiting ${PUBLIC_HEADERS})
+while(waiting)
+  list(POP_FRONT waiting header)
+  if(EXISTS ${SOURCE_DIR}/${header})
+    file(READ ${SOURCE_DIR}/${header} text)
+  else()
+    file(READ ${GENERATED_DIR}/${header} text)
+  endif()
+  string(REGEX MATCHALL "#include \"[^\"]+\"" includes "${text}")
+  list(TRANSFORM includes REPLACE "#include \"(.*)\"" "\\1")
+  list(REMOVE_ITEM includes ${found})
+  list(APPEND found ${includes})
+  list(APPEND waiting ${includes})
+  string(REGEX REPLACE "#include \"(app/run/)?([^\"]+)\"" "#include \"contactsim/\\2\"" text "${text}")
+  string(REGEX REPLACE "^app/run/" "" path "${header}")
+  string(REPLACE "core/base/version" "version" path "${path}")
+  file(WRITE ${staged}/${path} "${text}")
+endwhile()
+file(INSTALL ${staged} DESTINATION ${CMAKE_INSTALL_PREFIX}/include)

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reports/death_report.hpp"
+
+#include <fmt/format.h>
+
+#include "app/reports/surface_report.hpp"
+#include "core/base/pluralize.hpp"
+
+namespace contactsim {
+
+namespace {
+
+constexpr const char* row = "  {:<28} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
+
+std::string format_counts(const DeathTally& tally) {
+  SurfaceChange sum;
+  for (const SurfaceChange& change : tally.changes) {
+    sum.faces_gained += change.faces_gained;
+    sum.faces_lost += change.faces_lost;
+  }
+  return fmt::format("; contact gains {}, loses {}, has {}\n", pluralize(sum.faces_gained, "face"),
+                     pluralize(sum.faces_lost, "face"), pluralize(tally.n_free, "free node"));
+}
+
+std::string format_changes(const DeathTally& tally, const ContactModel& contact) {
+  std::string text;
+  for (std::size_t i = 0; i < tally.changes.size(); ++i) {
+    const SurfaceChange& change = tally.changes[i];
+    const ContactSurface& surface = contact.surfaces.surfaces[i];
+    if (!change.is_any()) continue;
+    text += fmt::format(row, surface.name, change.faces_gained, change.faces_lost, surface.faces.size(),
+                        change.lofted_lost, surface.lofted_elements.size());
+  }
+  if (text.empty()) return "";
+  return fmt::format(row, "surface", "gained", "lost", "faces", "lost", "lofted") + text;
+}
+
+}  // namespace
+
+std::string format_deaths(const DeathTally& tally, const State& state, DeathLog detail,
+                          const ContactModel* contact, const Mesh& mesh) {
+  std::string text = fmt::format("Element death at step {}, time {:.6e}: {} died, {} dead", state.step,
+                                 state.time, pluralize(tally.n_died, "element"), tally.n_dead);
+  if (tally.n_dying > 0) text += fmt::format(", {} dying", tally.n_dying);
+  if (contact == nullptr) return text + "\n";
+  text += format_counts(tally);
+  if (detail != DeathLog::minimal) text += format_changes(tally, *contact);
+  if (detail == DeathLog::full) text += format_surface_tables(*contact, summarize(*contact, mesh));
+  return text;
+}
+
+std::string format_death_total(const DeathTally& tally, std::size_t n_may_die) {
+  return fmt::format("\nElement death\n  {} of {} that may die are dead, {} dying\n",
+                     pluralize(tally.n_dead, "element"), n_may_die, tally.n_dying);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reports/log.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "core/base/errors.hpp"
+
+namespace contactsim {
+
+namespace {
+
+void write_to(std::FILE* stream, std::string_view text) { std::fwrite(text.data(), 1, text.size(), stream); }
+
+}  // namespace
+
+Log::Log(const std::string& path) : path_(path), file_(path, std::ios::binary | std::ios::app) {
+  if (!file_) throw FileError(path, "the log file cannot be written");
+}
+
+void Log::begin(bool keeps_earlier) {
+  if (!keeps_earlier) {
+    file_.close();
+    file_.open(path_, std::ios::binary | std::ios::trunc);
+    if (!file_) throw FileError(path_, "the log file cannot be written");
+  } else if (std::error_code none; std::filesystem::file_size(path_, none) > 0 && !none) {
+    held_.insert(0, "\n");
+  }
+  has_begun_ = true;
+  write_to_file(held_);
+  held_.clear();
+}
+
+void Log::write_to_file(std::string_view text) {
+  if (has_begun_) {
+    file_ << text << std::flush;
+  } else {
+    held_ += text;
+  }
+}
+
+void Log::write(std::string_view text) {
+  write_to(stdout, text);
+  write_to_file(text);
+}
+
+void Log::write(const Diagnostics& diagnostics) {
+  const bool is_terminal = isatty(STDERR_FILENO) != 0;
+  std::fflush(stdout);
+  for (const DiagnosticGroup& group : diagnostics.grouped()) {
+    const std::string machine = format_machine(group);
+    write_to(stderr, is_terminal ? format_with_caret(group, true) : machine);
+    write_to_file(machine);
+  }
+}
+
+void Log::write_error(std::string_view line) {
+  const std::string text = std::string(line) + "\n";
+  std::fflush(stdout);
+  write_to(stderr, text);
+  write_to_file(text);
+}
+
+void Log::close() {
+  if (!has_begun_) begin(true);
+  std::fflush(stdout);
+  file_.close();
+  if (std::ferror(stdout) != 0) throw FileError("standard output", "what the run prints cannot be written");
+  if (!file_) throw FileError(path_, "the log file cannot be written");
+}
+
+}  // namespace contactsim

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reports/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include "core/base/pluralize.hpp"
+#include "core/elements/element_table.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Sum over the elements, the copies that fill up the last batch left out.
+double mass_of(const ModelBlock& block) {
+  double mass = 0.0;
+  for (std::size_t i = 0; i < block.n_elements; ++i)
+    mass += block.mass[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
+  return mass;
+}
+
+}  // namespace
+
+std::string format_model(const Model& model, const StepReport& at_start) {
+  constexpr const char* row = "  {:<24} {:>10} {:<9} {:<22} {:<24} {:>12}\n";
+  std::string text =
+      "\nModel\n" + fmt::format(row, "block", "elements", "type", "formulation", "material", "mass");
+  double mass = 0.0;
+  for (const ModelBlock& block : model.blocks) {
+    mass += mass_of(block);
+    text += fmt::format(row, model.mesh->name({EntityKind::block, block.mesh_block}), block.n_elements,
+                        topology(block.element->shape).name, block.element->formulation, block.material,
+                        fmt::format("{:.6g}", mass_of(block)));
+  }
+  text += fmt::format("  mass {:.6g}, {} nodes held or driven\n", mass,
+                      model.kinematic_constraints.nodes().size());
+  text += fmt::format("  stable time step {:.6g}", at_start.stable_step);
+  if (at_start.critical_element) {
+    const ElementIndex element = *at_start.critical_element;
+    text += fmt::format(", set by element {} of {}", model.mesh->element_id(element),
+                        model.mesh->name({EntityKind::block, model.mesh->block_of(element)}));
+  }
+  return text + "\n";
+}
+
+std::string format_paths(std::span<const std::string> paths) {
+  return paths.empty() ? "" : fmt::format("  writes {}\n", fmt::join(paths, ", "));
+}
+
+std::string step_heading() {
+  return fmt::format("\n{:>9} {:>13} {:>12} {:>13} {:>13} {:>13} {:>13} {:>9}\n", "step", "time", "time step",
+                     "kinetic", "internal", "external", "contact", "error %");
+}
+
+std::string format_step(const State& state) {
+  const Energies& e = state.energies;
+  const double error = e.largest > 0.0 ? 100.0 * e.error / e.largest : 0.0;
+  return fmt::format("{:>9} {:>13.6e} {:>12.4e} {:>13.5e} {:>13.5e} {:>13.5e} {:>13.5e} {:>9.4f}\n",
+                     state.step, state.time, state.next_dt, e.kinetic, e.internal, e.external, e.contact,
+                     error);
+}
+
+std::string format_restart_source(const RunRestart& restart) {
+  if (!restart.resumes()) return "";
+  if (!restart.source()) {
+    return fmt::format("\nRestart: there is no state in {} yet, the run begins at its start\n",
+                       restart.input());
+  }
+  const StoredState& state = *restart.source();
+  return fmt::format("\nRestart from {}: step {}, time {:.6g}{}\n", state.path, state.head.step,
+                     state.head.time, restart.shifts() ? ", moved to the start time" : "");
+}
+
+std::string format_stored_states(const RunRestart& restart) {
+  if (!restart.last_step()) return "";
+  return fmt::format("\nRestart: {} stored, the last one of step {} in {}\n",
+                     pluralize(static_cast<std::size_t>(restart.n_written()), "state"), *restart.last_step(),
+                     restart.last_path());
+}
+
+std::string format_energy_balance(const Energies& energies, double stored_at_start,
+                                  double given_out_by_overlaps) {
+  std::string text = "\nEnergy balance\n";
+  const auto add = [&](const char* name, double energy) {
+    text += fmt::format("  {:<30} {:>13.5e}\n", name, energy);
+  };
+  const double impact = energies.impact + given_out_by_overlaps;
+  const double overlap_energy = stored_at_start + given_out_by_overlaps;
+  const double lost = energies.friction + energies.contact_damping + impact;
+  add("start, between half steps", energies.start);
+  add("put in by the start, overlaps", overlap_energy);
+  add("work of loads and motion", energies.external);
+  add("kinetic", energies.kinetic);
+  add("internal", energies.internal);
+  add("held by contact", overlap_energy + energies.contact - lost);
+  add("lost to friction", energies.friction);
+  add("lost to contact damping", energies.contact_damping);
+  add("lost where sides met", impact);
+  add("error of the balance", energies.error);
+  return text;
+}
+
+std::string format_wall_times(std::span<const PartTime> parts, double whole, std::int64_t n_steps,
+                              std::size_t n_elements) {
+  std::string text = "\nWall time\n";
+  const auto add = [&](const std::string& name, double seconds) {
+    text += fmt::format("  {:<24} {:>10.3f} s {:>5.1f} %\n", name, seconds, 100.0 * seconds / whole);
+  };
+  for (const PartTime& part : parts) add(part.name, part.seconds);
+  add("whole run", whole);
+  const double steps = static_cast<double>(n_steps);
+  text += fmt::format("  {:.6g} steps per second, {:.6g} million element-steps per second\n", steps / whole,
+                      steps * static_cast<double>(n_elements) / whole * 1e-6);
+  return text;
+}
+
+}  // namespace contactsim

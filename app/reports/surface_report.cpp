@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reports/surface_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "contact/interface_laws/interface_law_checks.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Digits of an area in files: enough to compare by, few enough that round-off does not show.
+constexpr int n_area_digits = 12;
+
+double rounded(double area) { return std::stod(fmt::format("{:.{}g}", area, n_area_digits)); }
+
+constexpr const char* row_format = "{:>4}  {:<28} {:<22} {:>6} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9} {:>13}\n";
+
+std::string format_rows(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
+  std::string text = fmt::format(row_format, "no", "surface", "made by", "line", "claimed", "owned",
+                                 "triangle", "quad", "lofted", "nodes", "area");
+  SurfaceSummary total;
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    const ContactSurface& surface = model.surfaces.surfaces[i];
+    const SurfaceSummary& s = summaries[i];
+    text += fmt::format(row_format, i + 1, surface.name, surface.command, surface.location.line, s.claimed,
+                        s.owned, s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes,
+                        fmt::format("{:.6g}", s.area));
+    if (!surface.analytic_planes.empty()) {
+      text += fmt::format("      {:<28} analytic facets: {}\n", "", surface.analytic_planes.size());
+    }
+    total.claimed += s.claimed;
+    total.owned += s.owned;
+    total.triangles += s.triangles;
+    total.quadrilaterals += s.quadrilaterals;
+    total.lofted_elements += s.lofted_elements;
+    total.nodes += s.nodes;
+    total.area += s.area;
+  }
+  return text + fmt::format(row_format, "", "total", "", "", total.claimed, total.owned, total.triangles,
+                            total.quadrilaterals, total.lofted_elements, total.nodes,
+                            fmt::format("{:.6g}", total.area));
+}
+
+std::string format_lost_claims(const ContactModel& model) {
+  constexpr const char* lost_format = "      {:<28} {:<28} {:>9} {:>9} {:>9}\n";
+  std::string text;
+  for (const ContactSurface& surface : model.surfaces.surfaces) {
+    for (const LostClaims& lost : surface.lost_to) {
+      text += fmt::format(lost_format, surface.name, model.surfaces.surfaces[lost.winner].name, lost.faces,
+                          lost.lofted, lost.nodes);
+    }
+  }
+  if (text.empty()) return "";
+  return "\nClaims lost to earlier surfaces\n" +
+         fmt::format(lost_format, "surface", "lost to", "faces", "lofted", "nodes") + text;
+}
+
+std::string format_warnings(const ContactModel& model) {
+  if (model.surfaces.warnings.empty()) return "";
+  std::string text = "\nWarnings about surfaces\n";
+  text += fmt::format("      {:<28} {:>9} {:>6}  {}\n", "id", "count", "line", "text");
+  for (const SurfaceWarning& warning : model.surfaces.warnings) {
+    text += fmt::format("      {:<28} {:>9} {:>6}  {}\n", warning.id, warning.count, warning.location.line,
+                        warning.text);
+  }
+  return text;
+}
+
+Json to_json(const ContactModel& model, const ContactSurface& surface, const SurfaceSummary& s) {
+  Json lost = Json::array();
+  for (const LostClaims& claims : surface.lost_to) {
+    lost.push_back({{"surface", model.surfaces.surfaces[claims.winner].name},
+                    {"faces", claims.faces},
+                    {"lofted", claims.lofted},
+                    {"nodes", claims.nodes}});
+  }
+  Json json{{"name", surface.name},
+            {"kind", surface.kind == SurfaceKind::face ? "face" : "node"},
+            {"command", surface.command},
+            {"line", surface.location.line},
+            {"claimed", s.claimed},
+            {"owned", s.owned},
+            {"triangles", s.triangles},
+            {"quadrilaterals", s.quadrilaterals},
+            {"area", rounded(s.area)},
+            {"nodes", s.nodes},
+            {"lofted",
+             {{"elements", s.lofted_elements},
+              {"top", s.top},
+              {"bottom", s.bottom},
+              {"side", s.side},
+              {"prisms", s.prisms},
+              {"spheres", s.spheres}}}};
+  if (!surface.analytic_planes.empty()) json["analytic"] = surface.analytic_planes.size();
+  json["lost_to"] = std::move(lost);
+  return json;
+}
+
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const ContactModel& model, const SurfacePair& pair) {
+  const bool is_face_face = pair.formulation == ConstraintFormulation::face_face;
+  const bool is_sliding = pair.behavior == InteractionBehavior::sliding;
+  return {{"first", model.surfaces.surfaces[pair.first].name},
+          {"second", model.surfaces.surfaces[pair.second].name},
+          {"interaction", pair.interaction},
+          {"line", pair.location.line},
+          {"law", describe_law(*pair.law)},
+          {"formulation", is_face_face ? "face_face" : "node_face"},
+          {"one_sided", pair.is_one_sided},
+          {"behavior", is_sliding ? "sliding" : "infinitesimal_sliding"},
+          {"normal_tolerance", to_json(pair.normal_tolerance)},
+          {"tangential_tolerance", to_json(pair.tangential_tolerance)},
+          {"overlap_normal_tolerance", to_json(pair.overlap_normal_tolerance)},
+          {"overlap_tangential_tolerance", to_json(pair.overlap_tangential_tolerance)},
+          {"capture_tolerance", to_json(pair.capture_tolerance)},
+          {"penalty_scale", pair.penalty_scale},
+          {"penalty_stiffness", to_json(pair.penalty_stiffness)},
+          {"damping_fraction", pair.damping_fraction}};
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c;
+    if (c == '"') quoted += '"';
+  }
+  return quoted + '"';
+}
+
+}  // namespace
+
+std::string format_surface_tables(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
+  std::string text = "\nContact surfaces\n" + format_rows(model, summaries);
+  if (model.surfaces.interior_faces_ignored > 0) {
+    text += fmt::format("      {} faces between present blocks are no contact faces\n",
+                        model.surfaces.interior_faces_ignored);
+  }
+  return text + format_lost_claims(model) + format_warnings(model);
+}
+
+std::string format_passed_over(const ContactModel& model, const Mesh& mesh) {
+  const auto& blocks = model.surfaces.blocks_passed_over;
+  if (blocks.empty()) return "";
+  std::vector<std::string> names;
+  for (const std::uint32_t block : blocks) names.push_back(mesh.name({EntityKind::block, block}));
+  return fmt::format("      passed over, as point masses, springs and dampers have no size: {}\n",
+                     fmt::join(names, ", "));
+}
+
+std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
+  Json surfaces = Json::array(), pairs = Json::array(), warnings = Json::array();
+  for (std::size_t i = 0; i < summaries.size(); ++i) {
+    surfaces.push_back(to_json(model, model.surfaces.surfaces[i], summaries[i]));
+  }
+  for (const SurfacePair& pair : model.pairs) pairs.push_back(to_json(model, pair));
+  for (const SurfaceWarning& warning : model.surfaces.warnings) {
+    warnings.push_back({{"id", warning.id},
+                        {"line", warning.location.line},
+                        {"surface", warning.surface},
+                        {"count", warning.count},
+                        {"text", warning.text}});
+  }
+  const Json json{{"schema", "contactsim-surfaces/1"},
+                  {"surfaces", std::move(surfaces)},
+                  {"interior_faces_ignored", model.surfaces.interior_faces_ignored},
+                  {"warnings", std::move(warnings)},
+                  {"pairs", std::move(pairs)}};
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string format_surfaces_csv(const ContactModel& model, std::span<const FacetRow> rows) {
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "surface,block,element,side,kind,area\n");
+  for (const FacetRow& row : rows) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{:.{}g}\n",
+                   csv_field(model.surfaces.surfaces[row.surface].name), csv_field(row.block), row.element,
+                   row.side, row.kind, row.area, n_area_digits);
+  }
+  return fmt::to_string(text);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "app/run/run_death.hpp"
+#include "core/base/state_archive.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
+#include "io/outputs.hpp"
+
+namespace contactsim {
+
+/// All of a run that changes from step to step and that the next step builds on.
+struct Checkpoint {
+  const Model& model;
+  State& state;
+  RunContact* contact;  ///< null without contact
+  RunDeath* death;      ///< null when nothing can die
+  Outputs& outputs;
+  std::optional<double> shifted_to;  ///< the time that a restored state begins at, if not its own [time]
+};
+
+/// Saves it, or restores it in a run of the same mesh, materials and contact. Throws FileError when the saved
+/// one is of another run.
+void archive(const Checkpoint& checkpoint, StateArchive& saved);
+
+}  // namespace contactsim

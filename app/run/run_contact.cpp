@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/run_contact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/run/energy_watch.hpp"
+#include "app/run/start_overlap.hpp"
+#include "app/run/start_warnings.hpp"
+#include "contact/output/surface_drawing.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/pluralize.hpp"
+#include "core/definition/simulation.hpp"
+#include "core/dynamics/state_motion.hpp"
+#include "io/surface_writer.hpp"
+#include "io/write_text.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Energy that contact makes is worth a warning when it is this share of the largest term.
+constexpr double worrying_share = 0.02;
+
+/// Energy from nowhere that exceeds what was put in for so many steps will not go away.
+constexpr int longest_runaway = 20;
+
+/// What contact has given out that nothing had put into it [energy].
+double made_by_contact(const ContactForce& force, const Energies& energies) {
+  const double stored = force.stored() - force.stored_at_start();
+  return stored + energies.friction + energies.contact_damping + std::max(energies.impact, 0.0) -
+         energies.contact;
+}
+
+/// The pair that has made the most energy; the first without any pairs.
+std::size_t find_culprit(std::span<const PairHistory> histories) {
+  const auto most = std::ranges::max_element(histories, {}, &PairHistory::made);
+  return static_cast<std::size_t>(most - histories.begin());
+}
+
+std::string names_of(const ContactModel& contact, std::size_t pair) {
+  const auto& surfaces = contact.surfaces.surfaces;
+  return fmt::format("'{}' and '{}'", surfaces[contact.pairs[pair].first].name,
+                     surfaces[contact.pairs[pair].second].name);
+}
+
+}  // namespace
+
+RunContact::RunContact(const RunInput& input, const Model& model)
+    : input_(input),
+      model_(model),
+      mesh_(input.mesh),
+      contact_(*input.contact),
+      force_(ContactSetup{*input.region.contact, contact_, model,
+                          input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
+      output_(force_, contact_, model),
+      debug_(contact_debug_files(input.definition, input.region.contact->debug)) {}
+
+void RunContact::add_to(OutputSettings& settings) {
+  settings.variables = output_.variables();
+  for (const ContactSurface& surface : contact_.surfaces.surfaces) {
+    if (surface.faces.empty()) continue;
+    // A mesh that was written as results has such names already.
+    const auto is_taken = [&](const std::string& name) {
+      return mesh_.find(EntityKind::side_set, name).has_value() ||
+             std::ranges::any_of(settings.side_sets,
+                                 [&](const SideSet& set) { return fold(set.name) == fold(name); });
+    };
+    std::string name = "contact_" + surface.name;
+    for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface.name, i);
+    settings.side_sets.push_back({0, name, surface.faces, {}});
+  }
+}
+
+void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes,
+                               bool makes_new_edges) {
+  makes_new_edges_ = makes_new_edges;
+  Diagnostics discarded;  // reported when the model was made
+  OwnershipRules rules(find_surface_requests(input_.definition, input_.region, mesh_, discarded), mesh_,
+                       input_.region.contact->subdomain);
+  living_.emplace(std::move(rules), faces, erodes);
+  free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
+}
+
+std::vector<SurfaceChange> RunContact::update_for_deaths(const State& state,
+                                                         std::span<const ElementIndex> dead,
+                                                         std::span<const std::uint8_t> alive) {
+  std::vector<SurfaceChange> changes = living_->update_for_deaths(dead, contact_.surfaces);
+  const auto has_lost_lofts = [](const SurfaceChange& change) { return change.lofted_lost > 0; };
+  if (std::ranges::any_of(changes, has_lost_lofts)) {
+    Diagnostics discarded;
+    make_lofts(input_.definition, input_.region, mesh_, contact_, discarded);
+  }
+  free_nodes_->add(dead, alive);
+  force_.rebuild_surfaces(motion_of(state), free_nodes_->nodes(), makes_new_edges_);
+  output_.renew();
+  return changes;
+}
+
+void RunContact::write_debug_files() {
+  if (!debug_.facets.empty())
+    write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_), "contact facets");
+  if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_));
+}
+
+void RunContact::add_suffix(const std::string& suffix) {
+  for (std::string* path : {&debug_.facets, &debug_.places}) {
+    if (!path->empty()) *path += suffix;
+  }
+}
+
+bool RunContact::came_out_of_overlap(std::size_t pair) const {
+  return force_.rules().rules()[pair].is_balanced &&
+         std::ranges::any_of(input_.overlaps,
+                             [&](const StartOverlap& overlap) { return overlap.pair == pair; });
+}
+
+double RunContact::given_out_by_overlaps() const {
+  double sum = 0.0;
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    if (came_out_of_overlap(i)) sum += std::max(0.0, histories[i].made());
+  }
+  return sum;
+}
+
+void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
+  const double made = made_by_contact(force_, energies) - given_out_by_overlaps();
+  if (made <= worrying_share * energies.largest || contact_.pairs.empty()) return;
+  const std::size_t culprit = find_culprit(force_.histories());
+  warnings.add_warning(
+      "contact-energy", contact_.pairs[culprit].location,
+      fmt::format("contact has given out {:.3g} of energy that nothing put in ({:.2g} % of the "
+                  "largest term), most of it between {}: {:.3g}",
+                  made, 100.0 * made / energies.largest, names_of(contact_, culprit),
+                  force_.histories()[culprit].made()),
+      "finer faces where corners meet, NODE_FACE or a CONTACT DAMPING FRACTION help");
+}
+
+void RunContact::warn_of_penetration(Diagnostics& warnings) const {
+  constexpr double worrying = 0.1;  // of the thickness
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    if (!(histories[i].deepest_share > worrying)) continue;
+    const SurfacePair& pair = contact_.pairs[i];
+    const bool is_penalty = pair.enforcement == Enforcement::penalty;
+    warnings.add_warning(
+        "contact-penetration", pair.location,
+        fmt::format("{} have penetrated each other by {:.3g}, {:.0f} % of the thickness behind them",
+                    names_of(contact_, i), histories[i].deepest, 100.0 * histories[i].deepest_share),
+        is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through" : "");
+  }
+}
+
+void RunContact::warn_of_lost(Diagnostics& warnings) const {
+  const auto histories = force_.histories();
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const PairHistory& history = histories[i];
+    if (history.n_lost == 0) continue;
+    const SurfacePair& pair = contact_.pairs[i];
+    const auto name = [&](std::uint32_t surface) { return contact_.surfaces.surfaces[surface].name; };
+    const NodeIndex node{history.lost_node};
+    warnings.add_warning(
+        "contact-lost", {},
+        fmt::format(
+            "contact of {} and {} ended at time {:.6g} at node {}, {:.3g} deep: one side has got past "
+            "the other ({} in the run)",
+            name(pair.first), name(pair.second), history.lost_time, mesh_.node_id(node), history.lost_depth,
+            pluralize(history.n_lost, "place")));
+  }
+}
+
+void RunContact::stop_at_runaway(const State& state) {
+  const Energies& e = state.energies;
+  const double made = made_by_contact(force_, e);
+  const double put_in = std::max(0.0, e.start) + std::max(0.0, e.external) + std::max(0.0, -e.internal) +
+                        force_.stored_at_start();
+  // What comes out of overlaps by itself is not worth a word: all of the mass at a millionth of the model's
+  // size in a step.
+  constexpr double of_round_off = 1e-6 / std::numeric_limits<double>::epsilon();
+  const double negligible = of_round_off * of_round_off * energy_of_round_off(model_, state.dt);
+  const bool runs_away = made > std::max(put_in, negligible);
+  n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
+  if (n_runaway_steps_ < longest_runaway || contact_.pairs.empty()) return;
+  const std::size_t culprit = find_culprit(force_.histories());
+  if (came_out_of_overlap(culprit)) return;
+  throw SolveError(
+      state.time, fmt::format("contact between {} runs away: it has given out {:.3g} of energy from nowhere, "
+                              "and all contact {:.3g}, more than all that was put into the model, {:.3g}",
+                              names_of(contact_, culprit), force_.histories()[culprit].made(), made, put_in));
+}
+
+void RunContact::warn_of_start(Diagnostics& warnings) const {
+  warn_of_empty_ties(force_, contact_, warnings);
+  warn_of_edges(force_, contact_, warnings);
+  warn_of_idle_settings(contact_, warnings);
+  warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
+  std::vector<double> stored;
+  for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
+  warn_of_overlaps(input_, input_.overlaps, stored, warnings);
+}
+
+void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {
+  if (state.energies.largest > energy_of_round_off(model_, state.dt))
+    warn_of_energy(state.energies, warnings);
+  warn_of_lost(warnings);
+  warn_of_penetration(warnings);
+}
+
+}  // namespace contactsim

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/run/contact_debug.hpp"
+#include "app/run/run_input.hpp"
+#include "contact/mesh/eroded_nodes.hpp"
+#include "contact/output/contact_output.hpp"
+#include "contact/surfaces/surface_tracker.hpp"
+#include "io/outputs.hpp"
+
+namespace contactsim {
+
+/// All that a run has because its region has a contact definition.
+class RunContact {
+ public:
+  /// Both must outlive this. Precondition: input.contact is there.
+  RunContact(const RunInput& input, const Model& model);
+
+  ContactForce& force() { return force_; }
+  const ContactForce& force() const { return force_; }
+  const ContactModel& model() const { return contact_; }
+
+  /// From now on surfaces follow deaths.
+  ///   faces   must outlive this
+  ///   erodes           [n_elements] 1 of elements whose nodes leave contact with them
+  ///   makes_new_edges  whether edges that deaths expose become edges of contact
+  void follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes, bool makes_new_edges);
+  /// Takes deaths over into the surfaces. Returns what has changed in each [n_surfaces].
+  ///   dead   elements that have just died, ascending
+  ///   alive  [n_elements] 0 of all dead elements
+  std::vector<SurfaceChange> update_for_deaths(const State& state, std::span<const ElementIndex> dead,
+                                               std::span<const std::uint8_t> alive);
+  std::size_t n_eroded_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
+
+  /// Adds the contact variables and a side set contact_<surface> per surface.
+  void add_to(OutputSettings& settings);
+
+  /// The files that BEGIN DEBUG asks for, and writing them with the last state. Throws FileError.
+  std::vector<std::string> paths() const { return debug_.paths(); }
+  void write_debug_files();
+
+  /// Gives the names of these files an end.
+  void add_suffix(const std::string& suffix);
+
+  /// To be called once the first forces are known: warns of ties that tie nothing, of overlaps and of lines
+  /// without effect.
+  void warn_of_start(Diagnostics& warnings) const;
+  /// To be called at the end: warns of energy that nothing had put into contact, and names the pair; of pairs
+  /// whose contact ended though it was deep; and of those that have penetrated by more than a tenth of their
+  /// thickness.
+  void warn_of_end(const State& state, Diagnostics& warnings) const;
+  /// What pairs without springs gave out to come out of overlaps of the mesh [energy].
+  double given_out_by_overlaps() const;
+  /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
+  /// out more energy from nowhere than all that was put into the model.
+  void stop_at_runaway(const State& state);
+
+ private:
+  void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
+  void warn_of_lost(Diagnostics& warnings) const;
+  void warn_of_penetration(Diagnostics& warnings) const;
+  bool came_out_of_overlap(std::size_t pair) const;
+
+  const RunInput& input_;
+  const Model& model_;
+  const Mesh& mesh_;
+  ContactModel contact_;  // of the living elements
+  ContactForce force_;
+  ContactOutput output_;
+  ContactDebugFiles debug_;
+  std::optional<SurfaceTracker> living_;  // only when elements may die
+  std::optional<ErodedNodes> free_nodes_;
+  bool makes_new_edges_ = true;
+  int n_runaway_steps_ = 0;  // on end
+};
+
+}  // namespace contactsim

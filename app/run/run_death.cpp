@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/run_death.hpp"
+
+#include <algorithm>
+
+#include "app/run/timed_force.hpp"
+#include "contact/mesh/degenerate_faces.hpp"
+#include "core/definition/region.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// [n_elements] 1 of elements that NODAL EROSION = ON is for.
+std::vector<std::uint8_t> find_eroding(const ConditionScope& scope,
+                                       std::span<const std::vector<ElementIndex>> sets) {
+  std::vector<std::uint8_t> erodes(scope.mesh.n_elements(), 0);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (!scope.region.element_deaths[i].erodes_nodes) continue;
+    for (const ElementIndex element : sets[i]) erodes[element.value] = 1;
+  }
+  return erodes;
+}
+
+std::size_t count_members(const Mesh& mesh, std::span<const std::vector<ElementIndex>> sets) {
+  std::vector<std::uint8_t> is_member(mesh.n_elements(), 0);
+  for (const auto& set : sets) {
+    for (const ElementIndex element : set) is_member[element.value] = 1;
+  }
+  return static_cast<std::size_t>(std::ranges::count(is_member, 1));
+}
+
+void add(const std::vector<SurfaceChange>& changes, std::vector<SurfaceChange>& sums) {
+  sums.resize(changes.size());
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    sums[i].faces_gained += changes[i].faces_gained;
+    sums[i].faces_lost += changes[i].faces_lost;
+    sums[i].lofted_lost += changes[i].lofted_lost;
+    sums[i].nodes_gained += changes[i].nodes_gained;
+    sums[i].nodes_lost += changes[i].nodes_lost;
+  }
+}
+
+}  // namespace
+
+RunDeath::RunDeath(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
+                   const OutputVariables& variables, const DeathParts& parts)
+    : definitions_(scope.region.element_deaths),
+      parts_(parts),
+      mesh_(scope.mesh),
+      node_elements_(scope.mesh),
+      faces_(scope.mesh, node_elements_),
+      deaths_(scope, sets, variables, faces_),
+      reported_at_(scope.start_time()),
+      n_may_die_(count_members(scope.mesh, sets)) {
+  for (const ElementDeath& death : definitions_) detail_ = std::max(detail_, death.log);
+  const bool makes_new_edges = std::ranges::all_of(definitions_, &ElementDeath::makes_new_edges);
+  if (parts_.contact != nullptr)
+    parts_.contact->follow_deaths(faces_, find_eroding(scope, sets), makes_new_edges);
+}
+
+void RunDeath::begin(State& state) {
+  deaths_.begin(state);
+  std::vector<ElementIndex> dead;
+  for (std::uint32_t i = 0; i < mesh_.n_elements(); ++i) {
+    if (deaths_.alive()[i] == 0) dead.push_back({i});
+  }
+  if (!dead.empty()) update_for_deaths(state, dead);
+}
+
+void RunDeath::update_for_deaths(const State& state, std::span<const ElementIndex> dead) {
+  parts_.external.take_off(deaths_.alive());
+  if (parts_.contact == nullptr) return;
+  add(parts_.contact->update_for_deaths(state, dead, deaths_.alive()), tally_.changes);
+  tally_.n_free = parts_.contact->n_eroded_nodes();
+}
+
+void RunDeath::step(State& state) {
+  const double begun = clock_seconds();
+  std::vector<ElementIndex> ill_defined;
+  if (parts_.contact != nullptr && deaths_.asks_for_ill_defined(state))
+    ill_defined = find_degenerate_faces(parts_.contact->force().contact_mesh(), state.coordinates);
+  const auto dead = deaths_.step(state, ill_defined);
+  if (!dead.empty()) update_for_deaths(state, dead);
+  tally_.n_died += dead.size();
+  tally_.n_dead = deaths_.n_dead();
+  tally_.n_dying = state.death.dying.size();
+  seconds_ += clock_seconds() - begun;
+}
+
+/// The shortest interval of all blocks counts; without any every step does.
+bool RunDeath::is_report_due(const State& state) const {
+  if (tally_.n_died == 0) return false;
+  bool has_interval = false, is_due = false;
+  for (const ElementDeath& death : definitions_) {
+    has_interval |= death.summary_step_interval.has_value() || death.summary_time_interval.has_value();
+    if (death.summary_step_interval) is_due |= state.step % *death.summary_step_interval == 0;
+    if (death.summary_time_interval) is_due |= state.time - reported_at_ >= *death.summary_time_interval;
+  }
+  return is_due || !has_interval;
+}
+
+void RunDeath::begin_tally(const State& state) {
+  reported_at_ = state.time;
+  tally_.n_died = 0;
+  std::ranges::fill(tally_.changes, SurfaceChange{});
+}
+
+}  // namespace contactsim

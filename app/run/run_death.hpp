@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/run/run_contact.hpp"
+#include "core/conditions/external_force.hpp"
+#include "core/death/element_deaths.hpp"
+#include "core/definition/death.hpp"
+
+namespace contactsim {
+
+/// What element death takes things from.
+struct DeathParts {
+  ExternalForce& external;  ///< loses the faces of the dead
+  RunContact* contact;      ///< follows the deaths; null without contact
+};
+
+/// What has died since the last report.
+struct DeathTally {
+  std::size_t n_died = 0;              ///< elements
+  std::size_t n_dead = 0;              ///< elements since the start
+  std::size_t n_dying = 0;             ///< elements whose stress fades
+  std::size_t n_free = 0;              ///< nodes in contact whose elements are all dead
+  std::vector<SurfaceChange> changes;  ///< [n_surfaces], summed; empty without contact
+};
+
+/// All that a run has because its region has ELEMENT DEATH blocks.
+class RunDeath {
+ public:
+  /// All must outlive this. Errors: as ElementDeaths.
+  ///   sets  of find_death_sets
+  RunDeath(const ConditionScope& scope, std::span<const std::vector<ElementIndex>> sets,
+           const OutputVariables& variables, const DeathParts& parts);
+
+  /// Gives the state room for deaths; takes over those that it has.
+  void begin(State& state);
+  /// To be called once for the state of the start and that after every step: who has died is taken out of
+  /// loads and contact.
+  void step(State& state);
+
+  /// Whether elements have died that a report is due of; begin_tally() is to follow the report.
+  bool is_report_due(const State& state) const;
+  void begin_tally(const State& state);
+  const DeathTally& tally() const { return tally_; }
+  /// How much the deck wants to know.
+  DeathLog detail() const { return detail_; }
+  std::size_t n_may_die() const { return n_may_die_; }
+  /// Time that all this has taken, of the clock.
+  double seconds() const { return seconds_; }
+
+ private:
+  void update_for_deaths(const State& state, std::span<const ElementIndex> dead);
+
+  std::span<const ElementDeath> definitions_;
+  DeathParts parts_;
+  const Mesh& mesh_;
+  NodeElements node_elements_;
+  FaceGroups faces_;
+  ElementDeaths deaths_;
+  DeathLog detail_ = DeathLog::minimal;
+  DeathTally tally_;
+  double reported_at_;  // when the log reported deaths last [time]
+  std::size_t n_may_die_ = 0;
+  double seconds_ = 0.0;
+};
+
+}  // namespace contactsim

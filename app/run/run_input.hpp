@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/run/file_clashes.hpp"
+#include "contact/mesh/contact_model.hpp"
+#include "contact/overlap/start_overlaps.hpp"
+#include "core/definition/declarations.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// What a run is made from, by a deck and a mesh file or in code. All must outlive it.
+struct RunInput {
+  const SimulationDefinition& definition;
+  const Procedure& procedure;  ///< of the definition
+  const Region& region;        ///< of the procedure
+  const Mesh& mesh;
+  const ContactModel* contact = nullptr;        ///< of region and mesh; null: nothing touches
+  std::span<const StartOverlap> overlaps = {};  ///< of contact surfaces, on this mesh
+};
+
+/// What a run needs for its outputs besides its input.
+struct RunSettings {
+  std::optional<std::string> results_path;  ///< in place of the first results file of the region
+  std::string command_line;                 ///< for the information records of results files
+  std::vector<RunFile> kept_files;          ///< that no output may replace
+  /// Takes what heartbeats write to cout, cerr, log, ...
+  std::function<void(std::string_view)> write_text = [](std::string_view) {};
+};
+
+}  // namespace contactsim

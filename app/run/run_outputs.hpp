@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/run/run_contact.hpp"
+#include "app/run/run_input.hpp"
+#include "io/outputs.hpp"
+
+namespace contactsim {
+
+/// What the outputs of a run need besides deck and model.
+///   contact  null without contact
+OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact);
+
+/// No output may replace a file that is to be kept: throws FileError.
+void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std::string>& paths);
+
+}  // namespace contactsim

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/run_setup.hpp"
+
+#include <algorithm>
+
+#include "core/death/death_sets.hpp"
+#include "core/definition/procedure.hpp"
+#include "core/definition/region.hpp"
+#include "core/dynamics/discrete_steps.hpp"
+#include "core/dynamics/make_rigid_bodies.hpp"
+#include "core/mesh/element_checks.hpp"
+#include "io/exodus_variables.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Whether any condition takes its values from the mesh file.
+bool reads_variables(const Region& region) {
+  const auto reads = [](const auto& conditions) {
+    return std::any_of(conditions.begin(), conditions.end(),
+                       [](const auto& condition) { return condition.variable.variable.has_value(); });
+  };
+  return reads(region.prescribed_conditions) || reads(region.nodal_loads) || reads(region.pressures) ||
+         std::any_of(region.initial_conditions.begin(), region.initial_conditions.end(),
+                     [](const InitialCondition& c) { return c.mesh_variable.variable.has_value(); });
+}
+
+/// Positions of the blocks that have elements.
+std::vector<std::uint32_t> blocks_in_use(const Mesh& mesh) {
+  std::vector<std::uint32_t> blocks;
+  for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
+    if (mesh.blocks()[i].n_elements > 0) blocks.push_back(i);
+  }
+  return blocks;
+}
+
+}  // namespace
+
+Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
+  check_elements(input.mesh, blocks_in_use(input.mesh));
+  Model model = make_model(input.definition, input.region, input.mesh, diagnostics);
+  StoredVariables stored;
+  if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
+  const ConditionScope scope{
+      input.definition,  input.region, input.procedure.time_control->time_stepping_blocks,
+      input.mesh,        diagnostics,  &stored,
+      &model.rigid.nodes};
+  model.kinematic_constraints = make_kinematic_constraints(scope);
+  model.rotation_constraints = make_rotation_constraints(scope, model.inertia);
+  model.rigid.kinematic_constraints = make_body_constraints(scope);
+  model.rigid.rotation_constraints = make_body_rotation_constraints(scope);
+  set_discrete_steps(model);
+  ExternalForce external = make_external_force(scope, model.mass, model.inertia);
+  TimeStepControl control = make_time_step_control(input.procedure, input.region);
+  InitialState initial = make_initial_state(scope, model.blocks);
+  set_rigid_velocities(scope, model.rigid, initial.velocity);
+  auto death_sets = find_death_sets(scope, model);
+  return {std::move(model), std::move(external), std::move(initial), std::move(control),
+          std::move(death_sets)};
+}
+
+}  // namespace contactsim

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "app/run/run_input.hpp"
+#include "core/conditions/external_force.hpp"
+#include "core/dynamics/initial_state.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/time_step.hpp"
+
+namespace contactsim {
+
+/// A region, ready to be moved.
+struct Setup {
+  Model model;
+  ExternalForce external;
+  InitialState initial;
+  TimeStepControl control;
+  std::vector<std::vector<ElementIndex>> death_sets;  ///< as Region::element_deaths
+};
+
+/// Makes elements, conditions, loads and periods of a region. Wrong ones are errors.
+Setup set_up(const RunInput& input, Diagnostics& diagnostics);
+
+}  // namespace contactsim

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/simulation.hpp"
+
+#include <utility>
+
+#include "app/run/simulation_parts.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Calls what takes long, and adds the time of the clock to a sum.
+template <class Work>
+void add_time(double& seconds, const Work& work) {
+  const double begun = clock_seconds();
+  work();
+  seconds += clock_seconds() - begun;
+}
+
+}  // namespace
+
+Simulation::Simulation(const RunInput& input, RunSettings settings, Diagnostics& diagnostics)
+    : parts_(std::make_unique<Parts>(input, std::move(settings), diagnostics)) {}
+
+Simulation::~Simulation() = default;
+
+void Simulation::observe(Observer observer) { parts_->observers.push_back(std::move(observer)); }
+
+void Simulation::notify(RunEvent event) {
+  add_time(parts_->output_seconds, [&] {
+    for (const Observer& observer : parts_->observers) observer(event, *this);
+  });
+}
+
+/// What throws SolveError is told to the observers first.
+template <class Work>
+void Simulation::try_to(const Work& work) {
+  try {
+    work();
+  } catch (const SolveError& error) {
+    parts_->failure = error.what();
+    notify(RunEvent::failed);
+    throw;
+  }
+}
+
+void Simulation::begin() {
+  parts_->restart.find_state(parts_->outputs.paths(), parts_->diagnostics);
+  notify(RunEvent::restart_sought);
+  parts_->prepare_files();
+  parts_->begun = clock_seconds();
+  try_to([&] { parts_->restart.earlier() != nullptr ? resume() : begin_anew(); });
+}
+
+void Simulation::begin_anew() {
+  Parts& run = *parts_;
+  run.at_start = start(run.setup.model, run.terms(), run.setup.control, run.state);
+  if (run.contact) run.contact->warn_of_start(run.diagnostics);
+  notify(RunEvent::begun);
+  run.warn_of_user_step();
+  run.energy_warnings.begin(run.state);
+  end_step();
+  run.restart.begin(run.state);
+}
+
+void Simulation::resume() {
+  Parts& run = *parts_;
+  StateArchive saved(*run.restart.earlier());
+  archive(run.checkpoint(), saved);
+  run.restart.forget_earlier();
+  run.energy_warnings.begin(run.state);
+  run.outputs.resume(run.state);
+  run.restart.begin(run.state);
+  notify(RunEvent::resumed);
+}
+
+bool Simulation::is_over() const {
+  return parts_->end || parts_->stopped_by || control().is_over(state().time, state().dt);
+}
+
+void Simulation::step() {
+  Parts& run = *parts_;
+  try_to([&] {
+    advance(run.setup.model, run.terms(), run.setup.control, run.state);
+    run.energy_warnings.step(run.state);
+    if (run.contact) run.contact->stop_at_runaway(run.state);
+    end_step();
+    store(false, false);
+  });
+}
+
+/// Whoever looks at a state, once each.
+void Simulation::end_step() {
+  Parts& run = *parts_;
+  add_time(run.output_seconds, [&] { run.end = run.find_end(); });
+  if (run.death) {
+    run.death->step(run.state);
+    if (run.death->is_report_due(run.state)) {
+      notify(RunEvent::elements_died);
+      run.death->begin_tally(run.state);
+    }
+  }
+  write(false);
+  notify(RunEvent::step);
+}
+
+void Simulation::finish() {
+  Parts& run = *parts_;
+  if (!run.failure) {
+    run.energy_warnings.end(run.state);
+    // A run that resumes from here must not know that this one ended: the state comes first.
+    store(true, run.stopped_by.has_value());
+  }
+  write(true);
+  run.whole_seconds = clock_seconds() - run.begun;
+  if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
+  notify(RunEvent::ended);
+  if (run.contact) run.contact->write_debug_files();
+}
+
+void Simulation::stop(std::string reason) { parts_->stopped_by = std::move(reason); }
+
+void Simulation::store_restart() { store(false, true); }
+
+void Simulation::store(bool is_last, bool is_wanted) {
+  add_time(parts_->restart_seconds, [&] {
+    if (parts_->restart.store(parts_->checkpoint(), is_last, is_wanted))
+      parts_->outputs.write_at_restart(parts_->state);
+  });
+}
+
+void Simulation::write(bool is_last) {
+  add_time(parts_->output_seconds, [&] { parts_->outputs.write(parts_->state, is_last); });
+}
+
+const Mesh& Simulation::mesh() const { return parts_->input.mesh; }
+const Model& Simulation::model() const { return parts_->setup.model; }
+const State& Simulation::state() const { return parts_->state; }
+const TimeStepControl& Simulation::control() const { return parts_->setup.control; }
+const RunDeath* Simulation::deaths() const { return parts_->death.get(); }
+const RunRestart& Simulation::restart() const { return parts_->restart; }
+std::vector<std::string> Simulation::output_paths() const { return parts_->outputs.paths(); }
+const StepReport& Simulation::start_report() const { return parts_->at_start; }
+const std::optional<std::string>& Simulation::failure() const { return parts_->failure; }
+const std::optional<std::string>& Simulation::end() const { return parts_->end; }
+const std::optional<std::string>& Simulation::stopped_by() const { return parts_->stopped_by; }
+double Simulation::seconds() const { return parts_->whole_seconds; }
+std::vector<PartTime> Simulation::part_times() const { return parts_->times(); }
+
+const ContactForce* Simulation::contact_force() const {
+  return parts_->contact ? &parts_->contact->force() : nullptr;
+}
+
+const ContactModel* Simulation::contact_model() const {
+  return parts_->contact ? &parts_->contact->model() : nullptr;
+}
+
+double Simulation::given_out_by_overlaps() const {
+  return parts_->contact ? parts_->contact->given_out_by_overlaps() : 0.0;
+}
+
+}  // namespace contactsim

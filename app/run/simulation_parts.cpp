@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/simulation_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "app/run/refusals.hpp"
+#include "app/run/run_outputs.hpp"
+#include "contact/interface_laws/interface_law_checks.hpp"
+#include "core/definition/simulation.hpp"
+
+namespace contactsim {
+
+namespace {
+
+void stop_on_errors(const Diagnostics& diagnostics) {
+  if (diagnostics.has_errors()) throw DeckError(diagnostics);
+}
+
+/// Throws DeckError for what cannot be run.
+Setup set_up_or_stop(const RunInput& input, Diagnostics& diagnostics) {
+  refuse_what_is_missing(input.procedure, input.region, diagnostics);
+  if (input.contact != nullptr) {
+    const auto& control = input.procedure.time_control;
+    const LawScope laws{
+        input.region.contact->friction_models, input.definition.functions,
+        control ? std::span(control->time_stepping_blocks) : std::span<const TimeSteppingBlock>{}};
+    refuse_laws(input.contact->pairs, input.contact->surfaces.surfaces, laws, diagnostics);
+  }
+  stop_on_errors(diagnostics);
+  Setup setup = set_up(input, diagnostics);
+  stop_on_errors(diagnostics);
+  return setup;
+}
+
+std::unique_ptr<RunContact> make_contact(const RunInput& input, const Model& model) {
+  return input.contact != nullptr ? std::make_unique<RunContact>(input, model) : nullptr;
+}
+
+std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, const Outputs& outputs,
+                                     RunContact* contact) {
+  if (scope.region.element_deaths.empty()) return nullptr;
+  return std::make_unique<RunDeath>(scope, setup.death_sets, outputs.variables(),
+                                    DeathParts{setup.external, contact});
+}
+
+}  // namespace
+
+Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Diagnostics& run_diagnostics)
+    : input(run_input),
+      settings(std::move(run_settings)),
+      diagnostics(run_diagnostics),
+      setup(set_up_or_stop(input, diagnostics)),
+      scope{input.definition, input.region, input.procedure.time_control->time_stepping_blocks, input.mesh,
+            diagnostics},
+      contact(make_contact(input, setup.model)),
+      outputs(scope, setup.model, output_settings(input, settings, contact.get())),
+      death(make_death(scope, setup, outputs, contact.get())),
+      restart(input, diagnostics),
+      state(make_state(input.mesh.coordinates(), setup.model.blocks, setup.control.start_time())),
+      internal(setup.model, state),
+      timed_internal(internal),
+      timed_external(setup.external),
+      energy_warnings(setup.model, diagnostics) {
+  stop_on_errors(diagnostics);
+  set_initial_state(setup.initial, setup.model.blocks, state);
+  if (death) death->begin(state);
+  if (!contact) return;
+  timed_contact.emplace(contact->force());
+  state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
+}
+
+Checkpoint Simulation::Parts::checkpoint() {
+  const auto shifted_to = restart.shifts() ? std::optional(setup.control.start_time()) : std::nullopt;
+  return {setup.model, state, contact.get(), death.get(), outputs, shifted_to};
+}
+
+void Simulation::Parts::prepare_files() {
+  outputs.add_suffix(restart.suffix());
+  if (contact) contact->add_suffix(restart.suffix());
+  std::vector<std::string> paths = outputs.paths();
+  if (contact) std::ranges::copy(contact->paths(), std::back_inserter(paths));
+  check_output_paths(settings.kept_files, paths);
+  for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
+  if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
+}
+
+std::optional<std::string> Simulation::Parts::find_end() {
+  const auto found = outputs.check_termination(state);
+  return contact && input.region.contact->overlap_removal.is_all_there_is ? "OVERLAP REMOVAL ONLY" : found;
+}
+
+void Simulation::Parts::warn_of_user_step() {
+  // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.
+  const bool is_bound = at_start.critical_element || contact;
+  if (!is_bound || state.next_dt <= at_start.stable_step) return;
+  diagnostics.add_warning("user-time-step", {},
+                          fmt::format("the user time step {:.4g} is larger than the stable one, {:.4g}",
+                                      state.next_dt, at_start.stable_step));
+}
+
+std::vector<PartTime> Simulation::Parts::times() const {
+  const double of_contact = timed_contact ? timed_contact->seconds() : 0.0;
+  const double of_death = death ? death->seconds() : 0.0;
+  const double known = timed_internal.seconds() + timed_external.seconds() + of_contact + output_seconds +
+                       restart_seconds + of_death;
+  std::vector<PartTime> parts{{"elements", timed_internal.seconds()},
+                              {"loads", timed_external.seconds()},
+                              {"nodes", whole_seconds - known},
+                              {"log and files", output_seconds}};
+  if (restart.stores()) parts.push_back({"restart files", restart_seconds});
+  if (death) parts.push_back({"element death", of_death});
+  if (contact) parts.insert(parts.begin() + 1, {"contact", of_contact});
+  return parts;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/run/checkpoint.hpp"
+#include "app/run/energy_warnings.hpp"
+#include "app/run/run_contact.hpp"
+#include "app/run/run_death.hpp"
+#include "app/run/run_restart.hpp"
+#include "app/run/run_setup.hpp"
+#include "app/run/simulation.hpp"
+#include "app/run/timed_force.hpp"
+#include "core/conditions/condition_scope.hpp"
+#include "core/dynamics/internal_force.hpp"
+#include "io/outputs.hpp"
+
+namespace contactsim {
+
+/// What a simulation is made of, in the order in which the later is made from the earlier.
+struct Simulation::Parts {
+  Parts(const RunInput& run_input, RunSettings run_settings, Diagnostics& run_diagnostics);
+
+  ForceTerms terms() { return {timed_internal, timed_external, timed_contact ? &*timed_contact : nullptr}; }
+  Checkpoint checkpoint();
+  /// Gives files their names, and has steps end where they want them to. Throws FileError when one would
+  /// replace what must be kept.
+  void prepare_files();
+  /// Why the run ends with its state, if it does.
+  std::optional<std::string> find_end();
+  void warn_of_user_step();
+  std::vector<PartTime> times() const;
+
+  const RunInput input;
+  const RunSettings settings;
+  Diagnostics& diagnostics;
+  Setup setup;
+  const ConditionScope scope;
+  const std::unique_ptr<RunContact> contact;  // null without contact
+  Outputs outputs;
+  const std::unique_ptr<RunDeath> death;  // null when nothing can die
+  RunRestart restart;
+  State state;
+  InternalForce internal;
+  TimedForce timed_internal, timed_external;
+  std::optional<TimedForce> timed_contact;
+  EnergyWarnings energy_warnings;
+  std::vector<Observer> observers;
+  StepReport at_start;
+  std::optional<std::string> end;         // why the run ends before its termination time
+  std::optional<std::string> stopped_by;  // a signal, say
+  std::optional<std::string> failure;
+  double begun = 0.0;  // of the clock [s]
+  double whole_seconds = 0.0, output_seconds = 0.0, restart_seconds = 0.0;
+};
+
+}  // namespace contactsim

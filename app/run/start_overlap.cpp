@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/start_overlap.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "contact/overlap/body_parting.hpp"
+#include "core/base/errors.hpp"
+#include "core/base/pluralize.hpp"
+#include "core/conditions/kinematic_constraints.hpp"
+#include "core/definition/friction.hpp"
+#include "core/definition/procedure.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Overlap that is left is worth a warning when it is this share of what there was.
+constexpr double worrying_share = 1e-3;
+
+/// Overlap above this share of the size of the face is worth a warning: less is round-off of the mesh's
+/// maker.
+constexpr double worrying_depth = 1e-4;
+
+/// [n_nodes] held_fully for the nodes that conditions hold or drive in all directions at the start,
+/// held_in_part for those that they do in some; empty when there are none, or when the conditions are wrong,
+/// which the run reports.
+std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
+  if (!input.procedure.time_control) return {};
+  Diagnostics discarded;
+  const ConditionScope scope{input.definition, input.region,
+                             input.procedure.time_control->time_stepping_blocks, input.mesh, discarded};
+  const KinematicConstraints kinematic_constraints = make_kinematic_constraints(scope);
+  if (discarded.has_errors() || kinematic_constraints.nodes().empty()) return {};
+  const Eigen::Index n = input.mesh.coordinates().cols();
+  const Eigen::Matrix3Xd rest = Eigen::Matrix3Xd::Zero(3, n);
+  const BetweenSteps start{scope.start_time(), 0.0, 1.0, input.mesh.coordinates(), rest};
+  // Two accelerations that differ in a direction that no deck has come out equal where nothing is free.
+  Eigen::Matrix3Xd one = rest, other = rest.colwise() + Eigen::Vector3d(1.0, std::sqrt(2.0), std::exp(1.0));
+  try {
+    kinematic_constraints.constrain(start, one);
+    kinematic_constraints.constrain(start, other);
+  } catch (const SolveError&) {
+    return {};
+  }
+  std::vector<std::uint8_t> is_held(static_cast<std::size_t>(n), 0);
+  for (const NodeIndex node : kinematic_constraints.nodes()) {
+    const double difference = (one.col(node.value) - other.col(node.value)).norm();
+    is_held[node.value] = difference < 1e-12 ? held_fully : held_in_part;
+  }
+  return is_held;
+}
+
+void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diagnostics& warnings) {
+  for (const OverlapMoves& moves : removed.moves) {
+    if (moves.left <= worrying_share * moves.deepest) continue;
+    const SurfacePair& pair = model.pairs[moves.pair];
+    warnings.add_warning(
+        "overlap-left", pair.location,
+        fmt::format("'{}' and '{}' still overlap by {:.4g} after overlap removal",
+                    model.surfaces.surfaces[pair.first].name, model.surfaces.surfaces[pair.second].name,
+                    moves.left),
+        "held nodes stay where they are; more OVERLAP ITERATIONS, or SHELL OVERLAP ITERATIONS for "
+        "shells, beams and particles, may help");
+  }
+}
+
+std::string names_of(const ContactModel& model, std::uint32_t pair) {
+  const auto& surfaces = model.surfaces.surfaces;
+  return fmt::format("'{}' and '{}'", surfaces[model.pairs[pair].first].name,
+                     surfaces[model.pairs[pair].second].name);
+}
+
+/// Stops when elements would be turned inside out: the run could not begin with them.
+void stop_at_turned(const OverlapRemoved& removed, const RunInput& input) {
+  if (removed.turned.empty()) return;
+  const TurnedElement& first = removed.turned.front();
+  const Mesh& mesh = input.mesh;
+  const auto& control = input.procedure.time_control;
+  const double time = control && !control->time_stepping_blocks.empty()
+                          ? control->time_stepping_blocks.front().start_time
+                          : 0.0;
+  throw SolveError(
+      time,
+      fmt::format("overlap removal between {} would turn {} inside out, the first of them element {} of "
+                  "{}; no node has been moved. Move the bodies apart in the mesh, refine it less there, "
+                  "or set a smaller OVERLAP NORMAL TOLERANCE",
+                  names_of(*input.contact, first.pair), pluralize(removed.turned.size(), "element"),
+                  mesh.element_id(first.element),
+                  mesh.name({EntityKind::block, mesh.block_of(first.element)})));
+}
+
+std::string describe(const StartOverlap& overlap, const ContactModel& model, const Mesh& mesh) {
+  std::string text = fmt::format(
+      "{} overlap at the start: {} behind {}, deepest by {:.4g} at node {}", names_of(model, overlap.pair),
+      pluralize(overlap.n_nodes, "node"),
+      overlap.n_faces > 0 ? pluralize(overlap.n_faces, "face or edge", "faces and edges") : "a plane",
+      overlap.deepest, mesh.node_id(overlap.node));
+  if (overlap.other) text += fmt::format(", beside node {} of the other side", mesh.node_id(*overlap.other));
+  if (overlap.n_deep > 0)
+    text += fmt::format("; {} deeper than half an element or sheet, where contact takes no notice",
+                        pluralize(overlap.n_deep, "node lies", "nodes lie"));
+  return text;
+}
+
+}  // namespace
+
+void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
+                      std::span<const double> stored, Diagnostics& warnings) {
+  if (input.contact == nullptr || input.region.contact->overlap_removal.is_on()) return;
+  for (const StartOverlap& overlap : overlaps) {
+    const SurfacePair& pair = input.contact->pairs[overlap.pair];
+    const bool is_tied = std::holds_alternative<Tied>(*pair.law);
+    if (is_tied || !(overlap.deepest > worrying_depth * overlap.size)) continue;
+    std::string text = describe(overlap, *input.contact, input.mesh);
+    if (!stored.empty() && stored[overlap.pair] > 0.0)
+      text += fmt::format("; contact stores {:.4g} of energy in it, which the bodies will get",
+                          stored[overlap.pair]);
+    warnings.add_warning("overlap-at-start", pair.location, text,
+                         "INITIAL OVERLAP REMOVAL = ON in the contact definition moves them apart before the "
+                         "first step");
+  }
+}
+
+std::optional<OverlapRemoved> remove_initial_overlap(const RunInput& input) {
+  if (input.contact == nullptr) return std::nullopt;
+  const OverlapRemoval& settings = input.region.contact->overlap_removal;
+  if (!settings.is_on() && !settings.is_all_there_is) return std::nullopt;
+  return remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
+}
+
+std::optional<Mesh> move_nodes(const RunInput& input, OverlapRemoved removed, Diagnostics& warnings) {
+  stop_at_turned(removed, input);
+  warn_of_rest(removed, *input.contact, warnings);
+  if (removed.n_passes + removed.n_body_passes == 0) return std::nullopt;
+  return input.mesh.with_coordinates(std::move(removed.coordinates));
+}
+
+}  // namespace contactsim

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "app/run/run_input.hpp"
+#include "contact/overlap/overlap_removal.hpp"
+#include "contact/overlap/start_overlaps.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/mesh/mesh.hpp"
+
+namespace contactsim {
+
+/// Removes the overlap of contact surfaces, if the definition asks for it; nothing if not.
+std::optional<OverlapRemoved> remove_initial_overlap(const RunInput& input);
+
+/// The mesh with the nodes moved, which is free of stress; nothing when no node moves.
+///   warnings  gains what overlap is left: "overlap-left"
+/// Throws SolveError naming pair and element when elements would be turned inside out.
+std::optional<Mesh> move_nodes(const RunInput& input, OverlapRemoved removed, Diagnostics& warnings);
+
+/// Warns of every pair that overlaps at the start, unless it is tied or overlap removal has been asked for:
+/// "overlap-at-start", with the deck line that would remove it.
+///   stored  [n_pairs] that contact holds in it [energy]; empty when that is not known
+void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
+                      std::span<const double> stored, Diagnostics& warnings);
+
+}  // namespace contactsim

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "contact/enforcement/contact_force.hpp"
+#include "core/base/diagnostics.hpp"
+#include "core/definition/friction.hpp"
+
+namespace contactsim {
+
+/// Ties of a pair of surfaces.
+struct TiedArea {
+  std::size_t n_ties = 0;
+  double area = 0.0;  ///< [length^2]
+};
+
+/// The ties of each pair [n_pairs].
+std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact);
+
+/// Whether the law holds what is near enough at the start.
+bool holds_at_start(const FrictionLaw& law);
+
+/// Warns of tied pairs that tie nothing.
+void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
+
+/// Adds the warning "tie-partial" for every pair that should hold surfaces of side sets or node sets together
+/// and leaves a part of each of them free.
+void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact,
+                          const ContactDefinition& definition, const Mesh& mesh, Diagnostics& warnings);
+
+/// Warns of lines of the elastic penalty on pairs that are enforced by momentum balance.
+void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings);
+
+/// Warns of pairs whose beams or trusses meet while their law ties, pulls or changes: contact of edges does
+/// not know it.
+void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
+
+}  // namespace contactsim

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/exit_guard.hpp"
+
+#include <new>
+#include <stdexcept>
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+struct Guarded {
+  ExitCode code;
+  std::string written;
+};
+
+Guarded guarded(const std::function<ExitCode()>& work) {
+  std::string written;
+  const ExitCode code = guard_exit(work, [&](const std::string& line) { written += line + "|"; });
+  return {code, written};
+}
+
+}  // namespace
+
+TEST_CASE("work that throws nothing keeps its exit code and tells nothing", "[app][exit]") {
+  const auto [code, written] = guarded([] { return ExitCode::solve; });
+  CHECK(code == ExitCode::solve);
+  CHECK(written == "");
+}
+
+TEST_CASE("a file error is told and ends with code 3", "[app][exit]") {
+  const auto [code, written] = guarded([]() -> ExitCode { throw FileError("a.g", "no such file"); });
+  CHECK(static_cast<int>(code) == 3);
+  CHECK(written == "error: a.g: no such file|");
+}
+
+TEST_CASE("an error of the solution is told and ends with code 4, wherever it is thrown", "[app][exit]") {
+  const auto [code, written] = guarded([]() -> ExitCode { throw SolveError(0.5, "node 7 is nowhere"); });
+  CHECK(static_cast<int>(code) == 4);
+  CHECK(written == "error: time 0.5: node 7 is nowhere|");
+}
+
+TEST_CASE("lack of memory ends with code 3, it is no bug", "[app][exit]") {
+  const auto [code, written] = guarded([]() -> ExitCode { throw std::bad_alloc(); });
+  CHECK(static_cast<int>(code) == 3);
+  CHECK(written == "error: out of memory|");
+}
+
+TEST_CASE("anything else that is thrown is called a bug of ours and ends with code 1", "[app][exit]") {
+  const auto [code, written] = guarded([]() -> ExitCode { throw std::logic_error("index 7 of 5"); });
+  CHECK(static_cast<int>(code) == 1);
+  CHECK(written == "contactsim: a bug in the program: index 7 of 5|");
+}

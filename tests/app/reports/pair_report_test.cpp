@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reports/pair_report.hpp"
+
+#include "core/definition/friction.hpp"
+#include "support/catch.hpp"
+
+using namespace contactsim;
+using Catch::Contains;
+
+namespace {
+
+SurfacePair make_pair(std::uint32_t first, std::uint32_t second) {
+  SurfacePair pair;
+  pair.first = first;
+  pair.second = second;
+  pair.interaction = "general contact";
+  pair.location.line = 7;
+  pair.is_from_defaults = true;
+  return pair;
+}
+
+/// Surfaces lid, box and dust (nodes) with three pairs; the last is named.
+ContactModel three_pairs() {
+  ContactModel model;
+  for (const char* name : {"lid", "box", "dust"}) model.surfaces.surfaces.emplace_back().name = name;
+  model.pairs = {make_pair(0, 1), make_pair(0, 2), make_pair(1, 2)};
+  model.pairs[0].law = share_law(ConstantFriction{0.3});
+  model.pairs[1].formulation = ConstraintFormulation::node_face;
+  model.pairs[1].is_one_sided = true;
+  SurfacePair& named = model.pairs[2];
+  named.interaction = "tie";
+  named.location.line = 12;
+  named.is_from_defaults = false;
+  named.law = share_law(Tied{});
+  named.behavior = InteractionBehavior::infinitesimal_sliding;
+  named.normal_tolerance = 0.25;
+  named.penalty_stiffness = 1e9;
+  return model;
+}
+
+std::vector<SurfaceSummary> three_summaries() {
+  std::vector<SurfaceSummary> summaries(3);
+  summaries[0].owned = 10;
+  summaries[0].top = summaries[0].bottom = 2;
+  summaries[0].nodes = 21;
+  summaries[1].owned = 4;
+  summaries[1].nodes = 9;
+  summaries[2].nodes = 5;
+  return summaries;
+}
+
+/// The text with runs of blanks made one and those at line starts and ends dropped.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool is_blank_before = result.empty() || result.back() == ' ' || result.back() == '\n';
+    if (c == ' ' && is_blank_before) continue;
+    if (c == '\n' && !result.empty() && result.back() == ' ') result.pop_back();
+    result += c;
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("the pair table says how surfaces meet, before they are searched", "[app][pairs]") {
+  CHECK(squeezed(format_pairs(three_pairs(), three_summaries(), {})) ==
+        "\nContact pairs\n"
+        "no first second interaction line law formulation faces faces nodes nodes smallest gap in reach\n"
+        "1 lid box general contact 7 friction 0.3 face_face 14 4 21 9 - -\n"
+        "2 lid dust general contact 7 frictionless node_face one-sided 14 0 21 5 - -\n"
+        "3 box dust tie 12 tied face_face 4 0 9 5 - -\n"
+        "\nSettings of interactions\n"
+        "normal tangential overlap overlap capture penalty penalty damping\n"
+        "interaction line behavior enforcement tolerance tolerance normal tangential tolerance scale "
+        "stiffness fraction\n"
+        "general contact 7 sliding penalty auto auto auto auto 0 1 auto 0\n"
+        "tie 12 infinitesimal penalty 0.25 auto auto auto 0 1 1e+09 0\n"
+        "tolerances and overlaps are lengths, auto: from the size of each face\n");
+}
+
+TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defaults", "[app][pairs]") {
+  const std::vector<InitialGap> starts{{-0.125, 40}, {}, {}};
+  const std::string text = format_pairs(three_pairs(), three_summaries(), starts);
+  CHECK_THAT(text, Contains("        -0.125        40\n"));
+  CHECK_THAT(text, !Contains("lid                          dust"));
+  CHECK_THAT(text, Contains("box                          dust"));
+  CHECK_THAT(text, Contains("      1 pair of general or self contact with nothing in reach\n"));
+}
+
+TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
+  ContactModel model = three_pairs();
+  model.pairs.assign(1500, model.pairs[0]);
+  const std::string text = format_pairs(model, three_summaries(), {});
+  CHECK_THAT(text, Contains("\n1000  lid"));
+  CHECK_THAT(text, !Contains("\n1001  lid"));
+  CHECK_THAT(text, Contains("      and 500 more pairs\n"));
+}
+
+TEST_CASE("after a run the table tells what pairs did, and which never touched", "[app][pairs]") {
+  std::vector<PairHistory> histories(3);
+  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
+  CHECK(squeezed(format_pair_histories(three_pairs(), histories)) ==
+        "\nContact of pairs in the run\n"
+        "no first second contact time peak force impulse x impulse y impulse z work friction work made "
+        "deepest of thickness\n"
+        "1 lid box 0.5 1234.5 1 -2 3.25 6.5 0.75 1.25 0 0\n"
+        "\nPairs that never touched\n"
+        "2 lid dust general contact 7\n"
+        "3 box dust tie 12\n");
+}
+
+TEST_CASE("a run in which nothing touched lists no contact", "[app][pairs]") {
+  CHECK(format_pair_histories(three_pairs(), std::vector<PairHistory>(3))
+            .starts_with("\nPairs that never touched\n"));
+}
+
+TEST_CASE("without pairs there are no pair tables", "[app][pairs]") {
+  CHECK(format_pairs({}, {}, {}).empty());
+  CHECK(format_pair_histories({}, {}).empty());
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/file_clashes.hpp"
+
+#include <filesystem>
+
+#include "support/catch.hpp"
+#include "support/temporary_directory.hpp"
+
+using namespace contactsim;
+
+namespace {
+
+std::string clash(const std::vector<RunFile>& read, const std::vector<RunFile>& written) {
+  return find_file_clash(read, written);
+}
+
+}  // namespace
+
+TEST_CASE("files of different names do not clash", "[app][files]") {
+  CHECK(clash({{"plate.i", "the deck"}, {"plate.g", "the mesh"}},
+              {{"plate.log", "the log"}, {"plate.json", "the table"}}) == "");
+}
+
+TEST_CASE("a written file may not be one that is read, however its path is spelled", "[app][files]") {
+  const test::TemporaryDirectory directory;
+  test::write_bytes(directory.file("plate.i"), "deck");
+  std::filesystem::create_symlink(directory.file("plate.i"), directory.file("link"));
+  const std::string deck = directory.file("plate.i");
+  CHECK(clash({{deck, "the deck"}}, {{directory.file("./x/../plate.i"), "the log"}}) != "");
+  CHECK(clash({{deck, "the deck"}}, {{directory.file("link"), "the log"}}) ==
+        "the log would overwrite the deck, " + deck);
+}
+
+TEST_CASE("two files that are not there yet clash when they are one", "[app][files]") {
+  CHECK(clash({}, {{"no/such/a", "the log"}, {"no/such/../such/a", "the table"}}) ==
+        "the table would overwrite the log, no/such/a");
+}
+
+TEST_CASE("a device takes any number of files", "[app][files]") {
+  CHECK(clash({}, {{"/dev/null", "the log"}, {"/dev/null", "the table"}}) == "");
+}

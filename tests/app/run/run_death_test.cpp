@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <sstream>
+
+#include "app/run/simulation.hpp"
+#include "support/catch.hpp"
+#include "support/exodus_file.hpp"
+#include "support/mesh_builder.hpp"
+#include "support/program_run.hpp"
+
+using Catch::Matchers::Contains;
+using contactsim::test::MeshBuilder;
+using contactsim::test::ProgramDirectory;
+
+namespace {
+
+/// A cube that flies into a bar of 8 x 2 x 2 cells, whose elements may die.
+struct HitBar : ProgramDirectory {
+  ///   lines  of the ELEMENT DEATH block
+  ///   gap    between cube and bar
+  explicit HitBar(const std::string& lines, double gap = 0.01) {
+    contactsim::test::write_exodus(
+        path("a.g"), MeshBuilder()
+                         .add_hexes({1, "bar", {8, 2, 2}, {0, 0, 0}, {8, 2, 2}})
+                         .add_hexes({2, "cube", {1, 1, 1}, {3.5, 0.5, 2 + gap}, {1, 1, 1}, false})
+                         .build());
+    write("a.i",
+          "begin sierra\nbegin material m\ndensity = 1\nbegin parameters for model elastic\n"
+          "youngs modulus = 100\npoissons ratio = 0.3\nend\nend\n"
+          "begin finite element model f\nbegin parameters for block bar cube\nmaterial = m\n"
+          "model = elastic\nend\nend\n"
+          "begin presto procedure p\nbegin time control\nbegin time stepping block t\nstart time = 0\n"
+          "end\ntermination time = 3\nend\nbegin presto region r\nuse finite element model f\n"
+          "begin initial velocity\nblock = cube\ncomponent = z\nmagnitude = -1\nend\n"
+          "begin element death d\n" +
+              lines +
+              "end\nbegin contact definition\nskin all blocks = on\nbegin interaction defaults\n"
+              "general contact = on\nself contact = on\nend\nend\n"
+              "begin heartbeat output\nstream name = a.csv\nprecision = 17\nat step 0 increment = 1\n"
+              "global energy_error as error\nglobal kinetic_energy as kinetic\nglobal momentum as p\n"
+              "element death_status at element 14 as status\nend\nend\nend\nend\n");
+  }
+
+  /// A column of the heartbeat, by its place.
+  std::vector<double> column(std::size_t place) const {
+    std::vector<double> values;
+    std::istringstream lines(read("a.csv"));
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+      std::istringstream words(line);
+      std::string word;
+      for (std::size_t i = 0; i <= place; ++i) std::getline(words, word, ',');
+      values.push_back(std::stod(word));
+    }
+    return values;
+  }
+};
+
+const std::string by_strain = "block = bar\ncriterion is element value of von_mises > 2\ndeath steps = 3\n";
+
+}  // namespace
+
+TEST_CASE("deaths keep momentum and close the energy balance", "[app][transient][death]") {
+  const HitBar bar(by_strain);
+  const auto [code, out, err] = bar.run({"a.i"});
+  CHECK(err == "");
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("Element death at step") && Contains("contact gains"));
+  const auto error = bar.column(1), momentum = bar.column(5);
+  const double kinetic = bar.column(2).front();
+  for (std::size_t i = 0; i < error.size(); ++i) {
+    CHECK(std::abs(error[i]) < 0.01 * kinetic);
+    CHECK(momentum[i] == Approx(-1.0));
+  }
+}
+
+TEST_CASE("a run with deaths has the same bits with one thread and with two", "[app][transient][death]") {
+  const HitBar bar(by_strain);
+  CHECK(bar.run({"a.i", "--threads", "1"}).exit_code == 0);
+  const std::string one = bar.read("a.csv");
+  CHECK(one.size() > 1000);
+  CHECK(bar.run({"a.i", "--threads", "2"}).exit_code == 0);
+  CHECK(bar.read("a.csv") == one);
+}
+
+TEST_CASE("death_status falls from 1 to 0 as an element dies", "[app][transient][death]") {
+  const HitBar bar("element = 14\ncriterion is global value of time > 1\ndeath steps = 4\n");
+  CHECK(bar.run({"a.i"}).exit_code == 0);
+  const auto status = bar.column(6);
+  CHECK(status.front() == 1.0);
+  CHECK(status.back() == 0.0);
+  CHECK(std::count(status.begin(), status.end(), 0.5) == 1);
+}
+
+TEST_CASE("the log tells of deaths as much as LOGFILE OUTPUT says", "[app][transient][death]") {
+  const std::string lines = "element = 29 30\ncriterion is global value of time > 1\n";
+  const auto out_of = [&](const std::string& detail) {
+    return HitBar(lines + "logfile output = " + detail + "\n").run({"a.i"}).out;
+  };
+  const std::string minimal = out_of("minimal"), some = out_of("some"), full = out_of("full");
+  CHECK_THAT(minimal, Contains("2 elements died, 2 dead; contact gains 6 faces, loses 4 faces"));
+  CHECK_THAT(some, Contains("bar                                  6         4"));
+  CHECK(full.size() > some.size());
+  CHECK(some.size() > minimal.size());
+}
+
+TEST_CASE("a body flies through what has died; NODAL EROSION = OFF leaves free nodes in its way",
+          "[app][transient][death]") {
+  const std::string lines = "block = bar\ncriterion is always true\n";
+  const HitBar eroding(lines, 0.3), staying(lines + "nodal erosion = off\n", 0.3);
+  CHECK(eroding.run({"a.i"}).exit_code == 0);
+  CHECK(staying.run({"a.i"}).exit_code == 0);
+  const double cube = 0.5;  // 1/2 m v^2 with mass and speed 1
+  CHECK(eroding.column(2).back() == Approx(cube).epsilon(1e-12));
+  CHECK(eroding.column(5).back() == Approx(-1.0).epsilon(1e-12));
+  // The node (4, 1, 2) of mass 0.5 is hit.
+  CHECK(staying.column(2).back() < 0.9 * cube);
+  CHECK(staying.column(5).back() == Approx(-1.0).epsilon(1e-12));
+}
+
+TEST_CASE("a run goes on when all its elements are dead", "[app][transient][death]") {
+  const HitBar bar("include all blocks\ncriterion is always true\ndeath start time = 0.5\n");
+  const auto [code, out, err] = bar.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("33 elements of 33 that may die are dead"));
+}

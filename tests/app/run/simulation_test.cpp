@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/enforcement/contact_force.hpp"
+#include "core/definition/simulation.hpp"
+#include "parser/deck.hpp"
+#include "support/catch.hpp"
+#include "support/exodus_file.hpp"
+#include "support/mesh_builder.hpp"
+#include "support/program_run.hpp"
+
+using Catch::Matchers::Contains;
+using contactsim::Mesh;
+using contactsim::Region;
+using contactsim::RunEvent;
+using contactsim::Simulation;
+using contactsim::SimulationDefinition;
+using contactsim::test::MeshBuilder;
+using contactsim::test::ProgramDirectory;
+
+namespace {
+
+/// A directory with a bar of 20 x 10 x 10 elastic hexahedra and a deck that pulls it.
+struct PulledBar : ProgramDirectory {
+  /// more  further lines of the region
+  explicit PulledBar(const std::string& more = "", const std::string& termination = "2e-4") {
+    contactsim::test::write_exodus(path("a.g"), MeshBuilder().add_hexes({1, "bar", {20, 10, 10}}).build());
+    write("a.i",
+          "begin sierra\n"
+          "begin material m\ndensity = 8000\nbegin parameters for model elastic\nyoungs modulus = 200e9\n"
+          "poissons ratio = 0.3\nend\nend\n"
+          "begin finite element model f\nbegin parameters for block bar\nmaterial = m\nmodel = "
+          "elastic\nend\nend\n"
+          "begin presto procedure p\nbegin time control\nbegin time stepping block t\nstart time = 0\n"
+          "begin parameters for presto region r\nstep interval = 10\nend\nend\n"
+          "termination time = " +
+              termination +
+              "\nend\nbegin presto region r\nuse finite element model f\n"
+              "begin initial velocity\nblock = bar\ncomponent = x\nmagnitude = 10\nend\n" +
+              more + "end\nend\nend\n");
+  }
+};
+
+const std::string results =
+    "begin results output\ndatabase name = a.e\nat time 0 increment = 5e-5\nnodal displacement\n"
+    "nodal velocity\nelement stress\nend\n";
+const std::string held = "begin fixed displacement\nnode = 1 2 3\ncomponents = x y z\nend\n";
+
+/// Every step to the last bit.
+const std::string probe =
+    "begin heartbeat output\nstream name = a.csv\nprecision = 17\nat step 0 increment = 1\n"
+    "nodal coordinates at node 1000 as place\nglobal energy_error as error\nend\n";
+
+}  // namespace
+
+TEST_CASE("a deck of solids runs to its termination time and tells how", "[app][transient]") {
+  const PulledBar bar(held + results);
+  const auto [code, out, err] = bar.run({"a.i"});
+  CHECK(err == "");
+  CHECK(code == 0);
+  CHECK_THAT(out,
+             Contains("  bar                            2000 HEX8      mean_quadrature        m (elastic)"));
+  CHECK_THAT(out, Contains("mass 8000, 3 nodes held or driven") && Contains("set by element"));
+  CHECK_THAT(out, Contains("Wall time") && Contains("million element-steps per second"));
+  CHECK(bar.has("a.e"));
+  CHECK(bar.has("a.log"));
+}
+
+TEST_CASE("a run has the same bits with one thread and with two", "[app][transient]") {
+  const PulledBar bar(held + probe + results);
+  CHECK(bar.run({"a.i", "--threads", "1"}).exit_code == 0);
+  const std::string one = bar.read("a.csv");
+  CHECK(one.size() > 1000);
+  CHECK(bar.run({"a.i", "--threads", "2"}).exit_code == 0);
+  CHECK(bar.read("a.csv") == one);
+}
+
+TEST_CASE("asking for output does not change the solution, to the last bit", "[app][transient]") {
+  const std::string much =
+      results +
+      "begin user output\nblock = bar\ncompute at every step\n"
+      "compute global top as max of element von_mises\nend\n"
+      "begin history output\ndatabase name = a.h\nat step 0 increment = 1\nglobal top\nend\n";
+  const PulledBar quiet(held + probe), talking(held + probe + much);
+  CHECK(quiet.run({"a.i"}).exit_code == 0);
+  CHECK(talking.run({"a.i"}).exit_code == 0);
+  CHECK(quiet.read("a.csv").size() > 1000);
+  CHECK(quiet.read("a.csv") == talking.read("a.csv"));
+}
+
+TEST_CASE("an element that turns inside out ends the run with code 4, its id and a last state",
+          "[app][transient]") {
+  const std::string crush =
+      "begin prescribed velocity\nnode = 11\ncomponent = x\nfunction = sierra_constant_function_one\n"
+      "scale factor = -5000000\nend\n";
+  const PulledBar bar(crush + results);
+  const auto [code, out, err] = bar.run({"a.i"});
+  INFO(out);
+  CHECK(code == 4);
+  CHECK_THAT(err, Contains("error: step ") && Contains(", time ") &&
+                      (Contains("has turned inside out") || Contains("time step has fallen to")));
+  CHECK_THAT(err, Contains("element "));
+  CHECK(bar.has("a.e"));
+}
+
+TEST_CASE("what a run does not act on yet is refused at its line", "[app][transient]") {
+  const PulledBar scaled("begin mass scaling m\nblock = bar\ntarget time step = 1e-3\nend\n");
+  const auto [code, out, err] = scaled.run({"a.i"});
+  CHECK(code == 2);
+  CHECK_THAT(err, Contains("a.i:") && Contains("mass scaling is not supported in a run yet"));
+  const PulledBar contact(
+      "begin contact definition\nskin all blocks = on\nbegin surface weld model h\nnormal capacity = 1\n"
+      "tangential capacity = 1\nfailed model = tied\nend\nbegin interaction defaults\nself contact = "
+      "on\nfriction model = h\nend\nend\n");
+  const auto touched = contact.run({"a.i"});
+  CHECK(touched.exit_code == 2);
+  CHECK_THAT(touched.err, Contains("a.i:") && Contains("the FAILED MODEL 'tied' holds what has just failed"));
+  CHECK_THAT(touched.out, Contains("\nContact surfaces\n"));
+}
+
+namespace {
+
+/// A cube that flies into another one, without files.
+struct TwoCubes {
+  contactsim::Diagnostics diagnostics;
+  Mesh mesh = MeshBuilder()
+                  .add_hexes({1, "lower", {2, 2, 2}})
+                  .add_hexes({2, "upper", {1, 1, 1}, {0, 0, 1.01}, {1, 1, 1}, false})
+                  .build();
+  SimulationDefinition definition = contactsim::parse_deck_text(
+      "a.i",
+      "begin sierra\nbegin material m\ndensity = 1\nbegin parameters for model elastic\nyoungs modulus = "
+      "100\n"
+      "poissons ratio = 0.3\nend\nend\nbegin finite element model f\nbegin parameters for block lower upper\n"
+      "material = m\nmodel = elastic\nend\nend\nbegin presto procedure p\nbegin time control\n"
+      "begin time stepping block t\nstart time = 0\nend\ntermination time = 0.5\nend\n"
+      "begin presto region r\nuse finite element model f\n"
+      "begin initial velocity\nblock = upper\ncomponent = z\nmagnitude = -1\nend\n"
+      "begin contact definition\nskin all blocks = on\nbegin interaction defaults\ngeneral contact = "
+      "on\nend\n"
+      "end\nend\nend\nend\n",
+      {}, diagnostics);
+  const Region& region = definition.procedures.front().regions.front();
+  contactsim::ContactModel contact =
+      contactsim::make_contact_model(definition, region, mesh, {}, diagnostics);
+  Simulation simulation{{definition, definition.procedures.front(), region, mesh, &contact}, {}, diagnostics};
+};
+
+}  // namespace
+
+TEST_CASE("observers are told of the start, of every step and of the end", "[app][simulation]") {
+  TwoCubes cubes;
+  std::vector<RunEvent> events;
+  double momentum_error = 0.0;
+  cubes.simulation.observe([&](RunEvent event, const Simulation& run) {
+    events.push_back(event);
+    if (event == RunEvent::step)
+      momentum_error = std::max(momentum_error, std::abs(run.state().momentum[2] + 1.0));
+  });
+  cubes.simulation.begin();
+  while (!cubes.simulation.is_over()) cubes.simulation.step();
+  cubes.simulation.finish();
+  const auto n_steps = static_cast<std::size_t>(cubes.simulation.state().step);
+  REQUIRE(events.size() == n_steps + 4);
+  CHECK(events[0] == RunEvent::restart_sought);
+  CHECK(events[1] == RunEvent::begun);
+  CHECK(std::count(events.begin(), events.end(), RunEvent::step) == static_cast<std::ptrdiff_t>(n_steps) + 1);
+  CHECK(events.back() == RunEvent::ended);
+  CHECK(momentum_error < 1e-12);  // mass and speed are 1
+  CHECK(cubes.simulation.contact_force()->histories().front().deepest >= 0.0);
+}
+
+TEST_CASE("a simulation that is stopped is over with the step that it has come to", "[app][simulation]") {
+  TwoCubes cubes;
+  cubes.simulation.begin();
+  cubes.simulation.step();
+  cubes.simulation.stop("a caller");
+  CHECK(cubes.simulation.is_over());
+  cubes.simulation.finish();
+  CHECK(cubes.simulation.state().step == 1);
+  CHECK(cubes.simulation.stopped_by() == "a caller");
+}
+
+TEST_CASE("a simulation of a wrong definition throws all errors", "[app][simulation]") {
+  TwoCubes cubes;
+  cubes.diagnostics.add_error({}, "an earlier one");
+  CHECK_THROWS_AS(
+      Simulation({cubes.definition, cubes.definition.procedures.front(), cubes.region, cubes.mesh}, {},
+                 cubes.diagnostics),
+      contactsim::DeckError);
+}
