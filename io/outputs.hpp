@@ -13,8 +13,8 @@
 #include "core/output/requested_fields.hpp"
 #include "core/output/termination.hpp"
 #include "core/output/user_outputs.hpp"
-#include "io/heartbeat_writer.hpp"
-#include "io/results_writer.hpp"
+#include "io/exodus/results_writer.hpp"
+#include "io/heartbeat/heartbeat_writer.hpp"
 #include "io/rigid_part.hpp"
 
 namespace contactsim {

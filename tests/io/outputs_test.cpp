@@ -5,8 +5,8 @@
 
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
-#include "io/netcdf_file.hpp"
-#include "io/sample_results.hpp"
+#include "io/exodus/sample_results.hpp"
+#include "io/netcdf/netcdf_file.hpp"
 #include "support/catch.hpp"
 #include "support/sample_run.hpp"
 #include "support/temporary_directory.hpp"
