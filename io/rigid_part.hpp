@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/dynamics/model.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 
 namespace contactsim {
 

@@ -8,7 +8,7 @@
 
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 
 namespace contactsim {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 #include "io/exodus/exodus_draft.hpp"
 
 namespace contactsim {

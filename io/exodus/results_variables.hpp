@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 #include "io/exodus/exodus_draft.hpp"
 #include "io/netcdf/record_file.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 #include "io/exodus/qa_records.hpp"
 #include "io/exodus/results_variables.hpp"
 #include "io/netcdf/record_file.hpp"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/output/facet_mesh.hpp"
+#include "core/mesh/facet_mesh.hpp"
 
 namespace contactsim {
 

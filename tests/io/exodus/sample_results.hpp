@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/mesh.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 #include "io/netcdf/netcdf_file.hpp"
 
 namespace contactsim::test {

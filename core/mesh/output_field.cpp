@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 
 #include <vector>
 
@@ -27,7 +27,7 @@ Names endings(FieldShape shape, int n_components) {
 
 }  // namespace
 
-TEST_CASE("components are named so that readers join them", "[core][output]") {
+TEST_CASE("components are named so that readers join them", "[core][mesh]") {
   CHECK(component_name(field("mass", FieldShape::scalar, 1), 0) == "mass");
   CHECK(component_name(field("displ", FieldShape::vector, 3), 2) == "displ_z");
   CHECK(endings(FieldShape::vector, 3) == Names{"_x", "_y", "_z"});
@@ -37,13 +37,13 @@ TEST_CASE("components are named so that readers join them", "[core][output]") {
   CHECK(endings(FieldShape::list, 3) == Names{"_1", "_2", "_3"});
 }
 
-TEST_CASE("numbered components are padded to one length", "[core][output]") {
+TEST_CASE("numbered components are padded to one length", "[core][mesh]") {
   CHECK(component_name(field("q", FieldShape::list, 10), 0) == "q_01");
   CHECK(component_name(field("q", FieldShape::list, 10), 9) == "q_10");
   CHECK(component_name(field("q", FieldShape::list, 8), 6) == "q_7");
 }
 
-TEST_CASE("the separator of components can be another, or none", "[core][output]") {
+TEST_CASE("the separator of components can be another, or none", "[core][mesh]") {
   OutputField displ = field("displ", FieldShape::vector, 3);
   displ.separator = "";
   CHECK(component_name(displ, 0) == "displx");
