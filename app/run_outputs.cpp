@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/file_clashes.hpp"
+#include "app/output_files.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {
@@ -20,13 +21,16 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 OutputSettings output_settings(const RunInput& input, RunContact* contact, Log& log) {
+  OutputFileSettings files;
+  files.mesh_path = input.mesh.path();
+  files.command_line = input.options.command_line;
+  files.deck_lines = lines_of(input.definition.text);
+  files.log = [&log](std::string_view text) { log.write(text); };
   OutputSettings settings;
+  settings.writers = make_output_writers(std::move(files));
   settings.results_path = input.options.results;
-  settings.command_line = input.options.command_line;
   settings.always_computes = !input.region.element_deaths.empty();
-  settings.deck_lines = lines_of(input.definition.text);
   if (contact != nullptr) contact->add_to(settings);
-  settings.log = [&log](std::string_view text) { log.write(text); };
   return settings;
 }
 

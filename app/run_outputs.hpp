@@ -7,7 +7,7 @@
 #include "app/log.hpp"
 #include "app/run_contact.hpp"
 #include "app/transient.hpp"
-#include "io/outputs.hpp"
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 

@@ -20,7 +20,7 @@
 #include "contact/interface_laws/interface_law_checks.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/internal_force.hpp"
-#include "io/outputs.hpp"
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 
@@ -31,7 +31,7 @@ struct RunParts {
   ForceTerm& external;
   RunContact* contact;  ///< null without contact
   RunDeath* death;      ///< null when nothing can die
-  Outputs& outputs;
+  OutputPlan& outputs;
   RunRestart& restart;
 };
 
@@ -236,7 +236,7 @@ class Run {
   const Model& model_;
   const TimeStepControl& control_;
   State state_;
-  Outputs& outputs_;
+  OutputPlan& outputs_;
   RunRestart& restart_;
   StopSignals signals_;
   InternalForce internal_;
@@ -279,7 +279,7 @@ ExitCode run_transient(const RunInput& input, Log& log, Diagnostics& warnings) {
   std::optional<RunContact> contact;
   if (input.contact != nullptr) contact.emplace(input, setup.model);
   RunContact* const run_contact = contact ? &*contact : nullptr;
-  Outputs outputs(scope, setup.model, output_settings(input, run_contact, log));
+  OutputPlan outputs(scope, setup.model, output_settings(input, run_contact, log));
   std::optional<RunDeath> death;
   if (!input.region.element_deaths.empty())
     death.emplace(scope, setup.death_sets, outputs.variables(), DeathParts{setup.external, run_contact, log});

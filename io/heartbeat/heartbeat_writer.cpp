@@ -3,49 +3,23 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <memory>
 #include <system_error>
 #include <utility>
 
 #include "core/base/errors.hpp"
+#include "io/files/format_clock.hpp"
 
 namespace contactsim {
 
-namespace {
-
-using Format = HeartbeatOutput::Format;
-
-// strftime's own words for a format; a text that is too long for it, or says nothing, is left out.
-std::string format_clock(std::time_t time, const std::string& format) {
-  std::array<char, 256> text{};
-  std::tm local{};
-  localtime_r(&time, &local);
-  const std::size_t n = std::strftime(text.data(), text.size(), format.c_str(), &local);
-  return {text.data(), n};
-}
-
-}  // namespace
-
-HeartbeatStyle heartbeat_style(const HeartbeatOutput& definition) {
+HeartbeatStyle original_heartbeat_style() {
   HeartbeatStyle style;
-  style.format = definition.format;
-  if (style.format == Format::original) {
-    style.has_labels = true;
-    style.has_legend = false;
-    style.has_time = false;
-    style.separator = "\t";
-    style.timestamp_format = "[%H:%M:%S]";
-  }
-  constexpr std::int64_t max_digits = 17;
-  if (definition.precision) style.n_digits = static_cast<int>(std::min(*definition.precision, max_digits));
-  // Programs read SPYHIS by its form, which nothing else may change.
-  if (style.format == Format::spyhis) return style;
-  if (definition.has_labels) style.has_labels = *definition.has_labels;
-  if (definition.has_legend) style.has_legend = *definition.has_legend;
-  if (definition.timestamp_format) style.timestamp_format = *definition.timestamp_format;
+  style.has_labels = true;
+  style.has_legend = false;
+  style.has_time = false;
+  style.separator = "\t";
+  style.timestamp_format = "[%H:%M:%S]";
   return style;
 }
 
@@ -72,11 +46,10 @@ std::string HeartbeatWriter::timestamp() const {
 }
 
 void HeartbeatWriter::write_legend() {
-  const bool is_spyhis = style_.format == Format::spyhis;
   std::vector<std::string> titles = names_;
-  if (style_.has_time) titles.insert(titles.begin(), is_spyhis ? "TIME" : "Time");
+  if (style_.has_time) titles.insert(titles.begin(), style_.is_spyhis ? "TIME" : "Time");
   const std::string legend = timestamp() + fmt::format("{}\n", fmt::join(titles, style_.separator));
-  if (is_spyhis) {
+  if (style_.is_spyhis) {
     sink_("% Sierra SPYHIS Output " + format_clock(clock_(), "%a %b %e %H:%M:%S %Y\n"));
     // Its readers expect the names twice.
     sink_(legend);

@@ -9,25 +9,22 @@
 #include <string_view>
 #include <vector>
 
-#include "core/definition/output.hpp"
-
 namespace contactsim {
 
-/// How the lines of a heartbeat look.
+/// How the lines of a heartbeat look; as it is, those of a CSV file.
+/// Source: Sierra/SM 5.22, 9.8; SEACAS, Ioss heartbeat database.
 struct HeartbeatStyle {
-  HeartbeatOutput::Format format = HeartbeatOutput::Format::csv;
+  bool is_spyhis = false;        ///< begins as SPYHIS files do
   int n_digits = 6;              ///< of a number, >= 1
   bool has_labels = false;       ///< name=value in place of the value
   bool has_legend = true;        ///< the names on top
   bool has_time = true;          ///< the time as first value
   std::string separator = ", ";  ///< between values
-  std::string timestamp_format =
-      "";  ///< of the clock in front of each line, as strftime takes it; "" for none
+  std::string timestamp_format;  ///< of the clock in front of each line, as strftime takes it; "" for none
 };
 
-/// The style of a format with what the deck says otherwise.
-/// Source: Sierra/SM 5.22, 9.8; SEACAS, Ioss heartbeat database.
-HeartbeatStyle heartbeat_style(const HeartbeatOutput& definition);
+/// The style of the format ORIGINAL: names in the lines, the clock before them.
+HeartbeatStyle original_heartbeat_style();
 
 /// Where the lines of a heartbeat go.
 using TextSink = std::function<void(std::string_view)>;

@@ -82,11 +82,4 @@ bool SampleResults::is_step(const NetcdfFile& file, std::size_t step) const {
   return globals == expected_globals;
 }
 
-std::vector<double> read_times(const NetcdfFile& file) {
-  const NetcdfVariable variable = file.find_variable("time_whole").value();
-  std::vector<double> times(variable.size());
-  file.read_double(variable, times);
-  return times;
-}
-
 }  // namespace contactsim::test

@@ -6,6 +6,7 @@
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/output_field.hpp"
 #include "io/netcdf/netcdf_file.hpp"
+#include "support/exodus_times.hpp"
 
 namespace contactsim::test {
 
@@ -36,8 +37,5 @@ class SampleResults {
   Mesh mesh_;
   std::vector<Values> values_;
 };
-
-/// The times of all steps of an Exodus file.
-std::vector<double> read_times(const NetcdfFile& file);
 
 }  // namespace contactsim::test

@@ -10,36 +10,30 @@ using namespace contactsim::test;
 
 namespace {
 
-using Format = HeartbeatOutput::Format;
-
 /// The text of two lines with the values 1 and -0.25.
-std::string lines(const HeartbeatOutput& definition) {
+std::string lines(const HeartbeatStyle& style) {
   std::string text;
-  HeartbeatWriter writer([&](std::string_view more) { text += more; }, heartbeat_style(definition),
-                         {"kinetic_energy", "displ_x"}, [] { return std::time_t{0}; });
+  HeartbeatWriter writer([&](std::string_view more) { text += more; }, style, {"kinetic_energy", "displ_x"},
+                         [] { return std::time_t{0}; });
   const std::vector<double> values{1.0, -0.25};
   writer.write(0.0, values);
   writer.write(1e-3, values);
   return text;
 }
 
-HeartbeatOutput in_format(Format format) {
-  HeartbeatOutput definition;
-  definition.format = format;
-  return definition;
-}
-
 }  // namespace
 
 TEST_CASE("a heartbeat is a table with named columns", "[io][heartbeat]") {
-  CHECK(lines(in_format(Format::csv)) ==
+  CHECK(lines({}) ==
         "Time, kinetic_energy, displ_x\n"
         "0.00000e+00, 1.00000e+00, -2.50000e-01\n"
         "1.00000e-03, 1.00000e+00, -2.50000e-01\n");
 }
 
 TEST_CASE("SpyHis begins with its mark and the names twice", "[io][heartbeat]") {
-  const std::string text = lines(in_format(Format::spyhis));
+  HeartbeatStyle spyhis;
+  spyhis.is_spyhis = true;
+  const std::string text = lines(spyhis);
   CHECK(text.starts_with("% Sierra SPYHIS Output "));
   CHECK(text.find("1970\n") != std::string::npos);
   CHECK(text.substr(text.find('\n') + 1) ==
@@ -49,23 +43,21 @@ TEST_CASE("SpyHis begins with its mark and the names twice", "[io][heartbeat]") 
 }
 
 TEST_CASE("the original format has names in its lines and the clock before them", "[io][heartbeat]") {
-  HeartbeatOutput original = in_format(Format::original);
+  HeartbeatStyle original = original_heartbeat_style();
   original.timestamp_format = "[%Y]";
   CHECK(lines(original) ==
         "+[1970] kinetic_energy=1.00000e+00\tdispl_x=-2.50000e-01\n"
         "+[1970] kinetic_energy=1.00000e+00\tdispl_x=-2.50000e-01\n");
 }
 
-TEST_CASE("labels, legend, digits and timestamps are the deck's choice", "[io][heartbeat]") {
-  HeartbeatOutput definition;
-  definition.has_legend = false;
-  definition.has_labels = true;
-  definition.precision = 2;
-  CHECK(lines(definition) ==
+TEST_CASE("labels, legend, digits and timestamps are a choice", "[io][heartbeat]") {
+  HeartbeatStyle style;
+  style.has_legend = false;
+  style.has_labels = true;
+  style.n_digits = 2;
+  CHECK(lines(style) ==
         "Time=0.0e+00, kinetic_energy=1.0e+00, displ_x=-2.5e-01\n"
         "Time=1.0e-03, kinetic_energy=1.0e+00, displ_x=-2.5e-01\n");
-  definition.precision = 1000000;
-  CHECK(heartbeat_style(definition).n_digits == 17);
 }
 
 TEST_CASE("a line is in the file as soon as it is written", "[io][heartbeat]") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/rigid_part.hpp"
+#include "core/output/rigid_part.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What VTK and netCDF make of the results that outputs_test.cpp writes for them.
+"""What VTK and netCDF make of the results that output_files_test.cpp writes for them.
 
 usage: outputs_in_vtk.py FILE
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "io/rigid_part.hpp"
+#include "core/output/rigid_part.hpp"
 
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
@@ -36,7 +36,7 @@ OutputField field_of(const std::string& name, FieldLocation location = FieldLoca
 
 }  // namespace
 
-TEST_CASE("rigid bodies get spheres at their references in results files", "[io][rigid]") {
+TEST_CASE("rigid bodies get spheres at their references in results files", "[core][output]") {
   TwoBodies two;
   const Mesh mesh = RigidPart(two.model).on(two.mesh);
   REQUIRE(mesh.blocks().size() == 2);
@@ -50,7 +50,7 @@ TEST_CASE("rigid bodies get spheres at their references in results files", "[io]
   CHECK(mesh.element_id({2}) == 3);
 }
 
-TEST_CASE("ids of rigid references follow the largest of the mesh", "[io][rigid]") {
+TEST_CASE("ids of rigid references follow the largest of the mesh", "[core][output]") {
   TwoBodies two(
       MeshBuilder().add_hexes({}).set_node_ids({10, 20, 30, 40, 50, 60, 70, 5}).set_element_ids({9}));
   const Mesh mesh = RigidPart(two.model).on(two.mesh);
@@ -59,7 +59,7 @@ TEST_CASE("ids of rigid references follow the largest of the mesh", "[io][rigid]
   CHECK(mesh.element_id({1}) == 10);
 }
 
-TEST_CASE("nodal fields have the motion of the bodies at their references", "[io][rigid]") {
+TEST_CASE("nodal fields have the motion of the bodies at their references", "[core][output]") {
   TwoBodies two;
   RigidPart part(two.model);
   const std::vector<double> values(24, 1.0);
@@ -75,7 +75,7 @@ TEST_CASE("nodal fields have the motion of the bodies at their references", "[io
   CHECK(part.extended(field_of("velocity"), values, two.state)[29] == 0.0);
 }
 
-TEST_CASE("a mesh without rigid bodies, or with their block, stays as it is", "[io][rigid]") {
+TEST_CASE("a mesh without rigid bodies, or with their block, stays as it is", "[core][output]") {
   TwoBodies two;
   two.model.rigid.bodies.clear();
   const std::vector<double> values(24, 1.0);
