@@ -38,6 +38,16 @@ void fill_strain_energy(const OutputContext& context, const EntityRange&, Values
   values[0] = sum;
 }
 
+void fill_dead_elements(const OutputContext& context, const EntityRange&, Values values) {
+  std::size_t n_dead = 0;
+  for (std::size_t b = 0; b < context.model.blocks.size(); ++b) {
+    if (context.state.blocks[b].life.empty()) continue;  // nothing here can die
+    for (std::size_t e = 0; e < context.model.blocks[b].n_elements; ++e)
+      n_dead += context.state.blocks[b].life_of(e) == 0.0 ? 1 : 0;
+  }
+  values[0] = static_cast<double>(n_dead);
+}
+
 void fill_momentum(const OutputContext& context, const EntityRange&, Values values) {
   for (std::size_t i = 0; i < 3; ++i) values[i] = context.state.momentum[static_cast<Eigen::Index>(i)];
 }
@@ -107,6 +117,8 @@ std::span<const OutputRow> global_output_rows() {
                        "Linear momentum [mass length/time]"}),
       OutputRow{"angular_momentum", L::global, S::vector, false, fill_angular_momentum,
                 "Angular momentum about the origin [mass length^2/time]"},
+      OutputRow{"dead_elements", L::global, S::scalar, false, fill_dead_elements,
+                "Number of elements that have died so far [1]"},
   };
   return rows;
 }
