@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,15 +16,13 @@ std::string_view to_string(FieldLocation location);
 /// What the components of a field are, and with that what they are called.
 enum class FieldShape : std::uint8_t { scalar, vector, symmetric_tensor, full_tensor, list };
 
-/// A result as it goes to a file: a view of its values at one time.
+/// A result as a file knows it; its values follow step by step, entity by entity.
 struct OutputField {
   std::string name;  ///< on the file, without components: "velocity"
   FieldLocation location = FieldLocation::node;
   FieldShape shape = FieldShape::scalar;
-  int n_components = 1;     ///< 1, 3, 6, 9 by the shape, any number of a list
-  std::uint32_t block = 0;  ///< position in the mesh of the block of an element field, else 0
-  std::span<const double>
-      values;                   ///< n_entities x n_components, entity by entity; of a global 1 x n_components
+  int n_components = 1;         ///< 1, 3, 6, 9 by the shape, any number of a list
+  std::uint32_t block = 0;      ///< position in the mesh of the block of an element field, else 0
   std::string separator = "_";  ///< between the name and a component
 };
 

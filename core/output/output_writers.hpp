@@ -35,8 +35,7 @@ struct OutputWriters {
   /// Appends a line: its time [time] and values in the order of the names.
   using AppendLine = std::function<void(double time, std::span<const double> values)>;
 
-  /// Makes a file with its mesh and room for the fields, whose values are not looked at. Throws FileError,
-  /// also when called.
+  /// Makes a file with its mesh and room for the fields. Throws FileError, also when called.
   std::function<AppendStep(const ResultsFile&, const Mesh&, std::span<const OutputField>)> open_results;
   /// Makes a file, or goes on with an older one. Throws FileError, also when called.
   std::function<AppendLine(const HeartbeatFile&, std::vector<std::string> names)> open_heartbeat;

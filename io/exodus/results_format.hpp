@@ -16,7 +16,7 @@ struct ResultsSizes {
   std::size_t longest_name = 0;
 };
 
-/// The sizes of a mesh and of the fields that will be written with it; values are not looked at.
+/// The sizes of a mesh and of the fields that will be written with it.
 ResultsSizes find_results_sizes(const Mesh& mesh, std::span<const OutputField> fields);
 
 /// CDF-2 as long as it can hold the file, CDF-5 beyond.

@@ -22,10 +22,7 @@ std::size_t count_entities(const Mesh& mesh, const OutputField& field) {
 
 ResultsVariables::ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields,
                                    ExodusDraft& draft) {
-  for (const OutputField& field : fields) {
-    fields_.push_back({field, count_entities(mesh, field), 0, {}});
-    fields_.back().field.values = {};
-  }
+  for (const OutputField& field : fields) fields_.push_back({field, count_entities(mesh, field), 0, {}});
   steps_ = draft.add_dimension("time_step", NetcdfOutput::unlimited);
   draft.file().define_variable("time_whole", NetcdfType::float64, {steps_});
   add_globals(draft);

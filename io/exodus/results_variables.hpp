@@ -16,7 +16,7 @@ namespace contactsim {
 /// name are one variable, and the truth table says in which blocks.
 class ResultsVariables {
  public:
-  /// Adds the fields to the draft of a file, after its mesh; their values are not looked at.
+  /// Adds the fields to the draft of a file, after its mesh.
   /// Preconditions: the components of one location have different names (of one block for element fields).
   ResultsVariables(const Mesh& mesh, std::span<const OutputField> fields, ExodusDraft& draft);
 
@@ -29,7 +29,7 @@ class ResultsVariables {
 
  private:
   struct DefinedField {
-    OutputField field;                   ///< without values
+    OutputField field;
     std::size_t n_entities = 0;          ///< nodes, elements of the block, or 1
     std::size_t first_global = 0;        ///< position of a global's first component in vals_glo_var
     std::vector<std::string> variables;  ///< n_components; empty for globals and where there are no entities

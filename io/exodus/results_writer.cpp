@@ -105,9 +105,4 @@ void ResultsWriter::write_step(double time, const Values& values) {
   records_->end_record();
 }
 
-void ResultsWriter::write_step(double time, std::span<const OutputField> fields) {
-  if (fields.size() != variables_->size()) throw std::logic_error("other result fields than were defined");
-  write_step(time, [&](std::size_t field) { return fields[field].values; });
-}
-
 }  // namespace contactsim

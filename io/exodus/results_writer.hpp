@@ -31,8 +31,8 @@ struct ResultsText {
 class ResultsWriter {
  public:
   /// Writes the mesh: blocks, sets and assemblies under the names of Mesh::name, attributes, distribution
-  /// factors, id maps; and defines the fields, of which no values are looked at. Throws FileError when the
-  /// file cannot be written, when it is the mesh's own, and for blocks whose connectivity was not read.
+  /// factors, id maps; and defines the fields. Throws FileError when the file cannot be written, when it is
+  /// the mesh's own, and for blocks whose connectivity was not read.
   /// Preconditions: the component names of one location differ (of one block for element fields).
   ResultsWriter(const std::string& path, const Mesh& mesh, const ResultsText& text,
                 std::span<const OutputField> fields);
@@ -45,8 +45,6 @@ class ResultsWriter {
   /// std::logic_error when there are not values for every node or element; the step does not count then.
   ///   time  [time]
   void write_step(double time, const Values& values);
-  /// The same with all values at hand, in the order of the constructor's fields.
-  void write_step(double time, std::span<const OutputField> fields);
 
   std::size_t n_steps() const { return records_->n_records(); }
 

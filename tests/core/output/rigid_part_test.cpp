@@ -31,7 +31,7 @@ struct TwoBodies {
 };
 
 OutputField field_of(const std::string& name, FieldLocation location = FieldLocation::node) {
-  return {name, location, FieldShape::vector, 3, 0, {}, "_"};
+  return {name, location, FieldShape::vector, 3};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ using namespace contactsim::test;
 
 TEST_CASE("the largest variable, id and name decide the format", "[io][results]") {
   MeshParts parts = two_hexes().parts();
-  const std::vector<OutputField> fields{{"velocity", FieldLocation::node, FieldShape::vector, 3, 0, {}}};
+  const std::vector<OutputField> fields{{"velocity", FieldLocation::node, FieldShape::vector, 3}};
   ResultsSizes sizes = find_results_sizes(Mesh(parts), fields);
   CHECK(sizes.n_variable_bytes == 12 * sizeof(double));
   CHECK(sizes.largest_id == 100);

@@ -29,7 +29,7 @@ std::vector<std::uintmax_t> sizes_by_step(SampleResults& results, int n_steps) {
   std::vector<std::uintmax_t> sizes{std::filesystem::file_size(directory.file("r.e"))};
   for (int step = 0; step < n_steps; ++step) {
     results.set_step(step);
-    writer.write_step(step, results.fields());
+    writer.write_step(step, results.values());
     sizes.push_back(std::filesystem::file_size(directory.file("r.e")));
   }
   return sizes;
@@ -48,7 +48,7 @@ void check_steps(const std::string& path, const SampleResults& results, std::siz
   ResultsWriter writer(path, results.mesh(), {}, results.fields());
   for (int step = 0;; ++step) {
     results.set_step(step);
-    writer.write_step(step, results.fields());
+    writer.write_step(step, results.values());
     if (::write(pipe, "s", 1) != 1) _exit(1);
   }
 }
@@ -104,17 +104,17 @@ TEST_CASE("a full disk is an error and leaves the earlier steps", "[io][results]
   ResultsWriter writer(path, results.mesh(), {}, results.fields());
   for (int step = 0; step < 3; ++step) {
     results.set_step(step);
-    writer.write_step(step, results.fields());
+    writer.write_step(step, results.values());
   }
   {
     const FileSizeLimit limit(room);
     results.set_step(3);
-    CHECK_THROWS_WITH(writer.write_step(3.0, results.fields()),
+    CHECK_THROWS_WITH(writer.write_step(3.0, results.values()),
                       path + ": cannot be written (File too large)");
   }
   CHECK(writer.n_steps() == 3);
   check_steps(path, results, 3);
-  CHECK_THROWS_WITH(writer.write_step(3.0, results.fields()),
+  CHECK_THROWS_WITH(writer.write_step(3.0, results.values()),
                     path + ": was closed when it could not be written");
 }
 
@@ -139,10 +139,10 @@ TEST_CASE("a 64-bit file on a full disk keeps its steps too", "[io][results]") {
   {
     ResultsWriter writer(directory.file("r.e"), results.mesh(), {}, results.fields());
     results.set_step(0);
-    writer.write_step(0, results.fields());
+    writer.write_step(0, results.values());
     const FileSizeLimit limit(sizes[1] + 8);
     results.set_step(1);
-    CHECK_THROWS_AS(writer.write_step(1, results.fields()), FileError);
+    CHECK_THROWS_AS(writer.write_step(1, results.values()), FileError);
   }
   check_steps(directory.file("r.e"), results, 1);
 }
@@ -155,10 +155,10 @@ TEST_CASE("a renamed file is still the one that is written and repaired", "[io][
   std::filesystem::rename(directory.file("r.e"), directory.file("kept.e"));
   write_bytes(directory.file("r.e"), "another file");
   results.set_step(0);
-  writer.write_step(0, results.fields());
+  writer.write_step(0, results.values());
   {
     const FileSizeLimit limit(sizes[1] + 8);
-    CHECK_THROWS_AS(writer.write_step(1, results.fields()), FileError);
+    CHECK_THROWS_AS(writer.write_step(1, results.values()), FileError);
   }
   check_steps(directory.file("kept.e"), results, 1);
   CHECK(read_bytes(directory.file("r.e")) == "another file");

@@ -81,24 +81,12 @@ TEST_CASE("long names survive", "[io][results]") {
   MeshParts parts = two_hexes().parts();
   parts.blocks[0].name = long_name;
   const TemporaryDirectory directory;
-  const std::vector<OutputField> fields{
-      {long_name, FieldLocation::node, FieldShape::symmetric_tensor, 6, 0, {}}};
+  const std::vector<OutputField> fields{{long_name, FieldLocation::node, FieldShape::symmetric_tensor, 6}};
   ResultsWriter(directory.file("r.e"), Mesh(parts), {}, fields);
   const NetcdfFile file(directory.file("r.e"));
   CHECK(texts(file, "name_nod_var")[5] == long_name + "_zx");
   CHECK(texts(file, "eb_names")[0] == long_name);
   CHECK(file.find_global_number("maximum_name_length") == static_cast<double>(long_name.size() + 3));
-}
-
-TEST_CASE("assemblies that nobody can write are left out", "[io][results]") {
-  MeshParts parts = two_hexes().parts();
-  parts.assemblies = {{1, "blobs", std::nullopt, {}},
-                      {2, "of blobs", EntityKind::assembly, {0}},
-                      {3, "mixed", EntityKind::assembly, {1, 3}},
-                      {4, "solids", EntityKind::block, {0, 1}}};
-  const Mesh found = write_and_read(Mesh(parts));
-  CHECK(found.names(EntityKind::assembly) == Names{"mixed", "solids"});
-  CHECK(found.members(0) == std::vector<Entity>{{EntityKind::block, 0}, {EntityKind::block, 1}});
 }
 
 TEST_CASE("a results file tells of the programs and the deck", "[io][results]") {
@@ -123,7 +111,7 @@ TEST_CASE("variables can be read step by step", "[io][results]") {
   ResultsWriter writer(directory.file("r.e"), results.mesh(), {}, results.fields());
   for (int step = 0; step < 3; ++step) {
     results.set_step(step);
-    writer.write_step(0.5 * step, results.fields());
+    writer.write_step(0.5 * step, results.values());
   }
   CHECK(writer.n_steps() == 3);
   const NetcdfFile file(directory.file("r.e"));
@@ -151,7 +139,7 @@ TEST_CASE("a results file can be read while it grows", "[io][results]") {
     CHECK(read_times(file).size() == step);
     if (step > 0) CHECK(results.is_step(file, step - 1));
     results.set_step(static_cast<int>(step));
-    writer.write_step(static_cast<double>(step), results.fields());
+    writer.write_step(static_cast<double>(step), results.values());
   }
 }
 
@@ -163,25 +151,22 @@ TEST_CASE("the same calls give the same bytes", "[io][results]") {
                          results.fields());
     for (int step = 0; step < 2; ++step) {
       results.set_step(step);
-      writer.write_step(step, results.fields());
+      writer.write_step(step, results.values());
     }
   }
   CHECK(read_bytes(directory.file("a.e")) == read_bytes(directory.file("b.e")));
 }
 
-TEST_CASE("fields other than those defined are refused and nothing is written", "[io][results]") {
+TEST_CASE("values for others than all nodes or elements are refused, the step does not count",
+          "[io][results]") {
   const TemporaryDirectory directory;
   SampleResults results(two_hexes().build());
   ResultsWriter writer(directory.file("r.e"), results.mesh(), {}, results.fields());
-  std::vector<OutputField> fields = results.fields();
-  fields.pop_back();
-  CHECK_THROWS_AS(writer.write_step(0.0, fields), std::logic_error);
-  fields = results.fields();
-  fields[0].values = fields[0].values.first(3);
-  CHECK_THROWS_AS(writer.write_step(0.0, fields), std::logic_error);
-  fields = results.fields();
-  std::swap(fields[0], fields[1]);
-  CHECK_THROWS_AS(writer.write_step(0.0, fields), std::logic_error);
+  const ResultsWriter::Values values = results.values();
+  CHECK_THROWS_AS(writer.write_step(0.0, [&](std::size_t i) { return values(i).first(1); }),
+                  std::logic_error);
+  CHECK_THROWS_AS(writer.write_step(0.0, [&](std::size_t i) { return values(i == 0 ? 1 : i); }),
+                  std::logic_error);
   CHECK(read_times(NetcdfFile(directory.file("r.e"))).empty());
 }
 
@@ -227,6 +212,6 @@ TEST_CASE("results for VTK to read", "[.][vtk]") {
                        {"for VTK", {}, {}}, results.fields());
   for (int step = 0; step < 3; ++step) {
     results.set_step(step);
-    writer.write_step(0.5 * step, results.fields());
+    writer.write_step(0.5 * step, results.values());
   }
 }

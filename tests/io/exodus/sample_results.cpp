@@ -24,19 +24,19 @@ std::vector<std::string> element_variables(std::size_t first, std::size_t n, std
 }  // namespace
 
 SampleResults::SampleResults(Mesh mesh) : mesh_(std::move(mesh)) {
-  add({"displ", FieldLocation::node, FieldShape::vector, 3, 0, {}}, mesh_.n_nodes(),
+  add({"displ", FieldLocation::node, FieldShape::vector, 3}, mesh_.n_nodes(),
       {"vals_nod_var1", "vals_nod_var2", "vals_nod_var3"});
-  add({"mass", FieldLocation::node, FieldShape::scalar, 1, 0, {}}, mesh_.n_nodes(), {"vals_nod_var4"});
+  add({"mass", FieldLocation::node, FieldShape::scalar, 1}, mesh_.n_nodes(), {"vals_nod_var4"});
   for (std::uint32_t b = 0; b < mesh_.blocks().size(); ++b) {
     const std::uint32_t n = mesh_.blocks()[b].n_elements;
-    add({"stress", FieldLocation::element, FieldShape::symmetric_tensor, 6, b, {}}, n,
+    add({"stress", FieldLocation::element, FieldShape::symmetric_tensor, 6, b}, n,
         element_variables(1, n > 0 ? 6 : 0, b));
   }
   const auto last = static_cast<std::uint32_t>(mesh_.blocks().size()) - 1;
-  add({"eqps", FieldLocation::element, FieldShape::scalar, 1, last, {}}, mesh_.blocks()[last].n_elements,
+  add({"eqps", FieldLocation::element, FieldShape::scalar, 1, last}, mesh_.blocks()[last].n_elements,
       element_variables(7, 1, last));
-  add({"kinetic_energy", FieldLocation::global, FieldShape::scalar, 1, 0, {}}, 1, {});
-  add({"momentum", FieldLocation::global, FieldShape::vector, 3, 0, {}}, 1, {});
+  add({"kinetic_energy", FieldLocation::global, FieldShape::scalar, 1}, 1, {});
+  add({"momentum", FieldLocation::global, FieldShape::vector, 3}, 1, {});
 }
 
 void SampleResults::add(OutputField field, std::size_t n_entities, std::vector<std::string> variables) {
@@ -54,11 +54,12 @@ void SampleResults::set_step(int step) {
 
 std::vector<OutputField> SampleResults::fields() const {
   std::vector<OutputField> fields;
-  for (const Values& values : values_) {
-    fields.push_back(values.field);
-    fields.back().values = values.values;
-  }
+  for (const Values& values : values_) fields.push_back(values.field);
   return fields;
+}
+
+ResultsWriter::Values SampleResults::values() const {
+  return [this](std::size_t field) { return std::span(values_[field].values); };
 }
 
 bool SampleResults::is_step(const NetcdfFile& file, std::size_t step) const {

@@ -5,6 +5,7 @@
 
 #include "core/mesh/mesh.hpp"
 #include "core/mesh/output_field.hpp"
+#include "io/exodus/results_writer.hpp"
 #include "io/netcdf/netcdf_file.hpp"
 #include "support/exodus_times.hpp"
 
@@ -19,8 +20,9 @@ class SampleResults {
 
   const Mesh& mesh() const { return mesh_; }
   void set_step(int step);
-  /// Views of the values of the step that was set last.
   std::vector<OutputField> fields() const;
+  /// The values of the step that was set last.
+  ResultsWriter::Values values() const;
 
   /// Whether the file holds the very values of a step in that record.
   bool is_step(const NetcdfFile& file, std::size_t step) const;
