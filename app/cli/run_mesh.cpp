@@ -7,7 +7,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
-#include "io/exodus_reader.hpp"
+#include "io/exodus/exodus_reader.hpp"
 
 namespace contactsim {
 

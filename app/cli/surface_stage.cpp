@@ -9,9 +9,9 @@
 #include "contact/overlap/initial_gaps.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/element_checks.hpp"
-#include "io/exodus_reader.hpp"
-#include "io/surface_writer.hpp"
-#include "io/write_text.hpp"
+#include "io/exodus/exodus_reader.hpp"
+#include "io/exodus/surface_writer.hpp"
+#include "io/files/write_text.hpp"
 
 namespace contactsim {
 

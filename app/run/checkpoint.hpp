@@ -7,7 +7,7 @@
 #include "core/base/state_archive.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
-#include "io/outputs.hpp"
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 
@@ -17,7 +17,7 @@ struct Checkpoint {
   State& state;
   RunContact* contact;  ///< null without contact
   RunDeath* death;      ///< null when nothing can die
-  Outputs& outputs;
+  OutputPlan& outputs;
   std::optional<double> shifted_to;  ///< the time that a restored state begins at, if not its own [time]
 };
 

@@ -14,8 +14,8 @@
 #include "core/base/pluralize.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
-#include "io/surface_writer.hpp"
-#include "io/write_text.hpp"
+#include "io/exodus/surface_writer.hpp"
+#include "io/files/write_text.hpp"
 
 namespace contactsim {
 

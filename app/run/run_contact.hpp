@@ -11,7 +11,7 @@
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/output/contact_output.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
-#include "io/outputs.hpp"
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "app/run/file_clashes.hpp"
+#include "app/run/output_files.hpp"
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 
@@ -21,13 +22,16 @@ std::vector<std::string> lines_of(const std::string& text) {
 }  // namespace
 
 OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact) {
+  OutputFileSettings files;
+  files.mesh_path = input.mesh.path();
+  files.command_line = settings.command_line;
+  files.deck_lines = lines_of(input.definition.text);
+  files.log = settings.write_text;
   OutputSettings made;
+  made.writers = make_output_writers(std::move(files));
   made.results_path = settings.results_path;
-  made.command_line = settings.command_line;
   made.always_computes = !input.region.element_deaths.empty();
-  made.deck_lines = lines_of(input.definition.text);
   if (contact != nullptr) contact->add_to(made);
-  made.log = settings.write_text;
   return made;
 }
 

@@ -6,7 +6,7 @@
 
 #include "app/run/run_contact.hpp"
 #include "app/run/run_input.hpp"
-#include "io/outputs.hpp"
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 

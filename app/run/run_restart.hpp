@@ -11,7 +11,7 @@
 #include "core/base/saved_state.hpp"
 #include "core/dynamics/time_step.hpp"
 #include "core/output/output_times.hpp"
-#include "io/restart_database.hpp"
+#include "io/restart/restart_database.hpp"
 
 namespace contactsim {
 

@@ -9,7 +9,7 @@
 #include "core/dynamics/discrete_steps.hpp"
 #include "core/dynamics/make_rigid_bodies.hpp"
 #include "core/mesh/element_checks.hpp"
-#include "io/exodus_variables.hpp"
+#include "io/exodus/exodus_variables.hpp"
 
 namespace contactsim {
 

@@ -40,7 +40,7 @@ std::unique_ptr<RunContact> make_contact(const RunInput& input, const Model& mod
   return input.contact != nullptr ? std::make_unique<RunContact>(input, model) : nullptr;
 }
 
-std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, const Outputs& outputs,
+std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, const OutputPlan& outputs,
                                      RunContact* contact) {
   if (scope.region.element_deaths.empty()) return nullptr;
   return std::make_unique<RunDeath>(scope, setup.death_sets, outputs.variables(),

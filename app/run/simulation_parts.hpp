@@ -16,7 +16,7 @@
 #include "app/run/timed_force.hpp"
 #include "core/conditions/condition_scope.hpp"
 #include "core/dynamics/internal_force.hpp"
-#include "io/outputs.hpp"
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 
@@ -40,7 +40,7 @@ struct Simulation::Parts {
   Setup setup;
   const ConditionScope scope;
   const std::unique_ptr<RunContact> contact;  // null without contact
-  Outputs outputs;
+  OutputPlan outputs;
   const std::unique_ptr<RunDeath> death;  // null when nothing can die
   RunRestart restart;
   State state;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/mesh/contact_model.hpp"
-#include "core/output/facet_mesh.hpp"
+#include "core/mesh/facet_mesh.hpp"
 
 namespace contactsim {
 

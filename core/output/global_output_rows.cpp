@@ -10,6 +10,11 @@ namespace {
 
 using Values = std::span<double>;
 
+constexpr OutputRow always(OutputRow row) {
+  row.is_always_written = true;
+  return row;
+}
+
 // A row that copies one of the energies.
 template <double Energies::*energy>
 constexpr OutputRow energy_row(std::string_view name, std::string_view help) {
@@ -31,6 +36,16 @@ void fill_strain_energy(const OutputContext& context, const EntityRange&, Values
       sum += context.state.blocks[b].at(block.layout, e, block.layout.energy());
   }
   values[0] = sum;
+}
+
+void fill_dead_elements(const OutputContext& context, const EntityRange&, Values values) {
+  std::size_t n_dead = 0;
+  for (std::size_t b = 0; b < context.model.blocks.size(); ++b) {
+    if (context.state.blocks[b].life.empty()) continue;  // nothing here can die
+    for (std::size_t e = 0; e < context.model.blocks[b].n_elements; ++e)
+      n_dead += context.state.blocks[b].life_of(e) == 0.0 ? 1 : 0;
+  }
+  values[0] = static_cast<double>(n_dead);
 }
 
 void fill_momentum(const OutputContext& context, const EntityRange&, Values values) {
@@ -74,31 +89,36 @@ std::span<const OutputRow> global_output_rows() {
                   v[0] = static_cast<double>(context.state.step);
                 },
                 "Number of steps so far [1]"},
-      energy_row<&Energies::kinetic>("kinetic_energy", "Kinetic energy [energy]"),
-      energy_row<&Energies::internal>("internal_energy",
-                                      "Work of all internal forces, hourglass and bulk viscosity included; "
-                                      "summed with kinetic_energy it is "
-                                      "what the steps conserve [energy]"),
-      energy_row<&Energies::external>("external_energy",
-                                      "Work of loads, gravity and prescribed motion [energy]"),
-      energy_row<&Energies::hourglass>("hourglass_energy", "Part of internal_energy [energy]"),
-      energy_row<&Energies::bulk_viscosity>("bulk_viscosity_energy", "Part of internal_energy [energy]"),
-      energy_row<&Energies::contact>(
+      always(energy_row<&Energies::kinetic>("kinetic_energy", "Kinetic energy [energy]")),
+      always(energy_row<&Energies::internal>(
+          "internal_energy",
+          "Work of all internal forces, hourglass and bulk viscosity included; "
+          "summed with kinetic_energy it is "
+          "what the steps conserve [energy]")),
+      always(energy_row<&Energies::external>("external_energy",
+                                             "Work of loads, gravity and prescribed motion [energy]")),
+      always(energy_row<&Energies::hourglass>("hourglass_energy", "Part of internal_energy [energy]")),
+      always(
+          energy_row<&Energies::bulk_viscosity>("bulk_viscosity_energy", "Part of internal_energy [energy]")),
+      always(energy_row<&Energies::contact>(
           "contact_energy",
-          "Taken up by contact forces; friction, contact damping and impact included [energy]"),
+          "Taken up by contact forces; friction, contact damping and impact included [energy]")),
       energy_row<&Energies::friction>("friction_energy", "Part of contact_energy, lost to friction [energy]"),
       energy_row<&Energies::contact_damping>("contact_damping_energy",
                                              "Part of contact_energy, lost to contact damping [energy]"),
       energy_row<&Energies::impact>("contact_impact_energy",
                                     "Part of contact_energy, lost where sides met without rebound [energy]"),
-      energy_row<&Energies::error>("energy_error",
-                                   "Energy that appeared from nowhere: what the balance lacks [energy]"),
+      always(energy_row<&Energies::error>(
+          "energy_error", "Energy that appeared from nowhere: what the balance lacks [energy]")),
       OutputRow{"strain_energy", L::global, S::scalar, false, fill_strain_energy,
                 "Work of the materials' stresses, plastic work included; internal_energy without hourglass "
                 "and bulk viscosity [energy]"},
-      OutputRow{"momentum", L::global, S::vector, false, fill_momentum, "Linear momentum [mass length/time]"},
+      always(OutputRow{"momentum", L::global, S::vector, false, fill_momentum,
+                       "Linear momentum [mass length/time]"}),
       OutputRow{"angular_momentum", L::global, S::vector, false, fill_angular_momentum,
                 "Angular momentum about the origin [mass length^2/time]"},
+      OutputRow{"dead_elements", L::global, S::scalar, false, fill_dead_elements,
+                "Number of elements that have died so far [1]"},
   };
   return rows;
 }

@@ -8,7 +8,7 @@
 
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
-#include "core/output/output_field.hpp"
+#include "core/mesh/output_field.hpp"
 
 namespace contactsim {
 
@@ -33,9 +33,10 @@ struct OutputRow {
   bool is_at_points = false;  ///< an element variable that each integration point has
   /// Sets the values, [count x n_components].
   void (*fill)(const OutputContext& context, const EntityRange& range, std::span<double> values) = nullptr;
-  std::string_view help;      ///< one line with the dimension
-  int list_size = 1;          ///< number of components of a list
-  bool is_of_shells = false;  ///< only shells have it, of element variables
+  std::string_view help;           ///< one line with the dimension
+  int list_size = 1;               ///< number of components of a list
+  bool is_of_shells = false;       ///< only shells have it, of element variables
+  bool is_always_written = false;  ///< every results file has it, of globals
 
   int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };

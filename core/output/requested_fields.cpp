@@ -35,12 +35,8 @@ class FieldMaker {
     check_blocks(requests_.included);
     check_blocks(requests_.excluded);
     for (const VariableRequest& request : requests_.variables) add_request(request);
-    for (const char* name : {"kinetic_energy", "internal_energy", "external_energy", "hourglass_energy",
-                             "bulk_viscosity_energy", "contact_energy", "energy_error", "momentum"}) {
-      const VariableSelection selection{variables_.find(FieldLocation::global, name), {}, {}};
-      const bool is_taken = names_.count({FieldLocation::global, 0, name}) != 0 ||
-                            columns_.count({FieldLocation::global, 0, name}) != 0;
-      if (!is_taken) add_field(selection, {}, name);
+    for (const OutputRow& row : global_output_rows()) {
+      if (row.is_always_written) add_unasked(std::string(row.name));
     }
     return std::move(fields_);
   }
@@ -52,6 +48,13 @@ class FieldMaker {
   void warn(std::string_view id, const DeckName& at, std::string text, std::string hint = "") {
     diagnostics_.add_warning(id, at.location, std::move(text), std::move(hint),
                              static_cast<int>(at.text.size()));
+  }
+
+  void add_unasked(const std::string& name) {
+    const VariableSelection selection{variables_.find(FieldLocation::global, name), {}, {}};
+    const bool is_taken = names_.count({FieldLocation::global, 0, name}) != 0 ||
+                          columns_.count({FieldLocation::global, 0, name}) != 0;
+    if (!is_taken) add_field(selection, {}, name);
   }
 
   void check_blocks(std::span<const DeckName> names) {

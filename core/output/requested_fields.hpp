@@ -26,14 +26,14 @@ class RequestedFields {
   struct Field {
     VariableSelection selection;
     EntityRange range;
-    OutputField field;  ///< without values
+    OutputField field;
   };
 
   RequestedFields() = default;
   explicit RequestedFields(std::vector<Field> fields) : fields_(std::move(fields)) {}
 
   std::size_t size() const { return fields_.size(); }
-  /// Names and places of all fields, without values.
+  /// Names and places of all fields.
   std::vector<OutputField> fields() const;
 
   /// The values of one field at a time, good until the next call: a run has room for one field, not for

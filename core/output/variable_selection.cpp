@@ -15,13 +15,9 @@ namespace {
 
 constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
 
-// Variables of Sierra/SM that mean something to other elements and materials than those of a run.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 7> foreign_variables{{
+// Variables of Sierra/SM that no run has, or not with any material.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> foreign_variables{{
     {"element_shape", "contactsim judges no element shapes"},
-    {"element_thickness", "shells have it"},
-    {"memb_stress", "shells have it"},
-    {"rotational_displacement", "shells and beams have it"},
-    {"rotational_velocity", "shells and beams have it"},
     {"tearing_parameter", "materials that fail have it"},
     {"temperature", "nothing is heated here"},
 }};
@@ -31,6 +27,9 @@ std::string hint_at(const OutputVariables& variables, const std::string& name,
                     std::span<const FieldLocation> locations) {
   for (const auto& [foreign, hint] : foreign_variables) {
     if (name == foreign) return std::string(hint);
+  }
+  for (const OutputRow& row : element_output_rows()) {
+    if (row.is_of_shells && name == row.name) return "shells have it";
   }
   std::vector<std::string> known;
   for (const FieldLocation location : locations) {

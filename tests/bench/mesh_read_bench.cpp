@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "core/mesh/element_checks.hpp"
-#include "io/exodus_reader.hpp"
+#include "io/exodus/exodus_reader.hpp"
 
 namespace {
 

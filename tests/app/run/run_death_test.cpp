@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -38,7 +39,8 @@ struct HitBar : ProgramDirectory {
               "general contact = on\nself contact = on\nend\nend\n"
               "begin heartbeat output\nstream name = a.csv\nprecision = 17\nat step 0 increment = 1\n"
               "global energy_error as error\nglobal kinetic_energy as kinetic\nglobal momentum as p\n"
-              "element death_status at element 14 as status\nend\nend\nend\nend\n");
+              "element death_status at element 14 as status\nglobal dead_elements as "
+              "dead\nend\nend\nend\nend\n");
   }
 
   /// A column of the heartbeat, by its place.
@@ -67,6 +69,11 @@ TEST_CASE("deaths keep momentum and close the energy balance", "[app][transient]
   CHECK(err == "");
   CHECK(code == 0);
   CHECK_THAT(out, Contains("Element death at step") && Contains("contact gains"));
+  const auto dead = bar.column(7);
+  CHECK(dead.front() == 0);
+  CHECK(std::is_sorted(dead.begin(), dead.end()));
+  CHECK_THAT(
+      out, Contains(std::to_string(static_cast<int>(dead.back())) + " elements of 32 that may die are dead"));
   const auto error = bar.column(1), momentum = bar.column(5);
   const double kinetic = bar.column(2).front();
   for (std::size_t i = 0; i < error.size(); ++i) {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "io/exodus_reader.hpp"
+#include "io/exodus/exodus_reader.hpp"
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
 #include "support/mesh_builder.hpp"

@@ -110,6 +110,17 @@ TEST_CASE("global variables by hand", "[core][output]") {
   CHECK(global(run, "strain_energy") == Values{5.5});
 }
 
+TEST_CASE("dead elements are counted, dying ones and empty lanes are not", "[core][output]") {
+  SampleRun run;
+  CHECK(global(run, "dead_elements") == Values{0});
+  std::vector<Lanes>& life = run.state.blocks[0].life;
+  life.assign(2, Lanes::Constant(1.0));
+  life[0](1) = 0.5;
+  life[0](3) = life[1](0) = 0.0;
+  life[1].tail(n_lanes - 1).setZero();  // the block has nine elements
+  CHECK(global(run, "dead_elements") == Values{2});
+}
+
 TEST_CASE("a spinning bar has the angular momentum of its masses", "[core][output]") {
   SampleRun run;
   Eigen::Matrix3d spin;

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run/output_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "core/base/errors.hpp"
+#include "core/base/version.hpp"
+#include "io/exodus/results_writer.hpp"
+#include "io/files/format_clock.hpp"
+
+namespace contactsim {
+
+namespace {
+
+ResultsText make_text(const OutputFileSettings& settings, const std::string& title) {
+  ResultsText text;
+  text.title = title;
+  if (!settings.mesh_path.empty()) text.qa_records = read_qa_records(settings.mesh_path);
+  const std::time_t now = settings.clock();
+  text.qa_records.push_back(
+      {"contactsim", version, format_clock(now, "%m/%d/%Y"), format_clock(now, "%H:%M:%S")});
+  text.info.push_back(settings.command_line);
+  text.info.insert(text.info.end(), settings.deck_lines.begin(), settings.deck_lines.end());
+  return text;
+}
+
+OutputWriters::AppendStep open_results(const OutputFileSettings& settings, const ResultsFile& file,
+                                       const Mesh& mesh, std::span<const OutputField> fields) {
+  std::error_code ignored;
+  if (!file.overwrites && std::filesystem::exists(file.path, ignored))
+    throw FileError(file.path, "exists, and the deck says OVERWRITE = OFF");
+  const auto writer =
+      std::make_shared<ResultsWriter>(file.path, mesh, make_text(settings, file.title), fields);
+  return
+      [writer](double time, const OutputWriters::FieldValues& values) { writer->write_step(time, values); };
+}
+
+OutputWriters::AppendLine open_heartbeat(const OutputFileSettings& settings, const HeartbeatFile& file,
+                                         std::vector<std::string> names) {
+  HeartbeatStyle style = heartbeat_style(file.form);
+  std::error_code ignored;
+  const bool continues = file.form.appends && std::filesystem::file_size(file.path, ignored) > 0 && !ignored;
+  if (continues && !style.is_spyhis) style.has_legend = false;
+  TextSink sink = file.path.empty() ? settings.log : make_file_sink(file.path, file.form.appends);
+  const auto writer =
+      std::make_shared<HeartbeatWriter>(std::move(sink), std::move(style), std::move(names), settings.clock);
+  return [writer](double time, std::span<const double> values) { writer->write(time, values); };
+}
+
+}  // namespace
+
+OutputWriters make_output_writers(OutputFileSettings settings) {
+  const auto shared = std::make_shared<const OutputFileSettings>(std::move(settings));
+  return {[shared](const ResultsFile& file, const Mesh& mesh, std::span<const OutputField> fields) {
+            return open_results(*shared, file, mesh, fields);
+          },
+          [shared](const HeartbeatFile& file, std::vector<std::string> names) {
+            return open_heartbeat(*shared, file, std::move(names));
+          }};
+}
+
+HeartbeatStyle heartbeat_style(const HeartbeatOutput& form) {
+  using Format = HeartbeatOutput::Format;
+  HeartbeatStyle style;
+  if (form.format == Format::original) style = original_heartbeat_style();
+  style.is_spyhis = form.format == Format::spyhis;
+  constexpr std::int64_t max_digits = 17;
+  if (form.precision) style.n_digits = static_cast<int>(std::min(*form.precision, max_digits));
+  // Programs read SPYHIS by its form, which nothing else may change.
+  if (style.is_spyhis) return style;
+  style.has_labels = form.has_labels.value_or(style.has_labels);
+  style.has_legend = form.has_legend.value_or(style.has_legend);
+  style.timestamp_format = form.timestamp_format.value_or(style.timestamp_format);
+  return style;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/output/output_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "core/definition/simulation.hpp"
+#include "core/output/single_values.hpp"
+
+namespace contactsim {
+
+namespace {
+
+void check_clashes(const std::vector<std::string>& paths, const DeckName& region, Diagnostics& diagnostics) {
+  std::map<std::filesystem::path, int> n_uses;
+  for (const std::string& path : paths) {
+    if (++n_uses[std::filesystem::path(path).lexically_normal()] != 2) continue;
+    diagnostics.add_error(region.location, fmt::format("two outputs would write {}", path),
+                          "DATABASE NAME or STREAM NAME gives each its own file");
+  }
+}
+
+}  // namespace
+
+OutputPlan::OutputPlan(const ConditionScope& scope, const Model& model, OutputSettings settings)
+    : model_(model),
+      rigid_part_(model),
+      variables_(model, std::move(settings.variables)),
+      user_outputs_(scope, variables_),
+      terminations_(scope.region.terminations, variables_, scope.diagnostics),
+      settings_(std::move(settings)) {
+  std::optional<std::string> path = settings_.results_path;
+  for (const ResultsOutput& output : scope.region.results_outputs)
+    results_.push_back({plan_results(scope, output, std::exchange(path, std::nullopt), variables_), {}, {}});
+  if (path) results_.push_back({plan_results(scope, make_default_results(), path, variables_), {}, {}});
+  for (const HistoryOutput& output : scope.region.history_outputs)
+    results_.push_back({plan_history(scope, output, variables_), {}, {}});
+  for (const HeartbeatOutput& output : scope.region.heartbeat_outputs)
+    heartbeats_.push_back({plan_heartbeat(scope, output, variables_), {}, false, {}});
+  check_clashes(paths(), scope.region.name, scope.diagnostics);
+}
+
+std::vector<std::string> OutputPlan::paths() const {
+  std::vector<std::string> paths;
+  for (const Results& results : results_) paths.push_back(results.plan.file.path);
+  for (const Heartbeat& heartbeat : heartbeats_) {
+    if (!heartbeat.plan.file.path.empty()) paths.push_back(heartbeat.plan.file.path);
+  }
+  return paths;
+}
+
+void OutputPlan::add_suffix(const std::string& suffix) {
+  for (Results& results : results_) results.plan.file.path += suffix;
+  for (Heartbeat& heartbeat : heartbeats_) {
+    HeartbeatFile& file = heartbeat.plan.file;
+    if (!file.path.empty() && !file.form.appends) file.path += suffix;
+  }
+}
+
+std::vector<StepTarget> OutputPlan::step_targets() const {
+  std::vector<StepTarget> targets;
+  const auto add = [&](const OutputTimes& times) {
+    if (!times.adjustment_interval()) return;
+    targets.push_back({[times](double time) { return times.next_time(time); }, *times.adjustment_interval()});
+  };
+  for (const Results& results : results_) add(results.plan.times);
+  for (const Heartbeat& heartbeat : heartbeats_) add(heartbeat.plan.times);
+  return targets;
+}
+
+void OutputPlan::open_files() {
+  const Mesh no_mesh, mesh = rigid_part_.on(model_.mesh->with_side_sets(settings_.side_sets));
+  for (auto& [plan, defined, append, is_due] : results_) {
+    defined = plan.fields.fields();
+    append = settings_.writers.open_results(plan.file, plan.file.has_mesh ? mesh : no_mesh, defined);
+  }
+  for (Heartbeat& heartbeat : heartbeats_)
+    heartbeat.append =
+        settings_.writers.open_heartbeat(heartbeat.plan.file, value_names(heartbeat.plan.values));
+}
+
+std::optional<std::string> OutputPlan::check_termination(const State& state) {
+  const OutputContext context{model_, state};
+  user_outputs_.compute(context, !terminations_.is_empty() || settings_.always_computes);
+  return terminations_.find_reason(context);
+}
+
+bool OutputPlan::find_due(const OutputTime& now) {
+  bool has_results = false, has_history = false, is_any = false;
+  for (Results& results : results_) {
+    results.is_due = results.plan.times.is_due(now);
+    (results.plan.file.has_mesh ? has_results : has_history) |= results.is_due;
+    is_any |= results.is_due;
+  }
+  using Monitored = HeartbeatOutput::Monitored;
+  for (Heartbeat& heartbeat : heartbeats_) {
+    const std::optional<Monitored> monitored = heartbeat.plan.file.form.monitored;
+    heartbeat.is_due = heartbeat.plan.times.is_due(now) && (heartbeat.plan.has_schedule || !monitored);
+    heartbeat.is_due |= monitored == Monitored::results && has_results;
+    heartbeat.is_due |= monitored == Monitored::history && has_history;
+    is_any |= heartbeat.is_due;
+  }
+  return is_any;
+}
+
+void OutputPlan::Heartbeat::write(const State& state, const OutputContext& context) {
+  append(state.time, evaluate_all(plan.values, context));
+  last_step = state.step;
+}
+
+void OutputPlan::write(const State& state, bool is_last) {
+  if (!std::exchange(is_open_, true)) open_files();
+  const OutputContext context{model_, state};
+  const bool is_any_due = find_due({state.step, state.time, is_last});
+  user_outputs_.compute(context, is_any_due);
+  for (Results& results : results_) {
+    if (!results.is_due) continue;
+    results.append(state.time, [&](std::size_t field) {
+      return rigid_part_.extended(results.defined[field], results.plan.fields.evaluate(field, context),
+                                  state);
+    });
+  }
+  for (Heartbeat& heartbeat : heartbeats_) {
+    if (heartbeat.is_due) heartbeat.write(state, context);
+  }
+}
+
+void OutputPlan::write_at_restart(const State& state) {
+  for (Heartbeat& heartbeat : heartbeats_) {
+    const auto monitored = heartbeat.plan.file.form.monitored;
+    if (monitored != HeartbeatOutput::Monitored::restart || heartbeat.last_step == state.step) continue;
+    const OutputContext context{model_, state};
+    user_outputs_.compute(context, true);
+    heartbeat.write(state, context);
+  }
+}
+
+}  // namespace contactsim

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/dynamics/time_step.hpp"
+#include "core/output/planned_files.hpp"
+#include "core/output/rigid_part.hpp"
+#include "core/output/termination.hpp"
+#include "core/output/user_outputs.hpp"
+
+namespace contactsim {
+
+/// What the outputs of a run need besides deck and model.
+struct OutputSettings {
+  OutputWriters writers;
+  std::optional<std::string> results_path;  ///< in place of the deck's first results file
+  std::vector<OutputVariable> variables;    ///< of contact, besides those of every run
+  std::vector<SideSet> side_sets;           ///< that results files hold besides those of the mesh
+  bool always_computes = false;             ///< someone reads what the deck computes after every step
+};
+
+/// Says what a region writes while it runs and when: results, history and heartbeat; and when it ends. Files
+/// are opened at the first call of write(). Asking for output changes nothing in the run.
+class OutputPlan {
+ public:
+  /// Reports requests that mean nothing (warnings), schedulers, nodes, elements and functions that do not
+  /// exist and two outputs to one file (errors). The model and its mesh must outlive it.
+  OutputPlan(const ConditionScope& scope, const Model& model, OutputSettings settings);
+  OutputPlan(const OutputPlan&) = delete;
+  OutputPlan& operator=(const OutputPlan&) = delete;
+
+  /// Brings what the deck computes to the state, and says whether a SOLUTION TERMINATION ends the run with
+  /// it: why, in words. To be called once for the state of the start and that after every step, before
+  /// write().
+  std::optional<std::string> check_termination(const State& state);
+
+  /// Writes what is due.
+  ///   is_last  the run ends with this state
+  /// Throws FileError.
+  void write(const State& state, bool is_last);
+
+  /// Writes heartbeats that MONITOR = RESTART, once a restart file is there. Throws FileError.
+  void write_at_restart(const State& state);
+
+  /// The times at which outputs with a TIMESTEP ADJUSTMENT INTERVAL want steps to end.
+  std::vector<StepTarget> step_targets() const;
+
+  /// Gives the names of all files an end; heartbeats that append go on with theirs. Precedes write().
+  void add_suffix(const std::string& suffix);
+  /// Passes over what an earlier run has written up to a state.
+  void resume(const State& state) { find_due({state.step, state.time, false}); }
+  /// Saves or restores what user variables hold.
+  void archive(StateArchive& saved) { user_outputs_.archive(saved); }
+  /// All that can be written, for who reads variables too.
+  const OutputVariables& variables() const { return variables_; }
+
+  /// The files that are written, in the order of the deck.
+  std::vector<std::string> paths() const;
+
+ private:
+  struct Results {
+    PlannedResults plan;
+    std::vector<OutputField> defined;  ///< the plan's fields, once the file is open
+    OutputWriters::AppendStep append;
+    bool is_due = false;
+  };
+  struct Heartbeat {
+    PlannedHeartbeat plan;
+    OutputWriters::AppendLine append;
+    bool is_due = false;
+    std::optional<std::int64_t> last_step;  ///< that was written
+
+    void write(const State& state, const OutputContext& context);
+  };
+
+  void open_files();
+  bool find_due(const OutputTime& now);
+
+  const Model& model_;
+  RigidPart rigid_part_;
+  OutputVariables variables_;
+  UserOutputs user_outputs_;
+  Terminations terminations_;
+  OutputSettings settings_;
+  std::vector<Results> results_;  // then histories
+  std::vector<Heartbeat> heartbeats_;
+  bool is_open_ = false;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/definition/output.hpp"
+#include "core/mesh/mesh.hpp"
+#include "core/mesh/output_field.hpp"
+
+namespace contactsim {
+
+/// An Exodus file that grows step by step.
+struct ResultsFile {
+  std::string path;
+  bool overwrites = true;  ///< an older file of the name; else that is an error
+  bool has_mesh = true;    ///< or holds single values over time alone
+  std::string title;
+};
+
+/// A file of lines of text, or the log.
+struct HeartbeatFile {
+  std::string path;      ///< "" for the log
+  HeartbeatOutput form;  ///< format, digits, legend as the deck has them
+};
+
+/// What an output plan writes through: it decides what is written and when, these know files.
+struct OutputWriters {
+  /// The values of a field by its position, [n_entities x n_components], good until the next call.
+  using FieldValues = std::function<std::span<const double>(std::size_t field)>;
+  /// Appends a state: its time [time], and the fields' values, which are asked for one after the other.
+  using AppendStep = std::function<void(double time, const FieldValues& values)>;
+  /// Appends a line: its time [time] and values in the order of the names.
+  using AppendLine = std::function<void(double time, std::span<const double> values)>;
+
+  /// Makes a file with its mesh and room for the fields. Throws FileError, also when called.
+  std::function<AppendStep(const ResultsFile&, const Mesh&, std::span<const OutputField>)> open_results;
+  /// Makes a file, or goes on with an older one. Throws FileError, also when called.
+  std::function<AppendLine(const HeartbeatFile&, std::vector<std::string> names)> open_heartbeat;
+};
+
+}  // namespace contactsim

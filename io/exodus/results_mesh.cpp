@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/exodus/results_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+namespace contactsim {
+
+namespace {
+
+bool is_counting(const std::vector<std::int64_t>& ids) {
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (ids[i] != static_cast<std::int64_t>(i) + 1) return false;
+  }
+  return true;
+}
+
+void add_nodes(const Mesh& mesh, ExodusDraft& draft) {
+  constexpr std::array<const char*, 3> axes{"coordx", "coordy", "coordz"};
+  const int n_axes = draft.add_dimension("num_dim", 3);
+  draft.add_texts("coor_names", {n_axes}, "len_name", {"x", "y", "z"});
+  // A dimension of length 0 would be the record dimension.
+  if (mesh.n_nodes() == 0) return;
+  const int n_nodes = draft.add_dimension("num_nodes", mesh.n_nodes());
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    draft.add_reals(axes[static_cast<std::size_t>(axis)], {n_nodes}, [&mesh, axis] {
+      const Eigen::VectorXd values = mesh.coordinates().row(axis);
+      return std::vector<double>(values.begin(), values.end());
+    });
+  }
+  if (is_counting(make_node_map(mesh))) return;
+  draft.add_ids("node_num_map", n_nodes, [&mesh] { return make_node_map(mesh); });
+}
+
+void add_attributes(const ElementBlock& block, const std::string& number, int n_elements,
+                    ExodusDraft& draft) {
+  if (block.attribute_names.empty()) return;
+  const int n_attributes = draft.add_dimension("num_att_in_blk" + number, block.attribute_names.size());
+  draft.add_reals("attrib" + number, {n_elements, n_attributes}, [&block] { return block.attributes; });
+  draft.add_texts("attrib_name" + number, {n_attributes}, "len_name", block.attribute_names);
+}
+
+void add_block(const ElementBlock& block, const std::string& number, ExodusDraft& draft) {
+  if (block.n_elements == 0) return;
+  const int n_elements = draft.add_dimension("num_el_in_blk" + number, block.n_elements);
+  const int n_columns =
+      draft.add_dimension("num_nod_per_el" + number, static_cast<std::size_t>(block.nodes_per_element));
+  const int connectivity = draft.add_integers("connect" + number, {n_elements, n_columns}, [&block] {
+    std::vector<std::int32_t> numbers;
+    numbers.reserve(block.nodes.size());
+    for (NodeIndex node : block.nodes) numbers.push_back(static_cast<std::int32_t>(node.value) + 1);
+    return numbers;
+  });
+  draft.file().set_text(connectivity, "elem_type", std::string(topology(block.shape).name));
+  add_attributes(block, number, n_elements, draft);
+}
+
+}  // namespace
+
+std::vector<std::int64_t> make_node_map(const Mesh& mesh) {
+  std::vector<std::int64_t> ids(mesh.n_nodes());
+  for (std::uint32_t n = 0; n < mesh.n_nodes(); ++n) ids[n] = mesh.node_id({n});
+  return ids;
+}
+
+std::vector<std::int64_t> make_element_map(const Mesh& mesh) {
+  std::vector<std::int64_t> ids(mesh.n_elements());
+  for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) ids[e] = mesh.element_id({e});
+  return ids;
+}
+
+void add_mesh(const Mesh& mesh, ExodusDraft& draft) {
+  add_nodes(mesh, draft);
+  if (mesh.n_elements() > 0) {
+    const int n_elements = draft.add_dimension("num_elem", mesh.n_elements());
+    if (!is_counting(make_element_map(mesh))) {
+      draft.add_ids("elem_num_map", n_elements, [&mesh] { return make_element_map(mesh); });
+    }
+  }
+  IdRows rows;
+  for (std::uint32_t b = 0; b < mesh.blocks().size(); ++b) {
+    const ElementBlock& block = mesh.blocks()[b];
+    rows.ids.push_back(block.id);
+    rows.status.push_back(block.n_elements > 0 ? 1 : 0);
+    rows.names.push_back(mesh.name({EntityKind::block, b}));
+    add_block(block, fmt::to_string(b + 1), draft);
+  }
+  draft.add_id_rows("num_el_blk", "eb", rows);
+}
+
+}  // namespace contactsim
