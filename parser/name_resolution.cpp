@@ -201,10 +201,10 @@ class NameResolution {
       const std::string key = model_use_key(fold(material.name.text), fold(model.name.text));
       if (used_keys_.count(key) == 0) continue;
       check_used_model(material, model, diagnostics_);
-      const auto* orthotropic = std::get_if<OrthotropicModel>(&model.parameters);
-      if (orthotropic != nullptr && orthotropic->coordinate_system)
-        outside_.coordinate_systems.use(*orthotropic->coordinate_system, diagnostics_);
-      if (const auto function = hardening_function_of(model)) outside_.functions.use(*function, diagnostics_);
+      for (const DeckName& system : model.values.names(ParameterKind::coordinate_system))
+        outside_.coordinate_systems.use(system, diagnostics_);
+      for (const DeckName& function : model.values.names(ParameterKind::function))
+        outside_.functions.use(function, diagnostics_);
     }
   }
 

@@ -11,6 +11,7 @@
 #include "core/definition/condition_lines.hpp"
 #include "core/definition/friction_bonds.hpp"
 #include "core/definition/friction_pressure.hpp"
+#include "core/definition/parameter.hpp"
 
 /// The friction models of a contact definition: what two surfaces do to each other where they touch, and some
 /// also where they stand apart.
@@ -67,13 +68,6 @@ struct Junction {
 struct HybridFriction {
   std::optional<DeckName> initially_close, initially_far;  ///< absent: frictionless
   bool operator==(const HybridFriction&) const = default;
-};
-
-/// MODEL = <model> DURING PERIODS <periods> of a TIME VARIANT MODEL.
-struct PeriodModel {
-  DeckName model;
-  std::vector<DeckName> periods;
-  bool operator==(const PeriodModel&) const = default;
 };
 
 /// TIME VARIANT MODEL: another model in each time stepping block, the deck's PERIOD.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "core/definition/material.hpp"
 #include "parser/commands/rows.hpp"
 
@@ -10,10 +8,6 @@ namespace contactsim {
 
 /// BEGIN MATERIAL, also PROPERTY SPECIFICATION FOR MATERIAL.
 const Table<MaterialDefinition>& material_table();
-
-/// The PARAMETERS FOR MODEL blocks of a material: one row per model that contactsim knows and one for all
-/// others, which are kept as they stand.
-std::vector<Row<MaterialDefinition>> material_model_rows();
 
 /// The key under which the problems of a model are held until a block uses it.
 std::string model_use_key(std::string_view material, std::string_view model);

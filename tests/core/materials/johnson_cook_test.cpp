@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/materials/failing_johnson_cook.hpp"
+#include "core/materials/johnson_cook.hpp"
 
 #include <cmath>
 

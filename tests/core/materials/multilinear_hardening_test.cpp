@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The returns to a curve against slow ones, by halving alone, of one point.
-#include "core/materials/plastic_return.hpp"
+#include "core/materials/multilinear_hardening.hpp"
 
 #include <Eigen/Core>
 #include <cmath>
 #include <random>
 
-#include "core/materials/laws.hpp"
 #include "support/catch.hpp"
 #include "support/root_by_halving.hpp"
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/materials/plastic_return.hpp"
+#include "core/materials/multilinear_hardening.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
 
 namespace contactsim {
 
@@ -85,6 +89,43 @@ std::optional<PlaneFlow<Lanes>> return_to(const MultilinearHardening& hardening,
   const Lanes growth = (end.stress - start.stress) + end.slope * rest;
   return PlaneFlow<Lanes>{1.5 * increment / (radius + hardening.beta * growth), increment,
                           2.0 / 3.0 * kinematic_modulus(hardening, growth, increment)};
+}
+
+template struct PlasticLaw<MultilinearHardening>;
+
+std::vector<Parameter> multilinear_parameters() {
+  std::vector<Parameter> lines{
+      isotropic_share(),
+      parameter::function("hardening function",
+                          "Flow stress, or what is added to the yield stress, over the plastic strain; "
+                          "piecewise linear")
+          .required(),
+  };
+  for (const char* of : {"youngs modulus", "poissons ratio", "yield stress"})
+    lines.push_back(
+        parameter::ignored(fmt::format("{} function", of), "temperature has no effect on materials"));
+  return lines;
+}
+
+HardeningRow multilinear_hardening() {
+  return {
+      "user_defined",
+      {"multilinear_ep"},
+      "Plasticity with hardening along a curve",
+      multilinear_parameters(),
+      &law_kind<PlasticLaw<MultilinearHardening>>,
+      [](const MaterialInput& input) -> std::optional<MaterialLaw> { return make_multilinear_law(input); }};
+}
+
+std::optional<PlasticLaw<MultilinearHardening>> make_multilinear_law(const MaterialInput& input) {
+  const ElasticModuli moduli = input.moduli();
+  const double beta = input.values.real("beta");
+  if (!(beta >= 0.0 && beta <= 1.0))
+    throw std::invalid_argument(fmt::format("beta must be from 0 to 1, found {}", beta));
+  auto curve = make_hardening_curve(input.values.name("hardening function"),
+                                    input.values.real("yield stress"), input.functions, input.diagnostics);
+  if (!curve) return std::nullopt;
+  return PlasticLaw<MultilinearHardening>{moduli, {std::move(*curve), beta}};
 }
 
 }  // namespace contactsim

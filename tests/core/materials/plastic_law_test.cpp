@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/materials/laws.hpp"
+#include "core/materials/plastic_law.hpp"
 
 #include <cmath>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "core/materials/elastic.hpp"
+#include "core/materials/johnson_cook.hpp"
+#include "core/materials/linear_hardening.hpp"
+#include "core/materials/multilinear_hardening.hpp"
+#include "core/materials/power_hardening.hpp"
+#include "core/materials/voce_hardening.hpp"
 #include "support/catch.hpp"
 #include "support/root_by_halving.hpp"
 

@@ -4,7 +4,12 @@
 #include <cmath>
 #include <random>
 
-#include "core/materials/material_law.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/johnson_cook.hpp"
+#include "core/materials/linear_hardening.hpp"
+#include "core/materials/multilinear_hardening.hpp"
+#include "core/materials/power_hardening.hpp"
+#include "core/materials/voce_hardening.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -29,20 +34,15 @@ std::vector<MaterialLaw> plastic_laws() {
 
 /// A material point of eight equal elements by both ways.
 struct Point {
-  explicit Point(const MaterialLaw& its_law) : law(its_law), state(state_of(law).n_state) {
+  explicit Point(const MaterialLaw& its_law) : law(its_law), state(law.kind().n_state) {
     for (Lanes& component : stress) component.setZero();
-    start_state(law, state);
+    law.start(state);
   }
 
   void move_plane(const std::array<double, 5>& strain) {
     PlaneStep step{{}, 1.0};
     for (std::size_t i = 0; i < 5; ++i) step.strain[i].setConstant(strain[i]);
-    std::visit(
-        [&](const auto& held) {
-          if constexpr (requires { &std::decay_t<decltype(held)>::update_plane; })
-            held.update_plane(step, stress, state);
-        },
-        law);
+    law.update_plane(step, stress, state);
   }
 
   double von_mises() const {
@@ -58,8 +58,8 @@ struct Point {
 
 /// The solid law's answer to a strain whose zz is sought by bisection such that the stress zz vanishes.
 struct SolidPoint {
-  explicit SolidPoint(const MaterialLaw& its_law) : law(its_law), state(state_of(law).n_state) {
-    start_state(law, state);
+  explicit SolidPoint(const MaterialLaw& its_law) : law(its_law), state(law.kind().n_state) {
+    law.start(state);
   }
 
   SymmetricLanes stress_for(const std::array<double, 5>& strain, double zz, std::vector<Lanes>& end) const {
@@ -69,7 +69,7 @@ struct SolidPoint {
     for (std::size_t i = 0; i < 6; ++i) step.strain[i].setConstant(components[i]);
     SymmetricLanes moved = stress;
     end = state;
-    std::visit([&](const auto& held) { held.update(step, moved, end); }, law);
+    law.update(step, moved, end);
     return moved;
   }
 
