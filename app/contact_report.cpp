@@ -9,8 +9,8 @@
 #include <set>
 
 #include "app/pluralize.hpp"
-#include "contact/interface_laws/interface_law_checks.hpp"
 #include "core/definition/contact.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -30,12 +30,6 @@ std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& 
     areas[tie.pair].area += tie.area;
   }
   return areas;
-}
-
-bool holds_at_start(const FrictionLaw& law) {
-  return std::holds_alternative<Tied>(law) || std::holds_alternative<SpringWeld>(law) ||
-         std::holds_alternative<SurfaceWeld>(law) || std::holds_alternative<CohesiveZone>(law) ||
-         std::holds_alternative<Threaded>(law);
 }
 
 /// What of a side some tie holds.
@@ -99,7 +93,7 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
   std::string text;
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
-    if (!holds_at_start(*contact.pairs[i].law)) continue;
+    if (!row_of(*contact.pairs[i].law).holds_at_start) continue;
     text +=
         fmt::format("  {}: {}, {} over an area of {:.6g}\n", describe_law(*contact.pairs[i].law),
                     names_of(contact.pairs[i], contact), pluralize(areas[i].n_ties, "tie"), areas[i].area);
@@ -118,7 +112,7 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(*pair.law) || areas[i].n_ties > 0) continue;
+    if (!row_of(*pair.law).holds_at_start || areas[i].n_ties > 0) continue;
     warnings.add_warning("tie-empty", pair.location,
                          fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
                          "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
@@ -130,7 +124,7 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
   const auto areas = tied_areas(force, contact);
   for (std::uint32_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(*pair.law) || areas[i].n_ties == 0) continue;
+    if (!row_of(*pair.law).holds_at_start || areas[i].n_ties == 0) continue;
     std::optional<TiedSide> least;  // untied; a side that is tied as a whole is as the deck wants it
     bool is_whole = false;
     std::uint32_t of = pair.first;

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "app/pluralize.hpp"
-#include "contact/interface_laws/interface_law_checks.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 

@@ -17,7 +17,7 @@
 #include "app/run_setup.hpp"
 #include "app/stop_signal.hpp"
 #include "app/timed_force.hpp"
-#include "contact/interface_laws/interface_law_checks.hpp"
+#include "contact/interface_laws/refuse_laws.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "io/outputs.hpp"

@@ -4,89 +4,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
+
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// What a law refers to and what it lacks.
-struct LawContents {
-  std::vector<const ScaledFunction*> functions;
-  std::vector<DeckName> models;      ///< other friction models
-  std::vector<DeckName> periods;     ///< time stepping blocks
-  std::vector<const char*> missing;  ///< commands without which the law says nothing
-
-  void need(const ScaledFunction& function, const char* command) {
-    functions.push_back(&function);
-    if (!function.function) missing.push_back(command);
-  }
-  void need(double value, const char* command) {
-    if (std::isnan(value)) missing.push_back(command);
-  }
-  void refer_to(const std::optional<DeckName>& model) {
-    if (model) models.push_back(*model);
-  }
-
-  void operator()(const Frictionless&) {}
-  void operator()(const ConstantFriction&) {}
-  void operator()(const Tied&) {}
-  void operator()(const Glued&) {}
-  void operator()(const SpringWeld& weld) {
-    need(weld.normal, "NORMAL DISPLACEMENT FUNCTION");
-    need(weld.tangential, "TANGENTIAL DISPLACEMENT FUNCTION");
-    refer_to(weld.failure.failed_model);
-  }
-  void operator()(const SurfaceWeld& weld) {
-    need(weld.normal_capacity, "NORMAL CAPACITY");
-    need(weld.tangential_capacity, "TANGENTIAL CAPACITY");
-    refer_to(weld.failure.failed_model);
-  }
-  void operator()(const Adhesion& adhesion) { need(adhesion.adhesion, "ADHESION FUNCTION"); }
-  void operator()(const CohesiveZone& zone) {
-    need(zone.traction, "TRACTION DISPLACEMENT FUNCTION");
-    need(zone.critical_normal_gap, "CRITICAL NORMAL GAP");
-    need(zone.critical_tangential_gap, "CRITICAL TANGENTIAL GAP");
-  }
-  void operator()(const Junction& junction) {
-    need(junction.normal, "NORMAL TRACTION FUNCTION");
-    need(junction.tangential, "TANGENTIAL TRACTION FUNCTION");
-  }
-  void operator()(const Threaded& threaded) {
-    need(threaded.normal, "NORMAL TRACTION FUNCTION");
-    need(threaded.tangential, "TANGENTIAL TRACTION FUNCTION");
-    functions.push_back(&threaded.tangential_gap);
-    need(threaded.normal_capacity, "NORMAL CAPACITY");
-    need(threaded.tangential_capacity, "TANGENTIAL CAPACITY");
-    refer_to(threaded.failure.failed_model);
-  }
-  void operator()(const PressureVelocityFriction& friction) {
-    need(friction.reference_pressure, "REFERENCE PRESSURE");
-  }
-  void operator()(const HybridFriction& hybrid) {
-    refer_to(hybrid.initially_close);
-    refer_to(hybrid.initially_far);
-  }
-  void operator()(const TimeVariantFriction& variant) {
-    if (variant.models.empty()) missing.push_back("MODEL");
-    for (const PeriodModel& model : variant.models) {
-      models.push_back(model.model);
-      periods.insert(periods.end(), model.periods.begin(), model.periods.end());
-    }
-  }
-};
-
-LawContents contents_of(const FrictionLaw& law) {
-  LawContents contents;
-  std::visit(contents, law);
-  return contents;
+std::string upper_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::toupper(c); });
+  return text;
 }
 
 /// Whether the law only selects among other models; a failed model takes over later, so that a ring of them
 /// is fine.
-bool is_selection(const FrictionLaw& law) {
-  return std::holds_alternative<HybridFriction>(law) || std::holds_alternative<TimeVariantFriction>(law);
-}
+bool is_selection(const FrictionLaw& law) { return row_of(law).select != nullptr; }
 
 }  // namespace
 
@@ -123,12 +56,17 @@ void FrictionNames::use(const DeckName& reference) {
 }
 
 void FrictionNames::check(const FrictionModel& model) {
-  const LawContents contents = contents_of(model.law);
-  for (const ScaledFunction* function : contents.functions) uses_.use(*function);
-  for (const DeckName& other : contents.models) use(other);
-  uses_.use_periods(contents.periods);
-  for (const char* command : contents.missing) {
-    uses_.add_error(model.name, fmt::format("the friction model '{}' has no {}", model.name.text, command));
+  const ParameterValues& values = model.law.values;
+  for (const DeckName& function : values.names(ParameterKind::function))
+    uses_.outside().functions.use(function, uses_.diagnostics());
+  for (const DeckName& other : values.names(ParameterKind::friction_model)) use(other);
+  for (const Parameter& parameter : values.parameters()) {
+    if (parameter.kind != ParameterKind::models_by_period || !values.has(parameter.phrase)) continue;
+    for (const PeriodModel& one : values.models(parameter.phrase)) uses_.use_periods(one.periods);
+  }
+  for (const std::string& phrase : missing_parameters(values.parameters(), values)) {
+    uses_.add_error(model.name,
+                    fmt::format("the friction model '{}' has no {}", model.name.text, upper_case(phrase)));
   }
   std::vector<const FrictionModel*> seen;
   if (is_selection(model.law) && leads_to(model, model, seen)) {
@@ -140,7 +78,7 @@ bool FrictionNames::leads_to(const FrictionModel& from, const FrictionModel& tar
                              std::vector<const FrictionModel*>& seen) const {
   if (!is_selection(from.law)) return false;
   seen.push_back(&from);
-  for (const DeckName& name : contents_of(from.law).models) {
+  for (const DeckName& name : from.law.values.names(ParameterKind::friction_model)) {
     const FrictionModel* next = find(name);
     if (next == &target) return true;
     const bool is_new = next != nullptr && std::find(seen.begin(), seen.end(), next) == seen.end();

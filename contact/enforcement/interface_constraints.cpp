@@ -60,8 +60,7 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
             .stiffness;
   }
   const BondLaw& bond_law = *rule_of(context, bond).interface_law->bond_law;
-  const bool is_in_forces = std::holds_alternative<SpringWeldLaw>(bond_law);
-  bond.size = is_in_forces ? bond.share : bond.area;
+  bond.size = bond_law.is_in_forces ? bond.share : bond.area;
   const double stiffness = bond_stiffness(bond_law, bond.size, bond.penalty);
   bond.springs << stiffness * bond.weights_1, stiffness * bond.weights_2;
   return bond;
@@ -91,9 +90,7 @@ void visit_fading(DecayingConstraint& constraint, RowNumbers& row) {
   row(constraint.forces, constraint.stored, constraint.n_steps, constraint.n_done);
 }
 
-bool is_bonded(const PairRule& rule) {
-  return rule.interface_law != nullptr && rule.interface_law->bond_law && !rule.interface_law->is_weld();
-}
+bool is_bonded(const PairRule& rule) { return rule.interface_law != nullptr && rule.interface_law->bond_law; }
 
 /// Whether both sides of a constraint are still there; it has their new numbers then.
 bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint) {
@@ -260,7 +257,7 @@ void InterfaceConstraints::take_ties(const ContactStepContext& context, bool is_
       add(tie, forces, assembler);
       continue;
     }
-    const WeldLaw& weld = std::get<WeldLaw>(*rule.interface_law->bond_law);
+    const WeldLaw& weld = *rule.interface_law->weld;
     if (weld_envelope(weld, tie, forces) <= 1.0) {
       add(tie, forces, assembler);
       continue;

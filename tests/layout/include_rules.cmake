@@ -12,10 +12,11 @@ set(allowed_io core io)
 set(allowed_app core parser contact io app)
 
 # rooms of core and contact, from the lowest up: each may include itself and what its line says
-set(rooms_core base definition functions mesh materials elements rigid conditions dynamics output death)
+set(rooms_core base definition functions interface_laws mesh materials elements rigid conditions dynamics output death)
 set(allowed_core_base "")
 set(allowed_core_definition base)
 set(allowed_core_functions base definition)
+set(allowed_core_interface_laws base definition functions)
 set(allowed_core_mesh base definition)
 set(allowed_core_materials base definition functions)
 set(allowed_core_elements base definition functions mesh materials)

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/formulations/bonds.hpp"
+#include "core/interface_laws/cohesive_zone.hpp"
+#include "core/interface_laws/spring_weld.hpp"
+#include "core/interface_laws/threaded.hpp"
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"
 
@@ -11,8 +14,8 @@ namespace {
 const LawCurve hump({{0, 0}, {0.5, 10}, {1, 0}}), line({{0, 0}, {0.1, 50}});
 
 std::vector<BondLaw> bonds() {
-  return {SpringWeldLaw{line, line, 2.0}, ThreadedJointLaw{line, line, {}, 1.0, 1e9, 1e9, 2.0},
-          CohesiveLaw{hump, 0.1, 0.2}};
+  return {make_spring_bond(line, line, 2.0), make_threaded_bond({line, line, {}, 1.0, 1e9, 1e9, 2.0}),
+          make_cohesive_bond({hump, 0.1, 0.2})};
 }
 
 }  // namespace
@@ -61,7 +64,7 @@ TEST_CASE("no bond is stiffer than it says", "[contact][bonds]") {
 }
 
 TEST_CASE("a cohesive zone that begins rigidly begins with the penalty", "[contact][bonds]") {
-  const BondLaw hold = CohesiveLaw{LawCurve({{0, 10}, {1, 0}}), 0.1, 0.1};
+  const BondLaw hold = make_cohesive_bond({LawCurve({{0, 10}, {1, 0}}), 0.1, 0.1});
   BondHistory history;
   CHECK(answer(hold, {0.001, {0, 0}}, 1.0, 1000.0, history).normal == Approx(1.0));
   CHECK(answer(hold, {0.05, {0, 0}}, 1.0, 1000.0, history).normal == Approx(5.0));

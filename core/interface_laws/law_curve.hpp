@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/base/diagnostics.hpp"
-#include "core/definition/condition_lines.hpp"
 #include "core/definition/function.hpp"
 #include "core/functions/piecewise.hpp"
 
@@ -33,9 +32,9 @@ class LawCurve {
   PiecewiseLinear line_;
 };
 
-/// The curve that a friction model names; nothing when an error was added: unknown, not PIECEWISE LINEAR, or
-/// wrong by itself.
-std::optional<LawCurve> make_law_curve(const ScaledFunction& named,
+/// The curve that a friction model names, times a factor; nothing when an error was added: unknown, not
+/// PIECEWISE LINEAR, or wrong by itself.
+std::optional<LawCurve> make_law_curve(const DeckName& name, double scale,
                                        std::span<const FunctionDefinition> functions,
                                        Diagnostics& diagnostics);
 

@@ -2,17 +2,12 @@
 #pragma once
 
 #include <span>
-#include <string>
 
 #include "contact/interface_laws/make_interface_laws.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
 #include "core/base/diagnostics.hpp"
-#include "core/definition/friction.hpp"
 
 namespace contactsim {
-
-/// A law as tables show it: "frictionless", "friction 0.3", "tied", "spring weld".
-std::string describe_law(const FrictionLaw& law);
 
 /// Adds an error for every friction model that a run cannot act on (see make_pair_laws), and for every pair
 /// with an analytic plane whose model holds the sides together: nothing is held to planes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/interface_laws/law_curve.hpp"
+#include "core/interface_laws/law_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -43,10 +43,9 @@ bool LawCurve::softens() const {
   return at(0.0) >= 0.0;
 }
 
-std::optional<LawCurve> make_law_curve(const ScaledFunction& named,
+std::optional<LawCurve> make_law_curve(const DeckName& name, double scale,
                                        std::span<const FunctionDefinition> functions,
                                        Diagnostics& diagnostics) {
-  const DeckName& name = named.function.value();
   const auto function = make_named_function(name, functions, diagnostics);
   if (!function) return std::nullopt;
   const auto found = std::find_if(functions.begin(), functions.end(),
@@ -61,7 +60,7 @@ std::optional<LawCurve> make_law_curve(const ScaledFunction& named,
   std::vector<FunctionPoint> points;
   for (const FunctionValue& value : found->values) {
     const double x = found->x_scale * (value.abscissa + found->x_offset);
-    points.push_back({x, named.scale_factor * function->evaluate(x)});
+    points.push_back({x, scale * function->evaluate(x)});
   }
   return LawCurve(std::move(points));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/interface_laws/interface_law.hpp"
+#include "contact/interface_laws/pair_interface_law.hpp"
 
 #include "support/catch.hpp"
 #include "support/law_bodies.hpp"
