@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "contact/output/contact_output.hpp"
 #include "core/base/names.hpp"
-#include "core/materials/hardening.hpp"
+#include "core/materials/material_table.hpp"
 #include "core/output/output_table.hpp"
 
 namespace contactsim {
@@ -27,6 +29,17 @@ struct Listing {
   void add(std::span<const OutputRow> rows) {
     for (const OutputRow& row : rows) add(to_string(row.location), row.name, row.n_components(), row.help);
   }
+
+  /// What materials keep; laws that mean the same by a variable share its line.
+  void add(std::span<const LawKind* const> laws) {
+    std::set<std::pair<std::string_view, std::string_view>> known;
+    for (const LawKind* law : laws) {
+      for (const StateVariable& variable : law->variables) {
+        if (known.emplace(variable.name, variable.help).second)
+          add("element", variable.name, static_cast<int>(variable.n_components), variable.help);
+      }
+    }
+  }
 };
 
 }  // namespace
@@ -43,8 +56,7 @@ std::string explain_variables(std::span<const std::string> words) {
   for (const ContactNodeRow& row : contact_node_rows())
     listing.add("nodal", row.name, component_count(row.shape), row.help);
   listing.add(element_output_rows());
-  for (const StateVariable& variable : LinearHardening::variables)
-    listing.add("element", variable.name, static_cast<int>(variable.n_components), variable.help);
+  listing.add(material_laws());
   return listing.text.empty() ? ""
                               : "output variables, the number of components in parentheses\n" + listing.text;
 }

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "app/run/start_warnings.hpp"
-#include "contact/interface_laws/interface_law_checks.hpp"
 #include "core/base/pluralize.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -17,7 +17,7 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
   const auto& surfaces = contact.surfaces.surfaces;
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(*pair.law)) continue;
+    if (!row_of(*pair.law).holds_at_start) continue;
     text += fmt::format("  {}: {} to {}, {} over an area of {:.6g}\n", describe_law(*pair.law),
                         surfaces[pair.first].name, surfaces[pair.second].name,
                         pluralize(areas[i].n_ties, "tie"), areas[i].area);

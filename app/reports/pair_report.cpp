@@ -9,8 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "contact/interface_laws/interface_law_checks.hpp"
 #include "core/base/pluralize.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "contact/interface_laws/interface_law_checks.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 

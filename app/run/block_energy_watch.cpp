@@ -26,7 +26,7 @@ double stress_work(const ModelBlock& block, const ModelBlockState& state) {
 
 /// What the stresses hold now [energy].
 double elastic_energy(const ModelBlock& block, const ModelBlockState& state) {
-  const ElasticModuli moduli = moduli_of(block.properties.law);
+  const ElasticModuli moduli = block.properties.law.moduli();
   const StateLayout& layout = block.layout;
   double sum = 0.0;
   for (std::size_t batch = 0; batch < block.n_batches(); ++batch) {

@@ -9,7 +9,7 @@
 
 #include "app/run/refusals.hpp"
 #include "app/run/run_outputs.hpp"
-#include "contact/interface_laws/interface_law_checks.hpp"
+#include "contact/interface_laws/refuse_laws.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {

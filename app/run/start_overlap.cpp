@@ -9,8 +9,8 @@
 #include "core/base/errors.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/conditions/kinematic_constraints.hpp"
-#include "core/definition/friction.hpp"
 #include "core/definition/procedure.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -111,7 +111,7 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
   if (input.contact == nullptr || input.region.contact->overlap_removal.is_on()) return;
   for (const StartOverlap& overlap : overlaps) {
     const SurfacePair& pair = input.contact->pairs[overlap.pair];
-    const bool is_tied = std::holds_alternative<Tied>(*pair.law);
+    const bool is_tied = row_of(*pair.law).holding == ContactLaw::tied;
     if (is_tied || !(overlap.deepest > worrying_depth * overlap.size)) continue;
     std::string text = describe(overlap, *input.contact, input.mesh);
     if (!stored.empty() && stored[overlap.pair] > 0.0)

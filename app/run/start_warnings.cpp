@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "contact/interface_laws/interface_law_checks.hpp"
 #include "core/definition/contact.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -82,17 +82,11 @@ std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& 
   return areas;
 }
 
-bool holds_at_start(const FrictionLaw& law) {
-  return std::holds_alternative<Tied>(law) || std::holds_alternative<SpringWeld>(law) ||
-         std::holds_alternative<SurfaceWeld>(law) || std::holds_alternative<CohesiveZone>(law) ||
-         std::holds_alternative<Threaded>(law);
-}
-
 void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
   const auto areas = tied_areas(force, contact);
   for (std::size_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(*pair.law) || areas[i].n_ties > 0) continue;
+    if (!row_of(*pair.law).holds_at_start || areas[i].n_ties > 0) continue;
     warnings.add_warning("tie-empty", pair.location,
                          fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
                          "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
@@ -104,7 +98,7 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
   const auto areas = tied_areas(force, contact);
   for (std::uint32_t i = 0; i < areas.size(); ++i) {
     const SurfacePair& pair = contact.pairs[i];
-    if (!holds_at_start(*pair.law) || areas[i].n_ties == 0) continue;
+    if (!row_of(*pair.law).holds_at_start || areas[i].n_ties == 0) continue;
     std::optional<TiedSide> least;  // untied; a side that is tied as a whole is as the deck wants it
     bool is_whole = false;
     std::uint32_t of = pair.first;

@@ -6,7 +6,6 @@
 
 #include "contact/enforcement/contact_force.hpp"
 #include "core/base/diagnostics.hpp"
-#include "core/definition/friction.hpp"
 
 namespace contactsim {
 
@@ -18,9 +17,6 @@ struct TiedArea {
 
 /// The ties of each pair [n_pairs].
 std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact);
-
-/// Whether the law holds what is near enough at the start.
-bool holds_at_start(const FrictionLaw& law);
 
 /// Warns of tied pairs that tie nothing.
 void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);

@@ -60,8 +60,7 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
             .stiffness;
   }
   const BondLaw& bond_law = *rule_of(context, bond).interface_law->bond_law;
-  const bool is_in_forces = std::holds_alternative<SpringWeldLaw>(bond_law);
-  bond.size = is_in_forces ? bond.share : bond.area;
+  bond.size = bond_law.is_in_forces ? bond.share : bond.area;
   const double stiffness = bond_stiffness(bond_law, bond.size, bond.penalty);
   bond.springs << stiffness * bond.weights_1, stiffness * bond.weights_2;
   return bond;
@@ -91,9 +90,7 @@ void visit_fading(DecayingConstraint& constraint, RowNumbers& row) {
   row(constraint.forces, constraint.stored, constraint.n_steps, constraint.n_done);
 }
 
-bool is_bonded(const PairRule& rule) {
-  return rule.interface_law != nullptr && rule.interface_law->bond_law && !rule.interface_law->is_weld();
-}
+bool is_bonded(const PairRule& rule) { return rule.interface_law != nullptr && rule.interface_law->bond_law; }
 
 /// Whether both sides of a constraint are still there; it has their new numbers then.
 bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint) {
@@ -260,7 +257,7 @@ void InterfaceConstraints::take_ties(const ContactStepContext& context, bool is_
       add(tie, forces, assembler);
       continue;
     }
-    const WeldLaw& weld = std::get<WeldLaw>(*rule.interface_law->bond_law);
+    const WeldLaw& weld = *rule.interface_law->weld;
     if (weld_envelope(weld, tie, forces) <= 1.0) {
       add(tie, forces, assembler);
       continue;
@@ -288,6 +285,25 @@ void InterfaceConstraints::step_bonds(const ContactStepContext& context, Contact
     fading_.push_back(make_decaying(bond, forces, x, rule.interface_law->decay_cycles));
   }
   if (has_failed) std::erase_if(bonds_, [](const Bond& bond) { return bond.has_failed; });
+}
+
+void mark_close_pairs(const ContactStepContext& context, const NearCandidates& candidates, PairRules& rules) {
+  const auto near =
+      find_near_pairs(context, candidates.face_partners, candidates.node_faces, candidates.size_share,
+                      [](const PairRule& rule) { return rule.model.far != nullptr; });
+  for (const NearPair& near_pair : near) {
+    if (near_pair.is_node) {
+      // A rim is as near to the sides of the other body as to what it looks at.
+      if (near_pair.is_facing) rules.mark_close_node(near_pair.pair, near_pair.first);
+      continue;
+    }
+    Bond scratch;
+    if (!bond_faces(context.kinematics.face(near_pair.first), context.kinematics.face(near_pair.second),
+                    near_pair.tolerance, scratch))
+      continue;
+    rules.mark_close_face(near_pair.pair, near_pair.first);
+    rules.mark_close_face(near_pair.pair, near_pair.second);
+  }
 }
 
 }  // namespace contactsim

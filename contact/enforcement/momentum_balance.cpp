@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/base/state_archive.hpp"
-#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

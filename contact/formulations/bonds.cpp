@@ -22,6 +22,23 @@ bool bond_faces(const MovingFace& first, const MovingFace& second, double tolera
   return true;
 }
 
+BondAnswer answer(const BondLaw& bond_law, const Opening& opening, double area, double penalty,
+                  BondHistory& history) {
+  const double slip = opening.slip.norm();
+  const BondForce force = bond_law.force({std::max(opening.normal, 0.0), slip, area, penalty}, history);
+  BondAnswer found;
+  found.normal = force.normal;
+  if (slip > 0.0) found.tangential = force.tangential / slip * opening.slip;
+  found.stored = force.stored;
+  found.dissipated = force.dissipated;
+  found.fails = force.fails;
+  return found;
+}
+
+double bond_stiffness(const BondLaw& bond_law, double area, double penalty) {
+  return area * bond_law.stiffness(penalty);
+}
+
 TieForces step_bond(const BondLaw& bond_law, const TieVectors& x, Bond& bond) {
   const Eigen::Matrix3d axes = axes_of(x.rightCols<4>());
   const Eigen::Vector3d origin = x.col(0);

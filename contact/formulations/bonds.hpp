@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/formulations/ties.hpp"
-#include "contact/interface_laws/interface_law.hpp"
+#include "core/interface_laws/interface_law.hpp"
 
 namespace contactsim {
 
@@ -19,13 +19,6 @@ struct BondAnswer {
   double stored = 0.0;                                   ///< [energy]
   double dissipated = 0.0;                               ///< by damage in this step [energy]
   bool fails = false;
-};
-
-/// What a bond remembers.
-struct BondHistory {
-  double worst = 0.0;                                ///< largest lambda of a cohesive zone so far [1]
-  double worst_traction = 0.0;                       ///< at that lambda [force/length^2]
-  double tangential_energy = 0.0, gap_factor = 1.0;  ///< of a threaded joint in the last step
 };
 
 /// The law of a bond: what it answers to an opening. In compression only slip counts: contact pushes.

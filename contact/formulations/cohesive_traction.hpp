@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/formulations/contact_point_law.hpp"
-#include "contact/interface_laws/interface_law.hpp"
+#include "core/interface_laws/interface_law.hpp"
 
 /// Laws that act across a gap: adhesion and junctions. Their potential is 0 where the sides do not feel each
 /// other, so that it is negative at closed sides. A

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/interface_laws/interface_law.hpp"
+#include "contact/interface_laws/pair_interface_law.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
 #include "core/definition/friction.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/state_archive.hpp"
-#include "core/definition/friction.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
 
@@ -15,10 +15,7 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
     PairRule rule;
     rule.pair = &pairs[i];
     rule.is_balanced = pairs[i].enforcement == Enforcement::momentum_balance;
-    if (std::holds_alternative<Tied>(*pairs[i].law)) rule.law = ContactLaw::tied;
-    if (std::holds_alternative<Glued>(*pairs[i].law)) rule.law = ContactLaw::glued;
-    if (const auto* coulomb = std::get_if<ConstantFriction>(pairs[i].law.get()))
-      rule.friction = coulomb->coefficient;
+    rule.law = row_of(*pairs[i].law).holding;
     rule.times = std::move(times[i]);
     rules_.push_back(std::move(rule));
     // Of two that take turns the interaction comes first; activate() tells whose turn it is.
@@ -31,8 +28,7 @@ void PairRule::take(const InterfaceLaw& taken) {
   law = taken.law;
   friction = taken.friction;
   activation_distance = taken.activation_distance();
-  interface_law =
-      taken.pressure_velocity || taken.rate_limit || taken.pull || taken.bond_law ? &taken : nullptr;
+  interface_law = taken.is_simple() ? nullptr : &taken;
 }
 
 bool PairRule::may_act_apart() const {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/geometry/contact_point.hpp"
-#include "contact/interface_laws/interface_law.hpp"
+#include "contact/interface_laws/pair_interface_law.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_set.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
@@ -57,7 +57,7 @@ class PairRules {
   ///   times  [n_pairs] at which each is active
   PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces);
 
-  /// Gives all pairs their models in place of those that their laws say.
+  /// Gives all pairs their models; before, those that never fail only tie and glue.
   ///   laws  [n_pairs] none of them null
   void set_laws(std::vector<PairInterfaceLaw> laws);
   /// Says which pairs act now, and by which model.

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/mesh/contact_model.hpp"
 #include "contact/mesh/loft_faces.hpp"
 #include "contact/mesh/surface_nodes.hpp"
 #include "core/base/threads.hpp"
-#include "core/dynamics/model.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"
@@ -79,7 +77,7 @@ class Materials {
     const ElementProperties& properties = block.properties;
     const bool is_shell = !block.thickness.empty();
     const double thickness = is_shell ? thickness_of(block, side.element()) : penalty_properties.thickness;
-    penalty_properties.stiffness = penalty_over_element * moduli_of(properties.law).bulk / thickness;
+    penalty_properties.stiffness = penalty_over_element * properties.law.moduli().bulk / thickness;
     // Half of a solid moves with its face, all of a shell.
     penalty_properties.mass_per_area = (is_shell ? 1.0 : 0.5) * properties.density * thickness;
   }

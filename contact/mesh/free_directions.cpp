@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/dynamics/model.hpp"
-
 namespace contactsim {
 
 bool ModelFreeDirections::Directions::update(const KinematicConstraints& kinematic_constraints, double time) {

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "contact/mesh/contact_model.hpp"
-
 namespace contactsim {
 
 namespace {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "contact/mesh/contact_mesh.hpp"
-#include "contact/surfaces/contact_surface.hpp"
 
 namespace contactsim {
 

@@ -4,8 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "contact/mesh/contact_model.hpp"
-
 namespace contactsim {
 
 namespace {

@@ -5,7 +5,6 @@
 #include <numbers>
 #include <tuple>
 
-#include "contact/mesh/contact_model.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {

@@ -5,8 +5,6 @@
 #include <map>
 #include <tuple>
 
-#include "core/dynamics/model.hpp"
-
 namespace contactsim {
 
 namespace {

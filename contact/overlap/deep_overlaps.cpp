@@ -10,7 +10,6 @@
 #include "contact/mesh/bodies.hpp"
 #include "contact/search/broad_phase.hpp"
 #include "core/base/threads.hpp"
-#include "core/definition/friction.hpp"
 
 namespace contactsim {
 
@@ -209,7 +208,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
     const std::uint32_t pair = rules_.find(node.surface, face.surface);
     if (pair == PairRules::none) continue;
     const bool is_lofted = contact_mesh().is_lofted(face);
-    if (is_lofted && std::holds_alternative<Tied>(*rules_[pair].pair->law)) continue;
+    if (is_lofted && rules_[pair].law == ContactLaw::tied) continue;
     FaceCorners x;
     for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(face.corners[k]);
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));

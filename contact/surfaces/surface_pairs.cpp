@@ -11,10 +11,12 @@
 #include "contact/surfaces/surface_meetings.hpp"
 #include "core/definition/contact.hpp"
 
+#include "core/interface_laws/interface_law_table.hpp"
+
 namespace contactsim {
 
 std::shared_ptr<const FrictionLaw> frictionless_law() {
-  static const auto frictionless = share_law(Frictionless{});
+  static const auto frictionless = std::make_shared<const FrictionLaw>();
   return frictionless;
 }
 
@@ -26,7 +28,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   const FrictionLaw* law = settings.friction_model
                                ? find_friction_law(contact.friction_models, settings.friction_model->text)
                                : nullptr;
-  if (law != nullptr) pair.law = share_law(*law);
+  if (law != nullptr) pair.law = std::make_shared<const FrictionLaw>(*law);
   pair.formulation = settings.formulation.value_or(pair.formulation);
   pair.behavior = settings.behavior.value_or(pair.behavior);
   pair.normal_tolerance = settings.normal_tolerance;
@@ -136,8 +138,11 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
 void PairMaker::add_interaction(std::size_t index) {
   const Interaction& interaction = contact_.interactions[index];
   SurfacePair pair = common_pair(with_defaults(interaction.pair, defaults_), contact_);
-  if (interaction.friction_coefficient)
-    pair.law = share_law(ConstantFriction{*interaction.friction_coefficient});
+  if (interaction.friction_coefficient) {
+    FrictionLaw coulomb = make_friction_law("constant friction");
+    coulomb.values.set("friction coefficient", *interaction.friction_coefficient);
+    pair.law = std::make_shared<const FrictionLaw>(std::move(coulomb));
+  }
   pair.interaction = interaction_name(index);
   pair.location = interaction.name.location;
   pair.periods = interaction.periods;

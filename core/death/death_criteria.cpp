@@ -104,7 +104,7 @@ std::vector<DeathCriterion> DeathCriteria::without_material(const ElementDeath& 
     }
     std::set<std::string_view> failures;
     for (const ElementIndex element : elements_)
-      failures.insert(failure_of(model_.blocks[find_model_block(model_, element)].properties.law));
+      failures.insert(model_.blocks[find_model_block(model_, element)].properties.law.kind().failure);
     failures.erase("");
     for (const std::string_view failure : failures) {
       const VariableReference variable{{std::string(failure), death.name.location}, "", std::nullopt};

@@ -5,9 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "core/definition/material_models.hpp"
+#include "core/definition/parameter_values.hpp"
 
 namespace contactsim {
+
+/// BEGIN PARAMETERS FOR MODEL <name> inside a material. core/materials/material_table.hpp lists the models by
+/// their names; one that is not there has no values, and is wrong only when a block uses it.
+struct MaterialModel {
+  DeckName name;
+  ParameterValues values;
+};
 
 /// BEGIN MATERIAL <name>. Several models may stand in it; blocks select one each.
 struct MaterialDefinition {

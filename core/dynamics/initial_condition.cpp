@@ -117,7 +117,7 @@ void InitialConditionSetter::set_nodal(const InitialCondition& condition) {
 std::vector<std::string> InitialConditionSetter::element_variables() const {
   std::vector<std::string> names{"stress"};
   for (const ModelBlock& block : blocks_) {
-    for (const StateVariable& variable : state_of(block.properties.law).variables) {
+    for (const StateVariable& variable : block.properties.law.kind().variables) {
       if (std::find(names.begin(), names.end(), variable.name) == names.end())
         names.emplace_back(variable.name);
     }
@@ -129,7 +129,7 @@ std::vector<std::string> InitialConditionSetter::element_variables() const {
 std::size_t InitialConditionSetter::count_components(const std::string& element_variable) const {
   if (element_variable == "stress") return 6;
   for (const ModelBlock& block : blocks_) {
-    for (const StateVariable& variable : state_of(block.properties.law).variables) {
+    for (const StateVariable& variable : block.properties.law.kind().variables) {
       if (variable.name == element_variable) return variable.n_components;
     }
   }
@@ -140,7 +140,7 @@ void InitialConditionSetter::check_has(const std::string& variable, std::span<co
                                        const DeckName& name) const {
   if (variable == "stress") return;
   for (const ModelBlock& block : blocks_) {
-    const auto known = state_of(block.properties.law).variables;
+    const auto known = block.properties.law.kind().variables;
     const bool has = std::any_of(known.begin(), known.end(),
                                  [&](const StateVariable& one) { return one.name == variable; });
     const auto first = std::lower_bound(elements.begin(), elements.end(), block.first_element);

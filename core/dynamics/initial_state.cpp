@@ -17,7 +17,7 @@ namespace {
 std::optional<std::size_t> find_place(const ModelBlock& block, const InitialElementValues& given) {
   constexpr std::size_t n_stresses = 6;
   if (given.variable == "stress") return given.component;
-  for (const StateVariable& variable : state_of(block.properties.law).variables) {
+  for (const StateVariable& variable : block.properties.law.kind().variables) {
     if (variable.name == given.variable) return n_stresses + variable.first + given.component;
   }
   return std::nullopt;

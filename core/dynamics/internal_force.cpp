@@ -48,7 +48,7 @@ double find_step_of_particles(const Model& model) {
   for (const ModelBlock& block : model.blocks) {
     if (block.element != &sphere_particle) continue;
     const ElementProperties& properties = block.properties;
-    const ElasticModuli moduli = moduli_of(properties.law);
+    const ElasticModuli moduli = properties.law.moduli();
     const double speed = std::sqrt((moduli.bulk + 4.0 / 3.0 * moduli.shear) / properties.density);
     for (std::size_t i = 0; i < block.n_elements; ++i) {
       const double radius = block.section[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));

@@ -8,6 +8,7 @@
 #include "core/definition/simulation.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/material_directions.hpp"
+#include "core/materials/material_table.hpp"
 
 namespace contactsim {
 
@@ -24,7 +25,7 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
   if (!block) return;
   if (block->element->has_material()) check_volumes(*block, *parameters);
   const SectionDefinition* section = find_section(definition_, *parameters);
-  if (has_directions(block->properties.law) && !give_directions(*parameters, section, *block)) return;
+  if (block->properties.law.kind().n_vectors > 0 && !give_directions(*parameters, section, *block)) return;
   block->is_rigid = section != nullptr && section->rigid_body;
   block->material = block->element->has_material() || parameters->model
                         ? fmt::format("{} ({})", parameters->material->text, parameters->model->text)
@@ -140,10 +141,14 @@ std::optional<ElementProperties> BlockMaker::make_properties(const BlockParamete
 bool BlockMaker::give_directions(const BlockParameters& parameters, const SectionDefinition* section,
                                  ModelBlock& block) {
   const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
-  const auto& model = std::get<OrthotropicModel>(find_model(*material, parameters.model->text)->parameters);
+  const ParameterValues& values = find_model(*material, parameters.model->text)->values;
   const auto* shell = section != nullptr ? std::get_if<ShellSection>(&section->properties) : nullptr;
-  const auto& name = shell != nullptr && shell->orientation ? shell->orientation : model.coordinate_system;
-  MaterialDirections directions{{}, model.first_rotation, model.second_rotation};
+  const auto name =
+      shell != nullptr && shell->orientation ? shell->orientation : values.find_name("coordinate system");
+  const auto turn = [&values](const std::string& before) -> AxisRotation {
+    return {values.count(before + "direction for rotation") + 1, values.real(before + "alpha")};
+  };
+  MaterialDirections directions{{}, turn(""), turn("second ")};
   if (name) {
     const auto system = find_coordinate_system(*name, definition_, diagnostics_);
     if (!system) return false;

@@ -30,7 +30,7 @@ std::optional<ModelBlock> BlockMaker::make_shells(std::uint32_t index, const Blo
                                                   const ElementFormulation* element) {
   const auto properties = make_properties(parameters, nullptr);
   if (!properties) return std::nullopt;
-  if (!can_be_plane(properties->law)) {
+  if (properties->law.kind().update_plane == nullptr) {
     add_error(
         parameters.location,
         fmt::format("{}: shells of the model {} are not supported", block_name_, parameters.model->text), "");
@@ -114,7 +114,7 @@ std::optional<ModelBlock> BlockMaker::make_lines(std::uint32_t index, const Bloc
   const auto properties = make_properties(parameters, nullptr);
   const auto setup = make_line_setup(section, mesh_, index, parameters.location, diagnostics_);
   if (!properties || !setup) return std::nullopt;
-  if (setup->element->shape != Shape::sphere && !can_be_fibre(properties->law)) {
+  if (setup->element->shape != Shape::sphere && properties->law.kind().update_fibre == nullptr) {
     add_error(parameters.location,
               fmt::format("{}: beams and trusses of the model {} are not supported", block_name_,
                           parameters.model->text),
@@ -122,11 +122,11 @@ std::optional<ModelBlock> BlockMaker::make_lines(std::uint32_t index, const Bloc
     return std::nullopt;
   }
   const bool has_load_at_once = setup->preload.load != 0.0 && setup->preload.period == 0.0;
-  if (has_load_at_once && std::holds_alternative<NeoHookeanLaw>(properties->law)) {
-    add_error(
-        section->name.location,
-        fmt::format("{}: a truss of NEO_HOOKEAN cannot have its INITIAL LOAD from the start", block_name_),
-        "its stress follows its stretch; give a PERIOD over which the load comes up");
+  if (has_load_at_once && properties->law.kind().fibre_thinning != nullptr) {
+    add_error(section->name.location,
+              fmt::format("{}: a truss of {} cannot have its INITIAL LOAD from the start", block_name_,
+                          parameters.model->text),
+              "its stress follows its stretch; give a PERIOD over which the load comes up");
     return std::nullopt;
   }
   ModelBlock block = make_line_block(mesh_, index, *setup->element, *properties, setup->beam, setup->sizes);

@@ -162,7 +162,7 @@ bool DiscreteReader::set_function(const SpringSection& section, ModelBlock& bloc
 
 std::optional<ModelBlock> DiscreteReader::read(const DamperSection& s) const {
   if (!material_) return std::nullopt;  // whoever looked for it has said so
-  const double youngs = moduli_of(material_->law).youngs(), area = s.area.value_or(1.0);
+  const double youngs = material_->law.moduli().youngs(), area = s.area.value_or(1.0);
   auto block = make("damper", material_->density, area);
   if (!block) return std::nullopt;
   for (const Lanes& length : block->discrete.length)

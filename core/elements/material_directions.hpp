@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+
 #include "core/elements/coordinate_system.hpp"
 #include "core/elements/model_block.hpp"
 
 namespace contactsim {
+
+/// A turn of a coordinate system about one of its axes.
+struct AxisRotation {
+  std::int64_t axis = 1;  ///< 1, 2 or 3
+  double angle = 0.0;     ///< [degrees]
+};
 
 /// Where the directions of a block's material point at rest.
 struct MaterialDirections {

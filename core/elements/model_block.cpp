@@ -65,7 +65,7 @@ ModelBlock make_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementF
   block.first_element = source.first_element;
   block.n_elements = source.n_elements;
   block.properties = properties;
-  block.layout = {element.n_points, 6 + state_of(properties.law).n_state, element.n_own};
+  block.layout = {element.n_points, 6 + properties.law.kind().n_state, element.n_own};
   block.mass.resize((source.n_elements + n_lanes - 1) / n_lanes);
   ChunkNumbering numbering(mesh, source);
   for (std::size_t batch = 0; batch < block.n_batches(); batch += ModelBlock::batches_per_chunk)
@@ -134,7 +134,7 @@ ModelBlock make_line_block(const Mesh& mesh, std::uint32_t mesh_block, const Ele
 
 ModelBlock make_discrete_block(const Mesh& mesh, std::uint32_t mesh_block, const ElementFormulation& element,
                                double density, std::span<const double> sizes) {
-  ModelBlock block = make_block(mesh, mesh_block, element, ElementProperties{ElasticLaw{}, density});
+  ModelBlock block = make_block(mesh, mesh_block, element, ElementProperties{{}, density});
   block.layout.n_points = 1;
   block.section = in_lanes(sizes, block.n_batches());
   set_masses(mesh, block);
@@ -150,11 +150,11 @@ ModelBlockState make_state(const ModelBlock& block) {
     for (std::size_t point = 0; point < block.layout.n_points; ++point) {
       const std::size_t size = block.layout.point_size;
       const auto material = state.batch(block.layout, batch).subspan(point * size + 6, size - 6);
-      start_state(block.properties.law, material);
+      block.properties.law.start(material);
       if (block.preload.load != 0.0 && block.preload.period == 0.0)
         state.batch(block.layout, batch)[point * size] = block.preload.load / block.section[batch];
       if (block.directions.empty()) continue;
-      const std::size_t place = 6 * state_of(block.properties.law).n_tensors;
+      const std::size_t place = 6 * block.properties.law.kind().n_tensors;
       std::copy_n(block.directions.begin() + static_cast<std::ptrdiff_t>(6 * batch), 6,
                   material.begin() + static_cast<std::ptrdiff_t>(place));
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/definition/material_models.hpp"
+#include "core/materials/elastic_constants.hpp"
 
 namespace contactsim {
 

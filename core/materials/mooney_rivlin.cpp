@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/materials/mooney_rivlin.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
 #include "core/materials/thin_hyperelastic.hpp"
 
 namespace contactsim {
@@ -14,6 +19,21 @@ SymmetricLanes second_tensor(const SymmetricLanes& b) {
   const Lanes first = trace(b);
   for (std::size_t i = 0; i < 6; ++i) tensor[i] = first * b[i] - tensor[i];
   return tensor;
+}
+
+/// The bulk modulus that goes with a shear modulus and one more constant; of two constants, their own.
+double bulk_of(const ElasticConstants& given, double shear) {
+  ElasticConstants constants = given;
+  const int n_given = given.n_given() - given.shear_modulus.has_value();
+  if (n_given == 0) throw std::invalid_argument("nothing gives the bulk modulus; add BULK MODULUS");
+  if (n_given == 1) constants.shear_modulus = shear;
+  const double bulk = make_elastic_moduli(constants).bulk;
+  const double other = make_elastic_moduli(constants).shear;
+  constexpr double tolerance = 0.01;  // what constants that are written down may be rounded by
+  const double said = given.shear_modulus.value_or(other);
+  if (std::abs(said - shear) <= tolerance * shear) return bulk;
+  throw std::invalid_argument(
+      fmt::format("the elastic constants give a shear modulus of {}, C10 and C01 one of {}", said, shear));
 }
 
 }  // namespace
@@ -60,6 +80,20 @@ void MooneyRivlinLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, st
 
 Lanes MooneyRivlinLaw::plane_stiffening(std::span<const Lanes> state) const {
   return hyperelastic::plane_stiffening(*this, state);
+}
+
+MaterialRow mooney_rivlin_material() {
+  return {{"mooney_rivlin"},
+          "Hyperelastic, of two invariants",
+          {parameter::real("c10", "Factor of the first invariant [force/length^2]").required(),
+           parameter::real("c01", "Factor of the second invariant [force/length^2]").required()},
+          {&law_kind<MooneyRivlinLaw>},
+          [](const MaterialInput& input) -> std::optional<MaterialLaw> {
+            const double c01 = input.values.real("c01"), shear = 2.0 * (input.values.real("c10") + c01);
+            if (!(shear > 0.0)) throw std::invalid_argument("the sum of C10 and C01 must be positive");
+            return MooneyRivlinLaw{{bulk_of(elastic_constants_of(input.values), shear), shear}, c01};
+          },
+          ElasticNeed::one_or_two};
 }
 
 }  // namespace contactsim

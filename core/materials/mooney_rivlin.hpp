@@ -2,17 +2,14 @@
 #pragma once
 
 #include <array>
-#include <span>
 
-#include "core/materials/elastic_moduli.hpp"
 #include "core/materials/hyperelastic.hpp"
-#include "core/materials/plane_step.hpp"
-#include "core/materials/state_variable.hpp"
+#include "core/materials/material_row.hpp"
 
 namespace contactsim {
 
-/// Compressible Mooney-Rivlin, a law as laws.hpp says: the stress follows from the deformation alone, with
-/// the strain energy
+/// Compressible Mooney-Rivlin, a law as material_law.hpp says: the stress follows from the deformation alone,
+/// with the strain energy
 ///   c10 (J^(-2/3) I1 - 3) + c01 (J^(-4/3) I2 - 3) + bulk/4 (J^2 - 1) - bulk/2 ln J  [energy/length^3 at
 /// rest], I1 and I2 the invariants of the left Cauchy-Green tensor B, the state. Without c01 it is
 /// NeoHookeanLaw. Source: Sierra/SM, MOONEY_RIVLIN; Rivlin, Phil. Trans. R. Soc. A 241 (1948) 379-397.
@@ -33,5 +30,8 @@ struct MooneyRivlinLaw {
   Lanes plane_thinning(std::span<const Lanes> state) const { return state[2].sqrt(); }
   Lanes plane_stiffening(std::span<const Lanes> state) const;
 };
+
+/// MOONEY_RIVLIN, by C10, C01 and one elastic constant; a second one is compared.
+MaterialRow mooney_rivlin_material();
 
 }  // namespace contactsim

@@ -39,4 +39,13 @@ Lanes NeoHookeanLaw::fibre_stiffening(std::span<const Lanes> state) const {
   return hyperelastic::fibre_stiffening(*this, state);
 }
 
+MaterialRow neo_hookean_material() {
+  return {
+      {"neo_hookean"},
+      "Hyperelastic",
+      {},
+      {&law_kind<NeoHookeanLaw>},
+      [](const MaterialInput& input) -> std::optional<MaterialLaw> { return NeoHookeanLaw{input.moduli()}; }};
+}
+
 }  // namespace contactsim

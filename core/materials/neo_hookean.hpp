@@ -2,17 +2,13 @@
 #pragma once
 
 #include <array>
-#include <span>
 
-#include "core/materials/elastic_moduli.hpp"
-#include "core/materials/plane_step.hpp"
-#include "core/materials/state_variable.hpp"
-#include "core/materials/strain_step.hpp"
+#include "core/materials/material_row.hpp"
 
 namespace contactsim {
 
-/// Compressible neo-Hookean, a law as laws.hpp says: the stress follows from the deformation alone, with the
-/// strain energy
+/// Compressible neo-Hookean, a law as material_law.hpp says: the stress follows from the deformation alone,
+/// with the strain energy
 ///   bulk/4 (J^2 - 1) - bulk/2 ln J + shear/2 (J^(-2/3) tr B - 3)   [energy/length^3 at rest].
 /// State: the left Cauchy-Green tensor B, of which every step makes f B f^T with the step's own deformation
 /// gradient f; the step's rotation is a part of f, so B is not turned besides.
@@ -33,5 +29,8 @@ struct NeoHookeanLaw {
   Lanes fibre_thinning(std::span<const Lanes> state) const { return state[1]; }
   Lanes fibre_stiffening(std::span<const Lanes> state) const;
 };
+
+/// NEO_HOOKEAN.
+MaterialRow neo_hookean_material();
 
 }  // namespace contactsim

@@ -15,13 +15,13 @@ namespace {
 using Eigen::Matrix3d;
 
 /// Strain along i by stress along j.
-Matrix3d compliance_of(const OrthotropicModel& m) {
+Matrix3d compliance_of(const OrthotropicConstants& m) {
   return Matrix3d{{1.0 / m.e11, -m.nu12 / m.e11, -m.nu13 / m.e11},
                   {-m.nu12 / m.e11, 1.0 / m.e22, -m.nu23 / m.e22},
                   {-m.nu13 / m.e11, -m.nu23 / m.e22, 1.0 / m.e33}};
 }
 
-void check_stability(const OrthotropicModel& m) {
+void check_stability(const OrthotropicConstants& m) {
   const auto is_positive = [](double modulus) { return std::isfinite(modulus) && modulus > 0.0; };
   for (const double modulus : {m.e11, m.e22, m.e33, m.g12, m.g13, m.g23}) {
     if (!is_positive(modulus)) throw std::invalid_argument("E11 to G23 must be positive");
@@ -62,10 +62,6 @@ ElasticModuli mean_of(const Matrix3d& direct, const std::array<double, 3>& shear
   return {(diagonal + 2.0 * across) / 9.0, (diagonal - across + 3.0 * shears) / 15.0};
 }
 
-bool has_constants(const ElasticConstants& c) {
-  return c.youngs_modulus || c.poissons_ratio || c.shear_modulus || c.bulk_modulus || c.lambda;
-}
-
 double ratio_of_planes(const OrthotropicLaw& law) {
   const PlaneModuli alike(law.moduli);
   const double across = std::max(alike.across, 0.0);
@@ -90,6 +86,36 @@ TensorLanes transposed(const TensorLanes& a) {
     for (std::size_t j = 0; j < 3; ++j) b[i][j] = a[j][i];
   }
   return b;
+}
+
+/// A turn of the directions about one of their axes.
+std::vector<Parameter> turn(const std::string& before, std::vector<Parameter> so_far) {
+  so_far.push_back(parameter::word(before + "direction for rotation", {"1", "2", "3"},
+                                   "Axis about which the directions are turned"));
+  so_far.push_back(parameter::real(before + "alpha", "Angle of that turn [degrees]").otherwise(0.0));
+  return so_far;
+}
+
+std::vector<Parameter> orthotropic_parameters() {
+  std::vector<Parameter> lines{
+      parameter::positive("e11", "Young's modulus along 1 [force/length^2]").required(),
+      parameter::positive("e22", "Young's modulus along 2 [force/length^2]").required(),
+      parameter::positive("e33", "Young's modulus along 3 [force/length^2]").required(),
+      parameter::real("nu12", "Contraction along 2 under a stress along 1 [1]").required(),
+      parameter::real("nu13", "Contraction along 3 under a stress along 1 [1]").required(),
+      parameter::real("nu23", "Contraction along 3 under a stress along 2 [1]").required(),
+      parameter::positive("g12", "Shear modulus of 1 and 2 [force/length^2]").required(),
+      parameter::positive("g13", "Shear modulus of 1 and 3 [force/length^2]").required(),
+      parameter::positive("g23", "Shear modulus of 2 and 3 [force/length^2]").required(),
+      parameter::coordinate_system("coordinate system",
+                                   "System of the directions 1, 2, 3, else the global one"),
+  };
+  lines = turn("second ", turn("", std::move(lines)));
+  for (const char* direction : {"11", "22", "33"}) {
+    lines.push_back(parameter::ignored(fmt::format("thermal strain {} function", direction),
+                                       "temperature has no effect on materials"));
+  }
+  return lines;
 }
 
 }  // namespace
@@ -127,21 +153,36 @@ void OrthotropicLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std
   stress[4] += c * t13 - s * t23;
 }
 
-OrthotropicLaw make_orthotropic_law(const OrthotropicModel& model) {
-  check_stability(model);
-  const Matrix3d direct = compliance_of(model).inverse();
+OrthotropicLaw make_orthotropic_law(const OrthotropicConstants& constants) {
+  check_stability(constants);
+  const Matrix3d direct = compliance_of(constants).inverse();
   OrthotropicLaw law{};
-  law.shear = {model.g12, model.g23, model.g13};
+  law.shear = {constants.g12, constants.g23, constants.g13};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j)
       law.direct[i][j] = direct(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   }
-  const double scale = 1.0 / (1.0 - model.nu12 * model.nu12 * model.e22 / model.e11);
-  law.plane = {scale * model.e11, scale * model.e22, scale * model.nu12 * model.e22};
+  const double scale = 1.0 / (1.0 - constants.nu12 * constants.nu12 * constants.e22 / constants.e11);
+  law.plane = {scale * constants.e11, scale * constants.e22, scale * constants.nu12 * constants.e22};
   law.bounds = bounds_of(direct, law.shear);
-  law.moduli = has_constants(model.elastic) ? make_elastic_moduli(model.elastic) : mean_of(direct, law.shear);
+  law.moduli =
+      constants.elastic.n_given() > 0 ? make_elastic_moduli(constants.elastic) : mean_of(direct, law.shear);
   law.plane_ratio = ratio_of_planes(law);
   return law;
+}
+
+MaterialRow orthotropic_material() {
+  return {{"elastic_orthotropic"},
+          "Hypoelastic, with directions",
+          orthotropic_parameters(),
+          {&law_kind<OrthotropicLaw>},
+          [](const MaterialInput& input) -> std::optional<MaterialLaw> {
+            const auto real = [&](const char* phrase) { return input.values.real(phrase); };
+            return make_orthotropic_law({elastic_constants_of(input.values), real("e11"), real("e22"),
+                                         real("e33"), real("nu12"), real("nu13"), real("nu23"), real("g12"),
+                                         real("g13"), real("g23")});
+          },
+          ElasticNeed::none_or_two};
 }
 
 }  // namespace contactsim

@@ -2,18 +2,28 @@
 #pragma once
 
 #include <array>
-#include <span>
 
-#include "core/definition/material_models.hpp"
-#include "core/materials/elastic_moduli.hpp"
-#include "core/materials/plane_step.hpp"
-#include "core/materials/state_variable.hpp"
-#include "core/materials/strain_step.hpp"
+#include "core/materials/material_row.hpp"
 
 namespace contactsim {
 
-/// Hypoelastic with three planes of symmetry, a law as laws.hpp says: the stress rate is linear in the strain
-/// rate, by moduli along directions that turn with the material. State: the directions 1 and 2.
+/// The constants of an orthotropic material. Poisson's ratio nu_ab is the contraction along b
+/// under a stress along a.
+struct OrthotropicConstants {
+  ElasticConstants elastic;  ///< of an isotropic material that is alike; none or two
+  double e11 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
+  double e22 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
+  double e33 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
+  double nu12 = std::numeric_limits<double>::quiet_NaN();  ///< [1]
+  double nu13 = std::numeric_limits<double>::quiet_NaN();  ///< [1]
+  double nu23 = std::numeric_limits<double>::quiet_NaN();  ///< [1]
+  double g12 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
+  double g13 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
+  double g23 = std::numeric_limits<double>::quiet_NaN();   ///< > 0 [force/length^2]
+};
+
+/// Hypoelastic with three planes of symmetry, a law as material_law.hpp says: the stress rate is linear in
+/// the strain rate, by moduli along directions that turn with the material. State: the directions 1 and 2.
 /// Source: Sierra/SM, ELASTIC_ORTHOTROPIC; Lekhnitskii, Theory of Elasticity of an Anisotropic Body, 1.
 struct OrthotropicLaw {
   ElasticModuli moduli;  ///< of an isotropic material that is alike, for what resists hourglasses and contact
@@ -32,9 +42,12 @@ struct OrthotropicLaw {
   Lanes plane_stiffening(std::span<const Lanes>) const { return Lanes::Constant(plane_ratio); }
 };
 
-/// The law of a model; without two elastic constants the isotropic material that is alike is the Voigt mean.
-/// Throws std::invalid_argument, with a text for the user, when the constants give no stable material: a
-/// modulus is not positive, or Poisson's ratios are so large that a strain would set energy free.
-OrthotropicLaw make_orthotropic_law(const OrthotropicModel& model);
+/// The law of constants; without two elastic constants the isotropic material that is alike is the Voigt
+/// mean. Throws std::invalid_argument, with a text for the user, when the constants give no stable material:
+/// a modulus is not positive, or Poisson's ratios are so large that a strain would set energy free.
+OrthotropicLaw make_orthotropic_law(const OrthotropicConstants& constants);
+
+/// ELASTIC_ORTHOTROPIC. Its COORDINATE SYSTEM and turns are those of the state, which blocks give.
+MaterialRow orthotropic_material();
 
 }  // namespace contactsim

@@ -3,10 +3,9 @@
 
 #include <optional>
 
-#include "core/base/lanes.hpp"
-#include "core/materials/hardening.hpp"
+#include "core/materials/flow_stress.hpp"
 
-/// The way back to a yield surface that grows along a curve, from where an elastic step would have ended.
+/// The way back to a yield surface, from where an elastic step would have ended.
 namespace contactsim {
 
 /// How a step would end were it elastic, in a solid.
@@ -42,17 +41,49 @@ struct PlaneFlow {
   Modulus kinematic;  ///< growth of the back stress by the flow over the stress at the end [force/length^2]
 };
 
-/// The way back along the radius: exactly, from point to point of the curve, on each of whose lines the yield
-/// condition is linear. Nothing where all lanes are elastic.
-std::optional<PlasticFlow<Lanes>> return_to(const MultilinearHardening& hardening, const SolidTrial& trial);
+/// What the plastic increment x of a step must satisfy: trial - stiffness x = flow stress(x).
+template <class Hardening>
+struct Consistency {
+  const Hardening& hardening;
+  Lanes trial;       ///< equivalent stress were the step elastic [force/length^2]
+  Lanes eqps;        ///< equivalent plastic strain at the start [1]
+  double stiffness;  ///< by how much the equivalent stress falls per plastic increment [force/length^2]
+  double dt;         ///< [time]
 
-/// The same without stress across a shell or a fibre. With r the radius of the yield surface at the start and
-/// h the growth of the curve, the plastic increment x must satisfy
-///   1 = sum_part / (r + h(x) + 3/2 a x)^2 + difference_part / (r + h(x) + 3/2 b x)^2,
-/// whichever part of h the back stress takes. The right side falls with x, so points of the curve where it
-/// exceeds 1 are passed; on the line after them Newton's method for its inverse square root, which is
-/// concave, rises to the root without passing it, up to round-off. Source: Simo and Taylor, Int. J. Numer.
-/// Meth. Eng. 22 (1986) 649-670; Reinsch, Numer. Math. 16 (1971) 451-454, for the inverse root.
-std::optional<PlaneFlow<Lanes>> return_to(const MultilinearHardening& hardening, const PlaneTrial& trial);
+  /// Zero where the step is elastic. The residual falls with x, so the root lies between 0 and the x that the
+  /// least hardening would give; Newton's steps that leave the bracket are replaced by halving it.
+  Lanes solve() const {
+    constexpr double tolerance = 1e-12;  // of the trial stress
+    constexpr int max_iterations = 100;
+    const FlowStress start = hardening.at(eqps, Lanes::Zero(), dt);
+    const Lanes excess = (trial - start.value).max(0.0);
+    Lanes low = Lanes::Zero(), high = excess / (stiffness + hardening.min_slope());
+    Lanes x = high;
+    for (int i = 0; i < max_iterations; ++i) {
+      const FlowStress flow = hardening.at(eqps, x, dt);
+      const Lanes residual = trial - stiffness * x - flow.value;
+      const LaneMask is_done = excess <= 0.0 || residual.abs() <= tolerance * trial;
+      if (is_done.all()) break;
+      low = (residual > 0.0).select(x, low);
+      high = (residual > 0.0).select(high, x);
+      const Lanes newton = x + residual / (stiffness + flow.slope);
+      const LaneMask is_inside = newton > low && newton < high;
+      x = is_done.select(x, is_inside.select(newton, 0.5 * (low + high)));
+    }
+    return x;
+  }
+};
+
+/// Nothing where all lanes are elastic.
+template <class Hardening>
+std::optional<PlasticFlow<double>> return_to(const Hardening& hardening, const SolidTrial& trial) {
+  const double dt = trial.dt;
+  // Without a step nothing flows, although a flow stress that was raised by its rate falls back.
+  if (dt == 0.0 || (trial.equivalent <= hardening.at(trial.eqps, Lanes::Zero(), dt).value).all())
+    return std::nullopt;
+  const double stiffness = 3.0 * trial.shear + hardening.kinematic_modulus;
+  const Consistency<Hardening> consistency{hardening, trial.equivalent, trial.eqps, stiffness, dt};
+  return PlasticFlow<double>{consistency.solve(), hardening.kinematic_modulus};
+}
 
 }  // namespace contactsim

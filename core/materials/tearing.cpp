@@ -135,4 +135,24 @@ void TearingLaw::update_fibre(const FibreStep& step, FibreLanes& stress, std::sp
             [&](std::span<Lanes> plastic) { PlasticLaw::update_fibre(step, stress, plastic); });
 }
 
+MaterialRow tearing_material() {
+  return {{"ml_ep_fail"},
+          "The same as multilinear_ep, torn apart by plastic strain under tension",
+          joined({{yield_stress()},
+                  multilinear_parameters(),
+                  {parameter::positive("critical tearing parameter",
+                                       "Tearing parameter at which a crack begins to open [1]")
+                       .required(),
+                   parameter::positive("critical crack opening strain",
+                                       "Strain across the crack at which nothing is carried [1]")
+                       .required()}}),
+          {&law_kind<TearingLaw>},
+          [](const MaterialInput& input) -> std::optional<MaterialLaw> {
+            auto plastic = make_multilinear_law(input);
+            if (!plastic) return std::nullopt;
+            return TearingLaw{std::move(*plastic), input.values.real("critical tearing parameter"),
+                              input.values.real("critical crack opening strain")};
+          }};
+}
+
 }  // namespace contactsim

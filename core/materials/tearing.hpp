@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/materials/laws.hpp"
+#include "core/materials/multilinear_hardening.hpp"
 
 namespace contactsim {
 
-/// Plasticity with hardening along a curve that tears, a law as laws.hpp says. The tearing parameter grows
-/// with the plastic strain by
+/// Plasticity with hardening along a curve that tears, a law as material_law.hpp says. The tearing parameter
+/// grows with the plastic strain by
 ///   (2 s / (3 (s - mean stress)))^4, where s, the largest principal stress, pulls.
 /// When it has reached its critical value a crack begins to open, whose normal is the direction of s then.
 /// All of the stress falls in proportion to the strain across the crack, at the largest so far, until nothing
@@ -28,5 +28,8 @@ struct TearingLaw : PlasticLaw<MultilinearHardening> {
   void update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const;
   void update_fibre(const FibreStep& step, FibreLanes& stress, std::span<Lanes> state) const;
 };
+
+/// ML_EP_FAIL.
+MaterialRow tearing_material();
 
 }  // namespace contactsim

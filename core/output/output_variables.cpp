@@ -58,7 +58,7 @@ void OutputVariables::add_rows(std::span<const OutputRow> rows) {
 
 // Blocks whose materials remember the same thing share a variable, made for the first of them.
 void OutputVariables::add_material_variables(std::size_t block) {
-  for (const StateVariable& own : state_of(model_.blocks[block].properties.law).variables) {
+  for (const StateVariable& own : model_.blocks[block].properties.law.kind().variables) {
     if (find(FieldLocation::element, own.name) != nullptr) continue;
     OutputVariable variable{std::string(own.name),
                             FieldLocation::element,
@@ -69,7 +69,7 @@ void OutputVariables::add_material_variables(std::size_t block) {
                             {}};
     std::vector<std::size_t> first_places(model_.blocks.size(), 0);
     for (std::size_t b = block; b < model_.blocks.size(); ++b) {
-      for (const StateVariable& other : state_of(model_.blocks[b].properties.law).variables) {
+      for (const StateVariable& other : model_.blocks[b].properties.law.kind().variables) {
         if (other.name != own.name || other.n_components != own.n_components) continue;
         variable.in_blocks[b] = 1;
         first_places[b] = other.first;

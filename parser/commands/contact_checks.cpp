@@ -8,6 +8,8 @@
 #include <unordered_set>
 #include <vector>
 
+#include "core/interface_laws/interface_law_table.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -44,14 +46,8 @@ void check_node_sets(const Interaction& interaction, const FoldedNames& node_set
 
 /// The models among which a law selects; a failed model takes over later, so that a ring of them is fine.
 std::vector<DeckName> selected_by(const FrictionLaw& law) {
-  std::vector<DeckName> models;
-  if (const auto* hybrid = std::get_if<HybridFriction>(&law)) {
-    if (hybrid->initially_close) models.push_back(*hybrid->initially_close);
-    if (hybrid->initially_far) models.push_back(*hybrid->initially_far);
-  } else if (const auto* variant = std::get_if<TimeVariantFriction>(&law)) {
-    for (const PeriodModel& model : variant->models) models.push_back(model.model);
-  }
-  return models;
+  if (row_of(law).select == nullptr) return {};
+  return law.values.names(ParameterKind::friction_model);
 }
 
 using Models = std::vector<FrictionModel>;

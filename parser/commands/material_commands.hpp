@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <vector>
-
 #include "core/definition/material.hpp"
 #include "parser/commands/rows.hpp"
 
@@ -11,12 +9,8 @@ namespace contactsim {
 /// BEGIN MATERIAL, also PROPERTY SPECIFICATION FOR MATERIAL.
 const Table<MaterialDefinition>& material_table();
 
-/// The PARAMETERS FOR MODEL blocks of a material: one row per model that contactsim knows and one for all
-/// others, which are kept as they stand.
-std::vector<Row<MaterialDefinition>> material_model_rows();
-
-/// What is wrong with a model that a block uses: elastic constants other than two, a required parameter
-/// missing. An opaque model has nothing to check.
+/// What is wrong with a model that a block uses: elastic constants other than two, a parameter missing
+/// that others call for.
 void check_used_model(const MaterialDefinition& material, const MaterialModel& model,
                       Diagnostics& diagnostics);
 

@@ -70,13 +70,7 @@ class DefinitionChecks {
   void check(const MaterialDefinition& material) {
     check_used_material(material, diagnostics_);
     for (const MaterialModel& model : material.models) {
-      if (!names_.is_used(NameKind::model, model.name)) continue;
-      check_used_model(material, model, diagnostics_);
-      const auto* orthotropic = std::get_if<OrthotropicModel>(&model.parameters);
-      if (orthotropic != nullptr && orthotropic->coordinate_system)
-        names_.use(NameKind::coordinate_system, *orthotropic->coordinate_system, diagnostics_);
-      if (const auto function = hardening_function_of(model))
-        names_.use(NameKind::function, *function, diagnostics_);
+      if (names_.is_used(NameKind::model, model.name)) check_used_model(material, model, diagnostics_);
     }
   }
 

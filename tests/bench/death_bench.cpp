@@ -15,6 +15,7 @@
 #include "core/dynamics/integrator.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
 
 namespace contactsim::bench {
 

@@ -7,6 +7,15 @@
 #include "bench_meshes.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/johnson_cook.hpp"
+#include "core/materials/linear_hardening.hpp"
+#include "core/materials/mooney_rivlin.hpp"
+#include "core/materials/multilinear_hardening.hpp"
+#include "core/materials/neo_hookean.hpp"
+#include "core/materials/orthotropic.hpp"
+#include "core/materials/power_hardening.hpp"
+#include "core/materials/tearing.hpp"
 
 namespace contactsim::bench {
 

@@ -9,6 +9,9 @@
 #include "bench_meshes.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/linear_hardening.hpp"
+#include "core/materials/power_hardening.hpp"
 
 namespace contactsim::bench {
 

@@ -10,6 +10,7 @@
 #include "core/dynamics/integrator.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/materials/elastic.hpp"
 
 namespace contactsim::bench {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/lone_element.hpp"
+#include "core/materials/elastic.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>

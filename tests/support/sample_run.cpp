@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/sample_run.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/linear_hardening.hpp"
 
 #include <numeric>
 

@@ -103,16 +103,15 @@ struct Beam {
                       std::span<Lanes> state, LineStep& step);
 
  private:
-  template <class Law>
-  static SectionForces update_fibres(const Law& law, const ModelBlock& block, const BeamStrain& strain,
+  static SectionForces update_fibres(const ModelBlock& block, const BeamStrain& strain,
                                      const AngleFactors& factors, std::span<Lanes> fibres);
   static Lanes stable_step(const ModelBlock& block, const LineMotion& motion, const AngleFactors& factors,
                            const Lanes& length);
 };
 
-template <class Law>
-SectionForces Beam::update_fibres(const Law& law, const ModelBlock& block, const BeamStrain& strain,
+SectionForces Beam::update_fibres(const ModelBlock& block, const BeamStrain& strain,
                                   const AngleFactors& factors, std::span<Lanes> fibres) {
+  const MaterialLaw& law = block.properties.law;
   SectionForces sums;
   for (Lanes& sum : sums.force) sum.setZero();
   for (Lanes& sum : sums.moment) sum.setZero();
@@ -145,7 +144,7 @@ SectionForces Beam::update_fibres(const Law& law, const ModelBlock& block, const
 /// lies beside the nodes these mix, and their sum bounds them.
 Lanes Beam::stable_step(const ModelBlock& block, const LineMotion& motion, const AngleFactors& factors,
                         const Lanes& length) {
-  const ElasticModuli moduli = moduli_of(block.properties.law);
+  const ElasticModuli moduli = block.properties.law.moduli();
   const double youngs = moduli.youngs();
   double area = 0.0, second_t = 0.0, second_s = 0.0;  // about the nodes
   for (const BeamFibre& fibre : block.beam.fibres) {
@@ -189,11 +188,8 @@ void Beam::advance(const ModelBlock& block, std::size_t, const LineMotion& motio
        per_length * dot(turning.difference, amid.s)},
       motion.dt};
   // By the end's length, which a turn of any size leaves alone.
-  const AngleFactors factors(block.beam, moduli_of(block.properties.law), end.length);
-  SectionForces sums;
-  visit_fibre_law(block.properties.law, [&](const auto& law) {
-    sums = update_fibres(law, block, strain, factors, state.first(state.size() - n_own));
-  });
+  const AngleFactors factors(block.beam, block.properties.law.moduli(), end.length);
+  const SectionForces sums = update_fibres(block, strain, factors, state.first(state.size() - n_own));
   step.stress_work = sums.work * middle.length;
   step.stable_step = stable_step(block, motion, factors, middle.length) / sums.stiffening.sqrt();
   step.volume = block.beam.area * end.length;

@@ -10,38 +10,28 @@ namespace contactsim {
 
 /// The stress that a fibre keeps, by its area at rest.
 ///   point  [6 + n_state]
-template <class Law>
-FibreLanes fibre_stress(const Law& law, std::span<const Lanes> point) {
+inline FibreLanes fibre_stress(const MaterialLaw& law, std::span<const Lanes> point) {
   FibreLanes stress{point[fibre_places[0]], point[fibre_places[1]], point[fibre_places[2]]};
-  if constexpr (requires { law.fibre_thinning(point); }) {
+  if (law.kind().fibre_thinning != nullptr) {
     const Lanes thinning = law.fibre_thinning(point.subspan(6));
     for (Lanes& component : stress) component *= thinning;
   }
   return stress;
 }
 
-/// Brings a fibre to the end of a step; returns its stress there, by its area at rest.
+/// Brings a fibre to the end of a step; returns its stress there, by its area at rest. Precondition: the law
+/// has update_fibre.
 ///   point       [6 + n_state]
-///   stiffening  raised to how many times the stiffness of its moduli the fibre may have, see laws.hpp
-template <class Law>
-FibreLanes update_fibre(const Law& law, const FibreStep& step, std::span<Lanes> point, Lanes& stiffening) {
+///   stiffening  raised to how many times the stiffness of its moduli the fibre may have, see
+///   material_law.hpp
+inline FibreLanes update_fibre(const MaterialLaw& law, const FibreStep& step, std::span<Lanes> point,
+                               Lanes& stiffening) {
   FibreLanes stress{point[fibre_places[0]], point[fibre_places[1]], point[fibre_places[2]]};
   const std::span<Lanes> material = point.subspan(6);
   law.update_fibre(step, stress, material);
   for (std::size_t i = 0; i < 3; ++i) point[fibre_places[i]] = stress[i];
-  if constexpr (requires { law.fibre_stiffening(material); })
-    stiffening = stiffening.max(law.fibre_stiffening(material));
+  if (law.kind().fibre_stiffening != nullptr) stiffening = stiffening.max(law.fibre_stiffening(material));
   return fibre_stress(law, point);
-}
-
-/// Calls act(law) with the law that is held. Precondition: it has update_fibre.
-template <class Act>
-void visit_fibre_law(const MaterialLaw& law, const Act& act) {
-  std::visit(
-      [&](const auto& held) {
-        if constexpr (requires { &std::decay_t<decltype(held)>::update_fibre; }) act(held);
-      },
-      law);
 }
 
 }  // namespace contactsim

@@ -21,16 +21,14 @@ struct Truss {
     for (Lanes& component : strain.strain) component.setZero();
     strain.strain[0] = motion.dt * dot(motion.velocity_difference(), middle.axis) / middle.length;
     const Lanes stretched = strain.strain[0], &area = block.section[batch];
-    const double youngs = moduli_of(block.properties.law).youngs();
+    const MaterialLaw& law = block.properties.law;
+    const double youngs = law.moduli().youngs();
     const Preload& preload = block.preload;
     const double growth = preload.share(motion.time) - preload.share(motion.time - motion.dt);
     strain.strain[0] += preload.load * growth / (youngs * area);
-    FibreLanes before, after;
     Lanes stiffening = Lanes::Ones();
-    visit_fibre_law(block.properties.law, [&](const auto& law) {
-      before = fibre_stress(law, state);
-      after = update_fibre(law, strain, state, stiffening);
-    });
+    const FibreLanes before = fibre_stress(law, state);
+    const FibreLanes after = update_fibre(law, strain, state, stiffening);
     step.stress_work = 0.5 * (before[0] + after[0]) * stretched * area * middle.length;
     const Lanes stiffness = youngs * area * stiffening;
     step.stable_step = (motion.mass * middle.length / stiffness).sqrt();

@@ -31,10 +31,8 @@ struct Resultants {
 
 /// The thickness of a layer over that at rest, of laws that know it; else 1.
 ///   material  [n_state]
-template <class Law>
-Lanes thinning_of(const Law& law, std::span<const Lanes> material) {
-  if constexpr (requires { law.plane_thinning(material); }) return law.plane_thinning(material);
-  return Lanes::Ones();
+inline Lanes thinning_of(const MaterialLaw& law, std::span<const Lanes> material) {
+  return law.kind().plane_thinning != nullptr ? law.plane_thinning(material) : Lanes(Lanes::Ones());
 }
 
 /// What moves the layers.
@@ -58,13 +56,15 @@ struct LayerStep {
 };
 
 /// Brings the layers to the end of the step. Along the normal they strain as their law says, or such that
-/// their volume changes as the mean of their stress does: flow keeps it.
+/// their volume changes as the mean of their stress does: flow keeps it. Precondition: the law has
+/// update_plane.
 ///   layers  [n_layers x (6 + n_state)] xx yy zz xy yz zx, then what the material remembers
-template <class Law, std::size_t n>
-Resultants update_layers(const Law& law, const LayerStep<n>& layer_step, std::span<Lanes> layers) {
+template <std::size_t n>
+Resultants update_layers(const MaterialLaw& law, const LayerStep<n>& layer_step, std::span<Lanes> layers) {
   const ShellSettings& settings = layer_step.settings;
   Resultants sums = Resultants::zero();
-  constexpr std::size_t point_size = 6 + Law::n_state;
+  const LawKind& kind = law.kind();
+  const std::size_t point_size = 6 + kind.n_state;
   const double per_bulk = 1.0 / (3.0 * layer_step.bulk);
   for (std::size_t layer = 0; layer < settings.layers.size(); ++layer) {
     const ShellLayer& at = settings.layers[layer];
@@ -82,32 +82,18 @@ Resultants update_layers(const Law& law, const LayerStep<n>& layer_step, std::sp
       work += (i < 3 ? 0.5 : 0.5 * shear_correction) * step.strain[i] * (before[i] + stress[i]);
     }
     sums.add(at.weight, share, stress);
-    if constexpr (requires { law.plane_thinning(material); }) {
+    if (kind.plane_thinning != nullptr) {
       const Lanes now = law.plane_thinning(material);
       sums.thickening += at.weight * 2.0 * (now - thickness_before) / (now + thickness_before);
     } else {
       for (std::size_t i = 0; i < 2; ++i)
         sums.thickening += at.weight * (per_bulk * (stress[i] - before[i]) - step.strain[i]);
     }
-    if constexpr (requires { law.plane_stiffening(material); })
+    if (kind.plane_stiffening != nullptr)
       sums.stiffening = sums.stiffening.max(law.plane_stiffening(material) / thinning_of(law, material));
     sums.work += at.weight * work;
   }
   return sums;
-}
-
-/// The same of a law that is not known yet. Precondition: it has update_plane.
-template <std::size_t n>
-Resultants update_layers(const MaterialLaw& law, const LayerStep<n>& step, std::span<Lanes> layers) {
-  return std::visit(
-      [&](const auto& held) {
-        if constexpr (requires { &std::decay_t<decltype(held)>::update_plane; }) {
-          return update_layers(held, step, layers);
-        } else {
-          return Resultants{};
-        }
-      },
-      law);
 }
 
 /// The thickness in a step.

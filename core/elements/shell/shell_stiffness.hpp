@@ -16,7 +16,7 @@ struct ShellModuli {
   double lambda, shear, across, youngs, bulk;
 
   explicit ShellModuli(const MaterialLaw& law) {
-    const ElasticModuli moduli = moduli_of(law);
+    const ElasticModuli moduli = law.moduli();
     const PlaneModuli plane(moduli);
     lambda = std::max(plane.across, 0.0);
     shear = moduli.shear;

@@ -156,7 +156,7 @@ struct PointHex {
   }
 
   static double hourglass_modulus(const ElementProperties& properties) {
-    return (1.0 - share_of(properties)) * properties.hourglass_stiffness * moduli_of(properties.law).shear;
+    return (1.0 - share_of(properties)) * properties.hourglass_stiffness * properties.law.moduli().shear;
   }
 
   /// Sets stable step and work of bulk viscosity; returns its stress [force/length^2].

@@ -2,7 +2,6 @@
 #include "core/elements/solid/material_point.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 namespace contactsim {
 
@@ -34,44 +33,38 @@ SymmetricLanes turned_half(const SymmetricLanes& strain, const TensorLanes& rota
 }
 
 /// Brings a stress to the end of the step: what the law adds is added half before the rotation, half after.
-template <class Law>
-LaneModuli advance_stress(const Law& law, const StepMotion& motion, std::span<Lanes> material,
+LaneModuli advance_stress(const MaterialLaw& law, const StepMotion& motion, std::span<Lanes> material,
                           SymmetricLanes& stress) {
-  if constexpr (std::is_same_v<Law, ElasticLaw>) {  // the same, with one tensor less to turn
+  if (law.kind().adds_stress) {  // the same, with one tensor less to turn
     SymmetricLanes growth = SymmetricLanes::zero();
     const LaneModuli moduli = law.update(motion.strain, growth, material);
     for (std::size_t i = 0; i < 6; ++i) stress[i] += growth[i] *= 0.5;
     stress = transformed(stress, motion.rotation);
     for (std::size_t i = 0; i < 6; ++i) stress[i] += growth[i];
     return moduli;
-  } else {
-    StrainStep step = motion.strain;
-    step.strain = turned_half(motion.strain.strain, motion.rotation);
-    stress = transformed(stress, motion.rotation);
-    return law.update(step, stress, material);
   }
+  StrainStep step = motion.strain;
+  step.strain = turned_half(motion.strain.strain, motion.rotation);
+  stress = transformed(stress, motion.rotation);
+  return law.update(step, stress, material);
 }
 
 }  // namespace
 
 PointStep update_point(const MaterialLaw& law, const StepMotion& motion, std::span<Lanes> point) {
-  const auto update = [&](const auto& held) {
-    using Law = std::decay_t<decltype(held)>;
-    const SymmetricLanes before = tensor_at(point);
-    const std::span<Lanes> material = point.subspan(6);
-    for (std::size_t i = 0; i < Law::n_tensors; ++i) {
-      const std::span<Lanes> numbers = material.subspan(6 * i, 6);
-      store(transformed(tensor_at(numbers), motion.rotation), numbers);
-    }
-    if constexpr (requires { Law::n_vectors; })
-      turn_each(motion.rotation, material.subspan(6 * Law::n_tensors, 3 * Law::n_vectors));
-    PointStep step{before, {}, {}};
-    step.moduli = advance_stress(held, motion, material, step.stress);
-    store(step.stress, point);
-    step.work = 0.5 * (contract(before, motion.strain.strain) + contract(step.stress, motion.strain.strain));
-    return step;
-  };
-  return std::visit(update, law);
+  const LawKind& kind = law.kind();
+  const SymmetricLanes before = tensor_at(point);
+  const std::span<Lanes> material = point.subspan(6);
+  for (std::size_t i = 0; i < kind.n_tensors; ++i) {
+    const std::span<Lanes> numbers = material.subspan(6 * i, 6);
+    store(transformed(tensor_at(numbers), motion.rotation), numbers);
+  }
+  turn_each(motion.rotation, material.subspan(6 * kind.n_tensors, 3 * kind.n_vectors));
+  PointStep step{before, {}, {}};
+  step.moduli = advance_stress(law, motion, material, step.stress);
+  store(step.stress, point);
+  step.work = 0.5 * (contract(before, motion.strain.strain) + contract(step.stress, motion.strain.strain));
+  return step;
 }
 
 }  // namespace contactsim

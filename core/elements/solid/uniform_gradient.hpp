@@ -84,7 +84,7 @@ void advance_uniform_gradient(const ElementProperties& properties,
 
   const Lanes per_mass = 1.0 / motion.mass;
   const double hourglass_modulus =
-      Geometry::n_modes > 0 ? properties.hourglass_stiffness * moduli_of(properties.law).shear : 0.0;
+      Geometry::n_modes > 0 ? properties.hourglass_stiffness * properties.law.moduli().shear : 0.0;
   const Lanes norm_modulus = at_point.moduli.lambda() + hourglass_modulus * midpoint.mode_bound;
   const Lanes frequency_squared =
       static_cast<double>(Geometry::n_nodes) * per_mass * midpoint.per_volume *

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/reports/pair_report.hpp"
 
-#include "core/definition/friction.hpp"
 #include "support/catch.hpp"
+#include "support/friction_law.hpp"
 
 using namespace contactsim;
 using Catch::Contains;
@@ -24,14 +24,14 @@ ContactModel three_pairs() {
   ContactModel model;
   for (const char* name : {"lid", "box", "dust"}) model.surfaces.surfaces.emplace_back().name = name;
   model.pairs = {make_pair(0, 1), make_pair(0, 2), make_pair(1, 2)};
-  model.pairs[0].law = share_law(ConstantFriction{0.3});
+  model.pairs[0].law = test::share(test::coulomb(0.3));
   model.pairs[1].formulation = ConstraintFormulation::node_face;
   model.pairs[1].is_one_sided = true;
   SurfacePair& named = model.pairs[2];
   named.interaction = "tie";
   named.location.line = 12;
   named.is_from_defaults = false;
-  named.law = share_law(Tied{});
+  named.law = test::share(test::friction_law("tied"));
   named.behavior = InteractionBehavior::infinitesimal_sliding;
   named.normal_tolerance = 0.25;
   named.penalty_stiffness = 1e9;

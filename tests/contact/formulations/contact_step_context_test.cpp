@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/formulations/contact_step_context.hpp"
 
-#include "core/definition/friction.hpp"
+#include "contact/interface_laws/make_interface_laws.hpp"
 #include "support/catch.hpp"
+#include "support/friction_law.hpp"
 
 using namespace contactsim;
+using namespace contactsim::test;
 
 namespace {
 
@@ -13,14 +15,12 @@ std::vector<SurfacePair> four_pairs() {
   std::vector<SurfacePair> pairs(4);
   pairs[0].second = 1;
   pairs[1].second = 2;
-  pairs[1].law = share_law(Glued{});
+  pairs[1].law = share(friction_law("glued"));
   pairs[2].first = 1;
   pairs[2].second = 2;
-  pairs[2].law = share_law(Tied{});
+  pairs[2].law = share(friction_law("tied"));
   pairs[3].first = pairs[3].second = 2;
-  ConstantFriction friction;
-  friction.coefficient = 0.3;
-  pairs[3].law = share_law(friction);
+  pairs[3].law = share(coulomb(0.3));
   return pairs;
 }
 
@@ -46,7 +46,11 @@ TEST_CASE("rules of pairs are found by two surfaces in either order", "[contact]
 
 TEST_CASE("rules of pairs say how their sides hold each other", "[contact][contact_step_context]") {
   const auto pairs = four_pairs();
-  const PairRules rules(pairs, late_second(), 3);
+  PairRules rules(pairs, late_second(), 3);
+  CHECK(rules[2].law == ContactLaw::tied);
+  CHECK(!rules.has_friction());
+  Diagnostics diagnostics;
+  rules.set_laws(make_pair_laws(pairs, {}, diagnostics));
   CHECK(rules[0].law == ContactLaw::sliding);
   CHECK(rules[0].friction == 0.0);
   CHECK(rules[1].law == ContactLaw::glued);
@@ -55,7 +59,6 @@ TEST_CASE("rules of pairs say how their sides hold each other", "[contact][conta
   CHECK(rules[3].friction == 0.3);
   CHECK(rules[3].pair == &pairs[3]);
   CHECK(rules.has_friction());
-  CHECK(!PairRules(std::span(pairs).first(3), late_second(), 3).has_friction());
 }
 
 TEST_CASE("a pair acts in its periods while contact does", "[contact][contact_step_context]") {

@@ -19,10 +19,11 @@ constexpr double stiffness = 1000.0;
 struct CubeOnPlate : ContactParts {
   explicit CubeOnPlate(const std::string& lines = "", bool cube_first = false)
       : ContactParts(make(cube_first), general_contact("penalty stiffness = 1000\n" + lines)),
-        contacts(setup()),
+        contacts(contact_mesh, rules.has_friction()),
         cube(cube_first ? 0 : 1) {
     search();
-    contacts.take_candidates(face_partners);
+    contacts.next_candidates() = face_partners;
+    contacts.take_candidates();
   }
   static MeshBuilder make(bool cube_first) {
     const test::Box plate{.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}, .share_nodes = false},
@@ -52,13 +53,14 @@ struct CubeOnPlate : ContactParts {
   }
   void renew_candidates() {
     search(contacts.depths());
-    contacts.take_candidates(face_partners);
+    contacts.next_candidates() = face_partners;
+    contacts.take_candidates();
   }
   std::vector<ContactPoint> find() {
     std::vector<ContactPoint> points;
     contacts.begin_step();
-    contacts.detect(context(size), {0, contacts.n_rows()}, points);
-    contacts.update(context(size), {0, contacts.n_rows()}, points);
+    contacts.find(context(size), 0, contacts.n_rows(), points);
+    for (const ContactPoint& point : points) contacts.note(point);
     return points;
   }
   /// The sum of the forces on the cube.
@@ -177,7 +179,8 @@ TEST_CASE("pairs that leave the candidates are forgotten", "[contact][face_face_
   parts.move_cube({0, 0, -0.2}, false);
   parts.renew_candidates();
   CHECK(!parts.find().empty());
-  parts.contacts.take_candidates(PairLists{});
+  parts.contacts.next_candidates() = PairLists{};
+  parts.contacts.take_candidates();
   CHECK(parts.find().empty());
   parts.renew_candidates();
   CHECK(parts.find().empty());  // as deep as before, but not known any more

@@ -3,6 +3,7 @@
 
 #include "support/catch.hpp"
 #include "support/deck_dump.hpp"
+#include "support/friction_law.hpp"
 #include "support/law_bodies.hpp"
 
 using namespace contactsim;
@@ -15,7 +16,7 @@ std::string errors_of(const std::string& model, const std::string& functions = "
   const ContactDefinition contact = parse_contact(model);
   const SimulationDefinition defined = parse_definitions(functions);
   std::vector<SurfacePair> pairs(2);
-  for (SurfacePair& pair : pairs) pair.law = share_law(*find_friction_law(contact.friction_models, "m"));
+  for (SurfacePair& pair : pairs) pair.law = share(*find_friction_law(contact.friction_models, "m"));
   Diagnostics found;
   make_pair_laws(pairs, {contact.friction_models, defined.functions, {}}, found);
   return messages(found);
@@ -40,7 +41,7 @@ TEST_CASE("a failed model must slide, and rings of failed models end", "[contact
     CHECK(errors_of(weld + "failed model = " + failed + "\nend\n") ==
           "c.i:4:16: error: the FAILED MODEL '" + failed +
               "' holds what has just failed; it must slide: "
-              "frictionless, constant friction, pv_dependent, adhesion or junction\n");
+              "frictionless, constant friction, adhesion, junction, pv dependent\n");
   }
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "contact/output/contact_output.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 #include "support/catch.hpp"
 #include "support/law_bodies.hpp"
 
@@ -65,6 +66,10 @@ MeshBuilder block_on_plate() {
 }
 
 }  // namespace
+
+TEST_CASE("the list of laws is that of the table", "[contact][contact_output]") {
+  for (const InterfaceLawRow& row : interface_law_rows()) CHECK(laws.count(row.name) == 1);
+}
 
 TEST_CASE("nodal forces add up to the totals of surfaces and pairs within round-off, for every law",
           "[contact][contact_output]") {

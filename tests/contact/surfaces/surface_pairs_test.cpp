@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "contact/interface_laws/interface_law_checks.hpp"
 #include "contact/surfaces/resolve_surfaces.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 #include "support/catch.hpp"
 #include "support/contact_deck.hpp"
 #include "support/deck_dump.hpp"

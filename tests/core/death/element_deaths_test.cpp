@@ -5,6 +5,8 @@
 
 #include "core/death/death_sets.hpp"
 #include "core/dynamics/internal_force.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/johnson_cook.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/sample_run.hpp"

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/elements/element_table.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/linear_hardening.hpp"
 #include "support/catch.hpp"
 #include "support/condition_deck.hpp"
 #include "support/mesh_builder.hpp"

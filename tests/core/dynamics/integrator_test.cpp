@@ -9,6 +9,7 @@
 #include "core/base/errors.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/materials/elastic.hpp"
 #include "support/catch.hpp"
 #include "support/mesh_builder.hpp"
 

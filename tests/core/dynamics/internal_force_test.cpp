@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/base/errors.hpp"
+#include "core/materials/elastic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/mesh_builder.hpp"

@@ -3,6 +3,7 @@
 #include "core/definition/simulation.hpp"
 
 #include "support/catch.hpp"
+#include "support/material_model.hpp"
 #include "support/mesh_builder.hpp"
 
 using namespace contactsim;
@@ -20,10 +21,10 @@ struct Bodies {
     builder.add_hexes({.id = 1, .cells = {2, 1, 1}, .size = {2, 1, 1}});
     builder.add_hexes({.id = 2, .origin = {2, 0, 0}});
     mesh = builder.build();
-    ElasticModel elastic;
-    elastic.elastic.youngs_modulus = 1.0;
-    elastic.elastic.poissons_ratio = 0.3;
-    definition.materials.push_back({named("steel"), 3.0, {{named("elastic"), elastic}}});
+    definition.materials.push_back(
+        {named("steel"),
+         3.0,
+         {material_model("elastic", {{"youngs modulus", 1.0}, {"poissons ratio", 0.3}})}});
     definition.sections.push_back({named("stiff"), named("Rb"), SolidSection{}});
     for (const char* block : {"block_1", "block_2"}) {
       BlockParameters parameters;

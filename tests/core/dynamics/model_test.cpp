@@ -6,6 +6,7 @@
 
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
+#include "support/material_model.hpp"
 #include "support/mesh_builder.hpp"
 
 using namespace contactsim;
@@ -17,11 +18,9 @@ DeckName named(const std::string& text) { return {text, {}}; }
 /// One material `steel` with the models `elastic` and `strange`, given to `block`.
 SimulationDefinition definition_for(const std::string& block) {
   SimulationDefinition definition;
-  ElasticModel elastic;
-  elastic.elastic.youngs_modulus = 200e9;
-  elastic.elastic.poissons_ratio = 0.3;
-  definition.materials.push_back(
-      {named("steel"), 7800.0, {{named("elastic"), elastic}, {named("strange"), {}}}});
+  const MaterialModel elastic =
+      test::material_model("elastic", {{"youngs modulus", 200e9}, {"poissons ratio", 0.3}});
+  definition.materials.push_back({named("steel"), 7800.0, {elastic, {named("strange"), {}}}});
   BlockParameters parameters;
   parameters.names = {named(block)};
   parameters.material = named("steel");
@@ -126,10 +125,9 @@ TEST_CASE("a truss of rubber takes its initial load over a period only", "[core]
   x << 0, 1, 0, 0, 0, 0;
   const Mesh mesh = test::one_element_mesh(Shape::bar2, x);
   SimulationDefinition definition = definition_for("block_1");
-  NeoHookeanModel rubber;
-  rubber.elastic.youngs_modulus = 1e6;
-  rubber.elastic.poissons_ratio = 0.45;
-  definition.materials[0].models[0] = {named("elastic"), rubber};
+  definition.materials[0].models[0] =
+      test::material_model("neo_hookean", {{"youngs modulus", 1e6}, {"poissons ratio", 0.45}});
+  definition.finite_element_models[0].block_parameters[0].model = named("neo_hookean");
   const auto errors_with = [&](double load, double period) {
     definition.sections = {{named("s"), {}, TrussSection{0.01, load, period}}};
     definition.finite_element_models[0].block_parameters[0].section = named("s");

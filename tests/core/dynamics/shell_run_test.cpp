@@ -7,6 +7,7 @@
 #include "core/dynamics/integrator.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_shell.hpp"
 #include "support/mesh_builder.hpp"

@@ -5,6 +5,7 @@
 
 #include "core/dynamics/model.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/materials/elastic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_shell.hpp"
 #include "support/mesh_builder.hpp"

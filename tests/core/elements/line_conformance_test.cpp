@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/materials/linear_hardening.hpp"
+#include "core/materials/neo_hookean.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/lone_shell.hpp"

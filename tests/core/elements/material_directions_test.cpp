@@ -2,6 +2,7 @@
 #include "core/elements/material_directions.hpp"
 
 #include "core/elements/elements.hpp"
+#include "core/materials/orthotropic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/lone_shell.hpp"
@@ -13,7 +14,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-const MaterialLaw ply = make_orthotropic_law({{}, 30.0, 3.0, 2.0, 0.3, 0.25, 0.4, 1.0, 1.5, 0.8, {}, {}, {}});
+const MaterialLaw ply = make_orthotropic_law({{}, 30.0, 3.0, 2.0, 0.3, 0.25, 0.4, 1.0, 1.5, 0.8});
 
 /// Direction 1 or 2 of the first element.
 Vector3d direction(const ModelBlock& block, std::size_t which) {

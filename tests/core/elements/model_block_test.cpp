@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/model_block.hpp"
 
+#include "core/materials/linear_hardening.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/mesh_builder.hpp"

@@ -4,6 +4,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/materials/elastic.hpp"
+#include "core/materials/mooney_rivlin.hpp"
+#include "core/materials/neo_hookean.hpp"
+#include "core/materials/orthotropic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/lone_shell.hpp"

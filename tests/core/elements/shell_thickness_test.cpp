@@ -2,6 +2,8 @@
 // Thickness and bulk viscosity of shells and membranes. Moduli are near 1e11, edges 1, steps of size 1.
 #include <cmath>
 
+#include "core/materials/elastic.hpp"
+#include "core/materials/linear_hardening.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/lone_shell.hpp"

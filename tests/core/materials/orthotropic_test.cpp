@@ -4,6 +4,7 @@
 #include <Eigen/Dense>
 
 #include "core/elements/solid/material_point.hpp"
+#include "core/materials/elastic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 
@@ -15,11 +16,11 @@ using Eigen::Vector3d;
 namespace {
 
 /// Boron-epoxy: 30 and 3 million, another ratio along 3.
-OrthotropicModel ply() { return {{}, 30.0, 3.0, 2.0, 0.3, 0.25, 0.4, 1.0, 1.5, 0.8, {}, {}, {}}; }
+OrthotropicConstants ply() { return {{}, 30.0, 3.0, 2.0, 0.3, 0.25, 0.4, 1.0, 1.5, 0.8}; }
 
-OrthotropicModel isotropic(double youngs, double ratio) {
+OrthotropicConstants isotropic(double youngs, double ratio) {
   const double shear = youngs / (2.0 * (1.0 + ratio));
-  return {{}, youngs, youngs, youngs, ratio, ratio, ratio, shear, shear, shear, {}, {}, {}};
+  return {{}, youngs, youngs, youngs, ratio, ratio, ratio, shear, shear, shear};
 }
 
 SymmetricLanes lanes_of(const Matrix3d& a) {
@@ -42,7 +43,7 @@ Matrix3d stress_of(const OrthotropicLaw& law, const Matrix3d& strain, const Matr
   return matrix_of(stress);
 }
 
-std::string error_of(const OrthotropicModel& model) {
+std::string error_of(const OrthotropicConstants& model) {
   try {
     make_orthotropic_law(model);
   } catch (const std::invalid_argument& problem) {
@@ -92,7 +93,7 @@ TEST_CASE("with equal constants an orthotropic material is the isotropic one, bo
 
 TEST_CASE("the orthotropic bounds hold for the stiffness, as tight as its largest wave asks",
           "[core][materials]") {
-  for (OrthotropicModel model : {ply(), isotropic(1.0, 0.45)}) {
+  for (OrthotropicConstants model : {ply(), isotropic(1.0, 0.45)}) {
     const OrthotropicLaw law = make_orthotropic_law(model);
     double closest = 1.0;
     for (int i = 0; i < 200; ++i) {
@@ -159,7 +160,7 @@ TEST_CASE("an orthotropic shell is the solid without stress along its normal, at
 }
 
 TEST_CASE("orthotropic constants that set energy free are refused", "[core][materials]") {
-  OrthotropicModel model = ply();
+  OrthotropicConstants model = ply();
   model.nu12 = 3.2;  // sqrt(30 / 3) = 3.16
   CHECK(error_of(model) ==
         "NU12 = 3.2 gives no stable material: with these moduli it must be less than 3.16228 in size");
@@ -173,7 +174,7 @@ TEST_CASE("orthotropic constants that set energy free are refused", "[core][mate
 
 TEST_CASE("elastic constants beside the orthotropic ones say which isotropic material is alike",
           "[core][materials]") {
-  OrthotropicModel model = ply();
+  OrthotropicConstants model = ply();
   model.elastic.youngs_modulus = 2.6;
   model.elastic.poissons_ratio = 0.3;
   const OrthotropicLaw law = make_orthotropic_law(model);

@@ -4,6 +4,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "core/materials/mooney_rivlin.hpp"
+#include "core/materials/neo_hookean.hpp"
 #include "support/catch.hpp"
 
 using namespace contactsim;

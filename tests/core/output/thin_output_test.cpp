@@ -5,6 +5,7 @@
 
 #include "core/dynamics/internal_force.hpp"
 #include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
 #include "core/output/output_variables.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"

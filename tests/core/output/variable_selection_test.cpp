@@ -74,7 +74,7 @@ TEST_CASE("materials have their variables, in their blocks alone", "[core][outpu
   REQUIRE(eqps);
   CHECK_FALSE(eqps->is_in_block(run.model, 0));
   CHECK(eqps->is_in_block(run.model, 1));
-  const std::size_t place = state_of(run.model.blocks[1].properties.law).n_state - 1;
+  const std::size_t place = run.model.blocks[1].properties.law.kind().n_state - 1;
   run.set_point_value(1, 1, 6 + place, 0.25);
   std::vector<double> values(2, -1.0);
   fill(*eqps, run.context(), {1, 0, 2, {}}, values);

@@ -2,6 +2,7 @@
 #include "core/rigid/mass_moments.hpp"
 
 #include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
 #include "support/catch.hpp"
 #include "support/lone_shell.hpp"
 #include "support/mesh_builder.hpp"
