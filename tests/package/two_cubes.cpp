@@ -72,7 +72,7 @@ int main() {
   const Region& region = procedure.regions.front();
 
   Diagnostics diagnostics;
-  const ContactModel contact = make_contact_model(definition, region, mesh, {}, diagnostics);
+  const ContactModel contact = make_contact_model(definition, region, mesh, diagnostics);
   Simulation simulation({definition, procedure, region, mesh, &contact}, {}, diagnostics);
   double peak = 0.0;  // of the force on the lower cube
   simulation.observe([&](RunEvent event, const Simulation& run) {

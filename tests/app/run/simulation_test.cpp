@@ -144,8 +144,7 @@ struct TwoCubes {
       "end\nend\nend\nend\n",
       {}, diagnostics);
   const Region& region = definition.procedures.front().regions.front();
-  contactsim::ContactModel contact =
-      contactsim::make_contact_model(definition, region, mesh, {}, diagnostics);
+  contactsim::ContactModel contact = contactsim::make_contact_model(definition, region, mesh, diagnostics);
   Simulation simulation{{definition, definition.procedures.front(), region, mesh, &contact}, {}, diagnostics};
 };
 
