@@ -81,6 +81,7 @@ ParameterValue example_of(const Parameter& parameter) {
   }
   if (parameter.phrase == "yield stress") return 200e6;
   if (parameter.phrase.starts_with("nu")) return 0.3;
+  if (parameter.phrase == "c10" || parameter.phrase == "c01") return 2e10;  // of a shear modulus of 80e9
   return parameter.phrase.starts_with("e") || parameter.phrase.starts_with("g") ? 2e11 : 0.5;
 }
 
