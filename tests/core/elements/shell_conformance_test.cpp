@@ -28,15 +28,16 @@ const MaterialLaw elastic = ElasticLaw{steel};
 /// Laws that give back what they took; the last is three times as stiff along x as along z.
 std::vector<MaterialLaw> elastic_laws() {
   return {elastic, NeoHookeanLaw{steel}, MooneyRivlinLaw{steel, 15e9},
-          make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9, {}, {}, {}})};
+          make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9})};
 }
 
 /// Calls check(row, coordinates, thickness, law) for every row and law, in a distorted and warped form.
 template <class Check>
 void for_each_law(const Check& check) {
   for (const ElementFormulation* row : shell_elements()) {
+    std::size_t i = 0;
     for (const MaterialLaw& law : elastic_laws()) {
-      INFO(name_of(*row) << ", law " << law.index());
+      INFO(name_of(*row) << ", law " << i++);
       const Matrix3Xd x = distorted(regular_shell(row->shape), 0.1, 4);
       check(*row, Matrix3Xd(rotation_of(0.7) * x), 0.1, law);
     }
@@ -127,7 +128,8 @@ TEST_CASE("the stable step of a stretched shell of any law is below that of its 
           const Matrix3d f = turn * Vector3d(stretch, 1.1, 1.0).asDiagonal() * turn.transpose();
           const Matrix3Xd way = (f - Matrix3d::Identity()) * x / 10.0;
           for (int i = 1; i <= 10; ++i) moved.move_to(x + i * way, Matrix3Xd::Zero(3, x.cols()));
-          if (law.index() != 1 && law.index() != 5) continue;  // others do not stiffen
+          const bool stiffens = law.get_if<NeoHookeanLaw>() || law.get_if<MooneyRivlinLaw>();
+          if (!stiffens) continue;
           CHECK(moved.stay().stable_step <= (1.0 + 1e-6) * stable_limit(moved));
         }
       });
