@@ -27,7 +27,7 @@ MaterialLaw elastic() { return ElasticLaw{steel}; }
 MaterialLaw neo_hookean() { return NeoHookeanLaw{steel}; }
 MaterialLaw mooney_rivlin() { return MooneyRivlinLaw{steel, 15e9}; }
 MaterialLaw orthotropic() {
-  return make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9, {}, {}, {}});
+  return make_orthotropic_law({{}, 300e9, 200e9, 100e9, 0.3, 0.2, 0.4, 80e9, 60e9, 100e9});
 }
 MaterialLaw elastic_plastic() { return PlasticLaw<LinearHardening>{steel, {200e6, 1e7, 0.0}}; }
 MaterialLaw kinematic() { return PlasticLaw<LinearHardening>{steel, {200e6, 0.0, 1e9}}; }

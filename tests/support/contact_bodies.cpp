@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "support/contact_bodies.hpp"
-#include "core/materials/elastic.hpp"
 
 #include <numbers>
 #include <stdexcept>
 
+#include "contact/interface_laws/make_interface_laws.hpp"
 #include "contact/search/contact_search.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/materials/elastic.hpp"
 
 namespace contactsim::test {
 
@@ -124,6 +125,8 @@ ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contac
       kinematics(contact_mesh),
       x(mesh.coordinates()),
       v(Eigen::Matrix3Xd::Zero(3, x.cols())) {
+  Diagnostics diagnostics;
+  rules.set_laws(make_pair_laws(model.pairs, {definition.friction_models, {}, {}}, diagnostics));
   for (ContactFace& face : contact_mesh.faces) face.penalty_properties.mass_per_area = 4.0;
   for (SurfaceNode& node : contact_mesh.surface_nodes) node.penalty_properties.mass_per_area = 4.0;
   move();

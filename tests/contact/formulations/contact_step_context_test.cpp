@@ -21,6 +21,7 @@ std::vector<SurfacePair> four_pairs() {
   pairs[2].law = share(friction_law("tied"));
   pairs[3].first = pairs[3].second = 2;
   pairs[3].law = share(coulomb(0.3));
+  for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i].interaction = std::to_string(i);
   return pairs;
 }
 
