@@ -7,11 +7,7 @@
 
 #include "contact/enforcement/contact_setup.hpp"
 #include "contact/enforcement/interface_constraints.hpp"
-#include "contact/formulations/edge_contacts.hpp"
-#include "contact/formulations/face_face_contacts.hpp"
-#include "contact/formulations/node_areas.hpp"
-#include "contact/formulations/node_face_contacts.hpp"
-#include "contact/formulations/plane_contacts.hpp"
+#include "contact/formulations/contact_formulations.hpp"
 #include "contact/search/contact_search.hpp"
 #include "core/base/threads.hpp"
 
@@ -43,10 +39,8 @@ class ContactDetection {
   /// Appends the contacts that ended in the last step though they were deep.
   void find_lost(std::vector<LostContact>& lost) const;
 
-  /// Marks the edges of HYBRID pairs that are close to each other.
-  void mark_close_edges(const ContactStepContext& context, double size_share, PairRules& rules) const {
-    edges_.mark_close(context, size_share, rules);
-  }
+  /// Marks what of HYBRID pairs is close to the other side.
+  void mark_close(const ContactStepContext& context, PairRules& rules) const;
   /// Pairs of faces, and of nodes with faces, that ties may hold.
   NearCandidates near_candidates() const;
   std::size_t n_candidates() const;
@@ -58,30 +52,27 @@ class ContactDetection {
   void archive(StateArchive& saved);
 
  private:
-  template <class Contacts, class Take>
-  void visit_contact_points(Contacts& contacts, const ContactStepContext& context, const Take& take);
-  std::span<const ContactPoint> find_node_points(const ContactStepContext& context);
+  template <class Formulation, class Take>
+  void visit_points_of(Formulation& formulation, const ContactStepContext& context, const Take& take);
+  template <class Formulation, class Take>
+  void detect_in_chunks(Formulation& formulation, const ContactStepContext& context, const Take& take);
 
   const ContactSetup& setup_;
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
   ContactSearch search_;
-  FaceFaceContacts face_face_;
-  NodeFaceContacts node_face_;
-  EdgeContacts edges_;
-  PlaneContacts planes_;
-  NodeAreas node_areas_;
+  ContactFormulations formulations_;
   bool has_new_surfaces_ = false;                  // a search has to follow
   std::vector<std::vector<ContactPoint>> chunks_;  // scratch of each thread
-  std::vector<ContactPoint> node_points_;          // scratch
+  std::vector<ContactPoint> all_points_;           // scratch
 };
 
-/// Finds contact points chunk by chunk on all threads. They are taken in order while other threads work on
+/// Detects contact points chunk by chunk on all threads. They are taken in order while other threads work on
 /// later chunks.
-template <class Contacts, class Take>
-void ContactDetection::visit_contact_points(Contacts& contacts, const ContactStepContext& context,
-                                            const Take& take) {
-  const std::size_t n_rows = contacts.n_rows();
+template <class Formulation, class Take>
+void ContactDetection::detect_in_chunks(Formulation& formulation, const ContactStepContext& context,
+                                        const Take& take) {
+  const std::size_t n_rows = formulation.n_rows();
   const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
   const int n_threads = threads_for(n_rows * 10);
   chunks_.resize(std::max(chunks_.size(), static_cast<std::size_t>(n_threads)));
@@ -89,9 +80,26 @@ void ContactDetection::visit_contact_points(Contacts& contacts, const ContactSte
   for (std::size_t i = 0; i < n_chunks; ++i) {
     std::vector<ContactPoint>& points = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
     points.clear();
-    contacts.find(context, i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows), points);
+    const CandidateRows rows{i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows)};
+    formulation.detect(context, rows, points);
 #pragma omp ordered
-    for (const ContactPoint& point : points) take(point);
+    {
+      formulation.update(context, rows, points);
+      for (const ContactPoint& point : points) take(point);
+    }
+  }
+}
+
+template <class Formulation, class Take>
+void ContactDetection::visit_points_of(Formulation& formulation, const ContactStepContext& context,
+                                       const Take& take) {
+  if constexpr (requires { formulation.complete(context, std::span(all_points_)); }) {
+    all_points_.clear();
+    detect_in_chunks(formulation, context, [&](const ContactPoint& point) { all_points_.push_back(point); });
+    formulation.complete(context, std::span(all_points_));
+    for (const ContactPoint& point : all_points_) take(point);
+  } else {
+    detect_in_chunks(formulation, context, take);
   }
 }
 
@@ -104,16 +112,7 @@ std::vector<ContactPoint> ContactDetection::visit_points(const ContactStepContex
     const bool may_glue = point.is_met() && !point.is_of_edges;
     if (may_glue && rules_.of(point).law == ContactLaw::glued) to_glue.push_back(point);
   };
-  visit_contact_points(face_face_, context, [&](const ContactPoint& point) {
-    take_one(point);
-    face_face_.note(point);
-  });
-  for (const ContactPoint& point : find_node_points(context)) take_one(point);
-  visit_contact_points(edges_, context, [&](const ContactPoint& point) {
-    take_one(point);
-    edges_.note(point);
-  });
-  visit_contact_points(planes_, context, take_one);
+  formulations_.for_each([&](auto& formulation) { visit_points_of(formulation, context, take_one); });
   return to_glue;
 }
 

@@ -72,8 +72,7 @@ void ContactForce::begin(const Motion& motion) {
   forget_start_depths(contact_mesh_);
   detection_.find_candidates(motion, kinematics_);
   const ContactStepContext context{kinematics_, rules_, constrained_, motion.dt};
-  mark_close_pairs(context, detection_.near_candidates(), rules_);
-  detection_.mark_close_edges(context, setup_.definition.dash.search_length_scaling, rules_);
+  detection_.mark_close(context, rules_);
   interface_constraints_.begin(context, detection_.near_candidates(), constrained_);
 }
 

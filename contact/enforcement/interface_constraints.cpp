@@ -287,23 +287,4 @@ void InterfaceConstraints::step_bonds(const ContactStepContext& context, Contact
   if (has_failed) std::erase_if(bonds_, [](const Bond& bond) { return bond.has_failed; });
 }
 
-void mark_close_pairs(const ContactStepContext& context, const NearCandidates& candidates, PairRules& rules) {
-  const auto near =
-      find_near_pairs(context, candidates.face_partners, candidates.node_faces, candidates.size_share,
-                      [](const PairRule& rule) { return rule.model.far != nullptr; });
-  for (const NearPair& near_pair : near) {
-    if (near_pair.is_node) {
-      // A rim is as near to the sides of the other body as to what it looks at.
-      if (near_pair.is_facing) rules.mark_close_node(near_pair.pair, near_pair.first);
-      continue;
-    }
-    Bond scratch;
-    if (!bond_faces(context.kinematics.face(near_pair.first), context.kinematics.face(near_pair.second),
-                    near_pair.tolerance, scratch))
-      continue;
-    rules.mark_close_face(near_pair.pair, near_pair.first);
-    rules.mark_close_face(near_pair.pair, near_pair.second);
-  }
-}
-
 }  // namespace contactsim

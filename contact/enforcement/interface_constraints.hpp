@@ -83,7 +83,4 @@ class InterfaceConstraints {
   std::vector<DecayingConstraint> fading_;
 };
 
-/// Marks the faces and nodes of HYBRID pairs that are close to the other side.
-void mark_close_pairs(const ContactStepContext& context, const NearCandidates& candidates, PairRules& rules);
-
 }  // namespace contactsim

@@ -78,12 +78,11 @@ PairLists list_edges_of_nodes(const ContactMesh& contact_mesh) {
 
 }  // namespace
 
-EdgeContacts::EdgeContacts(const ContactMesh& contact_mesh)
-    : contact_mesh_(contact_mesh),
-      depth_before_(contact_mesh.edges.size(), 0.0f),
-      depth_now_(contact_mesh.edges.size(), 0.0f) {
-  edges_of_node_ = list_edges_of_nodes(contact_mesh);
-}
+EdgeContacts::EdgeContacts(const FormulationSetup& setup)
+    : contact_mesh_(setup.contact_mesh),
+      edges_of_node_(list_edges_of_nodes(contact_mesh_)),
+      depth_before_(contact_mesh_.edges.size(), 0.0f),
+      depth_now_(contact_mesh_.edges.size(), 0.0f) {}
 
 bool EdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, double share,
                         const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const {
@@ -104,26 +103,44 @@ bool EdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, 
   return true;
 }
 
-void EdgeContacts::take_candidates() {
-  elastic_slips_ = transfer_pairs<ElasticSlips>(candidates_, elastic_slips_, next_, no_slip);
-  candidates_ = std::exchange(next_, {});
+void EdgeContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
+                                   const Motion& motion) {
+  if (contact_mesh_.edges.empty()) return;
+  PairLists next;
+  search.find_edge_pairs(kinematics, motion, depth_now_, next);
+  take_candidates(std::move(next));
+}
+
+void EdgeContacts::take_candidates(PairLists candidates) {
+  slips_now_ = transfer_pairs<ElasticSlips>(candidates_, slips_now_, candidates, no_slip);
+  candidates_ = std::move(candidates);
 }
 
 void EdgeContacts::begin_step() {
   std::swap(depth_before_, depth_now_);
   std::fill(depth_now_.begin(), depth_now_.end(), 0.0f);
+  std::swap(slips_before_, slips_now_);
+  slips_now_.assign(candidates_.partners.size(), no_slip);
 }
 
-void EdgeContacts::note(const ContactPoint& point) {
-  if (!point.is_met()) return;
-  const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());
-  for (const std::uint32_t edge : {point.first_entity, point.second_entity})
-    depth_now_[edge] = std::max(depth_now_[edge], depth);
+void EdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /*rows*/,
+                          std::span<const ContactPoint> points) {
+  for (const ContactPoint& point : points) {
+    const auto partners = candidates_.of(point.first_entity);
+    const auto found = std::ranges::lower_bound(partners, point.second_entity);
+    const std::size_t candidate =
+        candidates_.begin[point.first_entity] + static_cast<std::size_t>(found - partners.begin());
+    slips_now_[candidate][point.part] = point.elastic_slip;
+    if (!point.is_met()) continue;
+    const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());
+    for (const std::uint32_t edge : {point.first_entity, point.second_entity})
+      depth_now_[edge] = std::max(depth_now_[edge], depth);
+  }
 }
 
 void EdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
-  saved.rows("contact/edge_pairs/elastic_slip", elastic_slips_,
+  saved.rows("contact/edge_pairs/elastic_slip", slips_now_,
              [](ElasticSlips& slip, RowNumbers& row) { row(slip); });
   saved.list("contact/edges/depth", depth_now_);
 }
@@ -179,16 +196,16 @@ void EdgeContacts::remap(const ContactRemap& remap) {
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
       const std::uint32_t first = remap.edges[row], second = remap.edges[candidates_.partners[k]];
       // Of edges that have changed their order the slip would be seen from the other side.
-      if (second != ContactRemap::removed && first < second) kept[{first, second}] = elastic_slips_[k];
+      if (second != ContactRemap::removed && first < second) kept[{first, second}] = slips_now_[k];
     }
   }
   candidates_ = {};
-  elastic_slips_.clear();
+  slips_now_.clear();
   auto pair = kept.begin();
   for (std::uint32_t row = 0; row < remap.n_edges_after; ++row) {
     for (; pair != kept.end() && pair->first.first == row; ++pair) {
       candidates_.partners.push_back(pair->first.second);
-      elastic_slips_.push_back(pair->second);
+      slips_now_.push_back(pair->second);
     }
     candidates_.begin.push_back(static_cast<std::uint32_t>(candidates_.partners.size()));
   }
@@ -197,16 +214,16 @@ void EdgeContacts::remap(const ContactRemap& remap) {
   transfer(remap.edges, remap.n_edges_after, 0.0f, depth_now_);
 }
 
-void EdgeContacts::find(const ContactStepContext& context, std::size_t begin, std::size_t end,
-                        std::vector<ContactPoint>& points) {
-  for (std::size_t row = begin; row < end; ++row) {
+void EdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
+                          std::vector<ContactPoint>& points) const {
+  for (std::size_t row = rows.begin; row < rows.end; ++row) {
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k)
-      find_one(context, static_cast<std::uint32_t>(row), k, points);
+      detect_one(context, static_cast<std::uint32_t>(row), k, points);
   }
 }
 
-void EdgeContacts::find_one(const ContactStepContext& context, std::uint32_t first_edge,
-                            std::size_t candidate, std::vector<ContactPoint>& points) {
+void EdgeContacts::detect_one(const ContactStepContext& context, std::uint32_t first_edge,
+                              std::size_t candidate, std::vector<ContactPoint>& points) const {
   const std::uint32_t second_edge = candidates_.partners[candidate];
   const ContactEdge &first = contact_mesh_.edges[first_edge], &second = contact_mesh_.edges[second_edge];
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
@@ -216,14 +233,13 @@ void EdgeContacts::find_one(const ContactStepContext& context, std::uint32_t fir
   const std::uint32_t pair = context.rules.find(first.surface, second.surface);
   const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
   if (rule.is_balanced != context.balances) return;
-  const ElasticSlips held = elastic_slips_[candidate];
-  ElasticSlips now = no_slip;
-  const EdgePairPoints places(segment_of(context.kinematics, first), segment_of(context.kinematics, second));
+  const EdgePairPoints pair_points(segment_of(context.kinematics, first),
+                                   segment_of(context.kinematics, second));
   const bool may_be_held = are_sharp && (rule.law == ContactLaw::glued || rule.law == ContactLaw::welded);
   const bool is_on = rule.is_active && rule.law != ContactLaw::tied &&
                      !(may_be_held && are_held(context, pair, first_edge, second_edge));
-  for (std::size_t i = 0; is_on && i < places.get().size(); ++i) {
-    const EdgePairPoint& pair_point = places.get()[i];
+  for (std::size_t i = 0; is_on && i < pair_points.get().size(); ++i) {
+    const EdgePairPoint& pair_point = pair_points.get()[i];
     const Eigen::Vector3d way = point_at(context.kinematics, second, pair_point.t) -
                                 point_at(context.kinematics, first, pair_point.s);
     if (!owns(context, first_edge, pair_point.s, pair_point, way) ||
@@ -236,15 +252,13 @@ void EdgeContacts::find_one(const ContactStepContext& context, std::uint32_t fir
     point.first_entity = first_edge;
     point.second_entity = second_edge;
     if (point.touches() && rule.friction > 0.0) {
-      point.elastic_slip = held[i];
+      point.elastic_slip = slips_before_[candidate][i];
       const double stiffness =
           make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair).stiffness;
       add_friction(stiffness * point.area, rule.slip_limit(point, context.dt), point);
-      now[i] = point.elastic_slip;
     }
     points.push_back(point);
   }
-  elastic_slips_[candidate] = now;
 }
 
 ContactPoint EdgeContacts::make_contact_point(const ContactStepContext& context, const Pair& pair,

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/formulations/contact_step_context.hpp"
+#include "contact/formulations/contact_formulation.hpp"
 #include "contact/geometry/edge_edge.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
@@ -14,38 +14,29 @@ namespace contactsim {
 /// The pairs of edges that may touch, and the slip that friction holds at each. Both edges have equal weight.
 /// Edges push each other apart, with friction. What ties or pulls acts on faces and their nodes: between
 /// edges only where these are of faces.
+/// A ContactFormulation.
 class EdgeContacts {
  public:
-  /// The faces must outlive this.
-  explicit EdgeContacts(const ContactMesh& contact_mesh);
+  explicit EdgeContacts(const FormulationSetup& setup);
 
-  /// Room for the next candidates: rows of edges with others of greater number. take_candidates() follows.
-  PairLists& next_candidates() { return next_; }
-  /// Goes over to the next candidates, with what is remembered of pairs that are in both.
-  void take_candidates();
+  void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
+  /// Goes over to candidates, with what is remembered of pairs that were candidates before.
+  ///   candidates  rows of edges with others of greater number
+  void take_candidates(PairLists candidates);
+  std::size_t n_rows() const { return candidates_.n_rows(); }
+  std::size_t n_candidates() const { return candidates_.partners.size(); }
+  /// Edges need no bounds of faces.
+  void watch(std::vector<std::uint8_t>& /*is_watched*/) const {}
 
-  /// Goes over to other edges, which stand where those of the constructor stood already.
-  void remap(const ContactRemap& remap);
-
+  void begin_step();
+  void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
+  void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points);
+  /// None: an edge that has passed another is behind its faces, which know it.
+  void find_lost(const PairRules& /*rules*/, std::vector<LostContact>& /*lost*/) const {}
   /// Marks the edges of HYBRID pairs that are close to each other.
-  ///   size_share  the automatic CAPTURE TOLERANCE over the shorter edge [1]
   void mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const;
 
-  const PairLists& candidates() const { return candidates_; }
-  std::size_t n_rows() const { return candidates_.n_rows(); }
-
-  /// Begins a step: which edges touch is gathered anew.
-  void begin_step();
-  /// Adds a contact point to what is known of its edges.
-  void note(const ContactPoint& point);
-
-  /// Appends the contact points of rows [begin, end). Rows may be shared among threads.
-  void find(const ContactStepContext& context, std::size_t begin, std::size_t end,
-            std::vector<ContactPoint>& points);
-
-  /// How deep each edge was in the last step [n_edges], 0 where it did not touch.
-  std::span<const float> depths() const { return depth_now_; }
-
+  void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);
 
  private:
@@ -58,8 +49,8 @@ class EdgeContacts {
     double depth_before;  ///< and how deep it was [length]
   };
 
-  void find_one(const ContactStepContext& context, std::uint32_t first, std::size_t candidate,
-                std::vector<ContactPoint>& points);
+  void detect_one(const ContactStepContext& context, std::uint32_t first, std::size_t candidate,
+                  std::vector<ContactPoint>& points) const;
   /// Whether ties hold faces or nodes of two sharp edges together.
   bool are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
                 std::uint32_t second) const;
@@ -73,9 +64,10 @@ class EdgeContacts {
                                          const EdgePairPoint& pair_point);
 
   const ContactMesh& contact_mesh_;
-  PairLists candidates_, next_;
-  PairLists edges_of_node_;                  // [n_contact_nodes] round ones, by first_alike
-  std::vector<ElasticSlips> elastic_slips_;  // [n_candidates]
+  PairLists candidates_;
+  PairLists edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
+  // [n_candidates] in the last step and in this one
+  std::vector<ElasticSlips> slips_before_, slips_now_;
   // [n_edges] penetration, 0 where nothing touches, in the last step and in this one [length]
   std::vector<float> depth_before_, depth_now_;
 };

@@ -36,6 +36,8 @@ std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const P
 
 /// Whether a rule ties what is near: TIED MODEL.
 inline bool is_tied(const PairRule& rule) { return rule.law == ContactLaw::tied; }
+/// Whether a rule has one model for what is close at the start and another for the rest: HYBRID MODEL.
+inline bool is_hybrid(const PairRule& rule) { return rule.model.far != nullptr; }
 
 /// Ties the near pairs, such as those of tied pairs.
 std::vector<Tie> make_ties(const ContactStepContext& context, const PairLists& face_partners,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "contact/formulations/cohesive_traction.hpp"
 #include "contact/formulations/contact_point_law.hpp"
@@ -46,90 +45,85 @@ struct NodeFaceContacts::NearFace {
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
 struct NodeFaceContacts::NearFaces {
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t max_faces = 16;
 
-  std::array<NearFace, most> all;
+  std::array<NearFace, max_faces> all;
   std::size_t n = 0;
 
   void add(const NearFace& near_face) {
-    if (n < most) all[n++] = near_face;
+    if (n < max_faces) all[n++] = near_face;
   }
   auto begin() { return all.begin(); }
   auto end() { return all.begin() + static_cast<std::ptrdiff_t>(n); }
 };
 
-/// What is known of a node, the faces that it is near to, and the face_histories of this step so far.
-struct NodeFaceContacts::Work {
-  NodeHistory node_history;
-  NearFaces near_faces;
-  std::vector<FaceHistory> face_histories;
-};
-
-void NodeFaceContacts::find(const ContactStepContext& context, std::size_t begin, std::size_t end,
-                            std::vector<ContactPoint>& contact_points) {
-  std::vector<FaceHistory>& face_histories = face_histories_[begin / rows_per_chunk];
-  Work work;
-  auto known = face_histories.cbegin();
-  for (auto row = static_cast<std::uint32_t>(begin); row < end; ++row) {
-    const auto first = known;
-    while (known != face_histories.cend() && known->row == row) ++known;
-    work.node_history.face_histories = {first, known};
-    // What the other kind of enforcement remembers of the node stays.
-    std::copy_if(first, known, std::back_inserter(work.face_histories), [&](const FaceHistory& face_history) {
-      return face_history.is_balanced != context.balances;
-    });
-    if (!candidates_.of(row).empty()) find_one(context, row, work, contact_points);
-  }
-  std::vector<LostContact>& lost = lost_[begin / rows_per_chunk];
-  for (const FaceHistory& face_history : face_histories) {
-    if (face_history.is_deep != 0 &&
-        !std::ranges::binary_search(work.face_histories, face_history.row, {}, &FaceHistory::row))
-      lost.push_back(
-          {face_history.pair, contact_mesh_.surface_nodes[face_history.row].node, face_history.depth});
-  }
-  face_histories = std::move(work.face_histories);
+void NodeFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
+                                       const Motion& motion) {
+  search.find_node_faces(kinematics, motion, depths(), candidates_);
 }
 
-void NodeFaceContacts::find_one(const ContactStepContext& context, std::uint32_t row, Work& work,
-                                std::vector<ContactPoint>& contact_points) const {
-  work.near_faces.n = 0;
+void NodeFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
+  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+    if (candidates_.of(row).empty()) continue;
+    for (const std::uint32_t own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
+      is_watched[own] = 1;
+    for (const std::uint32_t face : candidates_.of(row)) {
+      is_watched[face] = 1;
+      for (const std::uint32_t corner : contact_mesh_.faces[face].corners) {
+        for (const std::uint32_t neighbour : contact_mesh_.faces_of_node.of(corner))
+          is_watched[neighbour] = 1;
+      }
+    }
+  }
+}
+
+void NodeFaceContacts::mark_close(const ContactStepContext& context, double size_share,
+                                  PairRules& rules) const {
+  for (const NearPair& near : find_near_pairs(context, {}, candidates_, size_share, is_hybrid)) {
+    // A rim is as near to the sides of the other body as to what it looks at.
+    if (near.is_facing) rules.mark_close_node(near.pair, near.first);
+  }
+}
+
+void NodeFaceContacts::remap(const ContactRemap& remap) {
+  std::vector<std::size_t> before;
+  candidates_ = transferred(candidates_, remap.rows, remap.faces, remap.n_rows_after, before);
+  history_.remap(remap);
+}
+
+void NodeFaceContacts::archive(StateArchive& saved) {
+  contactsim::archive("contact/node_pairs", candidates_, saved);
+  history_.archive(saved);
+}
+
+void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
+                              std::vector<ContactPoint>& points) const {
+  NearFaces near_faces;
+  for (auto row = static_cast<std::uint32_t>(rows.begin); row < rows.end; ++row) {
+    if (!candidates_.of(row).empty()) detect_one(context, row, near_faces, points);
+  }
+}
+
+void NodeFaceContacts::detect_one(const ContactStepContext& context, std::uint32_t row, NearFaces& near_faces,
+                                  std::vector<ContactPoint>& points) const {
+  const NodeHistory node_history = history_.of(row);
+  near_faces.n = 0;
   for (const std::uint32_t face : candidates_.of(row))
-    add_near_face(context, row, face, work.node_history, work.near_faces);
-  if (work.near_faces.n > 1) choose(context, row, work.node_history, work.near_faces);
-  for (NearFace& near_face : work.near_faces) {
+    add_near_face(context, row, face, node_history, near_faces);
+  if (near_faces.n > 1) choose(context, row, node_history, near_faces);
+  for (NearFace& near_face : near_faces) {
     const PairRule& rule = context.rules.of_node(near_face.pair, row);
     if (context.dt == 0.0 && near_face.point.gap > near_face.near && !rule.acts_apart()) continue;
     near_face.share *= share_of(context, row, near_face);
-    contact_points.push_back(make_contact_point(context, row, near_face));
-    ContactPoint& contact_point = contact_points.back();
+    ContactPoint& point = points.emplace_back(make_contact_point(context, row, near_face));
     if (rule.acts_apart()) {
-      contact_point.elastic_slip = work.node_history.elastic_slip(contact_point.normal);
-      add_node_traction(*rule.interface_law, make_push(context, row, near_face, contact_point),
-                        contact_point);
+      point.elastic_slip = node_history.elastic_slip(point.normal);
+      add_node_traction(*rule.interface_law, make_push(context, row, near_face, point), point);
     }
-    if (!contact_point.is_met()) continue;
-    if (rule.friction > 0.0 && !contact_point.is_balanced) {
-      contact_point.elastic_slip = work.node_history.elastic_slip(contact_point.normal);
-      add_friction(near_face.penalty.stiffness * contact_point.area,
-                   rule.slip_limit(contact_point, context.dt), contact_point);
-    }
-    work.face_histories.push_back(make_face_history(row, near_face, contact_point));
+    if (!point.is_met() || !(rule.friction > 0.0) || point.is_balanced) continue;
+    point.elastic_slip = node_history.elastic_slip(point.normal);
+    add_friction(near_face.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
   }
-}
-
-NodeFaceContacts::FaceHistory NodeFaceContacts::make_face_history(std::uint32_t row,
-                                                                  const NearFace& near_face,
-                                                                  const ContactPoint& contact_point) const {
-  const double thickness = std::min(contact_mesh_.surface_nodes[row].penalty_properties.thickness,
-                                    contact_mesh_.faces[near_face.face].penalty_properties.thickness);
-  const double depth = std::max(0.0, -near_face.point.gap);
-  return {row,
-          contact_point.is_balanced,
-          contact_point.normal.cast<float>(),
-          contact_point.elastic_slip,
-          static_cast<float>(depth),
-          depth > deep_share * thickness,
-          near_face.pair};
 }
 
 void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uint32_t row,
@@ -248,7 +242,7 @@ std::size_t NodeFaceContacts::share_at_edge(double thickness, NearFaces& near_fa
     const ClosestPoint& point = near_faces.all[i].point;
     const double cosine = first.normal.dot(point.normal);
     const bool is_farther = near_faces.all[i].distance > farthest;
-    if (cosine < same_wall || cosine > one_plane || is_farther) continue;
+    if (cosine < NodeHistory::same_wall || cosine > one_plane || is_farther) continue;
     std::swap(near_faces.all[i], near_faces.all[n++]);
   }
   for (std::size_t i = 0; i < n; ++i) near_faces.all[i].share = 1.0 / static_cast<double>(n);
@@ -276,8 +270,8 @@ void NodeFaceContacts::choose(const ContactStepContext& context, std::uint32_t r
                       &other = context.kinematics.bound(near_face.face);
       const double cosine = chosen.point.normal.dot(near_face.point.normal);
       // Of a hollow: each wall stands in front of the other. A sphere fills a narrow one, too.
-      return cosine < same_wall && (is_sphere || cosine > -same_wall) && wall.is_in_front(other.centre()) &&
-             other.is_in_front(wall.centre());
+      return cosine < NodeHistory::same_wall && (is_sphere || cosine > -NodeHistory::same_wall) &&
+             wall.is_in_front(other.centre()) && other.is_in_front(wall.centre());
     };
     if (std::all_of(near_faces.begin(), near_faces.begin() + static_cast<std::ptrdiff_t>(n_chosen),
                     is_other_wall))

@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What contact of nodes with faces remembers from step to step.
-#include <algorithm>
+#include "contact/formulations/node_face_history.hpp"
 
-#include "contact/formulations/contact_point_law.hpp"
-#include "contact/formulations/node_face_contacts.hpp"
+#include <iterator>
+
 #include "core/base/state_archive.hpp"
 
 namespace contactsim {
 
-Eigen::Vector3d NodeFaceContacts::NodeHistory::elastic_slip(const Eigen::Vector3d& normal) const {
-  Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();
-  for (const FaceHistory& face_history : face_histories) {
-    if (face_history.normal.cast<double>().dot(normal) > same_wall) elastic_slip = face_history.elastic_slip;
-  }
-  return elastic_slip;
+namespace {
+
+FaceHistory make_face_history(const ContactMesh& contact_mesh, const ContactPoint& point) {
+  const std::uint32_t row = point.first_entity;
+  const double thickness = std::min(contact_mesh.surface_nodes[row].penalty_properties.thickness,
+                                    contact_mesh.faces[point.second_entity].penalty_properties.thickness);
+  const double depth = std::max(0.0, -point.gap);
+  return {row,
+          point.is_balanced,
+          point.normal.cast<float>(),
+          point.elastic_slip,
+          static_cast<float>(depth),
+          depth > deep_share * thickness,
+          point.pair};
 }
 
-double NodeFaceContacts::NodeHistory::depth(const Eigen::Vector3d& normal) const {
+}  // namespace
+
+double NodeHistory::depth(const Eigen::Vector3d& normal) const {
   float depth = 0.0f;
   for (const FaceHistory& face_history : face_histories) {
     if (face_history.normal.cast<double>().dot(normal) > same_side)
@@ -25,60 +34,85 @@ double NodeFaceContacts::NodeHistory::depth(const Eigen::Vector3d& normal) const
   return depth;
 }
 
-double NodeFaceContacts::NodeHistory::depth() const {
-  float depth = 0.0f;
-  for (const FaceHistory& face_history : face_histories) depth = std::max(depth, face_history.depth);
-  return depth;
+Eigen::Vector3d NodeHistory::elastic_slip(const Eigen::Vector3d& normal) const {
+  Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();
+  for (const FaceHistory& face_history : face_histories) {
+    if (face_history.normal.cast<double>().dot(normal) > same_wall) elastic_slip = face_history.elastic_slip;
+  }
+  return elastic_slip;
 }
 
-void NodeFaceContacts::archive(StateArchive& saved) {
-  contactsim::archive("contact/node_pairs", candidates_, saved);
+NodeHistory NodeFaceHistory::of(std::uint32_t row) const {
+  const auto found = std::ranges::equal_range(chunks_[row / rows_per_chunk], row, {}, &FaceHistory::row);
+  return {{found.begin(), found.end()}};
+}
+
+std::vector<float> NodeFaceHistory::depths(std::size_t n_surface_nodes) const {
+  std::vector<float> depths(n_surface_nodes, 0.0f);
+  for (const std::vector<FaceHistory>& chunk : chunks_) {
+    for (const FaceHistory& face_history : chunk)
+      depths[face_history.row] = std::max(depths[face_history.row], face_history.depth);
+  }
+  return depths;
+}
+
+void NodeFaceHistory::begin_step() {
+  for (std::vector<LostContact>& chunk : lost_) chunk.clear();
+}
+
+void NodeFaceHistory::update(const ContactStepContext& context, std::size_t chunk,
+                             std::span<const ContactPoint> points) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  std::vector<FaceHistory>& histories = chunks_[chunk];
+  if (histories.empty() && points.empty()) return;
+  std::vector<FaceHistory> others, found, now;
+  std::ranges::copy_if(histories, std::back_inserter(others), [&](const FaceHistory& face_history) {
+    return face_history.is_balanced != context.balances;
+  });
+  for (const ContactPoint& point : points) {
+    if (point.is_met()) found.push_back(make_face_history(contact_mesh, point));
+  }
+  now.reserve(others.size() + found.size());
+  std::ranges::merge(others, found, std::back_inserter(now), {}, &FaceHistory::row, &FaceHistory::row);
+  for (const FaceHistory& face_history : histories) {
+    if (face_history.is_deep != 0 &&
+        !std::ranges::binary_search(now, face_history.row, {}, &FaceHistory::row))
+      lost_[chunk].push_back(
+          {face_history.pair, contact_mesh.surface_nodes[face_history.row].node, face_history.depth});
+  }
+  histories = std::move(now);
+}
+
+void NodeFaceHistory::find_lost(std::vector<LostContact>& lost) const {
+  for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
+}
+
+void NodeFaceHistory::remap(const ContactRemap& remap) {
+  std::vector<std::vector<FaceHistory>> chunks(remap.n_rows_after / rows_per_chunk + 1);
+  for (const std::vector<FaceHistory>& chunk : chunks_) {
+    for (FaceHistory face_history : chunk) {
+      face_history.row = remap.rows[face_history.row];
+      face_history.is_deep = 0;  // what deaths end is not lost
+      if (face_history.row != ContactRemap::removed)
+        chunks[face_history.row / rows_per_chunk].push_back(face_history);
+    }
+  }
+  for (std::vector<FaceHistory>& chunk : chunks) std::ranges::stable_sort(chunk, {}, &FaceHistory::row);
+  chunks_ = std::move(chunks);
+  lost_.assign(chunks_.size(), {});
+}
+
+void NodeFaceHistory::archive(StateArchive& saved) {
   std::vector<FaceHistory> all;
-  for (const std::vector<FaceHistory>& chunk : face_histories_)
-    all.insert(all.end(), chunk.begin(), chunk.end());
+  for (const std::vector<FaceHistory>& chunk : chunks_) all.insert(all.end(), chunk.begin(), chunk.end());
   saved.rows("contact/node_pairs/face_histories", all, [](FaceHistory& face_history, RowNumbers& row) {
     row(face_history.row, face_history.is_balanced, face_history.normal, face_history.elastic_slip,
         face_history.depth, face_history.is_deep, face_history.pair);
   });
   if (!saved.restores()) return;
-  for (std::vector<FaceHistory>& chunk : face_histories_) chunk.clear();
+  for (std::vector<FaceHistory>& chunk : chunks_) chunk.clear();
   for (const FaceHistory& face_history : all)
-    face_histories_[face_history.row / rows_per_chunk].push_back(face_history);
-}
-
-void NodeFaceContacts::remap(const ContactRemap& remap) {
-  std::vector<std::size_t> before;
-  candidates_ = transferred(candidates_, remap.rows, remap.faces, remap.n_rows_after, before);
-  std::vector<std::vector<FaceHistory>> face_histories(remap.n_rows_after / rows_per_chunk + 1);
-  for (const std::vector<FaceHistory>& chunk : face_histories_) {
-    for (FaceHistory face_history : chunk) {
-      face_history.row = remap.rows[face_history.row];
-      face_history.is_deep = 0;  // what deaths end is not lost
-      if (face_history.row != ContactRemap::removed)
-        face_histories[face_history.row / rows_per_chunk].push_back(face_history);
-    }
-  }
-  for (std::vector<FaceHistory>& chunk : face_histories)
-    std::ranges::stable_sort(chunk, {}, &FaceHistory::row);
-  face_histories_ = std::move(face_histories);
-  lost_.assign(face_histories_.size(), {});
-}
-
-void NodeFaceContacts::begin_step() {
-  for (std::vector<LostContact>& chunk : lost_) chunk.clear();
-}
-
-void NodeFaceContacts::find_lost(std::vector<LostContact>& lost) const {
-  for (const std::vector<LostContact>& chunk : lost_) lost.insert(lost.end(), chunk.begin(), chunk.end());
-}
-
-std::vector<float> NodeFaceContacts::depths() const {
-  std::vector<float> depths(contact_mesh_.surface_nodes.size(), 0.0f);
-  for (const std::vector<FaceHistory>& chunk : face_histories_) {
-    for (const FaceHistory& face_history : chunk)
-      depths[face_history.row] = std::max(depths[face_history.row], face_history.depth);
-  }
-  return depths;
+    chunks_[face_history.row / rows_per_chunk].push_back(face_history);
 }
 
 }  // namespace contactsim

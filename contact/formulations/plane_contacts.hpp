@@ -1,35 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/formulations/contact_step_context.hpp"
-#include "contact/mesh/contact_remap.hpp"
-#include "core/definition/contact_surfaces.hpp"
+#include "contact/formulations/contact_formulation.hpp"
 
 namespace contactsim {
 
 /// The nodes that meet analytic planes. A plane is rigid, does not move and has no end: whatever is behind it
 /// is pushed out along its normal. Source: Sierra/SM 5.22, analytic objects.
+/// A ContactFormulation.
 class PlaneContacts {
  public:
-  /// The faces must outlive this.
-  ///   surfaces  those of the faces; their analytic_planes are positions in `planes`
-  ///   planes    of the region
-  PlaneContacts(const ContactMesh& contact_mesh, const ContactSurfaces& surfaces,
-                std::span<const AnalyticPlane> planes, const PairRules& rules)
-      : contact_mesh_(contact_mesh) {
-    add_pairs(surfaces, planes, rules);
-  }
+  explicit PlaneContacts(const FormulationSetup& setup) : setup_(setup) { add_pairs(); }
 
+  /// A node and a plane are always candidates.
+  void find_candidates(ContactSearch& /*search*/, const ContactKinematics& /*kinematics*/,
+                       const Motion& /*motion*/) {}
   std::size_t n_rows() const { return node_plane_pairs_.size(); }
+  std::size_t n_candidates() const { return node_plane_pairs_.size(); }
+  void watch(std::vector<std::uint8_t>& /*is_watched*/) const {}
 
-  /// Goes over to other nodes, which stand where those of the constructor stood already. Arguments as there.
-  void remap(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes, const PairRules& rules,
-             const ContactRemap& remap);
+  void begin_step() {}
+  void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
+  void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points);
+  /// None: a plane has no far side.
+  void find_lost(const PairRules& /*rules*/, std::vector<LostContact>& /*lost*/) const {}
 
-  /// Appends the contact points of rows [begin, end). Rows may be shared among threads.
-  void find(const ContactStepContext& context, std::size_t begin, std::size_t end,
-            std::vector<ContactPoint>& points);
-
+  void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);
 
  private:
@@ -41,11 +37,12 @@ class PlaneContacts {
     Eigen::Vector3d normal, origin;
     Eigen::Vector3d elastic_slip;  ///< slip that the tangential spring holds [length]
   };
-  void add_pairs(const ContactSurfaces& surfaces, std::span<const AnalyticPlane> planes,
-                 const PairRules& rules);
-  void add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t index, const AnalyticPlane& plane);
+  void add_pairs();
+  void add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t plane);
+  void detect_one(const ContactStepContext& context, const NodePlanePair& candidate, const PairRule& rule,
+                  std::vector<ContactPoint>& points) const;
 
-  const ContactMesh& contact_mesh_;
+  FormulationSetup setup_;
   std::vector<NodePlanePair> node_plane_pairs_;
 };
 

@@ -99,7 +99,8 @@ std::vector<InitialGap> find_initial_gaps(const ContactModel& model, const Mesh&
   kinematics.bound_all();
   ContactSearch search(contact_mesh, mesh, rules, {}, dash);
   PairLists face_partners, node_faces;
-  search.find(kinematics, motion, {face_partners, node_faces});
+  search.find_face_pairs(kinematics, motion, {}, face_partners);
+  search.find_node_faces(kinematics, motion, {}, node_faces);
   for (std::uint32_t a = 0; a < face_partners.n_rows(); ++a) {
     for (const std::uint32_t b : face_partners.of(a)) {
       const std::uint32_t pair = rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);

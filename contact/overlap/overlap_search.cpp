@@ -148,7 +148,7 @@ void OverlapSearch::add_edges(const ContactKinematics& kinematics) {
   if (!edges_) return;
   const auto& edges = parts_.contact_mesh.edges;
   PairLists near;
-  edges_->find_edges(kinematics, {0.0, 0.0, mesh_.coordinates(), mesh_.coordinates()}, near);
+  edges_->find_edge_pairs(kinematics, {0.0, 0.0, mesh_.coordinates(), mesh_.coordinates()}, {}, near);
   for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
     for (const std::uint32_t other : near.of(i)) {
       if (edges[i].is_sharp() && edges[other].is_sharp()) continue;

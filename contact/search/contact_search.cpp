@@ -119,36 +119,87 @@ std::vector<double> ContactSearch::used_margins(const ContactKinematics& kinemat
   return used;
 }
 
-void ContactSearch::find(const ContactKinematics& kinematics, const Motion& motion,
-                         ContactCandidates candidates) {
-  const auto stop_at = [&](std::uint32_t node) {
-    const NodeIndex index{contact_mesh_.mesh_nodes[node]};
-    throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
-  };
-  const auto n_faces = static_cast<std::uint32_t>(contact_mesh_.faces.size());
-  if (const auto bad = faces_phase_.update(n_faces, [&](std::uint32_t face) {
-        return face_box(kinematics, face, motion.dt, depth_of(candidates.face_depths, face));
-      })) {
-    for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
-      if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite()) stop_at(corner);
+template <class SurfaceOf>
+void ContactSearch::keep_first_partners(const std::vector<std::uint8_t>& is_new, const SurfaceOf& surface_of,
+                                        PairLists& first, PairLists& lists) const {
+  if (n_searches_ == 0) {
+    first = lists;
+    return;
+  }
+  std::uint32_t n = 0;
+  for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
+    const std::uint32_t end = lists.begin[row + 1];
+    for (std::uint32_t k = begin; k < end; ++k) {
+      const std::uint32_t partner = lists.partners[k];
+      const PairRule& rule = rules_[rules_.find(surface_of(row), contact_mesh_.faces[partner].surface)];
+      const bool may_change = rule.pair->behavior != InteractionBehavior::infinitesimal_sliding;
+      if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
+          holds(first, row, partner))
+        lists.partners[n++] = partner;
     }
-    stop_at(contact_mesh_.faces[*bad].corners[0]);
+    begin = end;
+    lists.begin[row + 1] = n;
   }
-  if (has_face_pairs_) {
-    faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
-                            candidates.face_partners);
+  lists.partners.resize(n);
+}
+
+void ContactSearch::stop_at(const Motion& motion, std::uint32_t node) const {
+  const NodeIndex index{contact_mesh_.mesh_nodes[node]};
+  throw SolveError(motion.time, fmt::format("node {} moves without bound", mesh_.node_id(index)));
+}
+
+void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const Motion& motion,
+                                    std::span<const float> depths, PairLists& partners) {
+  const auto n_faces = static_cast<std::uint32_t>(contact_mesh_.faces.size());
+  const auto box_of = [&](std::uint32_t face) {
+    return face_box(kinematics, face, motion.dt, depth_of(depths, face));
+  };
+  if (const auto bad = faces_phase_.update(n_faces, box_of)) {
+    for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
+      if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite()) stop_at(motion, corner);
+    }
+    stop_at(motion, contact_mesh_.faces[*bad].corners[0]);
   }
-  if (has_node_pairs_ || has_eroded_nodes_) {
-    const auto n_rows = static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size());
-    const auto box_of = [&](std::uint32_t row) {
-      return node_box(kinematics, row, motion.dt, depth_of(candidates.node_depths, row));
-    };
-    if (const auto bad = nodes_phase_.update(n_rows, box_of)) stop_at(contact_mesh_.surface_nodes[*bad].node);
-    nodes_phase_.find_pairs(
-        faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
-        candidates.node_faces);
-  }
-  if (has_small_sliding_) keep_first_partners(candidates);
+  if (!has_face_pairs_) return;
+  faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
+                          partners);
+  if (has_small_sliding_)
+    keep_first_partners(
+        is_new_face_, [this](std::uint32_t face) { return contact_mesh_.faces[face].surface; },
+        first_face_partners_, partners);
+}
+
+void ContactSearch::find_node_faces(const ContactKinematics& kinematics, const Motion& motion,
+                                    std::span<const float> depths, PairLists& faces) {
+  if (!has_node_pairs_ && !has_eroded_nodes_) return;
+  const auto n_rows = static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size());
+  const auto box_of = [&](std::uint32_t row) {
+    return node_box(kinematics, row, motion.dt, depth_of(depths, row));
+  };
+  if (const auto bad = nodes_phase_.update(n_rows, box_of))
+    stop_at(motion, contact_mesh_.surface_nodes[*bad].node);
+  nodes_phase_.find_pairs(
+      faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
+      faces);
+  if (has_small_sliding_)
+    keep_first_partners(
+        is_new_row_, [this](std::uint32_t row) { return contact_mesh_.surface_nodes[row].surface; },
+        first_node_faces_, faces);
+}
+
+void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const Motion& motion,
+                                    std::span<const float> depths, PairLists& partners) {
+  const auto n_edges = static_cast<std::uint32_t>(contact_mesh_.edges.size());
+  const auto box_of = [&](std::uint32_t edge) {
+    return edge_box(kinematics, edge, motion.dt, depth_of(depths, edge));
+  };
+  if (const auto bad = edges_phase_.update(n_edges, box_of))
+    stop_at(motion, contact_mesh_.edges[*bad].nodes[0]);
+  edges_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return edges_may_meet(a, b); },
+                          partners);
+}
+
+void ContactSearch::finish(const ContactKinematics& kinematics) {
   ++n_searches_;
   searched_at_.resize(contact_mesh_.n_nodes());
   if (contact_mesh_.n_nodes() > 0) searched_from_ = kinematics.x(0);
@@ -195,21 +246,6 @@ Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t i
   }
   widen(margin + std::max(edge.radius, deep) + 0.5 * activation_distance_[edge.surface], box);
   return box;
-}
-
-void ContactSearch::find_edges(const ContactKinematics& kinematics, const Motion& motion, PairLists& partners,
-                               std::span<const float> depths) {
-  const auto n_edges = static_cast<std::uint32_t>(contact_mesh_.edges.size());
-  const auto box_of = [&](std::uint32_t edge) {
-    return edge_box(kinematics, edge, motion.dt, depth_of(depths, edge));
-  };
-  if (const auto bad = edges_phase_.update(n_edges, box_of))
-    throw SolveError(
-        motion.time,
-        fmt::format("node {} moves without bound",
-                    mesh_.node_id({contact_mesh_.mesh_nodes[contact_mesh_.edges[*bad].nodes[0]]})));
-  edges_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return edges_may_meet(a, b); },
-                          partners);
 }
 
 bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
@@ -274,37 +310,6 @@ bool ContactSearch::are_skins_of_one(ElementSide first, std::uint32_t first_node
 bool ContactSearch::has_element_of(std::uint32_t node, const ContactFace& face) const {
   const auto nodes = mesh_.element_nodes(face.side.element());
   return std::find(nodes.begin(), nodes.end(), NodeIndex{contact_mesh_.mesh_nodes[node]}) != nodes.end();
-}
-
-void ContactSearch::keep_first_partners(ContactCandidates candidates) {
-  const auto drop = [&](PairLists& lists, const PairLists& first, const auto& is_new, const auto& pair_of) {
-    std::uint32_t n = 0;
-    for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
-      const std::uint32_t end = lists.begin[row + 1];
-      for (std::uint32_t k = begin; k < end; ++k) {
-        const std::uint32_t partner = lists.partners[k];
-        const bool may_change =
-            rules_[pair_of(row, partner)].pair->behavior != InteractionBehavior::infinitesimal_sliding;
-        if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
-            holds(first, row, partner))
-          lists.partners[n++] = partner;
-      }
-      begin = end;
-      lists.begin[row + 1] = n;
-    }
-    lists.partners.resize(n);
-  };
-  if (n_searches_ == 0) {
-    first_face_partners_ = candidates.face_partners;
-    first_node_faces_ = candidates.node_faces;
-    return;
-  }
-  drop(candidates.face_partners, first_face_partners_, is_new_face_, [&](std::uint32_t a, std::uint32_t b) {
-    return rules_.find(contact_mesh_.faces[a].surface, contact_mesh_.faces[b].surface);
-  });
-  drop(candidates.node_faces, first_node_faces_, is_new_row_, [&](std::uint32_t row, std::uint32_t face) {
-    return rules_.find(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface);
-  });
 }
 
 }  // namespace contactsim

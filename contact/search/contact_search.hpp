@@ -15,15 +15,6 @@
 
 namespace contactsim {
 
-/// Candidates of contact: faces that may touch faces and nodes that may touch faces before the next search.
-struct ContactCandidates {
-  PairLists& face_partners;  ///< [n_faces] faces of greater number
-  PairLists& node_faces;     ///< [n_surface_nodes] faces
-  /// How deep faces and surface nodes are in something already: [n_faces], [n_surface_nodes], or nothing
-  /// [length].
-  std::span<const float> face_depths = {}, node_depths = {};
-};
-
 /// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new
 /// can touch until two sides together have moved as far as the margins of their smallest faces. The boxes
 /// hold the last step's motion too, so that nothing gets past another between two searches.
@@ -43,17 +34,26 @@ class ContactSearch {
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const ContactKinematics& kinematics) const;
 
-  /// Finds all candidates, sorted, the same for any number of threads. Throws SolveError naming a node that
-  /// is nowhere.
-  void find(const ContactKinematics& kinematics, const Motion& motion, ContactCandidates candidates);
+  /// A search is one call each of those below that are wanted, faces first, then finish(). All pairs are
+  /// sorted, the same for any number of threads. They throw SolveError naming a node that is nowhere.
+  ///   depths  how deep each face, surface node or edge is in something already, or nothing [length]
+
+  /// Finds pairs of faces that may meet before the next search, and the boxes of faces that nodes meet.
+  ///   partners  [n_faces] faces of greater number
+  void find_face_pairs(const ContactKinematics& kinematics, const Motion& motion,
+                       std::span<const float> depths, PairLists& partners);
+  /// Finds faces that surface nodes may meet before the next search.
+  ///   faces  [n_surface_nodes]
+  void find_node_faces(const ContactKinematics& kinematics, const Motion& motion,
+                       std::span<const float> depths, PairLists& faces);
+  /// Finds pairs of edges that may meet before the next search.
+  ///   partners  [n_edges] edges of greater number
+  void find_edge_pairs(const ContactKinematics& kinematics, const Motion& motion,
+                       std::span<const float> depths, PairLists& partners);
+  /// Ends a search: margins count from here.
+  void finish(const ContactKinematics& kinematics);
 
   void archive(StateArchive& saved);
-
-  /// Finds pairs of edges that may meet before the next search, at the time of find() and after it.
-  ///   partners  [n_edges] edges of greater number
-  ///   depths    [n_edges] how deep edges are in others already, or nothing [length]
-  void find_edges(const ContactKinematics& kinematics, const Motion& motion, PairLists& partners,
-                  std::span<const float> depths = {});
 
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
@@ -87,8 +87,15 @@ class ContactSearch {
   bool are_skins_of_one(ElementSide first, std::uint32_t first_node, ElementSide second,
                         std::uint32_t second_node) const;
   bool has_element_of(std::uint32_t node, const ContactFace& face) const;
-  /// Of what slides infinitesimally; what deaths have exposed slides as it will.
-  void keep_first_partners(ContactCandidates candidates);
+  /// Of pairs that slide infinitesimally keeps the partners of the first search; what deaths have exposed
+  /// slides as it will.
+  ///   first        of the first search; taken over from the lists there
+  ///   is_new       [n_rows] 1 of rows that deaths have exposed, or empty
+  ///   surface_of   surface of a row
+  template <class SurfaceOf>
+  void keep_first_partners(const std::vector<std::uint8_t>& is_new, const SurfaceOf& surface_of,
+                           PairLists& first, PairLists& lists) const;
+  [[noreturn]] void stop_at(const Motion& motion, std::uint32_t node) const;
 
   const ContactMesh& contact_mesh_;
   const Mesh& mesh_;

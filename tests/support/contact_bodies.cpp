@@ -134,8 +134,15 @@ ContactParts::ContactParts(const MeshBuilder& builder, const std::string& contac
 
 void ContactParts::search(std::span<const float> face_depths, std::span<const float> node_depths) {
   move();
-  ContactSearch(contact_mesh, mesh, rules, definition.search, definition.dash)
-      .find(kinematics, motion(), {face_partners, node_faces, face_depths, node_depths});
+  ContactSearch search(contact_mesh, mesh, rules, definition.search, definition.dash);
+  find_candidates(search, 0.0, face_depths, node_depths);
+}
+
+void ContactParts::find_candidates(ContactSearch& search, double dt, std::span<const float> face_depths,
+                                   std::span<const float> node_depths) {
+  search.find_face_pairs(kinematics, motion(dt), face_depths, face_partners);
+  search.find_node_faces(kinematics, motion(dt), node_depths, node_faces);
+  search.finish(kinematics);
 }
 
 }  // namespace contactsim::test

@@ -69,14 +69,14 @@ TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact]
     edge.penalty_properties = parts.contact_mesh.faces[edge.faces[0]].penalty_properties;
     edge.width = 1.0;
   }
-  EdgeContacts edges(parts.contact_mesh);
+  EdgeContacts edges(parts.setup());
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, parts.definition.dash);
-  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
-  search.find_edges(parts.kinematics, parts.motion(), edges.next_candidates(), {});
-  edges.take_candidates();
+  parts.find_candidates(search);
+  edges.find_candidates(search, parts.kinematics, parts.motion());
+  edges.begin_step();
   const auto find = [&] {
     std::vector<ContactPoint> contact_points;
-    edges.find(parts.context(), 0, edges.n_rows(), contact_points);
+    edges.detect(parts.context(), {0, edges.n_rows()}, contact_points);
     std::erase_if(contact_points, [](const ContactPoint& contact_point) { return !contact_point.touches(); });
     return contact_points;
   };

@@ -19,11 +19,10 @@ constexpr double stiffness = 1000.0;
 struct CubeOnPlate : ContactParts {
   explicit CubeOnPlate(const std::string& lines = "", bool cube_first = false)
       : ContactParts(make(cube_first), general_contact("penalty stiffness = 1000\n" + lines)),
-        contacts(contact_mesh, rules.has_friction()),
+        contacts(setup()),
         cube(cube_first ? 0 : 1) {
     search();
-    contacts.next_candidates() = face_partners;
-    contacts.take_candidates();
+    contacts.take_candidates(face_partners);
   }
   static MeshBuilder make(bool cube_first) {
     const test::Box plate{.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}, .share_nodes = false},
@@ -53,14 +52,13 @@ struct CubeOnPlate : ContactParts {
   }
   void renew_candidates() {
     search(contacts.depths());
-    contacts.next_candidates() = face_partners;
-    contacts.take_candidates();
+    contacts.take_candidates(face_partners);
   }
   std::vector<ContactPoint> find() {
     std::vector<ContactPoint> points;
     contacts.begin_step();
-    contacts.find(context(size), 0, contacts.n_rows(), points);
-    for (const ContactPoint& point : points) contacts.note(point);
+    contacts.detect(context(size), {0, contacts.n_rows()}, points);
+    contacts.update(context(size), {0, contacts.n_rows()}, points);
     return points;
   }
   /// The sum of the forces on the cube.
@@ -179,8 +177,7 @@ TEST_CASE("pairs that leave the candidates are forgotten", "[contact][face_face_
   parts.move_cube({0, 0, -0.2}, false);
   parts.renew_candidates();
   CHECK(!parts.find().empty());
-  parts.contacts.next_candidates() = PairLists{};
-  parts.contacts.take_candidates();
+  parts.contacts.take_candidates(PairLists{});
   CHECK(parts.find().empty());
   parts.renew_candidates();
   CHECK(parts.find().empty());  // as deep as before, but not known any more

@@ -22,7 +22,7 @@ struct TipOnFloor : ContactParts {
       : ContactParts(make(with_wall), general_contact("penalty stiffness = 1000\n" + lines,
                                                       "contact surface floor contains block_1\n"
                                                       "contact node set tip contains tip\n")),
-        contacts(contact_mesh) {}
+        contacts(setup()) {}
   static MeshBuilder make(bool with_wall) {
     MeshBuilder b;
     b.add_hexes({.id = 3, .origin = {50, 0, 0}});
@@ -66,12 +66,13 @@ struct TipOnFloor : ContactParts {
     }
     const std::vector<float> depths = contacts.depths();
     search({}, depths);
-    contacts.candidates() = node_faces;
+    contacts.take_candidates(node_faces);
     return look(in_a_step ? 1.0 : 0.0);
   }
   std::vector<ContactPoint> look(double dt) {
     std::vector<ContactPoint> points;
-    contacts.find(context(dt), 0, contacts.n_rows(), points);
+    contacts.detect(context(dt), {0, contacts.n_rows()}, points);
+    contacts.update(context(dt), {0, contacts.n_rows()}, points);
     return points;
   }
 };
@@ -177,7 +178,7 @@ TEST_CASE("a node that turns up deep inside did not go in there", "[contact][nod
   later.search();
   later.x.middleCols<4>(8).row(2).array() -= 0.7;
   later.search();
-  later.contacts.candidates() = later.node_faces;
+  later.contacts.take_candidates(later.node_faces);
   CHECK(later.look(1.0).empty());
 }
 
@@ -189,11 +190,11 @@ TEST_CASE("a node that went in goes on touching however deep it gets", "[contact
     const auto points = parts.put({0.6, 0.7, -0.1 * step}, true);
     REQUIRE(points.size() == 1);
     CHECK(points[0].gap == Approx(-0.1 * step));
-    parts.contacts.find_lost(lost);
+    parts.contacts.find_lost(parts.rules, lost);
   }
   CHECK(lost.empty());
   parts.put({20.0, 0.7, -1.8});
-  parts.contacts.find_lost(lost);
+  parts.contacts.find_lost(parts.rules, lost);
   REQUIRE(lost.size() == 1);
   CHECK(lost[0].depth == Approx(1.8));
 }

@@ -19,7 +19,7 @@ TEST_CASE("a search is due when a node has moved by the margin of its smallest f
   ContactParts parts(b, general_contact());
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
   CHECK(search.is_due(parts.kinematics));
-  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+  parts.find_candidates(search);
   CHECK(!search.is_due(parts.kinematics));
   // The margin of a corner is 0.15 times the root of its area, 3/4; the body at rest leaves all of its own.
   parts.x(0, 3) += 0.24;
@@ -31,7 +31,7 @@ TEST_CASE("a search is due when a node has moved by the margin of its smallest f
   SearchOptions once;
   once.global_search_once = true;
   ContactSearch lazy(parts.contact_mesh, parts.mesh, parts.rules, once, {});
-  lazy.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+  parts.find_candidates(lazy);
   parts.x(0, 3) += 10.0;
   parts.move();
   CHECK(!lazy.is_due(parts.kinematics));
@@ -43,7 +43,7 @@ TEST_CASE("large faces may not use up the margins of small ones", "[contact][con
   b.add_hexes({.id = 2, .cells = {10, 10, 10}, .origin = {0, 0, 5}});
   ContactParts parts(b, general_contact());
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
-  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+  parts.find_candidates(search);
   // 0.13 of their own and 0.013 of the others.
   parts.x(0, 3) += 0.15;
   parts.move();
@@ -76,6 +76,5 @@ TEST_CASE("a node that is nowhere is named", "[contact][contact_search]") {
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
   parts.x(1, 10) = std::numeric_limits<double>::quiet_NaN();
   parts.move();
-  CHECK_THROWS_WITH(search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces}),
-                    Catch::Matchers::Contains("node 23"));
+  CHECK_THROWS_WITH(parts.find_candidates(search), Catch::Matchers::Contains("node 23"));
 }

@@ -124,7 +124,7 @@ TEST_CASE("the candidates of flying bricks equal a sweep of all pairs of faces",
   for (int step = 0; step < 20; ++step) {
     if (step > 0) fly(parts, random, dt);
     parts.move();
-    search.find(parts.kinematics, parts.motion(dt), {parts.face_partners, parts.node_faces});
+    parts.find_candidates(search, dt);
     const Pairs fast = in_set(parts.face_partners);
     CHECK(fast == sweep_faces(parts, dt));
     n_found += fast.size();
@@ -165,7 +165,7 @@ TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][c
     std::vector<std::int32_t> body_of(n_nodes, second);
     std::fill_n(body_of.begin(), n_of_first, 0);
     ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {}, body_of);
-    search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+    parts.find_candidates(search);
     const std::size_t n_found = parts.face_partners.partners.size() + parts.node_faces.partners.size();
     CHECK((n_found == 0) == (second == 0));
   }
@@ -180,7 +180,7 @@ TEST_CASE("the candidates of nodes equal a sweep of all nodes and faces", "[cont
   for (int step = 0; step < 20; ++step) {
     if (step > 0) fly(parts, random, dt);
     parts.move();
-    search.find(parts.kinematics, parts.motion(dt), {parts.face_partners, parts.node_faces});
+    parts.find_candidates(search, dt);
     const Pairs fast = in_set(parts.node_faces);
     CHECK(parts.face_partners.partners.empty());
     // Whatever is within the face's box alone must be there; what is there, within both margins.
@@ -213,7 +213,7 @@ TEST_CASE("nothing gets past another in a step larger than the margin", "[contac
   for (const char* formulation : {"", "constraint formulation = node_face\n"}) {
     ContactParts parts(b, general_contact(formulation));
     ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
-    search.find(parts.kinematics, parts.motion(0.1), {parts.face_partners, parts.node_faces});
+    parts.find_candidates(search, 0.1);
     CHECK(parts.face_partners.partners.empty());
     CHECK(parts.node_faces.partners.empty());
     for (Eigen::Index i = parts.x.cols() - 8; i < parts.x.cols(); ++i) {
@@ -222,7 +222,7 @@ TEST_CASE("nothing gets past another in a step larger than the margin", "[contac
     }
     parts.move();
     CHECK(search.is_due(parts.kinematics));
-    search.find(parts.kinematics, parts.motion(0.1), {parts.face_partners, parts.node_faces});
+    parts.find_candidates(search, 0.1);
     CHECK(parts.face_partners.partners.size() + parts.node_faces.partners.size() > 5);
   }
 }
@@ -238,8 +238,7 @@ TEST_CASE("between two searches nothing can come to touch that is no candidate",
   const Vector3d way(0.011, 0.013, -0.017);
   int n_touching = 0;
   for (int step = 0; step < 100; ++step) {
-    if (search.is_due(parts.kinematics))
-      search.find(parts.kinematics, parts.motion(1.0), {parts.face_partners, parts.node_faces});
+    if (search.is_due(parts.kinematics)) parts.find_candidates(search, 1.0);
     const Pairs candidates = in_set(parts.face_partners);
     for (const auto& pair : sweep_faces(parts, 0.0)) {
       // Of faces that touch: sweep_faces also has those within the margins.
@@ -265,12 +264,12 @@ TEST_CASE("what slides infinitesimally keeps its first partners", "[contact][con
   b.add_hexes({.id = 2, .origin = {0.1, 0, 1.0}});
   ContactParts parts(b, general_contact("interaction behavior = infinitesimal_sliding\n"));
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, {});
-  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+  parts.find_candidates(search);
   const Pairs first = in_set(parts.face_partners);
   CHECK(!first.empty());
   for (Eigen::Index i = parts.x.cols() - 8; i < parts.x.cols(); ++i) parts.x(0, i) += 1.0;
   parts.move();
-  search.find(parts.kinematics, parts.motion(), {parts.face_partners, parts.node_faces});
+  parts.find_candidates(search);
   const Pairs later = in_set(parts.face_partners);
   CHECK(std::includes(first.begin(), first.end(), later.begin(), later.end()));
   CHECK(later.size() < sweep_faces(parts, 0.0).size());

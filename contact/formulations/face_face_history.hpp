@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/formulations/contact_point_law.hpp"
+#include "contact/formulations/contact_step_context.hpp"
+#include "contact/mesh/contact_remap.hpp"
+#include "contact/mesh/pair_lists.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// What contact of faces remembers from step to step: of pairs whether they touched and the slip that their
+/// tangential spring holds, of faces the mean slip and how deep they were in which other face.
+class FaceFaceHistory {
+ public:
+  explicit FaceFaceHistory(bool has_friction) : has_friction_(has_friction) {}
+
+  /// What is known of a pair of faces, by its position among the candidates.
+  bool has_touched(std::size_t candidate) const { return touched_before_[candidate] != 0; }
+  /// [length]
+  Eigen::Vector3d elastic_slip(std::size_t candidate) const;
+  /// The mean slip of the first face against what it touched, else that of the second, as the first sees it
+  /// [length].
+  Eigen::Vector3d mean_slip(std::uint32_t first, std::uint32_t second) const;
+  /// How deep one of two faces was in the last step, in whatever it touched; 0 if they touched nothing
+  /// [length].
+  double depth_before(std::uint32_t first, std::uint32_t second) const;
+  /// How deep each face is in the step that has been updated [n_faces], 0 where it does not touch; nothing
+  /// before the first [length].
+  std::span<const float> depths() const { return depth_now_; }
+
+  /// Goes over to other candidates.
+  void transfer(const PairLists& before, const PairLists& after);
+  void begin_step(const PairLists& candidates, std::size_t n_faces);
+  /// Takes contact points over, those of one pair of faces together.
+  void update(const ContactStepContext& context, const PairLists& candidates,
+              std::span<const ContactPoint> points);
+  /// Appends the contacts that ended though they were deep.
+  void find_lost(const ContactMesh& contact_mesh, const PairRules& rules,
+                 std::vector<LostContact>& lost) const;
+  /// Goes over to other faces.
+  ///   before  position of each candidate before [n_candidates]
+  void remap(const ContactRemap& remap, std::span<const std::size_t> before);
+  void archive(StateArchive& saved);
+
+ private:
+  /// What detect() says of a pair that touched, or that a law held across a gap.
+  enum Touch : std::uint8_t { touched = 1, held_apart = 2 };
+
+  void update_pair(const ContactStepContext& context, std::size_t candidate,
+                   std::span<const ContactPoint> points);
+  void update_faces(const ContactPoint& point);
+
+  bool has_friction_;
+  std::vector<std::uint8_t> touched_before_, touched_now_;  // [n_candidates] in the last step, in this one
+  std::vector<Eigen::Vector3d> elastic_slips_;              // [n_candidates] [length]; empty without friction
+  /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
+  /// without friction.
+  std::vector<Eigen::Vector4d> means_, next_means_;
+  // [n_faces] penetration, 0 where nothing touches, in the last step and in this one [length]
+  std::vector<float> depth_before_, depth_now_;
+  std::vector<std::uint32_t> partner_before_, partner_now_;  // [n_faces] by which each is deepest
+};
+
+}  // namespace contactsim
