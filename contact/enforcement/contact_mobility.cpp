@@ -2,6 +2,7 @@
 #include "contact/enforcement/contact_mobility.hpp"
 
 #include <Eigen/Eigenvalues>
+#include "core/dynamics/model.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 
 namespace contactsim {

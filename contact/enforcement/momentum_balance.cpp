@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/state_archive.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

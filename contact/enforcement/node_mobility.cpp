@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/dynamics/model.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 
 namespace contactsim {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/dynamics/model.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 
 namespace contactsim {

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/mesh/contact_model.hpp"
 #include "contact/mesh/loft_faces.hpp"
 #include "contact/mesh/surface_nodes.hpp"
 #include "core/base/threads.hpp"
+#include "core/dynamics/model.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "core/mesh/face_geometry.hpp"

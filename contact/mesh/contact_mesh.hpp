@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "contact/lofting/loft_points.hpp"
-#include "contact/mesh/contact_model.hpp"
 #include "contact/mesh/pair_lists.hpp"
-#include "core/dynamics/model.hpp"
+#include "core/mesh/mesh.hpp"
 
 namespace contactsim {
+
+struct ContactModel;
+struct Model;
 
 /// What stands behind a piece of a contact surface.
 struct PenaltyProperties {

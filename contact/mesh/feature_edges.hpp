@@ -6,6 +6,7 @@
 
 #include "contact/geometry/edge_edge.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
+#include "contact/surfaces/contact_surface.hpp"
 #include "core/definition/contact_options.hpp"
 
 namespace contactsim {

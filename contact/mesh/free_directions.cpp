@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/dynamics/model.hpp"
+
 namespace contactsim {
 
 bool ModelFreeDirections::Directions::update(const KinematicConstraints& kinematic_constraints, double time) {

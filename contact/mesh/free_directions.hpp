@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/conditions/kinematic_constraints.hpp"
-#include "core/dynamics/model.hpp"
+#include "core/conditions/free_directions.hpp"
 
 namespace contactsim {
+
+class KinematicConstraints;
+struct Model;
 
 /// The directions in which the conditions of a model that act at a time leave its nodes and rigid bodies
 /// free.

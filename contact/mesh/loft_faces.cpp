@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "contact/mesh/contact_model.hpp"
+
 namespace contactsim {
 
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/mesh/contact_mesh.hpp"
+#include "contact/surfaces/contact_surface.hpp"
 
 namespace contactsim {
 

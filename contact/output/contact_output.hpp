@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/enforcement/contact_force.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "core/output/output_variables.hpp"
 
 namespace contactsim {

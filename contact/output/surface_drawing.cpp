@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "contact/mesh/contact_model.hpp"
+
 namespace contactsim {
 
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "contact/mesh/contact_model.hpp"
 #include "core/mesh/face_geometry.hpp"
 
 namespace contactsim {

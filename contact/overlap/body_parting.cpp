@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "core/dynamics/model.hpp"
+
 namespace contactsim {
 
 namespace {

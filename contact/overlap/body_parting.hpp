@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/deep_overlaps.hpp"
 
 namespace contactsim {

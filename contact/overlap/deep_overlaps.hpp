@@ -7,6 +7,7 @@
 
 #include "contact/interface_laws/pair_rules.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/overlap_parts.hpp"
 #include "contact/search/box_tree.hpp"
 

@@ -5,6 +5,7 @@
 
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/node_face.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "contact/search/contact_search.hpp"
 
 namespace contactsim {

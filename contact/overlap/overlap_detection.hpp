@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "contact/geometry/edge_edge.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/overlap_search.hpp"
 #include "contact/overlap/shifted_points.hpp"
 

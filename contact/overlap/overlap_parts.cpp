@@ -7,6 +7,7 @@
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/feature_edges.hpp"
 #include "core/definition/contact.hpp"
+#include "core/dynamics/model.hpp"
 
 namespace contactsim {
 

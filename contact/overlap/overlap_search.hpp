@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/mesh/adjacent_faces.hpp"
+#include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/overlap_parts.hpp"
 #include "contact/search/broad_phase.hpp"
 #include "contact/search/contact_search.hpp"

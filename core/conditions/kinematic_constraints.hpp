@@ -8,15 +8,10 @@
 
 #include "core/base/indices.hpp"
 #include "core/conditions/condition_scope.hpp"
+#include "core/conditions/free_directions.hpp"
 #include "core/conditions/prescribed_motion.hpp"
 
 namespace contactsim {
-
-/// The directions in which a fixed or prescribed node may still be pushed.
-struct FreeDirections {
-  NodeIndex node;
-  Eigen::Matrix3d projection;  ///< on them; 0 of a node that is held along all axes [1]
-};
 
 /// The nodes whose motion conditions constrain. Conditions act through the acceleration alone: it is set such
 /// that the coming half step,
