@@ -2,6 +2,7 @@
 // A steel cube flies into another: definition and mesh are made in code, an observer looks at every step.
 #include <contactsim/contact/mesh/contact_model.hpp>
 #include <contactsim/core/definition/simulation.hpp>
+#include <contactsim/core/materials/material_table.hpp>
 #include <contactsim/core/mesh/mesh.hpp>
 #include <contactsim/simulation.hpp>
 #include <contactsim/version.hpp>
@@ -47,7 +48,9 @@ Region make_region() {
 
 SimulationDefinition make_definition() {
   SimulationDefinition definition;
-  const ElasticModel elastic{{.youngs_modulus = 200e9, .poissons_ratio = 0.3}};
+  ParameterValues elastic(find_material_row("elastic")->parameters);
+  elastic.set("youngs modulus", 200e9);
+  elastic.set("poissons ratio", 0.3);
   definition.materials = {{{"steel"}, density, {{{"elastic"}, elastic}}}};
   BlockParameters parameters;
   parameters.includes_all_blocks = true;
