@@ -23,9 +23,6 @@ constexpr double smallest_share = 1e-6;
 /// Faces whose normal has a greater cosine with that of the node's surface look the same way.
 constexpr double same_way_cosine = 0.25;
 
-/// Faces face each other when the cosine of their normals is less.
-constexpr double facing_cosine = -0.7;
-
 Box empty_box() {
   constexpr double far = std::numeric_limits<double>::infinity();
   return {{far, far, far}, {-far, -far, -far}};

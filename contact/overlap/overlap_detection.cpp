@@ -12,7 +12,7 @@ namespace contactsim {
 namespace {
 
 /// Overlap below this share of a face's size, or of a radius, is round-off.
-constexpr double smallest_share = 1e-9;
+constexpr double round_off_share = 1e-9;
 /// A node in a valley between faces is over none of them, but beside them by less than this share of its
 /// depth.
 constexpr double beside_share = 0.25;
@@ -20,10 +20,6 @@ constexpr double beside_share = 0.25;
 /// A surface faces a face when the cosine of their normals is less; the corner of a cube against a
 /// flat face has -0.58.
 constexpr double against_cosine = -0.25;
-
-/// Faces face each other when the cosine of their normals is less; edges cross along the normals when that
-/// of the normals with the way out is as far from 0.
-constexpr double facing_cosine = -0.7;
 /// Square of the sine of the angle below which edges do not cross but lie along each other.
 constexpr double parallel = 0.03;
 /// Nearer than this share to an end of an edge a point is at the end.
@@ -134,7 +130,7 @@ void OverlapDetection::visit_crossings(const OverlapCandidate& faces, double dee
   for_each_edge(first, [&](const EdgeNodes& a) {
     for_each_edge(second, [&](const EdgeNodes& b) {
       const auto found = find_crossing(kinematics, a, b, outward_2);
-      const double least = std::max(tolerance_, smallest_share * parts_.of_face[faces.partner].size);
+      const double least = std::max(tolerance_, round_off_share * parts_.of_face[faces.partner].size);
       const bool is_in = found && found->depth > least && found->depth <= deepest;
       if (!is_in || found->normal.dot(outward_1) > facing_cosine) return;
       if (!adjacent_.are_adjacent(faces.entity, faces.partner)) visit(*found);
@@ -173,7 +169,7 @@ std::optional<Overlap> OverlapDetection::find_near_face(const SurfacePair& pair,
   const double radius = node.radius;
   const auto point = project_sphere(points_.corners(face), face.is_triangle(), points_.at(node.node), radius);
   if (!point) return std::nullopt;
-  const double least = smallest_share * of_face.size;
+  const double least = round_off_share * of_face.size;
   const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;
   // A sphere whose middle is still in front of the face belongs there.
   const double deepest = pair.overlap_normal_tolerance.value_or(std::max(of_face.half_thickness, radius));
@@ -218,7 +214,7 @@ std::optional<Overlap> OverlapDetection::find_behind_plane(const SurfacePair& pa
   const double radius = node.radius;
   const double depth = (plane.origin - points_.at(node.node)).dot(normal) + radius;
   const double deepest = pair.overlap_normal_tolerance.value_or(of_node.half_thickness);
-  const bool is_behind = depth > smallest_share * std::max(of_node.size, radius) && depth <= deepest;
+  const bool is_behind = depth > round_off_share * std::max(of_node.size, radius) && depth <= deepest;
   if (!is_behind || !is_facing(candidate.entity, normal, parts_.is_lofted(node))) return std::nullopt;
   return Overlap{side_of(node), {}, depth, normal, depth, OverlapMover::first};
 }
@@ -232,7 +228,7 @@ std::optional<Overlap> OverlapDetection::find_between(const SurfacePair& pair,
   const auto found = find_edge_gap(points_.renewed(), first, second, pair_point, thicker);
   if (!found) return std::nullopt;
   const double depth = -found->gap;
-  const bool is_in = depth > smallest_share * thicker;
+  const bool is_in = depth > round_off_share * thicker;
   if (!is_in || depth > pair.overlap_normal_tolerance.value_or(thicker)) return std::nullopt;
   return Overlap{side_of(first.nodes, pair_point.s),
                  side_of(second.nodes, pair_point.t),

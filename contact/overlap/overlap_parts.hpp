@@ -10,6 +10,10 @@
 
 namespace contactsim {
 
+/// Faces face each other when the cosine of their normals is less; edges cross along the normals when that
+/// of the normals with the way out is as far from 0.
+inline constexpr double facing_cosine = -0.7;
+
 /// What overlap removal knows of a contact face.
 struct OverlapFace {
   double size = 0.0;            ///< root of its area [length]

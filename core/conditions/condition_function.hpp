@@ -13,6 +13,9 @@
 
 namespace contactsim {
 
+/// Above the position of every node: the least of no positions.
+inline constexpr std::uint32_t beyond_all_nodes = 0xffffffff;
+
 /// What the function of a condition may look at, besides the time.
 struct NodalFields {
   const Eigen::Matrix3Xd& model_coordinates;  ///< [3 x n_nodes] of the mesh [length]

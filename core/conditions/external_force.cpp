@@ -14,8 +14,6 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
-
 /// The values of a load in one step, common to all nodes or of each.
 class LoadValues {
  public:
@@ -69,7 +67,7 @@ Corners forces_of(const FaceLoad& load, const std::array<NodeIndex, 4>& face, co
 
 /// The smaller of two node positions, one of which may be none.
 std::uint32_t first_bad(const Eigen::Vector4d& values, const std::array<NodeIndex, 4>& nodes) {
-  std::uint32_t first = no_node;
+  std::uint32_t first = beyond_all_nodes;
   for (std::size_t a = 0; a < 4; ++a) {
     if (!std::isfinite(values(static_cast<Eigen::Index>(a)))) first = std::min(first, nodes[a].value);
   }
@@ -104,7 +102,7 @@ void ExternalForce::take_off(std::span<const std::uint8_t> alive) {
 void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const {
   const LoadValues values(load.value, motion, *mesh_);
   const auto n = static_cast<std::int64_t>(load.nodes.size());
-  std::uint32_t bad = no_node;
+  std::uint32_t bad = beyond_all_nodes;
 #pragma omp parallel for schedule(static) num_threads(threads_for(load.nodes.size())) reduction(min : bad)
   for (std::int64_t i = 0; i < n; ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -113,13 +111,13 @@ void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::
     if (!std::isfinite(value)) bad = std::min(bad, node.value);
     forces.col(node.value) += (load.masses.empty() ? value : load.masses[at] * value) * load.direction;
   }
-  if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
+  if (bad != beyond_all_nodes) load.value.fail(motion.time, mesh_->node_id({bad}));
 }
 
 void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) {
   const LoadValues values(load.value, motion, *mesh_);
   const auto n = static_cast<std::int64_t>(load.faces.size());
-  std::uint32_t bad = no_node;
+  std::uint32_t bad = beyond_all_nodes;
 #pragma omp parallel for schedule(static) num_threads(threads_for(4 * load.faces.size())) reduction(min : bad)
   for (std::int64_t i = 0; i < n; ++i) {
     const auto face = static_cast<std::size_t>(i);
@@ -129,7 +127,7 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
     for (Eigen::Index a = 0; a < 4; ++a)
       corner_forces_[4 * face + static_cast<std::size_t>(a)] << on_corners.col(a), 0.0;
   }
-  if (bad != no_node) load.value.fail(motion.time, mesh_->node_id({bad}));
+  if (bad != beyond_all_nodes) load.value.fail(motion.time, mesh_->node_id({bad}));
   load.sums.add(corner_forces_, forces);
 }
 

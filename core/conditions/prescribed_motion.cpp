@@ -11,8 +11,6 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
-
 /// The time of the value that decides about the coming step.
 double value_time(MotionType type, const BetweenSteps& now) {
   switch (type) {
@@ -35,7 +33,7 @@ void for_each_node(const PrescribedMotion& motion, double time, const NodalField
   const bool varies = motion.value.varies_in_space();
   const double common = varies ? 0.0 : motion.value.at(time);
   const auto n = static_cast<std::int64_t>(motion.nodes.size());
-  std::uint32_t bad = no_node;
+  std::uint32_t bad = beyond_all_nodes;
 #pragma omp parallel for schedule(static) num_threads(threads_for(motion.nodes.size())) reduction(min : bad)
   for (std::int64_t i = 0; i < n; ++i) {
     const NodeIndex node = motion.nodes[static_cast<std::size_t>(i)];
@@ -43,7 +41,7 @@ void for_each_node(const PrescribedMotion& motion, double time, const NodalField
     if (!std::isfinite(value)) bad = std::min(bad, node.value);
     move(static_cast<Eigen::Index>(node.value), value);
   }
-  if (bad != no_node) motion.value.fail(time, mesh.node_id({bad}));
+  if (bad != beyond_all_nodes) motion.value.fail(time, mesh.node_id({bad}));
 }
 
 /// A node's motion along a unit vector.

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/mesh/id_lookup.hpp"
+#include "io/exodus/exodus_conventions.hpp"
 #include "io/exodus/exodus_entities.hpp"
 
 namespace contactsim {
@@ -76,14 +77,6 @@ void read_combined(const NetcdfFile& file, std::size_t n, Eigen::Matrix3Xd& coor
   }
 }
 
-bool is_counting(std::span<const std::int32_t> ids) {
-  std::uint32_t differs = 0;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    differs |= static_cast<std::uint32_t>(ids[i]) ^ static_cast<std::uint32_t>(i + 1);
-  }
-  return differs == 0;
-}
-
 std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVariable& variable) {
   const std::size_t n = variable.size();
   if (variable.is_64_bit_integer) {
@@ -96,8 +89,8 @@ std::vector<std::int64_t> read_wide_ids(const NetcdfFile& file, const NetcdfVari
   if (!file.read_int32(variable, {0, n}, values)) {
     file.fail("variable " + variable.name + " holds numbers beyond 32 bits");
   }
-  return is_counting(values) ? std::vector<std::int64_t>()
-                             : std::vector<std::int64_t>(values.begin(), values.end());
+  return is_counting<std::int32_t>(values) ? std::vector<std::int64_t>()
+                                           : std::vector<std::int64_t>(values.begin(), values.end());
 }
 
 }  // namespace

@@ -5,32 +5,26 @@
 
 #include <array>
 #include <string_view>
+#include "io/exodus/exodus_conventions.hpp"
 
 namespace contactsim {
 
 namespace {
 
-bool is_counting(const std::vector<std::int64_t>& ids) {
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (ids[i] != static_cast<std::int64_t>(i) + 1) return false;
-  }
-  return true;
-}
-
 void add_nodes(const Mesh& mesh, ExodusDraft& draft) {
-  constexpr std::array<const char*, 3> axes{"coordx", "coordy", "coordz"};
+  constexpr std::array<const char*, 3> names{"coordx", "coordy", "coordz"};
   const int n_axes = draft.add_dimension("num_dim", 3);
   draft.add_texts("coor_names", {n_axes}, "len_name", {"x", "y", "z"});
   // A dimension of length 0 would be the record dimension.
   if (mesh.n_nodes() == 0) return;
   const int n_nodes = draft.add_dimension("num_nodes", mesh.n_nodes());
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    draft.add_reals(axes[static_cast<std::size_t>(axis)], {n_nodes}, [&mesh, axis] {
+    draft.add_reals(names[static_cast<std::size_t>(axis)], {n_nodes}, [&mesh, axis] {
       const Eigen::VectorXd values = mesh.coordinates().row(axis);
       return std::vector<double>(values.begin(), values.end());
     });
   }
-  if (is_counting(make_node_map(mesh))) return;
+  if (is_counting<std::int64_t>(make_node_map(mesh))) return;
   draft.add_ids("node_num_map", n_nodes, [&mesh] { return make_node_map(mesh); });
 }
 
@@ -75,7 +69,7 @@ void add_mesh(const Mesh& mesh, ExodusDraft& draft) {
   add_nodes(mesh, draft);
   if (mesh.n_elements() > 0) {
     const int n_elements = draft.add_dimension("num_elem", mesh.n_elements());
-    if (!is_counting(make_element_map(mesh))) {
+    if (!is_counting<std::int64_t>(make_element_map(mesh))) {
       draft.add_ids("elem_num_map", n_elements, [&mesh] { return make_element_map(mesh); });
     }
   }

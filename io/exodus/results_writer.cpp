@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "core/base/errors.hpp"
+#include "io/exodus/exodus_conventions.hpp"
 #include "io/exodus/exodus_draft.hpp"
 #include "io/exodus/results_format.hpp"
 #include "io/exodus/results_mesh.hpp"
@@ -18,7 +19,6 @@ namespace contactsim {
 namespace {
 
 // Lengths that the Exodus library expects, of lines and strings with their final NUL.
-constexpr std::size_t title_length = 80, string_length = 33, line_length = 81;
 
 void check_input(const std::string& path, const Mesh& mesh) {
   std::error_code is_missing;
@@ -46,15 +46,15 @@ void add_globals(const std::string& title, ExodusDraft& draft) {
   file.set_number(global, "file_size", NetcdfType::int32, 1);
   file.set_number(global, "maximum_name_length", NetcdfType::int32, static_cast<double>(format.name_length));
   file.set_number(global, "int64_status", NetcdfType::int32, format.has_wide_ids ? wide_maps + wide_ids : 0);
-  file.set_text(global, "title", title.substr(0, title_length));
-  draft.add_dimension("len_string", string_length);
-  draft.add_dimension("len_line", line_length);
+  file.set_text(global, "title", title.substr(0, exodus_title_length));
+  draft.add_dimension("len_string", exodus_string_length);
+  draft.add_dimension("len_line", exodus_line_length);
   draft.add_dimension("len_name", format.name_length + 1);
   draft.add_dimension("four", 4);
 }
 
 std::vector<std::string> split_lines(const std::vector<std::string>& lines) {
-  constexpr std::size_t n_characters = line_length - 1;
+  constexpr std::size_t n_characters = exodus_line_length - 1;
   std::vector<std::string> records;
   for (const std::string& line : lines) {
     records.push_back(line.substr(0, n_characters));

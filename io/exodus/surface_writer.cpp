@@ -12,14 +12,14 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/version.hpp"
+#include "io/exodus/exodus_conventions.hpp"
 #include "io/netcdf/netcdf_output.hpp"
 
 namespace contactsim {
 
 namespace {
 
-// Lengths that the Exodus library expects.
-constexpr std::size_t title_length = 80, string_length = 33, line_length = 81, shortest_name = 32;
+constexpr std::size_t shortest_name = 32;
 
 /// How a block is written.
 struct ElementType {
@@ -62,7 +62,7 @@ bool needs_large_file(const FacetMesh& mesh) {
 class SurfaceFile {
  public:
   SurfaceFile(const std::string& path, const FacetMesh& mesh, const std::string& title)
-      : mesh_(mesh), title_(title.substr(0, title_length)), file_(path, needs_large_file(mesh)) {
+      : mesh_(mesh), title_(title.substr(0, exodus_title_length)), file_(path, needs_large_file(mesh)) {
     for (const FacetBlock& block : mesh_.blocks) name_length_ = std::max(name_length_, block.name.size());
   }
 
@@ -102,8 +102,8 @@ void SurfaceFile::define_globals() {
   file_.set_number(global, "int64_status", NetcdfType::int32, 0);
   file_.set_text(global, "title", title_);
 
-  const int strings = file_.define_dimension("len_string", string_length);
-  file_.define_dimension("len_line", line_length);
+  const int strings = file_.define_dimension("len_string", exodus_string_length);
+  file_.define_dimension("len_line", exodus_line_length);
   const int four = file_.define_dimension("four", 4);
   name_dimension_ = file_.define_dimension("len_name", name_length_ + 1);
   const int steps = file_.define_dimension("time_step", NetcdfOutput::unlimited);
@@ -147,7 +147,7 @@ void SurfaceFile::define_blocks() {
 
 void SurfaceFile::write_coordinates() {
   // Without date and time, so that the same surfaces give the same bytes.
-  file_.write(records_, string_length, {"contactsim", version, "", ""});
+  file_.write(records_, exodus_string_length, {"contactsim", version, "", ""});
   file_.write(axis_names_, name_length_ + 1, {"x", "y", "z"});
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     const Eigen::VectorXd values = mesh_.coordinates.row(static_cast<Eigen::Index>(axis));
