@@ -11,7 +11,7 @@ namespace contactsim {
 namespace {
 
 /// A negative energy is worth a warning when it is this share of the largest term of the balance.
-constexpr double worrying_share = 0.01;
+constexpr double worrying_loss = 0.01;
 
 /// Elastic energy of a stress, that of elements of several points taken as spread evenly; doubled, since the
 /// points of shells and beams are not and laws differ from Hooke's at large strains.
@@ -68,8 +68,8 @@ std::vector<NegativeEnergy> BlockEnergyWatch::look(const State& state) {
     if (blocks_[i].is_reported || !has_stress(block)) continue;
     const double stress_energy = stress_work(block, state.blocks[i]);
     const double hourglass_energy = state.blocks[i].hourglass_work;
-    const bool is_of_hourglasses = hourglass_energy < -worrying_share * largest;
-    if (!is_of_hourglasses && stress_energy >= -blocks_[i].reserve - worrying_share * largest) continue;
+    const bool is_of_hourglasses = hourglass_energy < -worrying_loss * largest;
+    if (!is_of_hourglasses && stress_energy >= -blocks_[i].reserve - worrying_loss * largest) continue;
     blocks_[i].is_reported = true;
     found.push_back(
         {block.mesh_block, is_of_hourglasses ? hourglass_energy : stress_energy, is_of_hourglasses});

@@ -22,7 +22,7 @@ namespace contactsim {
 namespace {
 
 /// Energy that contact makes is worth a warning when it is this share of the largest term.
-constexpr double worrying_share = 0.02;
+constexpr double worrying_energy_share = 0.02;
 
 /// Energy from nowhere that exceeds what was put in for so many steps will not go away.
 constexpr int longest_runaway = 20;
@@ -128,7 +128,7 @@ double RunContact::given_out_by_overlaps() const {
 
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
   const double made = made_by_contact(force_, energies) - given_out_by_overlaps();
-  if (made <= worrying_share * energies.largest || contact_.pairs.empty()) return;
+  if (made <= worrying_energy_share * energies.largest || contact_.pairs.empty()) return;
   const std::size_t culprit = find_culprit(force_.histories());
   warnings.add_warning(
       "contact-energy", contact_.pairs[culprit].location,

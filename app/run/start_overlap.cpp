@@ -17,7 +17,7 @@ namespace contactsim {
 namespace {
 
 /// Overlap that is left is worth a warning when it is this share of what there was.
-constexpr double worrying_share = 1e-3;
+constexpr double worrying_remainder = 1e-3;
 
 /// Overlap above this share of the size of the face is worth a warning: less is round-off of the mesh's
 /// maker.
@@ -54,7 +54,7 @@ std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
 
 void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diagnostics& warnings) {
   for (const OverlapMoves& moves : removed.moves) {
-    if (moves.left <= worrying_share * moves.deepest) continue;
+    if (moves.left <= worrying_remainder * moves.deepest) continue;
     const SurfacePair& pair = model.pairs[moves.pair];
     warnings.add_warning(
         "overlap-left", pair.location,

@@ -11,7 +11,7 @@ namespace {
 
 /// Part of an overlap from which on it has a point for each corner of the smaller face, and below which it
 /// has none, over that face's area.
-constexpr double large = 0.5, negligible = 1e-6;
+constexpr double large = 0.5, negligible_share = 1e-6;
 
 /// Numbers of the points of one overlap: corners of the first face, of the second, all of it.
 constexpr std::uint8_t first_corners = 0, second_corners = 4, whole_overlap = 8, n_parts = 9;
@@ -62,7 +62,7 @@ void add_points(const MovingFace& first, const MovingFace& second, const Constra
       part = &part_between(-activation.depth, activation.near, whole, scratch);
   }
   const double area = part->area();
-  if (!(area > negligible * smaller)) return;
+  if (!(area > negligible_share * smaller)) return;
   OverlapPoints points;
   place_points(*part, pair.map_1, pair.map_2, points);
   points.spread(pair.plane.spread);
@@ -72,7 +72,7 @@ void add_points(const MovingFace& first, const MovingFace& second, const Constra
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     OverlapShare share = share_of(pair, points, &shapes[k], is_of_first);
     share.part = static_cast<std::uint8_t>((is_of_first ? first_corners : second_corners) + k);
-    if (share.area > negligible * points.area) found.add(share);
+    if (share.area > negligible_share * points.area) found.add(share);
   }
 }
 

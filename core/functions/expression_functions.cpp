@@ -14,7 +14,7 @@ namespace {
 using std::numbers::pi;
 using Arguments = std::span<const double>;
 using F = ExpressionFunction;
-constexpr auto all = ExpressionDialects::all;
+using enum ExpressionDialects;
 
 /// Where x stands between begin (0) and end (1), held there outside. An empty ramp is a step at its begin.
 double share_of(double x, double begin, double end) {

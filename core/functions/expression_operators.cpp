@@ -11,9 +11,7 @@ namespace {
 
 using Numbers = std::span<const double>;
 using Level = ExpressionLevel;
-constexpr auto all = ExpressionDialects::all;
-constexpr auto function = ExpressionDialects::function;
-constexpr auto aprepro = ExpressionDialects::aprepro;
+using enum ExpressionDialects;
 
 double sum(Numbers a) { return a[0] + a[1]; }
 double difference(Numbers a) { return a[0] - a[1]; }

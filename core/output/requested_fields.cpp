@@ -18,8 +18,8 @@ std::size_t count_entities(const VariableSelection& selection, const Model& mode
   return selection.variable->location == FieldLocation::global ? 1 : model.blocks[block].n_elements;
 }
 
-bool is_named(std::span<const DeckName> list, const std::vector<std::string>& block_names) {
-  return std::any_of(list.begin(), list.end(), [&](const DeckName& name) {
+bool is_named(std::span<const DeckName> names, const std::vector<std::string>& block_names) {
+  return std::any_of(names.begin(), names.end(), [&](const DeckName& name) {
     return std::any_of(block_names.begin(), block_names.end(),
                        [&](const std::string& own) { return fold(own) == fold(name.text); });
   });

@@ -82,10 +82,10 @@ const OutputVariable* find_variable(const OutputVariables& variables, std::optio
 
 std::string list_components(const OutputVariable& variable) {
   if (variable.shape == FieldShape::scalar) return "it has one component";
-  std::string list = "its components are";
+  std::string hint = "its components are";
   for (int c = 0; c < variable.n_components; ++c)
-    list += fmt::format(" {}", component_ending(variable.shape, c, variable.n_components));
-  return list;
+    hint += fmt::format(" {}", component_ending(variable.shape, c, variable.n_components));
+  return hint;
 }
 
 bool has_point(const OutputVariable& variable, const Model& model, std::size_t point) {

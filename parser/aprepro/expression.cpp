@@ -18,7 +18,7 @@ namespace contactsim {
 namespace {
 
 using Item = ExpressionItem;
-using Kind = ExpressionItem::Kind;
+using ItemKind = ExpressionItem::Kind;
 
 /// The stack on which the items of one expression act.
 class Evaluator {
@@ -54,34 +54,34 @@ ApreproValue Evaluator::take() {
 
 void Evaluator::act(const Item& item) {
   switch (item.kind) {
-    case Kind::number:
-    case Kind::string:
-    case Kind::name:
+    case ItemKind::number:
+    case ItemKind::string:
+    case ItemKind::name:
       values_.push_back(value_of(item));
       break;
-    case Kind::call:
+    case ItemKind::call:
       return call(item);
-    case Kind::prefix:
+    case ItemKind::prefix:
       values_.back() = combine(item, values_.back());
       break;
-    case Kind::binary:
+    case ItemKind::binary:
       return combine_two(item);
-    case Kind::store:
+    case ItemKind::store:
       values_.back() = assign(item, values_.back());
       break;
-    case Kind::drop:
+    case ItemKind::drop:
       values_.pop_back();
       break;
-    case Kind::copy:
+    case ItemKind::copy:
       values_.push_back(ApreproValue(values_.back()));
       break;
-    case Kind::swap:
+    case ItemKind::swap:
       std::swap(values_.back(), values_[values_.size() - 2]);
       break;
-    case Kind::choose:
-    case Kind::otherwise:
+    case ItemKind::choose:
+    case ItemKind::otherwise:
       break;  // both sides are evaluated
-    case Kind::chosen:
+    case ItemKind::chosen:
       return choose(item);
   }
 }
@@ -117,8 +117,8 @@ void Evaluator::charge(std::size_t work, const Item& at) {
 }
 
 ApreproValue Evaluator::value_of(const Item& name) {
-  if (name.kind == Kind::number) return name.number;
-  if (name.kind == Kind::string) return name.text;
+  if (name.kind == ItemKind::number) return name.number;
+  if (name.kind == ItemKind::string) return name.text;
   if (const ApreproValue* value = state_.variables.find(name.text)) {
     if (const std::string* text = std::get_if<std::string>(value)) charge(text->size(), name);
     return *value;

@@ -12,14 +12,13 @@ namespace contactsim {
 
 namespace {
 
-using S = SimulationDefinition;
-
 bool is_block(const Item& item, std::string_view phrase) {
   const Block* block = std::get_if<Block>(&item.value);
   return block != nullptr && match_phrase(split_phrase(phrase), block->title) > 0;
 }
 
-void read_sierra(const Block& found, const DeckName& name, S& simulation, Binding& binding) {
+void read_sierra(const Block& found, const DeckName& name, SimulationDefinition& simulation,
+                 Binding& binding) {
   if (simulation.name.location.is_known()) {
     throw ArgumentError{{Severity::error, "", found.location, 1, "a second BEGIN SIERRA in one deck",
                          "the first stands at " + to_string(simulation.name.location)}};
@@ -28,26 +27,29 @@ void read_sierra(const Block& found, const DeckName& name, S& simulation, Bindin
   sierra_table().bind(found, simulation, binding);
 }
 
-std::vector<Row<S>> sierra_row() {
-  Row<S> made{{"sierra", "[<title>]", "A whole run", "none", Support::supported, RowText::Matches::phrase,
-               true, []() -> const TableText& { return sierra_table().text(); }}};
+std::vector<Row<SimulationDefinition>> sierra_row() {
+  Row<SimulationDefinition> made{{"sierra", "[<title>]", "A whole run", "none", Support::supported,
+                                  RowText::Matches::phrase, true,
+                                  []() -> const TableText& { return sierra_table().text(); }}};
   made.read_block = read_sierra;
   return {made};
 }
 
-Region& region_of(S& simulation) { return simulation.procedures.front().regions.front(); }
+Region& region_of(SimulationDefinition& simulation) { return simulation.procedures.front().regions.front(); }
 
-ContactDefinition& contact_of(S& simulation) {
+ContactDefinition& contact_of(SimulationDefinition& simulation) {
   auto& contact = region_of(simulation).contact;
   if (!contact) contact.emplace();
   return *contact;
 }
 
 template <class Part>
-std::vector<Row<S>> lift_all_by(const std::vector<Row<Part>>& rows_of_part, Part& (*part_of)(S&)) {
-  std::vector<Row<S>> lifted;
+std::vector<Row<SimulationDefinition>> lift_all_by(const std::vector<Row<Part>>& rows_of_part,
+                                                   Part& (*part_of)(SimulationDefinition&)) {
+  std::vector<Row<SimulationDefinition>> lifted;
   lifted.reserve(rows_of_part.size());
-  for (const Row<Part>& row_of_part : rows_of_part) lifted.push_back(lift<S, Part>(row_of_part, part_of));
+  for (const Row<Part>& row_of_part : rows_of_part)
+    lifted.push_back(lift<SimulationDefinition, Part>(row_of_part, part_of));
   return lifted;
 }
 
@@ -63,10 +65,10 @@ DeckForm find_deck_form(const Block& deck) {
 }
 
 const Table<SimulationDefinition>& deck_table(DeckForm form) {
-  static const Table<S> full(sierra_row());
-  static const Table<S> definition(
+  static const Table<SimulationDefinition> full(sierra_row());
+  static const Table<SimulationDefinition> definition(
       joined({sierra_row(), definition_rows(), lift_all_by(region_table().rows(), region_of)}));
-  static const Table<S> commands(
+  static const Table<SimulationDefinition> commands(
       joined({sierra_row(), definition_rows(), lift_all_by(contact_definition_table().rows(), contact_of),
               lift_all_by(region_table().rows(), region_of)}));
   switch (form) {

@@ -30,7 +30,7 @@ const std::vector<std::string>& source_words() {
   return words;
 }
 
-void read_type(Arguments& arguments, FunctionDefinition& function) {
+void read_function_type(Arguments& arguments, FunctionDefinition& function) {
   function.type_location = arguments.location();
   function.type = static_cast<FunctionType>(arguments.choice(type_words()));
 }
@@ -53,7 +53,7 @@ void read_value(Arguments& arguments, FunctionDefinition& function) {
   function.values.push_back(std::move(value));
 }
 
-void read_variable(Arguments& arguments, FunctionDefinition& function) {
+void read_function_input(Arguments& arguments, FunctionDefinition& function) {
   ExpressionVariable variable;
   variable.name = arguments.name();
   arguments.skip_separator();
@@ -80,7 +80,7 @@ std::string braced(const T& words) {
 const Table<FunctionDefinition>& function_table() {
   using F = FunctionDefinition;
   static const Table<F> table({
-      row<F>("type", "= " + braced(type_words()), read_type, "How the function is given", "none")
+      row<F>("type", "= " + braced(type_words()), read_function_type, "How the function is given", "none")
           .once()
           .required(),
       block_into("values", Naming::none, values_table, "The points of a function, one a line"),
@@ -101,8 +101,8 @@ const Table<FunctionDefinition>& function_table() {
           [](Arguments& arguments, F& function) { function.expression = read_expression(arguments); },
           "The function's value, C-like, of x or of the expression variables", "none")
           .once(),
-      row<F>("expression variable", ": <name> = " + braced(source_words()) + " <variable>", read_variable,
-             "A variable of the expression and what it reads", "none"),
+      row<F>("expression variable", ": <name> = " + braced(source_words()) + " <variable>",
+             read_function_input, "A variable of the expression and what it reads", "none"),
       refused<F>("differentiate expression", "= \"<expression>\"",
                  "give the derivative as a function of its own"),
       ignored<F>("evaluate from", "<a> TO <b> BY <dx>", "the expression is evaluated at every point"),

@@ -5,8 +5,6 @@ namespace contactsim {
 
 namespace {
 
-using S = SimulationDefinition;
-
 /// Reads "WITH <word>".
 void expect_with(Arguments& arguments, std::string_view word) {
   arguments.expect("with");
@@ -14,14 +12,14 @@ void expect_with(Arguments& arguments, std::string_view word) {
   arguments.skip_separator();
 }
 
-void read_point(Arguments& arguments, S& simulation) {
+void read_point(Arguments& arguments, SimulationDefinition& simulation) {
   PointDefinition point{arguments.definition(NameKind::point), {}};
   expect_with(arguments, "coordinates");
   point.coordinates = arguments.vector();
   simulation.points.push_back(std::move(point));
 }
 
-void read_direction(Arguments& arguments, S& simulation) {
+void read_defined_direction(Arguments& arguments, SimulationDefinition& simulation) {
   DirectionDefinition direction{arguments.definition(NameKind::direction), {}};
   expect_with(arguments, "vector");
   const Word* first = arguments.at_end() ? nullptr : &arguments.peek();
@@ -30,7 +28,7 @@ void read_direction(Arguments& arguments, S& simulation) {
   simulation.directions.push_back(std::move(direction));
 }
 
-void read_axis(Arguments& arguments, S& simulation) {
+void read_axis(Arguments& arguments, SimulationDefinition& simulation) {
   AxisDefinition axis{arguments.definition(NameKind::axis), {}, {}, {}};
   expect_with(arguments, "point");
   axis.point = arguments.reference(NameKind::point);
@@ -43,7 +41,7 @@ void read_axis(Arguments& arguments, S& simulation) {
   simulation.axes.push_back(std::move(axis));
 }
 
-void read_coordinate_system(Arguments& arguments, S& simulation) {
+void read_coordinate_system(Arguments& arguments, SimulationDefinition& simulation) {
   static const std::vector<std::string> kinds{"rectangular", "cylindrical", "spherical"};
   CoordinateSystemDefinition system{arguments.definition(NameKind::coordinate_system), {}, {}, {}, {}};
   if (!arguments.is_next("with")) {
@@ -62,19 +60,21 @@ void read_coordinate_system(Arguments& arguments, S& simulation) {
 
 std::vector<Row<SimulationDefinition>> geometry_rows() {
   return {
-      row<S>("define point", "<name> WITH COORDINATES <x> <y> <z>", read_point, "A point [length]", "none")
+      row<SimulationDefinition>("define point", "<name> WITH COORDINATES <x> <y> <z>", read_point,
+                                "A point [length]", "none")
           .defines(NameKind::point),
-      row<S>("define direction", "<name> WITH VECTOR <x> <y> <z>", read_direction,
-             "A direction, of any length [1]", "none")
+      row<SimulationDefinition>("define direction", "<name> WITH VECTOR <x> <y> <z>", read_defined_direction,
+                                "A direction, of any length [1]", "none")
           .defines(NameKind::direction),
-      row<S>("define axis", "<name> WITH POINT <p> {DIRECTION <d>|POINT <q>}", read_axis,
-             "An axis through a point, along a direction or to a second point", "none")
+      row<SimulationDefinition>("define axis", "<name> WITH POINT <p> {DIRECTION <d>|POINT <q>}", read_axis,
+                                "An axis through a point, along a direction or to a second point", "none")
           .defines(NameKind::axis)
           .references(NameKind::point)
           .references(NameKind::direction),
-      row<S>("define coordinate system",
-             "<name> [{RECTANGULAR|CYLINDRICAL|SPHERICAL}] WITH POINT <origin> POINT <on z> POINT <in xz>",
-             read_coordinate_system, "A coordinate system through three points", "none")
+      row<SimulationDefinition>(
+          "define coordinate system",
+          "<name> [{RECTANGULAR|CYLINDRICAL|SPHERICAL}] WITH POINT <origin> POINT <on z> POINT <in xz>",
+          read_coordinate_system, "A coordinate system through three points", "none")
           .defines(NameKind::coordinate_system)
           .references(NameKind::point),
   };

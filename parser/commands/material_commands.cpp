@@ -13,22 +13,20 @@ namespace contactsim {
 
 namespace {
 
-using M = MaterialDefinition;
-
 constexpr const char* no_heat = "temperature has no effect on materials";
 
-std::vector<Row<M>> property_rows() {
+std::vector<Row<MaterialDefinition>> property_rows() {
   return {
-      row("density", read::positive, &M::density, "Mass per volume [mass/length^3]"),
-      ignored<M>("biots coefficient", "= <real>", "there is no pore pressure"),
-      ignored<M>("thermal strain function", "= <function>", no_heat),
-      ignored<M>("thermal strain x function", "= <function>", no_heat),
-      ignored<M>("thermal strain y function", "= <function>", no_heat),
-      ignored<M>("thermal strain z function", "= <function>", no_heat),
-      ignored<M>("thermal engineering strain function", "= <function>", no_heat),
-      ignored<M>("thermal log strain function", "= <function>", no_heat),
-      ignored<M>("thermal conductivity", "= <words>", no_heat),
-      ignored<M>("specific heat", "= <words>", no_heat),
+      row("density", read::positive, &MaterialDefinition::density, "Mass per volume [mass/length^3]"),
+      ignored<MaterialDefinition>("biots coefficient", "= <real>", "there is no pore pressure"),
+      ignored<MaterialDefinition>("thermal strain function", "= <function>", no_heat),
+      ignored<MaterialDefinition>("thermal strain x function", "= <function>", no_heat),
+      ignored<MaterialDefinition>("thermal strain y function", "= <function>", no_heat),
+      ignored<MaterialDefinition>("thermal strain z function", "= <function>", no_heat),
+      ignored<MaterialDefinition>("thermal engineering strain function", "= <function>", no_heat),
+      ignored<MaterialDefinition>("thermal log strain function", "= <function>", no_heat),
+      ignored<MaterialDefinition>("thermal conductivity", "= <words>", no_heat),
+      ignored<MaterialDefinition>("specific heat", "= <words>", no_heat),
   };
 }
 
@@ -37,12 +35,15 @@ constexpr const char* model_phrase = "parameters for model";
 /// A row of PARAMETERS FOR MODEL blocks. The name of a model that contactsim knows is part of the phrase.
 ///   model       "" of all other names
 ///   parameters  of the values; the table's target
-Row<M> model_row(const std::string& model, const std::string& help, std::span<const Parameter> parameters,
-                 const Table<ParameterValues>& table) {
+Row<MaterialDefinition> model_row(const std::string& model, const std::string& help,
+                                  std::span<const Parameter> parameters,
+                                  const Table<ParameterValues>& table) {
   const std::string phrase = model.empty() ? model_phrase : fmt::format("{} {}", model_phrase, model);
-  Row<M> made{{phrase, model.empty() ? "<model>" : "", help, "none", Support::supported,
-               RowText::Matches::phrase, true, [&table]() -> const TableText& { return table.text(); }}};
-  made.read_block = [parameters, &table](const Block& found, const DeckName&, M& material, Binding& binding) {
+  Row<MaterialDefinition> made{{phrase, model.empty() ? "<model>" : "", help, "none", Support::supported,
+                                RowText::Matches::phrase, true,
+                                [&table]() -> const TableText& { return table.text(); }}};
+  made.read_block = [parameters, &table](const Block& found, const DeckName&, MaterialDefinition& material,
+                                         Binding& binding) {
     const std::vector<DeckName> words = block_names(found, model_phrase);
     if (words.empty()) check_name(found, {}, Naming::required);
     DeckName name{"", words.front().location};
@@ -69,13 +70,13 @@ const Table<ParameterValues>& unknown_model_table() {
 }
 
 /// One row per name of a model that contactsim knows and one for all others.
-std::vector<Row<M>> model_rows() {
+std::vector<Row<MaterialDefinition>> model_rows() {
   static const std::vector<Table<ParameterValues>> tables = [] {
     std::vector<Table<ParameterValues>> made;
     for (const MaterialRow& row : material_rows()) made.push_back(make_parameter_table(row.parameters));
     return made;
   }();
-  std::vector<Row<M>> rows;
+  std::vector<Row<MaterialDefinition>> rows;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const MaterialRow& row = material_rows()[i];
     for (const std::string& name : row.names)
@@ -94,7 +95,7 @@ bool is_enough(ElasticNeed need, int n_given) {
 }  // namespace
 
 const Table<MaterialDefinition>& material_table() {
-  static const Table<M> table(joined({property_rows(), model_rows()}));
+  static const Table<MaterialDefinition> table(joined({property_rows(), model_rows()}));
   return table;
 }
 

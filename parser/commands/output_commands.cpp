@@ -12,7 +12,7 @@ namespace contactsim {
 
 namespace {
 
-void read_database_type(Arguments& arguments, OutputDatabase&) {
+void read_results_type(Arguments& arguments, OutputDatabase&) {
   const Word& type = arguments.word("exodusII");
   const std::string folded = fold(type.text);
   if (folded != "exodusii" && folded != "exodus" && folded != "genesis") {
@@ -37,7 +37,7 @@ std::vector<Row<OutputDatabase>> database_rows() {
   return {
       row("database name", read::name, &D::name, "File to write; %B stands for the deck's base name",
           "the deck's base name and .e, or .h for history"),
-      row<D>("database type", "= exodusII", read_database_type, "Format of the file", "exodusII"),
+      row<D>("database type", "= exodusII", read_results_type, "Format of the file", "exodusII"),
       row("overwrite", read::on_off, &D::overwrites, "Whether an existing file is replaced"),
       row("title", read::rest_of_line, &D::title, "Title in the file", "the deck's title"),
       row<D>("component separator character", "= {<character>|NONE}", read_separator,

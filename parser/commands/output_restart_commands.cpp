@@ -52,7 +52,7 @@ void read_wall_time_phase(Arguments& arguments, RestartData& restart) {
   restart.wall_time_phases.push_back(phase);
 }
 
-void read_restart(Arguments& arguments, RestartData& restart) {
+void read_automatic_restart(Arguments& arguments, RestartData& restart) {
   static const std::string choices[] = {"automatic", "auto"};
   arguments.choice(choices);
   restart.is_automatic = true;
@@ -75,8 +75,8 @@ const Table<RestartData>& restart_table() {
           row("overwrite", read::on_off, &R::overwrites, "Whether an existing file is replaced"),
           row("restart time", read::real, &R::restart_time,
               "Goes on from the state stored at that time [time]"),
-          row<R>("restart", "= AUTOMATIC", read_restart, "Goes on from the last state, if there is one",
-                 "off"),
+          row<R>("restart", "= AUTOMATIC", read_automatic_restart,
+                 "Goes on from the last state, if there is one", "off"),
           row("overlay count", read::non_negative_integer, &R::overlay_count,
               "States [1] that are overwritten before the next is kept"),
           row("cycle count", read::positive_integer, &R::cycle_count, "States [1] kept in a file", "all"),

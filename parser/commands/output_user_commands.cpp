@@ -102,9 +102,9 @@ const Table<UserOutput>& user_output_table() {
 
 /// [REAL|INTEGER] [VECTOR|SYM_TENSOR|FULL_TENSOR|LENGTH = <n>], after NODE, ELEMENT or GLOBAL.
 void read_shape(Arguments& arguments, UserVariable& variable) {
-  using S = UserVariable::Shape;
+  using Shape = UserVariable::Shape;
   if (arguments.accept("integer")) {
-    variable.shape = S::integer;
+    variable.shape = Shape::integer;
   } else {
     arguments.accept("real");
   }
@@ -115,11 +115,11 @@ void read_shape(Arguments& arguments, UserVariable& variable) {
   }
   if (arguments.at_end()) return;
   static const std::string shapes[] = {"vector", "sym tensor", "full tensor"};
-  static constexpr S meanings[] = {S::vector, S::sym_tensor, S::full_tensor};
+  static constexpr Shape meanings[] = {Shape::vector, Shape::sym_tensor, Shape::full_tensor};
   variable.shape = meanings[arguments.choice(shapes)];
 }
 
-void read_type(Arguments& arguments, UserVariable& variable) {
+void read_variable_type(Arguments& arguments, UserVariable& variable) {
   using P = UserVariable::Place;
   static const std::string places[] = {"node", "nodal", "element", "global"};
   static constexpr P meanings[] = {P::node, P::node, P::element, P::global};
@@ -132,7 +132,8 @@ const Table<UserVariable>& user_variable_table() {
   static const auto global_operator = choice_of<U::GlobalOperator>({"sum", "min", "max"});
   static const Table<U> table({
       row<U>("type", "= {NODE|ELEMENT|GLOBAL} {{REAL|INTEGER} LENGTH = <n>|VECTOR|SYM_TENSOR|FULL_TENSOR}",
-             read_type, "Where the variable lives and how many values it has [1]", "NODE REAL LENGTH = 1"),
+             read_variable_type, "Where the variable lives and how many values it has [1]",
+             "NODE REAL LENGTH = 1"),
       row("initial value", read::reals, &U::initial_values,
           "Values at the start, in the variable's dimension", "0"),
       row("global operator", global_operator, &U::global_operator,

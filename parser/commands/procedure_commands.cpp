@@ -11,7 +11,6 @@ namespace contactsim {
 
 namespace {
 
-using P = Procedure;
 using Procedures = std::vector<Procedure>;
 
 const Table<ProceduralTransfer>& transfer_table() {
@@ -23,7 +22,7 @@ const Table<ProceduralTransfer>& transfer_table() {
   return table;
 }
 
-void set_time_control(P& procedure, TimeControl control) {
+void set_time_control(Procedure& procedure, TimeControl control) {
   if (procedure.time_control) {
     throw ArgumentError{{Severity::error, "", control.name.location, 1,
                          "a second TIME CONTROL in one procedure",
@@ -34,7 +33,7 @@ void set_time_control(P& procedure, TimeControl control) {
 
 enum class Solution { explicit_dynamics, implicit_statics, as_time_parameters_say };
 
-void add_region(P& procedure, Region region, Solution solution) {
+void add_region(Procedure& procedure, Region region, Solution solution) {
   if (solution == Solution::implicit_statics && !procedure.implicit_by) {
     procedure.implicit_by =
         ImplicitCause{fmt::format("adagio region '{}'", region.name.text), region.name.location};
@@ -42,34 +41,36 @@ void add_region(P& procedure, Region region, Solution solution) {
   procedure.regions.push_back(std::move(region));
 }
 
-Row<P> region_row(std::string_view phrase, Solution solution, std::string_view help) {
-  return block<P, Region>(
+Row<Procedure> region_row(std::string_view phrase, Solution solution, std::string_view help) {
+  return block<Procedure, Region>(
              phrase, Naming::required, region_table,
-             [solution](P& procedure, Region region) { add_region(procedure, std::move(region), solution); },
+             [solution](Procedure& procedure, Region region) {
+               add_region(procedure, std::move(region), solution);
+             },
              help)
       .defines(NameKind::region);
 }
 
-const Table<P>& procedure_table() {
-  static const Table<P> table({
-      block<P, TimeControl>("time control", Naming::optional, time_control_table, set_time_control,
-                            "When the procedure begins and ends, and its time steps"),
-      block("procedural transfer", Naming::optional, transfer_table, &P::transfers,
+const Table<Procedure>& procedure_table() {
+  static const Table<Procedure> table({
+      block<Procedure, TimeControl>("time control", Naming::optional, time_control_table, set_time_control,
+                                    "When the procedure begins and ends, and its time steps"),
+      block("procedural transfer", Naming::optional, transfer_table, &Procedure::transfers,
             "Takes the state over from the procedure before"),
       region_row("presto region", Solution::explicit_dynamics, "A model in explicit dynamics"),
       region_row("adagio region", Solution::implicit_statics, "A model in implicit statics"),
       region_row("solid mechanics region", Solution::as_time_parameters_say,
                  "A model; implicit if it has PARAMETERS FOR ADAGIO REGION"),
-      refused_block<P>("solution control description",
-                       "give the times of the region in a TIME CONTROL block instead"),
-      refused_block<P>("aria region", "only solid mechanics is solved; take the thermal region out"),
-      refused_block<P>("transfer", "only one region is solved; take the transfer out"),
+      refused_block<Procedure>("solution control description",
+                               "give the times of the region in a TIME CONTROL block instead"),
+      refused_block<Procedure>("aria region", "only solid mechanics is solved; take the thermal region out"),
+      refused_block<Procedure>("transfer", "only one region is solved; take the transfer out"),
   });
   return table;
 }
 
 /// The first PARAMETERS FOR ADAGIO REGION of the time control.
-std::optional<ImplicitCause> find_implicit_parameters(const P& procedure) {
+std::optional<ImplicitCause> find_implicit_parameters(const Procedure& procedure) {
   if (!procedure.time_control) return std::nullopt;
   for (const TimeSteppingBlock& block : procedure.time_control->time_stepping_blocks) {
     if (block.implicit_parameters.empty()) continue;
@@ -79,7 +80,7 @@ std::optional<ImplicitCause> find_implicit_parameters(const P& procedure) {
   return std::nullopt;
 }
 
-void add_procedure(Procedures& procedures, P procedure, Solution solution) {
+void add_procedure(Procedures& procedures, Procedure procedure, Solution solution) {
   if (solution == Solution::implicit_statics) {
     procedure.implicit_by =
         ImplicitCause{fmt::format("adagio procedure '{}'", procedure.name.text), procedure.name.location};
@@ -90,9 +91,9 @@ void add_procedure(Procedures& procedures, P procedure, Solution solution) {
 }
 
 Row<Procedures> procedure_row(std::string_view phrase, Solution solution, std::string_view help) {
-  return block<Procedures, P>(
+  return block<Procedures, Procedure>(
              phrase, Naming::optional, procedure_table,
-             [solution](Procedures& procedures, P procedure) {
+             [solution](Procedures& procedures, Procedure procedure) {
                add_procedure(procedures, std::move(procedure), solution);
              },
              help)
