@@ -13,15 +13,20 @@ namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+char fold_character(char c) { return c == ' ' ? '_' : lower(c); }
+
 }  // namespace
 
 std::string fold(std::string_view name) {
-  std::string folded(name);
-  for (char& c : folded) c = c == ' ' ? '_' : lower(c);
-  return folded;
+  std::string text(name);
+  for (char& c : text) c = fold_character(c);
+  return text;
 }
 
-bool operator==(const DeckName& a, const DeckName& b) { return fold(a.text) == fold(b.text); }
+bool operator==(const DeckName& a, const DeckName& b) {
+  return std::equal(a.text.begin(), a.text.end(), b.text.begin(), b.text.end(),
+                    [](char x, char y) { return fold_character(x) == fold_character(y); });
+}
 
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> before, last(b.size() + 1), now(b.size() + 1);

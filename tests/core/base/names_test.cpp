@@ -12,6 +12,12 @@ TEST_CASE("names fold case and blanks", "[core][names]") {
   CHECK(fold("SURFACE_7") == "surface_7");
 }
 
+TEST_CASE("names of a deck are the same whatever their case, with blanks as underscores", "[core][names]") {
+  CHECK(DeckName{"My Block", {}} == DeckName{"my_BLOCK", {}});
+  CHECK_FALSE(DeckName{"block", {}} == DeckName{"block_1", {}});
+  CHECK_FALSE(DeckName{"block_2", {}} == DeckName{"block_1", {}});
+}
+
 TEST_CASE("edit distance counts single typing mistakes", "[core][names]") {
   CHECK(edit_distance("", "abc") == 3);
   CHECK(edit_distance("block", "block") == 0);
