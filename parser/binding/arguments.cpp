@@ -3,11 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-#include <cmath>
-
-#include "parser/text/phrases.hpp"
-
 namespace contactsim {
 
 namespace {
@@ -20,35 +15,12 @@ std::string quote(const Word& word) { return fmt::format("'{}'", word.text); }
 
 }  // namespace
 
-std::optional<double> find_real(std::string_view text) {
-  const bool is_signed = text.starts_with('+') || text.starts_with('-');
-  const std::string_view digits = text.substr(is_signed ? 1 : 0);
-  std::string plain(text.substr(text.starts_with('+') ? 1 : 0));
-  const bool starts_well =
-      !digits.empty() && (std::isdigit(static_cast<unsigned char>(digits[0])) || digits[0] == '.');
-  if (!starts_well) return std::nullopt;
-  for (char& c : plain) {
-    if (c == 'd' || c == 'D') c = 'e';
-  }
-  double value = 0.0;
-  const char* end = plain.data() + plain.size();
-  const auto [stop, error] = std::from_chars(plain.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-bool is_number(std::string_view text) { return find_real(text).has_value(); }
-
-Arguments::Arguments(std::string what, std::span<const Word> words, const Command& command,
-                     const DeckLocation& location)
-    : what_(std::move(what)), words_(words), command_(&command), location_(location) {
+Arguments::Arguments(std::string what, Words words, const Command& command, const DeckLocation& location)
+    : what_(std::move(what)), line_(words), words_(words), command_(&command), location_(location) {
   skip_separator();
 }
 
-void Arguments::skip_separator() {
-  if (at_end()) return;
-  if (peek().kind == WordKind::symbol ? peek().text == "=" : is_next("is") || is_next("are")) ++next_;
-}
+void Arguments::skip_separator() { take_separator(words_); }
 
 void Arguments::warn(std::string_view id, const Word& at, std::string text, std::string hint) {
   warnings_.push_back(
@@ -72,72 +44,63 @@ void Arguments::fail_here(std::string text, std::string hint) const {
 
 const Word& Arguments::word(std::string_view expected) {
   if (at_end()) fail_here(fmt::format("expected {} after '{}', found the end of the line", expected, what_));
-  return words_[next_++];
+  const Word& next = words_.front();
+  words_ = words_.subspan(1);
+  return next;
 }
 
-double Arguments::real() {
-  const Word& number = word("a number");
-  const auto value = find_real(number.text);
-  if (!value || number.kind == WordKind::symbol) {
-    fail(number, fmt::format("expected a number for '{}', found {}", what_, quote(number)));
+template <class V>
+V Arguments::read(V (*take)(Words&), std::string_view relation) {
+  try {
+    return take(words_);
+  } catch (const ValueError& error) {
+    const Word& found = word(error.expected);
+    fail(found, fmt::format("expected {} {} '{}', found {}", error.expected, relation, what_, quote(found)));
   }
-  return *value;
 }
+
+void Arguments::require(bool holds, const Word& at, std::string_view must) const {
+  if (!holds) fail(at, fmt::format("'{}' must {}, found {}", what_, must, quote(at)));
+}
+
+double Arguments::real() { return read(take_real); }
 
 double Arguments::positive() {
-  const std::size_t at = next_;
+  const Words before = words_;
   const double value = real();
-  if (!(value > 0.0))
-    fail(words_[at], fmt::format("'{}' must be greater than 0, found {}", what_, quote(words_[at])));
+  require(value > 0.0, before.front(), "be greater than 0");
   return value;
 }
 
 double Arguments::non_negative() {
-  const std::size_t at = next_;
+  const Words before = words_;
   const double value = real();
-  if (!(value >= 0.0))
-    fail(words_[at], fmt::format("'{}' must not be negative, found {}", what_, quote(words_[at])));
+  require(value >= 0.0, before.front(), "not be negative");
   return value;
 }
 
-std::int64_t Arguments::integer() {
-  const Word& number = word("an integer");
-  const std::string_view text = std::string_view(number.text).substr(number.text.starts_with('+') ? 1 : 0);
-  std::int64_t value = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || stop != text.data() + text.size()) {
-    fail(number, fmt::format("expected an integer for '{}', found {}", what_, quote(number)));
-  }
-  return value;
-}
+std::int64_t Arguments::integer() { return read(take_integer); }
 
 std::int64_t Arguments::positive_integer() {
-  const std::size_t at = next_;
+  const Words before = words_;
   const std::int64_t value = integer();
-  if (value <= 0)
-    fail(words_[at], fmt::format("'{}' must be at least 1, found {}", what_, quote(words_[at])));
+  require(value >= 1, before.front(), "be at least 1");
   return value;
 }
 
 std::int64_t Arguments::non_negative_integer() {
-  const std::size_t at = next_;
+  const Words before = words_;
   const std::int64_t value = integer();
-  if (value < 0)
-    fail(words_[at], fmt::format("'{}' must not be negative, found {}", what_, quote(words_[at])));
+  require(value >= 0, before.front(), "not be negative");
   return value;
 }
 
 bool Arguments::on_off() {
-  static const std::string choices[] = {"on", "true", "yes", "off", "false", "no"};
+  static const Choices choices({"on", "true", "yes", "off", "false", "no"});
   return choice(choices) < 3;
 }
 
-DeckName Arguments::name() {
-  const Word& found = word("a name");
-  if (found.kind == WordKind::symbol)
-    fail(found, fmt::format("expected a name after '{}', found {}", what_, quote(found)));
-  return {found.text, found.location};
-}
+DeckName Arguments::name() { return read(take_name, "after"); }
 
 DeckName Arguments::reference(NameKind kind) {
   notes_.referred.push_back({kind, name()});
@@ -145,8 +108,8 @@ DeckName Arguments::reference(NameKind kind) {
 }
 
 std::vector<DeckName> Arguments::references(NameKind kind) {
-  std::vector<DeckName> list{reference(kind)};
-  while (!at_end()) list.push_back(reference(kind));
+  std::vector<DeckName> list = names();
+  for (const DeckName& name : list) notes_.referred.push_back({kind, name});
   return list;
 }
 
@@ -161,47 +124,29 @@ std::string Arguments::rest() {
   if (at_end()) return "";
   std::string_view rest = std::string_view(command_->text).substr(peek().begin);
   while (!rest.empty() && (rest.back() == ' ' || rest.back() == '\t')) rest.remove_suffix(1);
-  next_ = words_.size();
+  words_ = {};
   return std::string(rest);
 }
 
 std::string Arguments::all() {
-  next_ = 0;
+  words_ = line_;
   return rest();
 }
 
-Eigen::Vector3d Arguments::vector() {
-  const double x = real(), y = real(), z = real();
-  return {x, y, z};
-}
+Eigen::Vector3d Arguments::vector() { return read(take_vector); }
 
-std::vector<DeckName> Arguments::names() {
-  std::vector<DeckName> list{name()};
-  while (!at_end()) list.push_back(name());
-  return list;
-}
+std::vector<DeckName> Arguments::names() { return read(take_names, "after"); }
 
-std::vector<double> Arguments::reals() {
-  std::vector<double> list{real()};
-  while (!at_end()) list.push_back(real());
-  return list;
-}
+std::vector<double> Arguments::reals() { return read(take_reals); }
 
-std::vector<std::int64_t> Arguments::integers() {
-  std::vector<std::int64_t> list{integer()};
-  while (!at_end()) list.push_back(integer());
-  return list;
-}
+std::vector<std::int64_t> Arguments::integers() { return read(take_integers); }
 
 bool Arguments::is_next(std::string_view keyword) const {
-  return !at_end() && peek().kind == WordKind::bare && fold(peek().text) == keyword;
+  Words ahead = words_;
+  return take_keyword(ahead, keyword);
 }
 
-bool Arguments::accept(std::string_view keyword) {
-  if (!is_next(keyword)) return false;
-  ++next_;
-  return true;
-}
+bool Arguments::accept(std::string_view keyword) { return take_keyword(words_, keyword); }
 
 void Arguments::expect(std::string_view keyword) {
   if (accept(keyword)) return;
@@ -211,23 +156,12 @@ void Arguments::expect(std::string_view keyword) {
             at_end() ? "" : suggest(peek().text, wanted));
 }
 
-std::size_t Arguments::choice(std::span<const std::string> choices) {
-  std::size_t best = choices.size(), best_words = 0;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    const std::size_t n = match_phrase(split_phrase(choices[i]), words_.subspan(next_));
-    if (n > best_words) {
-      best = i;
-      best_words = n;
-    }
-  }
-  if (best == choices.size()) {
-    const std::string legal = fmt::format("{}", fmt::join(choices, ", "));
-    const Word& found = word("one of " + legal);
-    fail(found, fmt::format("expected one of {} for '{}', found {}", legal, what_, quote(found)),
-         suggest(found.text, choices));
-  }
-  next_ += best_words;
-  return best;
+std::size_t Arguments::choice(const Choices& choices) {
+  if (const auto position = take_choice(words_, choices)) return *position;
+  const std::string legal = fmt::format("{}", fmt::join(choices.phrases(), ", "));
+  const Word& found = word("one of " + legal);
+  fail(found, fmt::format("expected one of {} for '{}', found {}", legal, what_, quote(found)),
+       suggest(found.text, choices.phrases()));
 }
 
 void Arguments::expect_end() {

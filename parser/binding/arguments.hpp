@@ -3,9 +3,6 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <initializer_list>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +12,7 @@
 #include "core/base/names.hpp"
 #include "parser/binding/deck_names.hpp"
 #include "parser/text/ast.hpp"
+#include "parser/text/value_grammar.hpp"
 
 namespace contactsim {
 
@@ -25,22 +23,20 @@ struct ArgumentError {
   bool is_refusal = false;  ///< understood, but not supported: a warning with --lenient
 };
 
-/// Reads the words of a command after its keyword phrase, left to right. Every reading function throws
-/// ArgumentError with the place, what was expected and what was found.
+/// Reads the words of a command after its keyword phrase, left to right, by the rules of
+/// text/value_grammar.hpp. Every reading function throws ArgumentError with the place, what was expected and
+/// what was found.
 class Arguments {
  public:
   /// Skips one separator (= IS ARE) at the front. `words` must outlive the object, `command` too.
   ///   what  the command as the user knows it, for messages: "friction coefficient"
-  Arguments(std::string what, std::span<const Word> words, const Command& command,
-            const DeckLocation& location);
+  Arguments(std::string what, Words words, const Command& command, const DeckLocation& location);
 
   const std::string& what() const { return what_; }
   const DeckLocation& location() const { return location_; }  ///< of the command's first word
-  bool at_end() const { return next_ == words_.size(); }
+  bool at_end() const { return words_.empty(); }
   /// The next word without reading it. Precondition: !at_end().
-  const Word& peek() const { return words_[next_]; }
-  /// The words that are not read yet.
-  std::span<const Word> remaining() const { return words_.subspan(next_); }
+  const Word& peek() const { return words_.front(); }
 
   /// The next word, whatever it is. `expected` completes "expected ..." when the line ends too early.
   const Word& word(std::string_view expected);
@@ -73,9 +69,8 @@ class Arguments {
   bool accept(std::string_view keyword);         ///< reads the word if it is the keyword
   void expect(std::string_view keyword);
   void skip_separator();  ///< reads one of = IS ARE if it is next
-  /// The position in `choices` of the next words. A choice may hold several words ("piecewise linear") and
-  /// '_' and '-' in the deck equal its blanks; the longest that fits wins.
-  std::size_t choice(std::span<const std::string> choices);
+  /// The position in `choices` of the next words; the longest that fits wins.
+  std::size_t choice(const Choices& choices);
   /// Ends the reading; a word left over is an error.
   void expect_end();
 
@@ -90,19 +85,20 @@ class Arguments {
                               std::string hint = "") const;  ///< at the next word or the line's end
 
  private:
+  /// What the rule takes from the front of the words. What does not fit it is an error; `relation` stands
+  /// between what was expected and the command.
+  template <class V>
+  V read(V (*take)(Words&), std::string_view relation = "for");
+  /// Fails unless `holds`, as the command's value must.
+  void require(bool holds, const Word& at, std::string_view must) const;
+
   std::string what_;
-  std::span<const Word> words_;
+  Words line_;   ///< all words behind the phrase
+  Words words_;  ///< those that are not read yet
   const Command* command_;
   DeckLocation location_;
-  std::size_t next_ = 0;
   std::vector<Diagnostic> warnings_;
   NameNotes notes_;
 };
-
-/// A number in the deck's spelling: 1, 1., .9, -50, +2, 1e-4, 1.0d0.
-std::optional<double> find_real(std::string_view text);
-
-/// Whether the text is a number as decks write them.
-bool is_number(std::string_view text);
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 
 #include "parser/binding/given_rows.hpp"
 #include "parser/text/syntax.hpp"
+#include "parser/text/word_grammar.hpp"
 
 namespace contactsim {
 

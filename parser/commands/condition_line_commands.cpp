@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "parser/text/word_grammar.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -15,13 +17,13 @@ const Choice one_direction{"has no direction", "has more than one kind of direct
 void read_components(Arguments& arguments, DirectionChoice& choice) {
   do {
     const Word& letters = arguments.word("X, Y or Z");
-    const std::string folded = fold(letters.text);
-    if (folded.find_first_not_of("xyz/") != std::string::npos) {
+    const auto axes = find_axes(letters.text);
+    if (!axes) {
       arguments.fail(letters,
                      fmt::format("expected X, Y or Z for '{}', found '{}'", arguments.what(), letters.text));
     }
-    for (const char letter : folded) {
-      if (letter != '/') choice.components[static_cast<std::size_t>(letter - 'x')] = true;
+    for (std::size_t i = 0; i < axes->size(); ++i) {
+      if ((*axes)[i]) choice.components[i] = true;
     }
   } while (!arguments.at_end());
 }

@@ -148,7 +148,7 @@ void read_enforcement(Arguments& arguments, ContactDefinition& contact) {
 }
 
 void read_search(Arguments& arguments, ContactDefinition&) {
-  static const std::string choices[] = {"dash", "acme"};
+  static const Choices choices({"dash", "acme"});
   if (arguments.at_end()) arguments.fail_here("expected DASH after 'search'");
   const Word& value = arguments.peek();
   if (arguments.choice(choices) == 1) {
@@ -158,7 +158,7 @@ void read_search(Arguments& arguments, ContactDefinition&) {
 }
 
 void read_contact_variables(Arguments& arguments, ContactDefinition& contact) {
-  static const std::string choices[] = {"on", "off", "every_step"};
+  static const Choices choices({"on", "off", "every_step"});
   const bool is_every_step = arguments.choice(choices) == 2;
   contact.variables = is_every_step ? ContactVariables::every_step : ContactVariables::when_written;
 }

@@ -28,10 +28,9 @@ DeathCriterion read_element_criterion(Arguments& arguments) {
 
 void read_criterion(Arguments& arguments, ElementDeath& death) {
   using R = NodalCriterion::Reduction;
-  static const std::string forms[] = {
-      "avg nodal value of",     "average nodal value of", "max nodal value of",
-      "maximum nodal value of", "min nodal value of",     "minimum nodal value of",
-      "element value of",       "global value of",        "always true"};
+  static const Choices forms({"avg nodal value of", "average nodal value of", "max nodal value of",
+                              "maximum nodal value of", "min nodal value of", "minimum nodal value of",
+                              "element value of", "global value of", "always true"});
   static constexpr R reductions[] = {R::average, R::average, R::maximum, R::maximum, R::minimum, R::minimum};
   const std::size_t form = arguments.choice(forms);
   if (form < std::size(reductions)) {
@@ -52,7 +51,7 @@ void read_material_criterion(Arguments& arguments, ElementDeath& death) {
 }
 
 void read_method(Arguments& arguments, ElementDeath&) {
-  static const std::string methods[] = {"deactivate element", "deactivate nodal mpcs", "disconnect element"};
+  static const Choices methods({"deactivate element", "deactivate nodal mpcs", "disconnect element"});
   if (arguments.at_end()) arguments.fail_here("expected DEACTIVATE ELEMENT after 'death method'");
   const Word& value = arguments.peek();
   if (arguments.choice(methods) != 0) {

@@ -9,24 +9,16 @@ namespace contactsim {
 
 namespace {
 
-const std::vector<std::string>& type_words() {
-  static const std::vector<std::string> words{"piecewise linear",
-                                              "piecewise constant",
-                                              "constant",
-                                              "analytic",
-                                              "piecewise analytic",
-                                              "piecewise multivariate",
-                                              "multicolumn piecewise linear",
-                                              "xtable",
-                                              "polynomial",
-                                              "haversine spike"};
+const Choices& type_words() {
+  static const Choices words({"piecewise linear", "piecewise constant", "constant", "analytic",
+                              "piecewise analytic", "piecewise multivariate", "multicolumn piecewise linear",
+                              "xtable", "polynomial", "haversine spike"});
   return words;
 }
 
-const std::vector<std::string>& source_words() {
-  static const std::vector<std::string> words{
-      "global",  "nodal",          "nodal vector",   "nodal tensor",       "nodal sym tensor",
-      "element", "element vector", "element tensor", "element sym tensor", "face"};
+const Choices& source_words() {
+  static const Choices words({"global", "nodal", "nodal vector", "nodal tensor", "nodal sym tensor",
+                              "element", "element vector", "element tensor", "element sym tensor", "face"});
   return words;
 }
 
@@ -48,7 +40,7 @@ void read_value(Arguments& arguments, FunctionDefinition& function) {
     } else {
       value.ordinate = arguments.real();
     }
-    while (!arguments.at_end()) value.further.push_back(arguments.real());
+    if (!arguments.at_end()) value.further = arguments.reals();
   }
   function.values.push_back(std::move(value));
 }
@@ -70,17 +62,13 @@ const Table<FunctionDefinition>& values_table() {
   return table;
 }
 
-template <class T>
-std::string braced(const T& words) {
-  return fmt::format("{{{}}}", fmt::join(words, "|"));
-}
-
 }  // namespace
 
 const Table<FunctionDefinition>& function_table() {
   using F = FunctionDefinition;
   static const Table<F> table({
-      row<F>("type", "= " + braced(type_words()), read_function_type, "How the function is given", "none")
+      row<F>("type", "= " + syntax_of_choice(type_words()), read_function_type, "How the function is given",
+             "none")
           .once()
           .required(),
       block_into("values", Naming::none, values_table, "The points of a function, one a line"),
@@ -101,7 +89,7 @@ const Table<FunctionDefinition>& function_table() {
           [](Arguments& arguments, F& function) { function.expression = read_expression(arguments); },
           "The function's value, C-like, of x or of the expression variables", "none")
           .once(),
-      row<F>("expression variable", ": <name> = " + braced(source_words()) + " <variable>",
+      row<F>("expression variable", ": <name> = " + syntax_of_choice(source_words()) + " <variable>",
              read_function_input, "A variable of the expression and what it reads", "none"),
       refused<F>("differentiate expression", "= \"<expression>\"",
                  "give the derivative as a function of its own"),

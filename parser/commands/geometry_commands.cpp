@@ -42,7 +42,7 @@ void read_axis(Arguments& arguments, SimulationDefinition& simulation) {
 }
 
 void read_coordinate_system(Arguments& arguments, SimulationDefinition& simulation) {
-  static const std::vector<std::string> kinds{"rectangular", "cylindrical", "spherical"};
+  static const Choices kinds({"rectangular", "cylindrical", "spherical"});
   CoordinateSystemDefinition system{arguments.definition(NameKind::coordinate_system), {}, {}, {}, {}};
   if (!arguments.is_next("with")) {
     system.kind = static_cast<CoordinateSystemKind>(arguments.choice(kinds));

@@ -75,7 +75,7 @@ void read_variable_alias(Arguments& arguments, FiniteElementModel& model) {
 }
 
 void read_mesh_type(Arguments& arguments, FiniteElementModel&) {
-  static const std::vector<std::string> types{"exodusii", "exodus", "genesis"};
+  static const Choices types({"exodusii", "exodus", "genesis"});
   arguments.choice(types);
 }
 
@@ -84,7 +84,7 @@ void read_mesh_type(Arguments& arguments, FiniteElementModel&) {
 const Table<FiniteElementModel>& finite_element_model_table() {
   static const Table<FiniteElementModel> table({
       row("database name", read::name, &FiniteElementModel::database,
-          "Mesh file; %BlockParameters stands for the deck's base name", "%BlockParameters.g"),
+          "Mesh file; %B stands for the deck's base name", "%B.g"),
       row<FiniteElementModel>("database type", "= {exodusII|exodus|genesis}", read_mesh_type,
                               "Format of the mesh file", "exodusII"),
       row<FiniteElementModel>("alias", "<name on the file> AS <name>", read_variable_alias,

@@ -5,42 +5,21 @@
 
 #include "parser/commands/output_schedule_commands.hpp"
 #include "parser/commands/row_lists.hpp"
+#include "parser/text/word_grammar.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// Seconds of one unit letter, 0 for none that is known.
-double seconds_of(char unit) {
-  switch (unit) {
-    case 's':
-      return 1.0;
-    case 'm':
-      return 60.0;
-    case 'h':
-      return 3600.0;
-    case 'd':
-      return 86400.0;
-    default:
-      return 0.0;
-  }
-}
-
-/// A time of the clock: 90, 90s, 700m, 12h, 1d. The result is in seconds.
+/// A time of the clock in seconds.
 double read_wall_time(Arguments& arguments) {
   const Word& word = arguments.word("a time such as 12h");
-  std::string number = word.text;
-  double unit = 1.0;
-  if (const double seconds = number.empty() ? 0.0 : seconds_of(fold(number).back()); seconds > 0.0) {
-    unit = seconds;
-    number.pop_back();
-  }
-  const auto value = find_real(number);
-  if (!value || *value < 0.0) {
+  const auto seconds = find_wall_time(word.text);
+  if (!seconds || *seconds < 0.0) {
     arguments.fail(word, fmt::format("expected a time such as 30s, 700m, 12h or 1d for '{}', found '{}'",
                                      arguments.what(), word.text));
   }
-  return *value * unit;
+  return *seconds;
 }
 
 void read_wall_time_phase(Arguments& arguments, RestartData& restart) {
@@ -53,7 +32,7 @@ void read_wall_time_phase(Arguments& arguments, RestartData& restart) {
 }
 
 void read_automatic_restart(Arguments& arguments, RestartData& restart) {
-  static const std::string choices[] = {"automatic", "auto"};
+  static const Choices choices({"automatic", "auto"});
   arguments.choice(choices);
   restart.is_automatic = true;
 }

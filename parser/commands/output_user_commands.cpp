@@ -12,8 +12,7 @@ namespace {
 /// <reduction> OF {NODAL|ELEMENT|FACE} <variable>, after AS.
 void read_reduction(Arguments& arguments, const DeckName& name, UserOutput& output) {
   using R = OutputReduction;
-  static const std::string words[] = {"sum",    "max",     "min", "average", "max absolute value",
-                                      "l2norm", "variance"};
+  static const Choices words({"sum", "max", "min", "average", "max absolute value", "l2norm", "variance"});
   static constexpr R reductions[] = {R::sum,     R::maximum, R::minimum, R::average, R::absolute_maximum,
                                      R::l2_norm, R::variance};
   ReducedVariable variable{name, reductions[arguments.choice(words)], {}, {}};
@@ -51,8 +50,8 @@ void read_nodal(Arguments& arguments, UserOutput& output) {
 }
 
 void read_element(Arguments& arguments, UserOutput& output) {
-  static const std::string averages[] = {"volume weighted average of element", "nonlocal average of element",
-                                         "nonlocal average"};
+  static const Choices averages(
+      {"volume weighted average of element", "nonlocal average of element", "nonlocal average"});
   const DeckName name = arguments.name();
   arguments.expect("as");
   if (read_function(arguments, VariableLocation::element, name, output)) return;
@@ -114,14 +113,14 @@ void read_shape(Arguments& arguments, UserVariable& variable) {
     return;
   }
   if (arguments.at_end()) return;
-  static const std::string shapes[] = {"vector", "sym tensor", "full tensor"};
+  static const Choices shapes({"vector", "sym tensor", "full tensor"});
   static constexpr Shape meanings[] = {Shape::vector, Shape::sym_tensor, Shape::full_tensor};
   variable.shape = meanings[arguments.choice(shapes)];
 }
 
 void read_variable_type(Arguments& arguments, UserVariable& variable) {
   using P = UserVariable::Place;
-  static const std::string places[] = {"node", "nodal", "element", "global"};
+  static const Choices places({"node", "nodal", "element", "global"});
   static constexpr P meanings[] = {P::node, P::node, P::element, P::global};
   variable.place = meanings[arguments.choice(places)];
   read_shape(arguments, variable);

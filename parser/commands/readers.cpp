@@ -64,8 +64,8 @@ DeckExpression read_expression(Arguments& arguments) {
   return read_deck_expression(std::move(location), std::move(text));
 }
 
-std::string syntax_of_choice(const std::vector<std::string>& words) {
-  return fmt::format("{{{}}}", fmt::join(words, "|"));
+std::string syntax_of_choice(const Choices& choices) {
+  return fmt::format("{{{}}}", fmt::join(choices.phrases(), "|"));
 }
 
 }  // namespace contactsim

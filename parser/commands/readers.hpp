@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parser/binding/arguments.hpp"
@@ -43,14 +44,15 @@ Reader<std::vector<DeckName>> names_of(NameKind kind);
 DeckExpression read_expression(Arguments& arguments);
 
 /// "{on|off}": how the choice of a word is written in a syntax.
-std::string syntax_of_choice(const std::vector<std::string>& words);
+std::string syntax_of_choice(const Choices& choices);
 
 /// A reader of one of several words, in the order of the enumerators of E (from 0).
 template <class E>
-Reader<E> choice_of(const std::vector<std::string>& words) {
-  return {syntax_of_choice(words),
-          [words](Arguments& arguments) { return static_cast<E>(arguments.choice(words)); },
-          [words](const E& value) { return words[static_cast<std::size_t>(value)]; }};
+Reader<E> choice_of(std::vector<std::string> words) {
+  const Choices choices(std::move(words));
+  return {syntax_of_choice(choices),
+          [choices](Arguments& arguments) { return static_cast<E>(arguments.choice(choices)); },
+          [choices](const E& value) { return choices.phrases()[static_cast<std::size_t>(value)]; }};
 }
 
 }  // namespace contactsim

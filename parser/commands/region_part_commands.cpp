@@ -70,7 +70,7 @@ const Table<MassScaling>& mass_scaling_table() {
 
 void read_termination(Arguments& arguments, SolutionTermination& termination) {
   using R = NodalCriterion::Reduction;
-  static const std::string locations[] = {"global", "nodal", "node", "element"};
+  static const Choices locations({"global", "nodal", "node", "element"});
   static constexpr VariableLocation meanings[] = {VariableLocation::global, VariableLocation::nodal,
                                                   VariableLocation::nodal, VariableLocation::element};
   TerminationCriterion criterion;

@@ -22,7 +22,7 @@ const Table<OutputScheduler>& output_scheduler_table() {
 }
 
 void read_restart_of_run(Arguments& arguments, SimulationDefinition& simulation) {
-  static const std::vector<std::string> words{"automatic", "auto"};
+  static const Choices words({"automatic", "auto"});
   arguments.choice(words);
   simulation.restart.is_automatic = true;
 }

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <string_view>
+
+#include "parser/text/word_grammar.hpp"
 
 namespace contactsim {
 
@@ -13,25 +14,10 @@ namespace {
 bool means_all(std::string_view part) { return part == ":" || part == "*"; }
 
 std::int64_t integration_point(const Arguments& arguments, const Word& word, std::string_view text) {
-  std::int64_t point = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), point);
-  if (error != std::errc() || stop != text.data() + text.size() || point < 1) {
+  const auto point = find_integer(text);
+  if (!point || *point < 1)
     arguments.fail(word, fmt::format("expected an integration point from 1, found '{}'", text));
-  }
-  return point;
-}
-
-/// Takes "(c)" or "(c,ip)" apart.
-void read_parentheses(const Arguments& arguments, const Word& word, std::string_view group,
-                      VariableReference& variable) {
-  const std::string_view inside = group.substr(1, group.size() - 2);
-  const std::size_t comma = inside.find(',');
-  const std::string_view component = inside.substr(0, comma);
-  if (component.empty()) arguments.fail(word, fmt::format("expected a component in '{}'", word.text));
-  if (!means_all(component)) variable.component = fold(component);
-  if (comma == std::string_view::npos) return;
-  const std::string_view point = inside.substr(comma + 1);
-  if (!means_all(point)) variable.integration_point = integration_point(arguments, word, point);
+  return *point;
 }
 
 }  // namespace
@@ -42,41 +28,37 @@ VariableReference read_variable(Arguments& arguments) {
     arguments.fail(word,
                    fmt::format("expected a variable after '{}', found '{}'", arguments.what(), word.text));
   }
-  const std::size_t open = word.text.find('(');
-  VariableReference variable{{word.text.substr(0, open), word.location}, "", std::nullopt};
-  if (open == std::string::npos) return variable;
-  if (open == 0 || word.text.back() != ')') {
+  const auto parts = find_variable(word.text);
+  if (!parts) {
     arguments.fail(
         word, fmt::format("expected <variable>(<component>,<integration point>), found '{}'", word.text));
   }
-  read_parentheses(arguments, word, std::string_view(word.text).substr(open), variable);
+  VariableReference variable{{std::string(parts->name), word.location}, "", std::nullopt};
+  if (!parts->component) return variable;
+  if (parts->component->empty()) arguments.fail(word, fmt::format("expected a component in '{}'", word.text));
+  if (!means_all(*parts->component)) variable.component = fold(*parts->component);
+  if (parts->point && !means_all(*parts->point))
+    variable.integration_point = integration_point(arguments, word, *parts->point);
   return variable;
 }
 
 VariableTest read_variable_test(Arguments& arguments) {
   VariableTest test{read_variable(arguments), Comparison::greater, 0.0};
   const Word& word = arguments.word("one of <, <=, =, >=, >");
-  const std::string_view op = word.text;
-  if (op == "<") {
-    test.comparison = Comparison::less;
-  } else if (op == "<=") {
-    test.comparison = Comparison::less_equal;
-  } else if (op == "=" || op == "==") {
-    test.comparison = Comparison::equal;
-  } else if (op == ">=") {
-    test.comparison = Comparison::greater_equal;
-  } else if (op != ">") {
+  const auto comparison = find_comparison(word.text);
+  if (!comparison) {
     arguments.fail(word, fmt::format("expected one of <, <=, =, >=, > after '{}', found '{}'",
-                                     test.variable.name.text, op));
+                                     test.variable.name.text, word.text));
   }
+  test.comparison = *comparison;
   test.value = arguments.real();
   return test;
 }
 
 VariableLocation read_location(Arguments& arguments) {
   using L = VariableLocation;
-  static const std::string words[] = {"nodal",   "node",     "element", "edge",    "face",    "global",
-                                      "nodeset", "node set", "surface", "sideset", "side set"};
+  static const Choices words({"nodal", "node", "element", "edge", "face", "global", "nodeset", "node set",
+                              "surface", "sideset", "side set"});
   static constexpr L locations[] = {L::nodal,    L::nodal,    L::element,  L::edge,     L::face,    L::global,
                                     L::node_set, L::node_set, L::side_set, L::side_set, L::side_set};
   return locations[arguments.choice(words)];

@@ -59,7 +59,7 @@ set(core_in_io base mesh)
 
 # package header pattern -> files that may include it
 set(package_boost "boost/")
-set(owners_boost "parser/text/(line|expression)_grammar")
+set(owners_boost "parser/text/(line|word|value|expression)_grammar")
 set(package_netcdf "netcdf")
 set(owners_netcdf "io/netcdf/")
 set(package_hdf5 "hdf5|H5")
