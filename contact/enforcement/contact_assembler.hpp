@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/enforcement/pair_work.hpp"
-#include "contact/formulations/ties.hpp"
+#include "contact/formulations/tied/ties.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/mesh/contact_remap.hpp"

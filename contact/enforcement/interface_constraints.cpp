@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "contact/enforcement/momentum_balance.hpp"
-#include "contact/formulations/make_ties.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/tied/make_ties.hpp"
 #include "core/base/state_archive.hpp"
 
 namespace contactsim {

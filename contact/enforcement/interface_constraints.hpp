@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/enforcement/contact_assembler.hpp"
-#include "contact/formulations/bonds.hpp"
+#include "contact/formulations/bonded/bonds.hpp"
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/mesh/pair_lists.hpp"
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/formulations/ties.hpp"
+#include "contact/formulations/tied/ties.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 

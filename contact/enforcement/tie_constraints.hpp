@@ -6,7 +6,7 @@
 
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/node_mobility.hpp"
-#include "contact/formulations/ties.hpp"
+#include "contact/formulations/tied/ties.hpp"
 
 namespace contactsim {
 

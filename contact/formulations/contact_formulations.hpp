@@ -3,10 +3,10 @@
 
 #include <tuple>
 
-#include "contact/formulations/edge_contacts.hpp"
-#include "contact/formulations/face_face_contacts.hpp"
-#include "contact/formulations/node_face_contacts.hpp"
-#include "contact/formulations/plane_contacts.hpp"
+#include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
+#include "contact/formulations/face_face/face_face_contacts.hpp"
+#include "contact/formulations/node_face/node_face_contacts.hpp"
+#include "contact/formulations/node_plane/node_plane_contacts.hpp"
 
 namespace contactsim {
 
@@ -41,6 +41,7 @@ class FormulationList {
 
 /// All ways in which sides meet, in the order in which their contact points are taken. Faces come first:
 /// their search puts the boxes that nodes meet where they are. A new formulation is an entry here.
-using ContactFormulations = FormulationList<FaceFaceContacts, NodeFaceContacts, EdgeContacts, PlaneContacts>;
+using ContactFormulations =
+    FormulationList<FaceFaceContacts, NodeFaceContacts, EdgeEdgeContacts, NodePlaneContacts>;
 
 }  // namespace contactsim

@@ -8,9 +8,9 @@ namespace contactsim {
 /// The nodes that meet analytic planes. A plane is rigid, does not move and has no end: whatever is behind it
 /// is pushed out along its normal. Source: Sierra/SM 5.22, analytic objects.
 /// A ContactFormulation.
-class PlaneContacts {
+class NodePlaneContacts {
  public:
-  explicit PlaneContacts(const FormulationSetup& setup) : setup_(setup) { add_pairs(); }
+  explicit NodePlaneContacts(const FormulationSetup& setup) : setup_(setup) { add_pairs(); }
 
   /// A node and a plane are always candidates.
   void find_candidates(ContactSearch& /*search*/, const ContactKinematics& /*kinematics*/,

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/face_face_contacts.hpp"
+#include "contact/formulations/face_face/face_face_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "contact/formulations/bonds.hpp"
+#include "contact/formulations/bonded/bonds.hpp"
 #include "contact/formulations/cohesive_traction.hpp"
 #include "contact/formulations/flush_rims.hpp"
-#include "contact/formulations/make_ties.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/tied/make_ties.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/interface_laws/friction.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/node_face_history.hpp"
+#include "contact/formulations/node_face/node_face_history.hpp"
 
 #include <iterator>
 

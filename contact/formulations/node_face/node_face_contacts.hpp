@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "contact/formulations/contact_formulation.hpp"
-#include "contact/formulations/node_areas.hpp"
-#include "contact/formulations/node_face_history.hpp"
+#include "contact/formulations/node_face/node_areas.hpp"
+#include "contact/formulations/node_face/node_face_history.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
 namespace contactsim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/ties.hpp"
+#include "contact/formulations/tied/ties.hpp"
 
 #include "support/catch.hpp"
 #include "support/random_faces.hpp"

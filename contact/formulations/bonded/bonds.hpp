@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/formulations/ties.hpp"
+#include "contact/formulations/tied/ties.hpp"
 #include "core/interface_laws/interface_law.hpp"
 
 namespace contactsim {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/bonds.hpp"
+#include "contact/formulations/bonded/bonds.hpp"
 
 #include <algorithm>
 #include <cmath>

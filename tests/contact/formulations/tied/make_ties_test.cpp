@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/make_ties.hpp"
+#include "contact/formulations/tied/make_ties.hpp"
 
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"

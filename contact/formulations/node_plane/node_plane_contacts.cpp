@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/plane_contacts.hpp"
+#include "contact/formulations/node_plane/node_plane_contacts.hpp"
 
 #include <algorithm>
 #include <map>
@@ -22,7 +22,7 @@ bool has_friction(const PairRule& rule, const ContactPoint& point) {
 
 }  // namespace
 
-void PlaneContacts::add_pairs() {
+void NodePlaneContacts::add_pairs() {
   for (std::uint32_t i = 0; i < setup_.rules.rules().size(); ++i) {
     const SurfacePair& pair = *setup_.rules[i].pair;
     for (const auto& [with_plane, other] :
@@ -34,7 +34,7 @@ void PlaneContacts::add_pairs() {
   }
 }
 
-void PlaneContacts::add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t index) {
+void NodePlaneContacts::add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t index) {
   const ContactMesh& contact_mesh = setup_.contact_mesh;
   const AnalyticPlane& plane = setup_.contact.planes[index];
   for (std::uint32_t node = contact_mesh.first_node[surface]; node < contact_mesh.first_node[surface + 1];
@@ -43,7 +43,7 @@ void PlaneContacts::add_pairs(std::uint32_t surface, std::uint32_t pair, std::ui
         {node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
 }
 
-void PlaneContacts::remap(const ContactRemap& remap) {
+void NodePlaneContacts::remap(const ContactRemap& remap) {
   const std::vector<NodePlanePair> before = std::exchange(node_plane_pairs_, {});
   add_pairs();
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // pair, plane, node
@@ -56,13 +56,13 @@ void PlaneContacts::remap(const ContactRemap& remap) {
   }
 }
 
-void PlaneContacts::archive(StateArchive& saved) {
+void NodePlaneContacts::archive(StateArchive& saved) {
   saved.fixed_rows("contact/planes/elastic_slip", node_plane_pairs_,
                    [](NodePlanePair& pair_of_node, RowNumbers& row) { row(pair_of_node.elastic_slip); });
 }
 
-void PlaneContacts::detect(const ContactStepContext& context, CandidateRows rows,
-                           std::vector<ContactPoint>& points) const {
+void NodePlaneContacts::detect(const ContactStepContext& context, CandidateRows rows,
+                               std::vector<ContactPoint>& points) const {
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     const NodePlanePair& candidate = node_plane_pairs_[row];
     const PairRule& rule = context.rules.of_node(candidate.pair, candidate.node);
@@ -70,8 +70,8 @@ void PlaneContacts::detect(const ContactStepContext& context, CandidateRows rows
   }
 }
 
-void PlaneContacts::detect_one(const ContactStepContext& context, const NodePlanePair& candidate,
-                               const PairRule& rule, std::vector<ContactPoint>& points) const {
+void NodePlaneContacts::detect_one(const ContactStepContext& context, const NodePlanePair& candidate,
+                                   const PairRule& rule, std::vector<ContactPoint>& points) const {
   const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * candidate.normal;
   const double gap = (context.kinematics.x(node.node) - candidate.origin).dot(candidate.normal) - node.radius;
@@ -109,8 +109,8 @@ void PlaneContacts::detect_one(const ContactStepContext& context, const NodePlan
 }
 
 /// The slip of a node that is near and does not touch stays.
-void PlaneContacts::update(const ContactStepContext& context, CandidateRows rows,
-                           std::span<const ContactPoint> points) {
+void NodePlaneContacts::update(const ContactStepContext& context, CandidateRows rows,
+                               std::span<const ContactPoint> points) {
   auto point = points.begin();
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     NodePlanePair& candidate = node_plane_pairs_[row];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/edge_contacts.hpp"
+#include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -78,14 +78,14 @@ PairLists list_edges_of_nodes(const ContactMesh& contact_mesh) {
 
 }  // namespace
 
-EdgeContacts::EdgeContacts(const FormulationSetup& setup)
+EdgeEdgeContacts::EdgeEdgeContacts(const FormulationSetup& setup)
     : contact_mesh_(setup.contact_mesh),
       edges_of_node_(list_edges_of_nodes(contact_mesh_)),
       depth_before_(contact_mesh_.edges.size(), 0.0f),
       depth_now_(contact_mesh_.edges.size(), 0.0f) {}
 
-bool EdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, double share,
-                        const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const {
+bool EdgeEdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, double share,
+                            const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const {
   constexpr double alike = 1e-6;  // cosine of directions that count as square to the way
   const ContactEdge& edge = contact_mesh_.edges[index];
   if (edge.is_sharp() || edge.is_particle() || (share > 0.0 && share < 1.0) || pair_point.length > 0.0)
@@ -103,28 +103,28 @@ bool EdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, 
   return true;
 }
 
-void EdgeContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
-                                   const Motion& motion) {
+void EdgeEdgeContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
+                                       const Motion& motion) {
   if (contact_mesh_.edges.empty()) return;
   PairLists next;
   search.find_edge_pairs(kinematics, motion, depth_now_, next);
   take_candidates(std::move(next));
 }
 
-void EdgeContacts::take_candidates(PairLists candidates) {
+void EdgeEdgeContacts::take_candidates(PairLists candidates) {
   slips_now_ = transfer_pairs<ElasticSlips>(candidates_, slips_now_, candidates, no_slip);
   candidates_ = std::move(candidates);
 }
 
-void EdgeContacts::begin_step() {
+void EdgeEdgeContacts::begin_step() {
   std::swap(depth_before_, depth_now_);
   std::fill(depth_now_.begin(), depth_now_.end(), 0.0f);
   std::swap(slips_before_, slips_now_);
   slips_now_.assign(candidates_.partners.size(), no_slip);
 }
 
-void EdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /*rows*/,
-                          std::span<const ContactPoint> points) {
+void EdgeEdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /*rows*/,
+                              std::span<const ContactPoint> points) {
   for (const ContactPoint& point : points) {
     const auto partners = candidates_.of(point.first_entity);
     const auto found = std::ranges::lower_bound(partners, point.second_entity);
@@ -138,14 +138,15 @@ void EdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /
   }
 }
 
-void EdgeContacts::archive(StateArchive& saved) {
+void EdgeEdgeContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/edge_pairs", candidates_, saved);
   saved.rows("contact/edge_pairs/elastic_slip", slips_now_,
              [](ElasticSlips& slip, RowNumbers& row) { row(slip); });
   saved.list("contact/edges/depth", depth_now_);
 }
 
-void EdgeContacts::mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const {
+void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size_share,
+                                  PairRules& rules) const {
   const auto size_of = [&](const ContactEdge& edge) {
     return edge.is_particle()
                ? 2.0 * edge.radius
@@ -172,8 +173,8 @@ void EdgeContacts::mark_close(const ContactStepContext& context, double size_sha
   }
 }
 
-bool EdgeContacts::are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
-                            std::uint32_t second) const {
+bool EdgeEdgeContacts::are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
+                                std::uint32_t second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   for (const std::uint32_t of_a : a.faces) {
     for (const std::uint32_t of_b : b.faces) {
@@ -190,7 +191,7 @@ bool EdgeContacts::are_held(const ContactStepContext& context, std::uint32_t pai
   return is_held(a) || is_held(b);
 }
 
-void EdgeContacts::remap(const ContactRemap& remap) {
+void EdgeEdgeContacts::remap(const ContactRemap& remap) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, ElasticSlips> kept;
   for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
@@ -214,16 +215,16 @@ void EdgeContacts::remap(const ContactRemap& remap) {
   transfer(remap.edges, remap.n_edges_after, 0.0f, depth_now_);
 }
 
-void EdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
-                          std::vector<ContactPoint>& points) const {
+void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
+                              std::vector<ContactPoint>& points) const {
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k)
       detect_one(context, static_cast<std::uint32_t>(row), k, points);
   }
 }
 
-void EdgeContacts::detect_one(const ContactStepContext& context, std::uint32_t first_edge,
-                              std::size_t candidate, std::vector<ContactPoint>& points) const {
+void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32_t first_edge,
+                                  std::size_t candidate, std::vector<ContactPoint>& points) const {
   const std::uint32_t second_edge = candidates_.partners[candidate];
   const ContactEdge &first = contact_mesh_.edges[first_edge], &second = contact_mesh_.edges[second_edge];
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
@@ -261,8 +262,8 @@ void EdgeContacts::detect_one(const ContactStepContext& context, std::uint32_t f
   }
 }
 
-ContactPoint EdgeContacts::make_contact_point(const ContactStepContext& context, const Pair& pair,
-                                              const EdgePairPoint& pair_point) {
+ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& context, const Pair& pair,
+                                                  const EdgePairPoint& pair_point) {
   const auto& [first, second, rule, touched, before] = pair;
   ContactPoint point;
   point.is_of_edges = true;

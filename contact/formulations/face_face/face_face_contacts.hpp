@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contact/formulations/contact_formulation.hpp"
-#include "contact/formulations/face_face_history.hpp"
+#include "contact/formulations/face_face/face_face_history.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
 namespace contactsim {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/formulations/contact_step_context.hpp"
-#include "contact/formulations/ties.hpp"
+#include "contact/formulations/tied/ties.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/mesh/pair_lists.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/face_face_history.hpp"
+#include "contact/formulations/face_face/face_face_history.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/node_areas.hpp"
+#include "contact/formulations/node_face/node_areas.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -15,9 +15,9 @@ namespace contactsim {
 /// Edges push each other apart, with friction. What ties or pulls acts on faces and their nodes: between
 /// edges only where these are of faces.
 /// A ContactFormulation.
-class EdgeContacts {
+class EdgeEdgeContacts {
  public:
-  explicit EdgeContacts(const FormulationSetup& setup);
+  explicit EdgeEdgeContacts(const FormulationSetup& setup);
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates, with what is remembered of pairs that were candidates before.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/formulations/plane_contacts.hpp"
+#include "contact/formulations/node_plane/node_plane_contacts.hpp"
 
 #include <cmath>
 

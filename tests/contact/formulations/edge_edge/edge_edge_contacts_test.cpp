@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Friction models between edges: they push with friction, by the half of a HYBRID pair that they are of, and
 // leave to ties what these hold.
-#include "contact/formulations/edge_contacts.hpp"
+#include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
 #include "contact/mesh/feature_edges.hpp"
 #include "contact/search/contact_search.hpp"
 #include "support/catch.hpp"
@@ -69,7 +69,7 @@ TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact]
     edge.penalty_properties = parts.contact_mesh.faces[edge.faces[0]].penalty_properties;
     edge.width = 1.0;
   }
-  EdgeContacts edges(parts.setup());
+  EdgeEdgeContacts edges(parts.setup());
   ContactSearch search(parts.contact_mesh, parts.mesh, parts.rules, {}, parts.definition.dash);
   parts.find_candidates(search);
   edges.find_candidates(search, parts.kinematics, parts.motion());
