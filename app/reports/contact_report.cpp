@@ -35,10 +35,11 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
 std::string format_contact(const ContactForce& contact) {
   const ContactSearch& search = contact.search();
   const BroadPhaseCounts &faces = search.face_counts(), &nodes = search.node_counts();
+  std::size_t n_ties = 0;
+  contact.visit_constraints([&](const InterfaceConstraint&) { ++n_ties; });
   std::string text = "\nContact search\n";
   text += fmt::format("  {}, {}, {}\n", pluralize(contact.contact_mesh().faces.size(), "contact face"),
-                      pluralize(contact.contact_mesh().n_nodes(), "contact node"),
-                      pluralize(contact.interface_constraints().size(), "tie"));
+                      pluralize(contact.contact_mesh().n_nodes(), "contact node"), pluralize(n_ties, "tie"));
   text += fmt::format("  {}: trees built {} and refitted {} times, {:.6g} candidates in all, {} at the end\n",
                       pluralize(search.n_searches(), "global search", "global searches"),
                       faces.builds + nodes.builds, faces.refits + nodes.refits,

@@ -28,14 +28,14 @@ TiedSide count_tied(const ContactForce& force, std::uint32_t pair_index, const S
                     std::uint32_t surface) {
   const ContactMesh& contact_mesh = force.contact_mesh();
   std::set<std::uint32_t> tied_faces, tied_nodes;
-  for (std::size_t i = 0; i < force.interface_constraints().size(); ++i) {
-    const InterfaceConstraint& tie = force.interface_constraints()[i];
-    if (tie.pair != pair_index) continue;
-    if (tie.is_node) tied_nodes.insert(tie.first_entity);
-    if (tie.is_node) continue;
-    tied_faces.insert(tie.first_entity);
-    tied_faces.insert(tie.second_entity);
-  }
+  force.visit_constraints([&](const InterfaceConstraint& tie) {
+    if (tie.pair != pair_index) return;
+    if (tie.is_node) {
+      tied_nodes.insert(tie.first_entity);
+    } else {
+      tied_faces.insert({tie.first_entity, tie.second_entity});
+    }
+  });
   const auto count = [](const std::set<std::uint32_t>& tied, std::uint32_t begin, std::uint32_t end) {
     const auto first = tied.lower_bound(begin), last = tied.lower_bound(end);
     return TiedSide{static_cast<std::size_t>(std::distance(first, last)), end - begin, false};
@@ -74,11 +74,10 @@ std::string names_of(const SurfacePair& pair, const ContactModel& contact) {
 
 std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact) {
   std::vector<TiedArea> areas(contact.pairs.size());
-  for (std::size_t i = 0; i < force.interface_constraints().size(); ++i) {
-    const InterfaceConstraint& tie = force.interface_constraints()[i];
+  force.visit_constraints([&](const InterfaceConstraint& tie) {
     ++areas[tie.pair].n_ties;
     areas[tie.pair].area += tie.area;
-  }
+  });
   return areas;
 }
 

@@ -99,7 +99,7 @@ void ContactAssembler::add_slip(const ContactPointSide& side, const Eigen::Vecto
   }
 }
 
-void ContactAssembler::add(const InterfaceConstraint& constraint, const TieForces& forces) {
+void ContactAssembler::add(const InterfaceConstraint& constraint, const CornerForces& forces) {
   PairStep& pair = pairs_[constraint.pair];
   for (std::size_t k = 0; k < 8; ++k) {
     const auto i = static_cast<Eigen::Index>(k);

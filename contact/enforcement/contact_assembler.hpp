@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "contact/enforcement/pair_work.hpp"
-#include "contact/formulations/tied/ties.hpp"
+#include "contact/formulations/interface_constraint.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/mesh/contact_remap.hpp"
@@ -59,7 +59,7 @@ class ContactAssembler {
   /// Notes how deep a contact point that touches is.
   ///   thickness  of the thinner side [length]
   void note_penetration(const ContactPoint& point, double thickness);
-  void add(const InterfaceConstraint& constraint, const TieForces& forces);
+  void add(const InterfaceConstraint& constraint, const CornerForces& forces);
   /// Ends a step: slips of the nodes are added up.
   void end_step();
 

@@ -15,8 +15,8 @@ ContactDetection::ContactDetection(const ContactSetup& setup, const ContactMesh&
 
 void ContactDetection::find_candidates(const Motion& motion, ContactKinematics& kinematics) {
   kinematics.bound_all();
-  formulations_.for_each(
-      [&](auto& formulation) { formulation.find_candidates(search_, kinematics, motion); });
+  for_each_of_points(formulations_,
+                     [&](auto& formulation) { formulation.find_candidates(search_, kinematics, motion); });
   search_.finish(kinematics);
   kinematics.watch(faces_with_candidates());
   has_new_surfaces_ = false;
@@ -24,7 +24,7 @@ void ContactDetection::find_candidates(const Motion& motion, ContactKinematics& 
 
 std::vector<std::uint32_t> ContactDetection::faces_with_candidates() const {
   std::vector<std::uint8_t> is_watched(contact_mesh_.faces.size(), 0);
-  formulations_.for_each([&](const auto& formulation) { formulation.watch(is_watched); });
+  for_each_of_points(formulations_, [&](const auto& formulation) { formulation.watch(is_watched); });
   std::vector<std::uint32_t> watched;
   watched.reserve(static_cast<std::size_t>(std::count(is_watched.begin(), is_watched.end(), 1)));
   for (std::uint32_t face = 0; face < is_watched.size(); ++face) {
@@ -34,41 +34,70 @@ std::vector<std::uint32_t> ContactDetection::faces_with_candidates() const {
 }
 
 void ContactDetection::begin_step() {
-  formulations_.for_each([](auto& formulation) { formulation.begin_step(); });
+  for_each_of_points(formulations_, [](auto& formulation) { formulation.begin_step(); });
 }
 
 void ContactDetection::find_lost(std::vector<LostContact>& lost) const {
-  formulations_.for_each([&](const auto& formulation) { formulation.find_lost(rules_, lost); });
+  for_each_of_points(formulations_, [&](const auto& formulation) { formulation.find_lost(rules_, lost); });
 }
 
 void ContactDetection::mark_close(const ContactStepContext& context, PairRules& rules) const {
   const double size_share = setup_.definition.dash.search_length_scaling;
-  formulations_.for_each([&](const auto& formulation) {
+  for_each_of_points(formulations_, [&](const auto& formulation) {
     if constexpr (requires { formulation.mark_close(context, size_share, rules); })
       formulation.mark_close(context, size_share, rules);
   });
 }
 
-NearCandidates ContactDetection::near_candidates() const {
-  return {formulations_.get<FaceFaceContacts>().candidates(),
-          formulations_.get<NodeFaceContacts>().candidates(), setup_.definition.dash.search_length_scaling};
-}
-
 std::size_t ContactDetection::n_candidates() const {
   std::size_t n = 0;
-  formulations_.for_each([&](const auto& formulation) { n += formulation.n_candidates(); });
+  for_each_of_points(formulations_, [&](const auto& formulation) { n += formulation.n_candidates(); });
   return n;
+}
+
+void ContactDetection::find_constraints(const ContactStepContext& context, bool only_changed,
+                                        ConstrainedPairs& constrained) {
+  const NearCandidates near{formulations_.get<FaceFaceContacts>().candidates(),
+                            formulations_.get<NodeFaceContacts>().candidates(),
+                            setup_.definition.dash.search_length_scaling};
+  if (only_changed) decaying_.end_changed(rules_);
+  for_each_of_constraints(formulations_, [&](auto& formulation) {
+    formulation.find_candidates(context, near, only_changed, constrained);
+  });
+}
+
+void ContactDetection::detect_constraints(const ContactStepContext& context, ConstrainedPairs& constrained,
+                                          std::vector<ConstraintForces>& found) {
+  decaying_.step(context, found);
+  for_each_of_constraints(formulations_, [&](auto& formulation) {
+    const std::size_t n_before = found.size();
+    formulation.detect(context, found);
+    formulation.update(context, std::span<const ConstraintForces>(found).subspan(n_before), constrained,
+                       decaying_);
+  });
+}
+
+void ContactDetection::glue(const ContactStepContext& context, std::span<const ContactPoint> points,
+                            ConstrainedPairs& constrained) {
+  for (const ContactPoint& point : points) {
+    for_each_of_constraints(formulations_, [&](auto& formulation) {
+      if constexpr (requires { formulation.glue(context, point, constrained); })
+        formulation.glue(context, point, constrained);
+    });
+  }
 }
 
 void ContactDetection::remap(const ContactRemap& remap) {
   search_.remap(remap);
   formulations_.for_each([&](auto& formulation) { formulation.remap(remap); });
+  decaying_.remap(remap);
   has_new_surfaces_ = true;
 }
 
 void ContactDetection::archive(StateArchive& saved) {
   search_.archive(saved);
   formulations_.for_each([&](auto& formulation) { formulation.archive(saved); });
+  decaying_.archive(saved);
 }
 
 }  // namespace contactsim

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "contact/enforcement/contact_setup.hpp"
-#include "contact/enforcement/interface_constraints.hpp"
 #include "contact/formulations/contact_formulations.hpp"
 #include "contact/search/contact_search.hpp"
 #include "core/base/threads.hpp"
@@ -14,8 +13,8 @@
 namespace contactsim {
 
 /// Contact detection: the broad phase finds candidates when something has moved far enough, the narrow phase
-/// of each formulation finds the contact points among them in every step. The same points in the same order
-/// for any number of threads.
+/// of each formulation finds contact points and forces of constraints in every step. The same points in the
+/// same order for any number of threads.
 class ContactDetection {
  public:
   /// All must outlive this.
@@ -41,9 +40,25 @@ class ContactDetection {
 
   /// Marks what of HYBRID pairs is close to the other side.
   void mark_close(const ContactStepContext& context, PairRules& rules) const;
-  /// Pairs of faces, and of nodes with faces, that ties may hold.
-  NearCandidates near_candidates() const;
   std::size_t n_candidates() const;
+
+  /// Has ties and bonds hold what is near: of all pairs, or of those whose model has just changed, which lose
+  /// what they had.
+  void find_constraints(const ContactStepContext& context, bool only_changed, ConstrainedPairs& constrained);
+  /// Appends the forces of constraints in a step: of what decays, then of what the context enforces.
+  void detect_constraints(const ContactStepContext& context, ConstrainedPairs& constrained,
+                          std::vector<ConstraintForces>& found);
+  /// Holds what has touched under a GLUED MODEL, from the next step on.
+  void glue(const ContactStepContext& context, std::span<const ContactPoint> points,
+            ConstrainedPairs& constrained);
+  /// Calls take(tie) for those whose forces momentum balance has to find, before detect_constraints().
+  template <class Take>
+  void visit_balanced(const ContactStepContext& context, const Take& take);
+  /// Calls do_one(constraint) for all: ties first, then bonds, then what decays.
+  template <class Do>
+  void visit_constraints(const Do& do_one) const;
+  std::span<const Tie> ties() const { return formulations_.get<TiedContacts>().constraints(); }
+
   const ContactSearch& search() const { return search_; }
 
   /// Goes over to other faces and nodes, which stand where those of the constructor stood already. A search
@@ -52,16 +67,17 @@ class ContactDetection {
   void archive(StateArchive& saved);
 
  private:
-  template <class Formulation, class Take>
-  void visit_points_of(Formulation& formulation, const ContactStepContext& context, const Take& take);
-  template <class Formulation, class Take>
-  void detect_in_chunks(Formulation& formulation, const ContactStepContext& context, const Take& take);
+  template <class F, class Take>
+  void visit_points_of(F& formulation, const ContactStepContext& context, const Take& take);
+  template <class F, class Take>
+  void detect_in_chunks(F& formulation, const ContactStepContext& context, const Take& take);
 
   const ContactSetup& setup_;
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
   ContactSearch search_;
   ContactFormulations formulations_;
+  DecayingConstraints decaying_;
   bool has_new_surfaces_ = false;                  // a search has to follow
   std::vector<std::vector<ContactPoint>> chunks_;  // scratch of each thread
   std::vector<ContactPoint> all_points_;           // scratch
@@ -69,9 +85,8 @@ class ContactDetection {
 
 /// Detects contact points chunk by chunk on all threads. They are taken in order while other threads work on
 /// later chunks.
-template <class Formulation, class Take>
-void ContactDetection::detect_in_chunks(Formulation& formulation, const ContactStepContext& context,
-                                        const Take& take) {
+template <class F, class Take>
+void ContactDetection::detect_in_chunks(F& formulation, const ContactStepContext& context, const Take& take) {
   const std::size_t n_rows = formulation.n_rows();
   const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
   const int n_threads = threads_for(n_rows * 10);
@@ -90,9 +105,8 @@ void ContactDetection::detect_in_chunks(Formulation& formulation, const ContactS
   }
 }
 
-template <class Formulation, class Take>
-void ContactDetection::visit_points_of(Formulation& formulation, const ContactStepContext& context,
-                                       const Take& take) {
+template <class F, class Take>
+void ContactDetection::visit_points_of(F& formulation, const ContactStepContext& context, const Take& take) {
   if constexpr (requires { formulation.complete(context, std::span(all_points_)); }) {
     all_points_.clear();
     detect_in_chunks(formulation, context, [&](const ContactPoint& point) { all_points_.push_back(point); });
@@ -112,8 +126,25 @@ std::vector<ContactPoint> ContactDetection::visit_points(const ContactStepContex
     const bool may_glue = point.is_met() && !point.is_of_edges;
     if (may_glue && rules_.of(point).law == ContactLaw::glued) to_glue.push_back(point);
   };
-  formulations_.for_each([&](auto& formulation) { visit_points_of(formulation, context, take_one); });
+  for_each_of_points(formulations_,
+                     [&](auto& formulation) { visit_points_of(formulation, context, take_one); });
   return to_glue;
+}
+
+template <class Take>
+void ContactDetection::visit_balanced(const ContactStepContext& context, const Take& take) {
+  for_each_of_constraints(formulations_, [&](auto& formulation) {
+    if constexpr (requires { formulation.visit_balanced(context, take); })
+      formulation.visit_balanced(context, take);
+  });
+}
+
+template <class Do>
+void ContactDetection::visit_constraints(const Do& do_one) const {
+  for_each_of_constraints(formulations_, [&](const auto& formulation) {
+    for (const InterfaceConstraint& constraint : formulation.constraints()) do_one(constraint);
+  });
+  for (const InterfaceConstraint& constraint : decaying_.constraints()) do_one(constraint);
 }
 
 }  // namespace contactsim

@@ -58,12 +58,6 @@ ContactForce::ContactForce(const ContactSetup& setup)
       rules_.rules(), [](const PairRule& rule) { return rule.is_balanced && rule.may_act_apart(); });
 }
 
-/// The mid surfaces of lofted shells, which turn the points of lofts.
-LoftSpins ContactForce::make_spins() const {
-  return {contact_mesh_.loft, static_cast<std::size_t>(setup_.model.mesh->coordinates().cols()),
-          setup_.model.rigid.nodes};
-}
-
 /// The first time that forces are asked for: only now the elements' stable step is known.
 void ContactForce::begin(const Motion& motion) {
   has_begun_ = true;
@@ -73,15 +67,14 @@ void ContactForce::begin(const Motion& motion) {
   detection_.find_candidates(motion, kinematics_);
   const ContactStepContext context{kinematics_, rules_, constrained_, motion.dt};
   detection_.mark_close(context, rules_);
-  interface_constraints_.begin(context, detection_.near_candidates(), constrained_);
+  detection_.find_constraints(context, false, constrained_);
 }
 
 /// Searches where something has moved far enough, or models have changed.
 void ContactForce::update_candidates(const Motion& motion) {
   if (rules_.have_changed()) {
     detection_.find_candidates(motion, kinematics_);
-    interface_constraints_.renew({kinematics_, rules_, constrained_, motion.dt}, detection_.near_candidates(),
-                                 constrained_);
+    detection_.find_constraints({kinematics_, rules_, constrained_, motion.dt}, true, constrained_);
   } else if (detection_.is_due(kinematics_)) {
     detection_.find_candidates(motion, kinematics_);
   } else if (has_penalty_) {
@@ -96,6 +89,15 @@ void ContactForce::add_to_sums(const ContactPoint& point) {
   depths_.note(kinematics_, point);
 }
 
+/// Adds the forces of ties and bonds to all sums, and ties what is to be glued.
+void ContactForce::add_constraints(const ContactStepContext& context, std::span<const ContactPoint> to_glue) {
+  const std::size_t n_before = constraint_forces_.size();
+  detection_.detect_constraints(context, constrained_, constraint_forces_);
+  for (const ConstraintForces& held : std::span(constraint_forces_).subspan(n_before))
+    assembler_.add(held.constraint, held.forces);
+  detection_.glue(context, to_glue, constrained_);
+}
+
 /// The contact points of pairs that are enforced by penalty, and interface constraints.
 void ContactForce::add_penalty_points(const ContactStepContext& context) {
   std::vector<ContactPoint> to_glue;
@@ -107,8 +109,7 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
                             points_);
     for (const ContactPoint& point : points_) add_to_sums(point);
   }
-  interface_constraints_.step(context, constrained_, assembler_);
-  for (const ContactPoint& point : to_glue) interface_constraints_.glue(context, point, constrained_);
+  add_constraints(context, to_glue);
 }
 
 /// Bounds the eigenvalues of contact's stiffness over mass. Each contact point is a spring of stiffness k
@@ -118,14 +119,14 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
 /// take the place of the means. Points of lofts that hang on one node add up there, as do the nodes of a
 /// rigid body.
 double ContactForce::largest_eigenvalue() {
-  if (points_.empty() && interface_constraints_.forces().empty()) return 0.0;
+  if (points_.empty() && constraint_forces_.empty()) return 0.0;
   slips_.assign(rules_.rules().size(), 0);
   for (std::size_t i = 0; i < slips_.size(); ++i) {
     const PairRule& rule = rules_.rules()[i];
     slips_[i] =
         rule.friction > 0.0 || rule.interface_law != nullptr || rule.far != PairRule::not_hybrid ? 1 : 0;
   }
-  const auto node_rates = mobility_.find_rates(kinematics_, points_, interface_constraints_.forces(), slips_);
+  const auto node_rates = mobility_.find_rates(kinematics_, points_, constraint_forces_, slips_);
   std::vector<double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
   for (const SurfaceNode& node : contact_mesh_.surface_nodes) {
@@ -162,7 +163,7 @@ void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& momen
 void ContactForce::begin_step(const Motion& motion) {
   assembler_.begin_step();
   points_.clear();
-  interface_constraints_.begin_step();
+  constraint_forces_.clear();
   assembler_.begin_work(kinematics_, motion.dt);
   depths_.begin_step(contact_mesh_.faces.size());
   detection_.begin_step();
@@ -266,11 +267,10 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   const auto to_glue = detection_.visit_points(context, [&](const ContactPoint& point) {
     balance_.add(point, rules_.of(point), thinner_side(point));
   });
-  interface_constraints_.add_balanced(context, balance_);
+  detection_.visit_balanced(context, [&](Tie& tie) { balance_.add(tie); });
   balance_report_ = balance_.solve(static_cast<int>(setup_.definition.enforcement.balance_iterations));
   for (const ContactPoint& point : balance_.points()) add_to_sums(point);
-  interface_constraints_.take_balanced(context, balance_, constrained_, assembler_);
-  for (const ContactPoint& point : to_glue) interface_constraints_.glue(context, point, constrained_);
+  add_constraints(context, to_glue);
   if (points_.empty()) {
     balance_.swap_points(points_);
   } else {

@@ -63,14 +63,17 @@ class ContactForce final : public ForceTerm {
   /// The contact points of the last step, in their order, and the interface constraints, as their forces were
   /// added: what is written is what acted.
   std::span<const ContactPoint> points() const { return points_; }
-  std::span<const ConstraintForces> constraint_forces() const { return interface_constraints_.forces(); }
+  std::span<const ConstraintForces> constraint_forces() const { return constraint_forces_; }
 
   /// Saves or restores all that contact remembers between two steps.
   ///   motion  of the step before
   void archive(const Motion& motion, StateArchive& saved);
-  std::span<const Tie> ties() const { return interface_constraints_.ties(); }
-  /// All interface constraints, in the order of their forces.
-  const InterfaceConstraints& interface_constraints() const { return interface_constraints_; }
+  std::span<const Tie> ties() const { return detection_.ties(); }
+  /// Calls do_one(constraint) for all interface constraints: ties first, then bonds, then what decays.
+  template <class Do>
+  void visit_constraints(const Do& do_one) const {
+    detection_.visit_constraints(do_one);
+  }
   /// Where a contact node is, of the motion seen last [length].
   Eigen::Vector3d position(std::uint32_t node) const { return kinematics_.x(node); }
 
@@ -81,6 +84,7 @@ class ContactForce final : public ForceTerm {
   void begin_step(const Motion& motion);
   void add_penalty_points(const ContactStepContext& context);
   void add_to_sums(const ContactPoint& point);
+  void add_constraints(const ContactStepContext& context, std::span<const ContactPoint> to_glue);
   void write_forces(Eigen::Matrix3Xd& forces);
   LoftSpins make_spins() const;
   double largest_eigenvalue();
@@ -103,7 +107,6 @@ class ContactForce final : public ForceTerm {
   std::vector<std::uint8_t> slips_;        // [n_pairs] has springs along the surface
   PenetrationDepths depths_;
   ContactDetection detection_;
-  InterfaceConstraints interface_constraints_;
   ContactAssembler assembler_;
   OffsetMoments offset_moments_;
   MomentumBalance balance_;
@@ -113,8 +116,9 @@ class ContactForce final : public ForceTerm {
       free_turning_;  // of contact nodes in the coming step, without these forces
   ContactLoss last_loss_;
   BalanceReport balance_report_;
-  std::vector<ContactPoint> points_;   // of the step
-  std::vector<double> surface_rates_;  // scratch, [n_surfaces]
+  std::vector<ContactPoint> points_;                 // of the step
+  std::vector<ConstraintForces> constraint_forces_;  // of the step
+  std::vector<double> surface_rates_;                // scratch, [n_surfaces]
   PairHistories histories_;
   ContactStep step_share_;
   double stored_at_start_ = 0.0;

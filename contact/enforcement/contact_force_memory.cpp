@@ -33,7 +33,6 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   constrained_.archive(saved);
   depths_.archive(saved);
   detection_.archive(saved);
-  interface_constraints_.archive(saved);
   assembler_.archive(saved);
   balance_.archive(saved);
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);

@@ -60,6 +60,12 @@ ContactMesh ContactForce::make_faces(std::span<const ErodedNode> eroded_nodes) c
   return contact_mesh;
 }
 
+/// The mid surfaces of lofted shells, which turn the points of lofts.
+LoftSpins ContactForce::make_spins() const {
+  return {contact_mesh_.loft, static_cast<std::size_t>(setup_.model.mesh->coordinates().cols()),
+          setup_.model.rigid.nodes};
+}
+
 /// The stiffness behind faces and nodes as elements have it, limited by what masses and conditions allow now.
 ///   start  the faces at the start
 void ContactForce::limit_stiffness(const ContactKinematics& start) {
@@ -82,7 +88,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   constrained_.remap(remap);
   depths_.remap(remap);
   detection_.remap(remap);
-  interface_constraints_.remap(remap);
+  keep_constraints(remap, constraint_forces_);
   assembler_.remap(remap);
   balance_.remap(remap);
   std::erase_if(points_, [&](ContactPoint& point) { return !keep_point(remap, point); });
@@ -108,7 +114,7 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
   kinematics_.move_nodes(motion);
   kinematics_.bound_all();
   kinematics_.watch(detection_.faces_with_candidates());
-  histories_.forget_stored(points_, interface_constraints_.forces());
+  histories_.forget_stored(points_, constraint_forces_);
 }
 
 }  // namespace contactsim

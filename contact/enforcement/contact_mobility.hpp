@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/enforcement/interface_constraints.hpp"
+#include "contact/formulations/interface_constraint.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/free_directions.hpp"

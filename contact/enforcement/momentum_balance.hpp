@@ -48,14 +48,12 @@ class MomentumBalance {
   void add(const ContactPoint& point, const PairRule& rule, double thickness) {
     contacts_.add(point, rule, thickness);
   }
-  /// Adds the points of a tie, which must outlive the step; find_forces() answers for it afterwards.
+  /// Adds the points of a tie, which must outlive the step.
   void add(Tie& tie) { ties_.add(tie); }
   /// Finds the forces.
   BalanceReport solve(int max_iterations);
   /// The points in the order of add(), with force, friction, slip and what is lost.
   std::span<const ContactPoint> points() const { return contacts_.points(); }
-  /// The forces of a tie on its corners.
-  TieForces find_forces(const Tie& tie) const { return ties_.find_forces(tie); }
   const ContactLoss& loss() const { return loss_; }
   /// The nodes of the mesh that the forces may act on.
   std::span<const std::uint32_t> mesh_nodes() const { return mobility_.mesh_nodes(); }

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "contact/enforcement/contact_assembler.hpp"
-#include "contact/enforcement/interface_constraints.hpp"
 #include "contact/enforcement/pair_history.hpp"
 #include "contact/formulations/contact_point_law.hpp"
+#include "contact/formulations/interface_constraint.hpp"
 #include "contact/interface_laws/pair_rules.hpp"
 
 namespace contactsim {

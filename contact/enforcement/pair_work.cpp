@@ -72,7 +72,7 @@ double PairWork::work_behind(const ContactKinematics& kinematics, const ContactP
 }
 
 void PairWork::add(const ContactKinematics& kinematics, const InterfaceConstraint& constraint,
-                   const TieForces& forces) {
+                   const CornerForces& forces) {
   for (std::size_t k = 0; k < 8; ++k) {
     const Eigen::Vector3d force = forces.forces.col(static_cast<Eigen::Index>(k));
     if (!force.isZero(0.0))

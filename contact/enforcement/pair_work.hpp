@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/formulations/tied/ties.hpp"
+#include "contact/formulations/interface_constraint.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 
@@ -25,7 +25,7 @@ class PairWork {
   /// Takes a force of the step over.
   void add(const ContactKinematics& kinematics, const ContactPoint& point);
   void add(const ContactKinematics& kinematics, const InterfaceConstraint& constraint,
-           const TieForces& forces);
+           const CornerForces& forces);
   /// What add() would count for a contact point: the work along the half step behind its time [energy].
   double work_behind(const ContactKinematics& kinematics, const ContactPoint& point) const;
   /// The contact nodes have other numbers from now on: forces of the step before are over.

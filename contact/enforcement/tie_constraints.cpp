@@ -25,22 +25,11 @@ void TieConstraints::begin(const ContactKinematics& kinematics, double dt) {
 
 TieConstraints::Sides TieConstraints::sides_of(const Tie& tie) const {
   Sides sides;
-  for (std::size_t k = 0; k < 8; ++k) sides.x[k] = kinematics_->x(tie.nodes[k]);
-  for (int k = 0; k < 4; ++k) sides.second.col(k) = sides.x[static_cast<std::size_t>(k) + 4];
+  for (std::size_t k = 0; k < 8; ++k)
+    sides.x.col(static_cast<Eigen::Index>(k)) = kinematics_->x(tie.nodes[k]);
+  sides.second = sides.x.rightCols<4>();
   sides.axes = axes_of(sides.second);
   return sides;
-}
-
-/// Where the first side's point is, from the second side's. The second side carries it there, though it may
-/// be off its place: so the forces on both sides leave no moment.
-Eigen::Vector3d TieConstraints::offset_of(const Sides& sides, const TiePoint& point) {
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    offset +=
-        point.weights_1[i] * (sides.x[k] - sides.x[0]) - point.weights_2[i] * (sides.x[k + 4] - sides.x[0]);
-  }
-  return offset;
 }
 
 void TieConstraints::add(Tie& tie) {
@@ -81,7 +70,7 @@ void TieConstraints::add_second_terms(const Tie& tie, const TiePoint& point, con
 
 void TieConstraints::add_point(Tie& tie, std::uint32_t index, const Sides& sides) {
   const TiePoint& point = tie.points[index];
-  const Eigen::Vector3d offset = offset_of(sides, point);
+  const Eigen::Vector3d offset = offset_of(point, sides.x);
   const auto transferred = carry_point(sides.second, point.weights_2, offset);
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 4; ++k) {
@@ -214,20 +203,6 @@ void TieConstraints::finish() {
     const Eigen::Matrix3d axes = sides_of(*row.tie).axes;
     row.tie->points[row.point].force = axes.transpose() * row.force;
   }
-}
-
-TieForces TieConstraints::find_forces(const Tie& tie) const {
-  const Sides sides = sides_of(tie);
-  TieForces found{TieVectors::Zero(), sides.axes.col(2)};
-  for (std::uint32_t p = 0; p < tie.n_points; ++p) {
-    const TiePoint& point = tie.points[p];
-    const Eigen::Vector3d force = sides.axes * point.force;
-    found.forces.leftCols<4>() += force * point.weights_1.transpose();
-    const auto transferred = carry_point(sides.second, point.weights_2, offset_of(sides, point));
-    for (std::size_t k = 0; k < 4; ++k)
-      found.forces.col(static_cast<Eigen::Index>(k) + 4) -= transferred[k].transpose() * force;
-  }
-  return found;
 }
 
 }  // namespace contactsim

@@ -19,7 +19,7 @@ class TieConstraints {
   /// Begins a step.
   ///   dt  the coming one [time]
   void begin(const ContactKinematics& kinematics, double dt);
-  /// Adds the points of a tie, which must outlive the step; find_forces() answers for it afterwards.
+  /// Adds the points of a tie, which must outlive the step.
   void add(Tie& tie);
   bool empty() const { return rows_.empty(); }
 
@@ -34,9 +34,6 @@ class TieConstraints {
   ConstraintPass pass(double momentum, const LightCarriers& light);
   /// Gives the points of the ties their forces.
   void finish();
-
-  /// The forces of a tie on its corners.
-  TieForces find_forces(const Tie& tie) const;
 
  private:
   struct Term {
@@ -56,7 +53,7 @@ class TieConstraints {
   };
   /// Corners of a tie, and the axes that turn with the second side.
   struct Sides {
-    std::array<Eigen::Vector3d, 8> x;
+    CornerVectors x;
     FaceCorners second;
     Eigen::Matrix3d axes;
   };
@@ -66,7 +63,6 @@ class TieConstraints {
   }
   double area_of(const Row& row) const { return row.tie->points[row.point].area; }
   Sides sides_of(const Tie& tie) const;
-  static Eigen::Vector3d offset_of(const Sides& sides, const TiePoint& point);
   void add_point(Tie& tie, std::uint32_t index, const Sides& sides);
   void add_first_terms(const Tie& tie, const TiePoint& point);
   void add_second_terms(const Tie& tie, const TiePoint& point, const Eigen::Vector3d& offset,

@@ -8,6 +8,8 @@
 
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/contact_step_context.hpp"
+#include "contact/formulations/decaying_constraints.hpp"
+#include "contact/formulations/near_pairs.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/search/contact_search.hpp"
@@ -28,34 +30,45 @@ struct CandidateRows {
   std::size_t begin = 0, end = 0;
 };
 
-/// One way in which sides meet: faces and faces, nodes and faces, edges and edges, nodes and planes. Made of
-/// a FormulationSetup.
-///   find_candidates(search, kinematics, motion)  the broad phase; what is remembered of pairs that were
-///                                  candidates before stays
-///   n_rows(), n_candidates()       rows of candidates, and how many there are in all
-///   watch(is_watched)              marks the faces of which bounds are needed until the next search
-///   [n_faces] begin_step()                   what was remembered becomes that of the last step
-///   detect(context, rows, points)  the narrow phase: appends the contact points of the pairs that the
-///   context
-///                                  enforces, row by row. Changes nothing; rows may be shared among threads
-///   update(context, rows, points)  takes over what detect() has found in some rows into what is remembered.
-///                                  Rows come in order, while others are still detected
-///   find_lost(rules, lost)         appends the contacts of the step before the last one that ended though
-///                                  they were deep
-///   remap(remap)                   goes over to other faces, nodes and edges, which stand where those of the
-///                                  setup stood already
-///   archive(saved)                 saves or restores what is remembered between steps
-/// A formulation may also have
-///   complete(context, points)      changes points that depend on each other, once all are detected
-///   mark_close(context, size_share, rules)  marks what of HYBRID pairs is close to the other side;
-///   size_share
-///                                  is the automatic CAPTURE TOLERANCE over the size of a side [1]
+/// What all formulations share.
+///   remap(remap)    goes over to other faces, nodes and edges, which stand where those before stood already
+///   archive(saved)  saves or restores what is remembered between steps
 template <class F>
-concept ContactFormulation = std::constructible_from<F, const FormulationSetup&> &&
+concept FormulationBase = requires(F formulation, const ContactRemap& remap, StateArchive& saved) {
+  formulation.remap(remap);
+  formulation.archive(saved);
+};
+
+/// One way in which sides meet, and push each other apart: faces and faces, nodes and faces, edges and edges,
+/// nodes and planes. Made of a FormulationSetup.
+///   find_candidates(search, kinematics, motion)
+///       the broad phase; what is remembered of pairs that were candidates before stays
+///   n_rows(), n_candidates()
+///       rows of candidates, and how many there are in all
+///   watch(is_watched)
+///       marks the faces of which bounds are needed until the next search [n_faces]
+///   begin_step()
+///       what was remembered becomes that of the last step
+///   detect(context, rows, points)
+///       the narrow phase: appends the contact points of the pairs that the context enforces, row by row.
+///       Changes nothing; rows may be shared among threads
+///   update(context, rows, points)
+///       takes over what detect() has found in some rows into what is remembered. Rows come in order, while
+///       others are still detected
+///   find_lost(rules, lost)
+///       appends the contacts of the step before the last one that ended though they were deep
+/// It may also have
+///   complete(context, points)
+///       changes points that depend on each other, once all are detected
+///   mark_close(context, size_share, rules)
+///       marks what of HYBRID pairs is close to the other side; size_share is the automatic CAPTURE TOLERANCE
+///       over the size of a side [1]
+template <class F>
+concept PointFormulation = FormulationBase<F> && std::constructible_from<F, const FormulationSetup&> &&
     requires(F formulation, const F& is, ContactSearch& search, const ContactKinematics& kinematics,
              const Motion& motion, const ContactStepContext& context, std::vector<std::uint8_t>& is_watched,
              std::vector<ContactPoint>& points, std::span<const ContactPoint> found,
-             std::vector<LostContact>& lost, const ContactRemap& remap, StateArchive& saved) {
+             std::vector<LostContact>& lost) {
   formulation.find_candidates(search, kinematics, motion);
   { is.n_rows() } -> std::same_as<std::size_t>;
   { is.n_candidates() } -> std::same_as<std::size_t>;
@@ -64,8 +77,36 @@ concept ContactFormulation = std::constructible_from<F, const FormulationSetup&>
   is.detect(context, CandidateRows{}, points);
   formulation.update(context, CandidateRows{}, found);
   is.find_lost(context.rules, lost);
-  formulation.remap(remap);
-  formulation.archive(saved);
 };
+
+/// One way in which sides are held together, until that fails: ties and bonds. Made of nothing.
+///   find_candidates(context, near, only_changed, constrained)
+///       holds what is near: of all pairs, or of those whose model has just changed, which lose what they
+///       had. What contact has to leave alone goes into `constrained`
+///   constraints()
+///       what holds now, a range of InterfaceConstraints
+///   detect(context, found)
+///       appends the forces of what the context enforces, where the sides are. Changes nothing
+///   update(context, found, constrained, decaying)
+///       takes over what detect() has found into what is remembered: damage, failure
+/// It may also have
+///   glue(context, point, constrained)
+///       holds what has touched under a GLUED MODEL, from the next step on
+///   visit_balanced(context, take)
+///       takes those whose forces momentum balance has to find before detect()
+template <class F>
+concept InterfaceFormulation = FormulationBase<F> && std::default_initializable<F> &&
+    requires(F formulation, const F& is, const ContactStepContext& context, const NearCandidates& near,
+             ConstrainedPairs& constrained, std::vector<ConstraintForces>& forces,
+             std::span<const ConstraintForces> found, DecayingConstraints& decaying) {
+  formulation.find_candidates(context, near, true, constrained);
+  is.constraints();
+  is.detect(context, forces);
+  formulation.update(context, found, constrained, decaying);
+};
+
+/// What stands in the list of formulations.
+template <class F>
+concept ContactFormulation = PointFormulation<F> || InterfaceFormulation<F>;
 
 }  // namespace contactsim

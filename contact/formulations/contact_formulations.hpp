@@ -2,11 +2,14 @@
 #pragma once
 
 #include <tuple>
+#include <type_traits>
 
+#include "contact/formulations/bonded/bonded_contacts.hpp"
 #include "contact/formulations/edge_edge/edge_edge_contacts.hpp"
 #include "contact/formulations/face_face/face_face_contacts.hpp"
 #include "contact/formulations/node_face/node_face_contacts.hpp"
 #include "contact/formulations/node_plane/node_plane_contacts.hpp"
+#include "contact/formulations/tied/tied_contacts.hpp"
 
 namespace contactsim {
 
@@ -14,7 +17,7 @@ namespace contactsim {
 template <ContactFormulation... F>
 class FormulationList {
  public:
-  explicit FormulationList(const FormulationSetup& setup) : all_{same<F>(setup)...} {}
+  explicit FormulationList(const FormulationSetup& setup) : all_{make<F>(setup)...} {}
 
   /// Calls do_one(formulation) for each, in order.
   template <class Do>
@@ -31,17 +34,36 @@ class FormulationList {
   }
 
  private:
-  template <class>
-  static const FormulationSetup& same(const FormulationSetup& setup) {
-    return setup;
+  template <class One>
+  static One make(const FormulationSetup& setup) {
+    if constexpr (std::constructible_from<One, const FormulationSetup&>) {
+      return One(setup);
+    } else {
+      return {};
+    }
   }
 
   std::tuple<F...> all_;
 };
 
-/// All ways in which sides meet, in the order in which their contact points are taken. Faces come first:
-/// their search puts the boxes that nodes meet where they are. A new formulation is an entry here.
-using ContactFormulations =
-    FormulationList<FaceFaceContacts, NodeFaceContacts, EdgeEdgeContacts, NodePlaneContacts>;
+/// Calls do_one(formulation) for those of a list that find contact points, or constraints, in order.
+template <class List, class Do>
+void for_each_of_points(List& formulations, const Do& do_one) {
+  formulations.for_each([&](auto& formulation) {
+    if constexpr (PointFormulation<std::remove_cvref_t<decltype(formulation)>>) do_one(formulation);
+  });
+}
+template <class List, class Do>
+void for_each_of_constraints(List& formulations, const Do& do_one) {
+  formulations.for_each([&](auto& formulation) {
+    if constexpr (InterfaceFormulation<std::remove_cvref_t<decltype(formulation)>>) do_one(formulation);
+  });
+}
+
+/// All ways in which sides meet or are held, in the order in which their contact points and forces are taken.
+/// Faces come first: their search puts the boxes that nodes meet where they are. A new formulation is an
+/// entry here.
+using ContactFormulations = FormulationList<FaceFaceContacts, NodeFaceContacts, EdgeEdgeContacts,
+                                            NodePlaneContacts, TiedContacts, BondedContacts>;
 
 }  // namespace contactsim

@@ -218,7 +218,7 @@ void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const Contac
   }
 }
 
-void ContactOutput::add_tie(const InterfaceConstraint& tie, const TieForces& forces) {
+void ContactOutput::add_tie(const InterfaceConstraint& tie, const CornerForces& forces) {
   if (forces.normal.isZero()) return;
   ContactTotal total;
   total.area = tie.area;

@@ -75,7 +75,7 @@ class ContactOutput {
   /// Brings everything to the state. Whoever asks first does the work.
   void evaluate(const State& state);
   void add_place(const ContactPoint& contact_point);
-  void add_tie(const InterfaceConstraint& tie, const TieForces& forces);
+  void add_tie(const InterfaceConstraint& tie, const CornerForces& forces);
   void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
   void add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side, double sign);
   /// The share of each corner of a tie's side in its area.

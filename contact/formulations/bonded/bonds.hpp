@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "contact/formulations/tied/ties.hpp"
+#include "contact/formulations/interface_constraint.hpp"
 #include "core/interface_laws/interface_law.hpp"
 
 namespace contactsim {
@@ -41,31 +41,15 @@ struct Bond : InterfaceConstraint {
   bool has_failed = false;
 };
 
-/// Bonds the middles of two faces' overlap where its gaps are within the tolerance either way. Returns
-/// whether they overlap there.
-bool bond_faces(const MovingFace& first, const MovingFace& second, double tolerance, Bond& bond);
-
-/// Forces of a bond; it takes over the history unless it is only looked at.
-///   x  of the corners [length]
-TieForces step_bond(const BondLaw& bond_law, const TieVectors& x, Bond& bond);
-
-/// The pull of a hold that has failed, as it decays: a straight line to nothing over some steps.
-struct DecayingConstraint : InterfaceConstraint {
-  TieVectors forces = TieVectors::Zero();  ///< at failure, in axes of the second face [force]
-  double stored = 0.0;                     ///< at failure [energy]
-  std::int64_t n_steps = 1, n_done = 0;
-
-  bool is_over() const { return n_done >= n_steps; }
+/// What a step brings a bond.
+struct BondStep {
+  CornerForces forces;
+  BondHistory history;  ///< after the step
+  bool fails = false;
 };
 
-/// A constraint that has failed with these forces.
-DecayingConstraint make_decaying(const InterfaceConstraint& constraint, const TieForces& at_failure,
-                                 const TieVectors& x, std::int64_t n_steps);
-/// Its forces now.
-TieForces find_decaying_forces(const DecayingConstraint& constraint, const TieVectors& x);
-
-/// How far a tie of a weld is in its failure envelope: (N / normal)^2 + (T / tangential)^2, more than 1
-/// outside; N of tension only.
-double weld_envelope(const WeldLaw& weld, const InterfaceConstraint& constraint, const TieForces& forces);
+/// Forces of a bond where its corners are.
+///   x  of the corners [length]
+BondStep find_bond_step(const BondLaw& bond_law, const CornerVectors& x, const Bond& bond);
 
 }  // namespace contactsim

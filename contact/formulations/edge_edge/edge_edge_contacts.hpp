@@ -14,7 +14,7 @@ namespace contactsim {
 /// The pairs of edges that may touch, and the slip that friction holds at each. Both edges have equal weight.
 /// Edges push each other apart, with friction. What ties or pulls acts on faces and their nodes: between
 /// edges only where these are of faces.
-/// A ContactFormulation.
+/// A PointFormulation.
 class EdgeEdgeContacts {
  public:
   explicit EdgeEdgeContacts(const FormulationSetup& setup);

@@ -6,11 +6,10 @@
 #include <limits>
 #include <utility>
 
-#include "contact/formulations/bonded/bonds.hpp"
 #include "contact/formulations/cohesive_traction.hpp"
 #include "contact/formulations/flush_rims.hpp"
+#include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/penalty.hpp"
-#include "contact/formulations/tied/make_ties.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/interface_laws/friction.hpp"
 
@@ -49,10 +48,9 @@ void FaceFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
 void FaceFaceContacts::mark_close(const ContactStepContext& context, double size_share,
                                   PairRules& rules) const {
   for (const NearPair& near : find_near_pairs(context, candidates_, {}, size_share, is_hybrid)) {
-    Bond scratch;
-    if (!bond_faces(context.kinematics.face(near.first), context.kinematics.face(near.second), near.tolerance,
-                    scratch))
-      continue;
+    const MovingFace first = context.kinematics.face(near.first),
+                     second = context.kinematics.face(near.second);
+    if (!find_mean_overlap(first, second, near.tolerance)) continue;
     rules.mark_close_face(near.pair, near.first);
     rules.mark_close_face(near.pair, near.second);
   }

@@ -7,8 +7,8 @@
 #include "contact/formulations/cohesive_traction.hpp"
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/flush_rims.hpp"
+#include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/penalty.hpp"
-#include "contact/formulations/tied/make_ties.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
 

@@ -7,7 +7,7 @@ namespace contactsim {
 
 /// The nodes that meet analytic planes. A plane is rigid, does not move and has no end: whatever is behind it
 /// is pushed out along its normal. Source: Sierra/SM 5.22, analytic objects.
-/// A ContactFormulation.
+/// A PointFormulation.
 class NodePlaneContacts {
  public:
   explicit NodePlaneContacts(const FormulationSetup& setup) : setup_(setup) { add_pairs(); }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/enforcement/contact_assembler.hpp"
 
+#include "contact/formulations/tied/ties.hpp"
+
 #include "support/catch.hpp"
 
 using namespace contactsim;
@@ -124,7 +126,7 @@ TEST_CASE("a tie gives its forces, its springs and what they hold", "[contact][c
   tie.nodes = {0, 1, 2, 3, 4, 5, 6, 7};
   tie.area = 3.0;
   for (int k = 0; k < 8; ++k) tie.springs[k] = 1.0 + k;
-  TieForces forces;
+  CornerForces forces;
   forces.forces.setZero();
   forces.forces.leftCols<4>().row(1).setConstant(2.0);
   forces.forces.rightCols<4>().row(1).setConstant(-2.0);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double stiffness = 1000.0;
 
-TieVectors corners_of(const MovingFace& first, const MovingFace& second) {
-  TieVectors x;
+CornerVectors corners_of(const MovingFace& first, const MovingFace& second) {
+  CornerVectors x;
   x << first.x, second.x;
   return x;
 }
@@ -24,7 +24,7 @@ Tie tied(const MovingFace& first, const MovingFace& second, double tolerance = 1
   return tie;
 }
 
-void check_balance(const TieVectors& x, const TieVectors& forces) {
+void check_balance(const CornerVectors& x, const CornerVectors& forces) {
   Vector3d moment = Vector3d::Zero();
   for (int k = 0; k < 8; ++k) moment += x.col(k).cross(forces.col(k));
   const double size = forces.colwise().norm().sum();
@@ -41,9 +41,9 @@ TEST_CASE("tied faces keep their gap without a force, however they turn together
     const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
                      b = random_face(random, i % 3 == 0, false, uniform(random, -0.2, 0.2));
     const Tie tie = tied(a, b);
-    const TieVectors x = corners_of(a, b);
+    const CornerVectors x = corners_of(a, b);
     CHECK(find_tie_forces(tie, x).forces.norm() < 1e-11 * stiffness);
-    const TieVectors moved = (random_rotation(random) * x).colwise() + random_vector(random, 3.0);
+    const CornerVectors moved = (random_rotation(random) * x).colwise() + random_vector(random, 3.0);
     CHECK(find_tie_forces(tie, moved).forces.norm() < 1e-10 * stiffness);
   }
 }
@@ -53,9 +53,9 @@ TEST_CASE("a tie pulls, pushes and shears by stiffness times area", "[contact][t
   const Tie tie = tied(lower, upper);
   CHECK(tie.area == Approx(0.5));
   for (const Vector3d& move : {Vector3d(0, 0, 0.01), Vector3d(0, 0, -0.01), Vector3d(0.01, 0, 0)}) {
-    TieVectors x = corners_of(lower, upper);
+    CornerVectors x = corners_of(lower, upper);
     x.rightCols<4>().colwise() += move;
-    const TieForces found = find_tie_forces(tie, x);
+    const CornerForces found = find_tie_forces(tie, x);
     const Vector3d on_lower = found.forces.leftCols<4>().rowwise().sum();
     CHECK((on_lower - stiffness * 0.5 * move).norm() < 1e-12);
     CHECK((found.normal - Vector3d(0, 0, -1)).norm() < 1e-14);
@@ -69,7 +69,7 @@ TEST_CASE("forces of ties over a gap balance in any deformation", "[contact][tie
     const MovingFace a = random_face(random, i % 2 == 0, true, 0.0),
                      b = random_face(random, i % 3 == 0, false, 0.2);
     const Tie tie = tied(a, b);
-    TieVectors x = corners_of(a, b);
+    CornerVectors x = corners_of(a, b);
     for (int k = 0; k < 8; ++k) x.col(k) += random_vector(random, 0.1);
     if (a.is_triangle) x.col(3) = x.col(2);
     if (b.is_triangle) x.col(7) = x.col(6);
@@ -81,9 +81,9 @@ TEST_CASE("forces of ties over a gap balance in any deformation", "[contact][tie
 TEST_CASE("a tie passes uniform stress", "[contact][ties]") {
   // Pulled apart, the corners of two equal squares get a quarter each.
   const MovingFace lower = make_square(0.0, 0.0, true), upper = make_square(0.0, 0.0, false);
-  TieVectors x = corners_of(lower, upper);
+  CornerVectors x = corners_of(lower, upper);
   x.rightCols<4>().row(2).array() += 0.01;
-  const TieForces found = find_tie_forces(tied(lower, upper), x);
+  const CornerForces found = find_tie_forces(tied(lower, upper), x);
   for (int k = 0; k < 8; ++k) CHECK(found.forces(2, k) == Approx(k < 4 ? 2.5 : -2.5));
 }
 
@@ -108,14 +108,14 @@ TEST_CASE("a node tied to a face over a gap stays over its point, and its force 
     Tie tie;
     tie.is_node = true;
     tie_node(node, face, weights, stiffness, tie);
-    TieVectors x;
+    CornerVectors x;
     x << node.replicate<1, 4>(), face.x;
     CHECK(find_tie_forces(tie, x).forces.norm() < 1e-11 * stiffness);
-    TieVectors moved = (random_rotation(random) * x).colwise() + random_vector(random, 2.0);
+    CornerVectors moved = (random_rotation(random) * x).colwise() + random_vector(random, 2.0);
     CHECK(find_tie_forces(tie, moved).forces.norm() < 1e-11 * stiffness);
     const Vector3d move(0.003, -0.002, 0.01);
     x.leftCols<4>().colwise() += move;
-    const TieForces found = find_tie_forces(tie, x);
+    const CornerForces found = find_tie_forces(tie, x);
     CHECK((found.forces.col(0) + stiffness * move).norm() < 1e-11 * stiffness);
     CHECK(found.forces.middleCols<3>(1).norm() == 0.0);
     check_balance(x, found.forces);
@@ -128,7 +128,7 @@ TEST_CASE("a stiff tie that has hardly moved does not push the whole by round-of
   Tie tie;
   REQUIRE(tie_faces(lower, upper, 1e12, 1.0, tie));
   for (int i = 0; i < 20; ++i) {
-    TieVectors x = corners_of(lower, upper);
+    CornerVectors x = corners_of(lower, upper);
     for (int k = 0; k < 8; ++k) x.col(k) += random_vector(random, 1e-9);
     check_balance(x, find_tie_forces(tie, x).forces);
   }

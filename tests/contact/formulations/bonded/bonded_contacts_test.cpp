@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/enforcement/interface_constraints.hpp"
+#include "contact/formulations/bonded/bonded_contacts.hpp"
 
 #include "support/catch.hpp"
 #include "support/law_bodies.hpp"
@@ -32,7 +32,7 @@ void check_balance(const ContactBodies& bodies) {
 }  // namespace
 
 TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks for good",
-          "[contact][interface_constraints]") {
+          "[contact][bonded_contacts]") {
   const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
   CohesiveBodies bodies(formulation);
   bodies.ask();
@@ -55,8 +55,7 @@ TEST_CASE("a cohesive zone follows its curve, unloads to the origin and breaks f
         Approx(penalty * 0.01).epsilon(0.01));  // broken sides touch
 }
 
-TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps",
-          "[contact][interface_constraints]") {
+TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps", "[contact][bonded_contacts]") {
   CohesiveBodies bodies(GENERATE(std::string(), by_nodes, both_ways));
   bodies.ask();
   // Slip 0.06: lambda 0.3, traction 6, along the surface 6 x 0.1 / 0.2.
@@ -69,8 +68,7 @@ TEST_CASE("a cohesive zone resists slip by the ratio of its critical gaps",
   check_balance(bodies);
 }
 
-TEST_CASE("a threaded joint holds by both openings and fades when it fails",
-          "[contact][interface_constraints]") {
+TEST_CASE("a threaded joint holds by both openings and fades when it fails", "[contact][bonded_contacts]") {
   const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
   ContactBodies bodies(
       law_mesh(0.0),
@@ -97,7 +95,7 @@ TEST_CASE("a threaded joint holds by both openings and fades when it fails",
 }
 
 TEST_CASE("a spring weld has forces of its displacements and fails at their envelope",
-          "[contact][interface_constraints]") {
+          "[contact][bonded_contacts]") {
   const bool of_nodes = GENERATE(false, true);
   const double n = of_nodes ? 4.0 : 1.0;  // places
   ContactBodies bodies(
@@ -127,100 +125,4 @@ TEST_CASE("a spring weld has forces of its displacements and fails at their enve
   force = force_after(bodies, {-0.05, 0, 0});
   CHECK(force.z() == Approx(10.0));
   CHECK(force.x() == Approx(3.0));  // the failed model rubs
-}
-
-TEST_CASE("a surface weld ties up to its capacities, fades and leaves its failed model",
-          "[contact][interface_constraints]") {
-  ContactBodies bodies(law_mesh(0.0),
-                       law_deck("begin surface weld model m\nnormal capacity = 8\ntangential capacity = 4\n"
-                                "failure decay cycles = 2\nfailed model = rub\nend\n" +
-                                rub));
-  bodies.ask();
-  CHECK(bodies.contact.ties().size() == 1);
-  CHECK(force_after(bodies, {0, 0, 0.007}).z() == Approx(-7.0));
-  CHECK(force_after(bodies, {0, 0, -0.017}).z() == Approx(10.0));  // pressed, it does not fail
-  CHECK(force_after(bodies, {0, 0, 0.02}).z() == Approx(-8.0));    // 10 is brought back to the envelope
-  CHECK(bodies.contact.ties().empty());
-  CHECK(force_after(bodies, {0, 0, 0}).z() == Approx(-4.0));
-  CHECK(force_after(bodies, {0, 0, 0}).norm() < 1e-9);
-  CHECK(friction_work(bodies) == Approx(0.5 * 1000 * 0.01 * 0.01));
-  force_after(bodies, {0, 0, -0.02});
-  const Vector3d force = force_after(bodies, {0.05, 0, 0});
-  CHECK(force.z() == Approx(10.0));
-  CHECK(force.x() == Approx(-3.0));
-}
-
-TEST_CASE("an area weld fails at tractions, by both together", "[contact][interface_constraints]") {
-  const std::string formulation = GENERATE(std::string(), by_nodes, both_ways);
-  ContactBodies bodies(
-      law_mesh(0.0, 1.5),
-      law_deck("begin area weld model m\nnormal capacity = 8\ntangential capacity = 8\nend\n", formulation));
-  bodies.ask();
-  CHECK(force_after(bodies, {0, 0, 0.006}).z() == Approx(-6.0 * 2.25));
-  Vector3d force = force_after(bodies, {0.005, 0, 0});  // 0.75^2 + 0.625^2 < 1
-  CHECK(force.x() == Approx(-5.0 * 2.25));
-  check_balance(bodies);
-  force = force_after(bodies, {0.003, 0, 0});  // 0.75^2 + 1 > 1: both by 1.25
-  CHECK(force.x() == Approx(-8.0 / 1.25 * 2.25));
-  CHECK(force.z() == Approx(-6.0 / 1.25 * 2.25));
-  CHECK(force_after(bodies, {0, 0, 0}).norm() < 1e-9);
-}
-
-TEST_CASE("welds of nodes hold as much both ways as one way", "[contact][interface_constraints]") {
-  const std::string model =
-      GENERATE(std::string("begin spring weld model m\nnormal displacement function = pull\n"
-                           "tangential displacement function = shear\nend\n"),
-               std::string("begin surface weld model m\nnormal capacity = 8\ntangential capacity = 4\nend\n"),
-               std::string("begin area weld model m\nnormal capacity = 8\ntangential capacity = 4\nend\n"));
-  const std::string functions =
-      line_function("pull", "0 0\n0.1 50\n") + line_function("shear", "0 0\n0.2 40\n");
-  const auto deck = [&](const std::string& sides) {
-    return "contact surface lower contains surface_1\ncontact surface upper contains surface_2\n"
-           "begin interaction\nconstraint formulation = node_face\nfriction model = m\n"
-           "penalty stiffness = 1000\n" +
-           sides + "end\n" + model;
-  };
-  for (const double size : {1.0, 0.5}) {
-    MeshBuilder b;
-    b.add_hexes({.id = 1, .size = {1, 1, 1}});
-    const double edge = 0.5 - 0.5 * size;  // in the middle of the lower cube
-    b.add_hexes({.id = 2, .origin = {edge, edge, 1}, .size = {size, size, 1}, .share_nodes = false});
-    for (const std::int64_t body : {1, 2}) {
-      b.add_side_set(body, "",
-                     [body](const CandidateSide& c) { return c.block_id == body && c.centroid.z() == 1.0; });
-    }
-    ContactBodies one(b, deck("side a = lower\nside b = upper\n"), functions);
-    ContactBodies both(b, deck("surfaces = lower upper\n"), functions);
-    one.ask();
-    both.ask();
-    double most = 0.0;
-    for (int i = 0; i < 8; ++i) {
-      const Vector3d force = force_after(one, {0.004, 0, 0.005});
-      CHECK((force_after(both, {0.004, 0, 0.005}) - force).norm() < 1e-9);
-      most = std::max(most, force.norm());
-    }
-    CHECK(most > 1.0);
-  }
-}
-
-TEST_CASE("forces of holds that are only looked at are those of the step",
-          "[contact][interface_constraints]") {
-  const std::string model =
-      GENERATE(std::string("begin cohesive zone model m\ntraction displacement function = zone\n"
-                           "critical normal gap = 0.1\ncritical tangential gap = 0.2\nend\n"),
-               std::string("begin spring weld model m\nnormal displacement function = zone\n"
-                           "tangential displacement function = zone\nfailure decay cycles = 3\nend\n"),
-               std::string("begin area weld model m\nnormal capacity = 50\ntangential capacity = 80\n"
-                           "failure decay cycles = 3\nend\n"));
-  ContactBodies bodies(law_mesh(0.0), law_deck(model), line_function("zone", "0 0\n0.5 10\n1 0\n"));
-  bodies.ask();
-  for (int i = 0; i < 12; ++i) {
-    force_after(bodies, {0.01, 0, 0.01});
-    Vector3d sum = Vector3d::Zero();
-    for (const ConstraintForces& held : bodies.contact.constraint_forces()) {
-      const Vector3d on_first = held.forces.forces.leftCols<4>().rowwise().sum();
-      sum += held.constraint.is_swapped ? on_first : Vector3d(-on_first);
-    }
-    CHECK((sum - bodies.force_on(1)).norm() < 1e-9);
-  }
 }

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/geometry/common_plane.hpp"
+#include "contact/geometry/node_face.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Square root of two: from the radius of a square to its side.
+constexpr double side_of_radius = 1.4142135623730951;
+
+/// A node that stands beside a face by this share of its size is tied to it all the same.
+constexpr double beside = 0.05;
+
+double tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_share) {
+  const double automatic = size_share * side_of_radius * face.radius();
+  return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
+}
+
+/// Whether a node projects inside some face of a surface.
+bool projects_inside(const ContactStepContext& context, const PairLists& node_faces, std::uint32_t row,
+                     std::uint32_t surface, double tolerance) {
+  return std::ranges::any_of(node_faces.of(row), [&](std::uint32_t face) {
+    return context.kinematics.contact_mesh().faces[face].surface == surface &&
+           find_closest_point(context, row, face, tolerance).has_value();
+  });
+}
+
+}  // namespace
+
+double share_of_node(const ContactStepContext& context, const PairLists& node_faces,
+                     const NearPair& near_pair, const Eigen::Vector4d& weights) {
+  if (context.rules[near_pair.pair].pair->is_one_sided) return 1.0;
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  const ContactFace& face = contact_mesh.faces[near_pair.second];
+  const std::uint32_t own = contact_mesh.surface_nodes[near_pair.first].surface;
+  double covered = 0.0;
+  for (std::size_t k = 0; k < (face.is_triangle() ? 3u : 4u); ++k) {
+    const auto row = contact_mesh.find_row(face.corners[k], face.surface);
+    if (row && projects_inside(context, node_faces, *row, own, near_pair.tolerance))
+      covered += weights[static_cast<Eigen::Index>(k)];
+  }
+  return 1.0 - 0.5 * std::clamp(covered, 0.0, 1.0);
+}
+
+std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, std::uint32_t row,
+                                               std::uint32_t face, double tolerance) {
+  const MovingFace moving = context.kinematics.face(face);
+  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
+  auto point = project_onto_face(moving.x, moving.is_triangle, context.kinematics.x(node.node));
+  if (!point) return std::nullopt;
+  point->gap -= node.radius;
+  if (std::abs(point->gap) > tolerance) return std::nullopt;
+  if (point->beyond > beside * context.kinematics.bound(face).radius()) return std::nullopt;
+  return point;
+}
+
+InterfaceConstraint constraint_of_faces(const ContactStepContext& context, std::uint32_t first,
+                                        std::uint32_t second) {
+  const ContactFace &a = context.kinematics.contact_mesh().faces[first],
+                    &b = context.kinematics.contact_mesh().faces[second];
+  InterfaceConstraint constraint;
+  constraint.pair = context.rules.find(a.surface, b.surface);
+  constraint.is_swapped = a.surface != context.rules[constraint.pair].pair->first;
+  constraint.first_entity = first;
+  constraint.second_entity = second;
+  std::copy(a.corners.begin(), a.corners.end(), constraint.nodes.begin());
+  std::copy(b.corners.begin(), b.corners.end(), constraint.nodes.begin() + 4);
+  return constraint;
+}
+
+InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::uint32_t row,
+                                       std::uint32_t face) {
+  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
+  const ContactFace& other = context.kinematics.contact_mesh().faces[face];
+  InterfaceConstraint constraint;
+  constraint.is_node = true;
+  constraint.pair = context.rules.find(node.surface, other.surface);
+  constraint.is_swapped = node.surface != context.rules[constraint.pair].pair->first;
+  constraint.first_entity = row;
+  constraint.second_entity = face;
+  std::fill_n(constraint.nodes.begin(), 4, node.node);
+  std::copy(other.corners.begin(), other.corners.end(), constraint.nodes.begin() + 4);
+  return constraint;
+}
+
+namespace {
+
+/// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
+bool is_facing(const ContactStepContext& context, const SurfaceNode& node, const Eigen::Vector3d& normal) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  bool has_faces = false;
+  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+    if (contact_mesh.faces[own].surface != node.surface) continue;
+    const Eigen::Vector3d area = context.kinematics.area(contact_mesh.faces[own]);
+    if (area.dot(normal) < max_facing_cosine * area.norm()) return true;
+    has_faces = true;
+  }
+  return !has_faces;
+}
+
+/// The nearest of the faces that a node projects inside and is held to; one that looks at the node's own
+/// faces before all others. On the rim of a joint the sides of the other body are as near as what the joint
+/// joins.
+std::optional<NearPair> find_nearest(const ContactStepContext& context, const PairLists& node_faces,
+                                     std::uint32_t row, double size_share, const HoldsPair& holds) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  std::optional<NearPair> best;
+  Eigen::Vector4d weights;
+  double nearest = std::numeric_limits<double>::infinity();
+  bool faces_best = false;
+  for (const std::uint32_t face : node_faces.of(row)) {
+    const std::uint32_t pair =
+        context.rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
+    if (pair == PairRules::none || !context.rules[pair].is_active || !holds(context.rules.of_node(pair, row)))
+      continue;
+    const double tolerance =
+        tolerance_of(*context.rules[pair].pair, context.kinematics.bound(face), size_share);
+    const auto closest = find_closest_point(context, row, face, tolerance);
+    if (!closest) continue;
+    const double distance = std::abs(closest->gap) + closest->beyond;
+    const bool faces_node = is_facing(context, contact_mesh.surface_nodes[row], closest->normal);
+    if (faces_node == faces_best ? distance >= nearest : faces_best) continue;
+    nearest = distance;
+    faces_best = faces_node;
+    best = {row, face, pair, true, tolerance};
+    best->is_facing = faces_node;
+    weights = corner_weights(closest->xi, closest->eta, contact_mesh.faces[face].is_triangle());
+  }
+  if (best) best->share = share_of_node(context, node_faces, *best, weights);
+  return best;
+}
+
+}  // namespace
+
+std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const PairLists& face_partners,
+                                      const PairLists& node_faces, double size_share,
+                                      const HoldsPair& holds) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  std::vector<NearPair> near_pairs;
+  for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
+    for (const std::uint32_t second : face_partners.of(first)) {
+      const std::uint32_t pair =
+          context.rules.find(contact_mesh.faces[first].surface, contact_mesh.faces[second].surface);
+      if (pair == PairRules::none || !context.rules[pair].is_active) continue;
+      if (!holds(context.rules.of_faces(pair, first, second))) continue;
+      const double tolerance =
+          tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);
+      near_pairs.push_back({first, second, pair, false, tolerance});
+    }
+  }
+  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
+    if (const auto nearest = find_nearest(context, node_faces, row, size_share, holds))
+      near_pairs.push_back(*nearest);
+  }
+  return near_pairs;
+}
+
+std::optional<MeanOverlap> find_mean_overlap(const MovingFace& first, const MovingFace& second,
+                                             double tolerance) {
+  const auto found = find_face_face_points(first, second);
+  if (!found) return std::nullopt;
+  MeanOverlap mean;
+  found->visit_near(tolerance, [&mean](double area, double, const Eigen::Vector4d& weights_1,
+                                       const Eigen::Vector4d& weights_2) {
+    mean.weights_1 += area * weights_1;
+    mean.weights_2 += area * weights_2;
+    mean.area += area;
+  });
+  if (mean.area == 0.0) return std::nullopt;
+  mean.weights_1 /= mean.area;
+  mean.weights_2 /= mean.area;
+  return mean;
+}
+
+}  // namespace contactsim
