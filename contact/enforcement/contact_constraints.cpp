@@ -97,7 +97,7 @@ void ContactConstraints::find_general_terms(const ContactPoint& contact_point, G
 
 /// Whether a point is between the entities of the last row, and seen along the same normal.
 bool ContactConstraints::is_of_last_group(const ContactPoint& contact_point) const {
-  if (rows_.empty() || groups_.back().first_arm != none) return false;
+  if (rows_.empty() || groups_.back().first_arm) return false;
   const ContactPoint& last = points_[rows_.back().point];
   return contact_point.first.nodes == last.first.nodes && contact_point.second.nodes == last.second.nodes &&
          contact_point.normal == last.normal;
@@ -118,9 +118,9 @@ void ContactConstraints::take_over(const ContactPoint& contact_point, double all
   row.start -= std::min(known.left, allowed);
   const double share = taken_over * contact_point.area;
   Eigen::Vector3d force = share * known.pressure * contact_point.normal;
-  if (row.grip != none) {
+  if (row.grip) {
     force += share * in_plane(known.traction, contact_point.normal);
-    grips_[row.grip].held = in_plane(known.held, contact_point.normal);
+    grips_[*row.grip].held = in_plane(known.held, contact_point.normal);
   }
   row.force = node_vector(force);
 }
@@ -159,8 +159,8 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
 /// How far a force of 1 turns the carrier of a term with an arm, at the point and as a square root.
 double ContactConstraints::turn_size(const Group& group, const Row& row, std::size_t term) const {
   const std::uint32_t carrier = group.carriers[term];
-  const Eigen::Vector3d& arm = arms_[group.first_arm + term];
-  if (row.grip != none) return mobility_.turn_bound(carrier) * arm.norm();
+  const Eigen::Vector3d& arm = arms_[*group.first_arm + term];
+  if (row.grip) return mobility_.turn_bound(carrier) * arm.norm();
   return mobility_.turn_root(carrier, arm.cross(Eigen::Vector3d(group.normal.head<3>())));
 }
 
@@ -169,7 +169,7 @@ void ContactConstraints::add_areas(LeaningAreas& areas) const {
     const double area = points_[rows_[row].point].area;
     for (std::size_t i = 0; i < group.n_terms; ++i)
       areas[group.carriers[i]][0] += area * std::abs(weights_[row][i]);
-    if (group.first_arm == none) return;
+    if (!group.first_arm) return;
     for (std::size_t i = 0; i < group.n_terms; ++i)
       areas[group.carriers[i]][1] += area * turn_size(group, rows_[row], i);
   });
@@ -181,7 +181,7 @@ double ContactConstraints::share(const Group& group, std::uint32_t row, std::siz
   const std::uint32_t carrier = group.carriers[term];
   const double moves =
       mobility_.translation_bound(carrier) * std::abs(weights_[row][term]) * areas[carrier][0];
-  if (group.first_arm == none) return moves;
+  if (!group.first_arm) return moves;
   return moves + turn_size(group, rows_[row], term) * areas[carrier][1];
 }
 
@@ -232,8 +232,8 @@ void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarr
       Row& row = rows_[i];
       row.softness = softness(group, i, areas, light, least);
       if (!(row.softness > 0.0)) continue;
-      if (row.grip != none)
-        grips_[row.grip].softness = light.empty() ? row.softness : slip_softness(group, i, areas);
+      if (row.grip)
+        grips_[*row.grip].softness = light.empty() ? row.softness : slip_softness(group, i, areas);
       rows_[n_kept] = row;
       weights_[n_kept++] = weights_[i];
     }
@@ -254,7 +254,7 @@ void ContactConstraints::add_rows(LightCarriers& light) {
       if (weight == 0.0 || !light.is_light(group.carriers[i])) continue;
       LightShare& share = shares[n++];
       share = {light.of(group.carriers[i]), weight * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
-      if (group.first_arm != none) share.arm = arms_[group.first_arm + i] / weight;
+      if (group.first_arm) share.arm = arms_[*group.first_arm + i] / weight;
     }
     if (n == 0) return;
     rows_[row].light = light.add_row({shares.data(), n});
@@ -265,7 +265,7 @@ void ContactConstraints::add_rows(LightCarriers& light) {
 /// The tangential force that would hold a point, before the cone.
 Eigen::Vector3d ContactConstraints::trial_traction(const Eigen::Vector3d& normal, const Row& row,
                                                    const NodeVector& changed) const {
-  const Grip& grip = grips_[row.grip];
+  const Grip& grip = grips_[*row.grip];
   const Eigen::Vector3d slip = slip_recovery * grip.held + grip.slip + in_plane(changed.head<3>(), normal);
   return in_plane(row.ahead.head<3>(), normal) - (1.0 - constraint_compliance) / grip.softness * slip;
 }
@@ -280,12 +280,12 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   LightAnswer answer{force.head<3>(), (force - row.ahead).head<3>(), Eigen::Matrix3d::Zero(), rate};
   const Eigen::Vector3d normal = group.normal.head<3>();
   if (group.normal.dot(force) > 0.0) answer.rate = rate * normal * normal.transpose();
-  if (row.grip == none) return answer;
+  if (!row.grip) return answer;
   const Eigen::Vector3d trial = trial_traction(normal, row, changed);
   constexpr double round_off = 1e-9;
   const double size = trial.norm(), held = in_plane(force.head<3>(), normal).norm();
   const Eigen::Matrix3d plane = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-  const double of_slip = dt_ * (1.0 - constraint_compliance) / grips_[row.grip].softness;
+  const double of_slip = dt_ * (1.0 - constraint_compliance) / grips_[*row.grip].softness;
   if (held >= (1.0 - round_off) * size) {
     answer.rate += of_slip * plane;
   } else if (size > 0.0) {
@@ -299,22 +299,22 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
 NodeVector ContactConstraints::change(const Group& group, const Weights& weights) const {
   NodeVector sum = NodeVector::Zero();
   for (std::size_t i = 0; i < group.n_terms; ++i) sum += weights[i] * mobility_.change(group.carriers[i]);
-  if (group.first_arm == none) return sum;
+  if (!group.first_arm) return sum;
   for (std::size_t i = 0; i < group.n_terms; ++i)
-    sum.head<3>() += mobility_.turning(group.carriers[i]).cross(arms_[group.first_arm + i]);
+    sum.head<3>() += mobility_.turning(group.carriers[i]).cross(arms_[*group.first_arm + i]);
   return sum;
 }
 
 void ContactConstraints::push(const Group& group, const Weights& weights, const NodeVector& force) {
   if (force.isZero(0.0)) return;
-  if (group.first_arm == none) {
+  if (!group.first_arm) {
     for (std::size_t i = 0; i < group.n_terms; ++i)
       mobility_.push_plain(group.carriers[i], weights[i] * force);
     return;
   }
   const Eigen::Vector3d whole = force.head<3>();
   for (std::size_t i = 0; i < group.n_terms; ++i)
-    mobility_.push(group.carriers[i], weights[i] * whole, arms_[group.first_arm + i].cross(whole));
+    mobility_.push(group.carriers[i], weights[i] * whole, arms_[*group.first_arm + i].cross(whole));
 }
 
 void ContactConstraints::push_forces() {
@@ -325,7 +325,7 @@ void ContactConstraints::push_forces() {
 }
 
 double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed, double normal_force) const {
-  const Grip& grip = grips_[row.grip];
+  const Grip& grip = grips_[*row.grip];
   if (grip.limit_per_force >= 0.0) return grip.limit_per_force * normal_force;
   ContactPoint contact_point = points_[row.point];
   contact_point.force = normal_force;
@@ -342,9 +342,9 @@ NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& r
   const double now = normal.dot(row.ahead), rate = (1.0 - constraint_compliance) / row.softness;
   const double gap = row.start + normal.dot(changed) + constraint_compliance * row.softness * now;
   const double force = std::max(0.0, now - rate * gap);
-  if (row.grip == none) return force * normal;
+  if (!row.grip) return force * normal;
   Eigen::Vector3d tangential = trial_traction(normal.head<3>(), row, changed);
-  const double limit = slip_limit(row, changed, row.light == none ? force : std::max(0.0, now)),
+  const double limit = slip_limit(row, changed, row.light ? std::max(0.0, now) : force),
                size = tangential.norm();
   if (size > limit) tangential *= limit / size;
   return force * normal + node_vector(tangential);
@@ -355,7 +355,7 @@ ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& li
   visit_rows([&](const Group& group, std::uint32_t i) {
     Row& row = rows_[i];
     NodeVector velocity = change(group, weights_[i]);
-    if (row.light != none) velocity += node_vector(light.velocity(row.light));
+    if (row.light) velocity += node_vector(light.velocity(*row.light));
     sums.take(row, next_force(group.normal, row, dt_ * velocity), momentum);
     push(group, weights_[i], row.ahead);
   });
@@ -418,8 +418,8 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   const double left = -(row.start + point.normal.dot(changed));
   entry.area = point.area;
   entry.left = std::clamp(left, 0.0, max_recovery * force * row.softness);
-  if (row.grip != none) {
-    Grip& grip = grips_[row.grip];
+  if (row.grip) {
+    Grip& grip = grips_[*row.grip];
     const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);
     const Eigen::Vector3d tangential = in_plane(row.force.head<3>(), point.normal);
     const double friction_before = lost_before(tangential, point, before, changed),

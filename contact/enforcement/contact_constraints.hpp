@@ -12,6 +12,7 @@
 #include "contact/enforcement/node_mobility.hpp"
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/contact_point.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -60,7 +61,6 @@ class ContactConstraints {
   ContactHistory& memory() { return history_; }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
   static constexpr std::size_t max_terms = 8;
 
   /// Shares of the carriers of a row's group, signed [1].
@@ -71,9 +71,9 @@ class ContactConstraints {
     NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
-    std::uint32_t point = 0;     // in points_
-    std::uint32_t grip = none;   // of a point with friction
-    std::uint32_t light = none;  // its row among those with light carriers
+    std::uint32_t point = 0;  // in points_
+    OptionalIndex grip;       // of a point with friction
+    OptionalIndex light;      // its row among those with light carriers
   };
   /// Contact points between the same entities, which have the same carriers.
   struct Group {
@@ -81,7 +81,7 @@ class ContactConstraints {
     std::array<std::uint32_t, max_terms> carriers{};
     std::uint32_t first_row = 0, n_rows = 0;
     std::uint32_t n_terms = 0;
-    std::uint32_t first_arm = none;                 // of the carriers; none where all are plain
+    OptionalIndex first_arm;                        // of the carriers; none where all are plain
     std::array<std::uint8_t, max_terms> corners{};  // of both sides, of plain carriers
   };
   /// Friction of a contact point.

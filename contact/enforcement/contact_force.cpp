@@ -123,8 +123,7 @@ double ContactForce::largest_eigenvalue() {
   slips_.assign(rules_.rules().size(), 0);
   for (std::size_t i = 0; i < slips_.size(); ++i) {
     const PairRule& rule = rules_.rules()[i];
-    slips_[i] =
-        rule.friction > 0.0 || rule.interface_law != nullptr || rule.far != PairRule::not_hybrid ? 1 : 0;
+    slips_[i] = rule.friction > 0.0 || rule.interface_law != nullptr || rule.far ? 1 : 0;
   }
   const auto node_rates = mobility_.find_rates(kinematics_, points_, constraint_forces_, slips_);
   std::vector<double>& of_surface = surface_rates_;

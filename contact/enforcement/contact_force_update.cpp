@@ -32,17 +32,19 @@ void take_off_new_edges(const ContactMesh& before, ContactMesh& contact_mesh) {
 
 /// Whether both sides of a contact point are still there; it has their new numbers then.
 bool keep_point(const ContactRemap& remap, ContactPoint& point) {
-  constexpr std::uint32_t removed = ContactRemap::removed;
   const bool is_node = point.first.is_node() && !point.is_of_edges;
   const bool is_plane = point.second.weights.isZero(0.0);
-  point.first_entity = (point.is_of_edges ? remap.edges
-                        : is_node         ? remap.rows
-                                          : remap.faces)[point.first_entity];
-  if (!is_plane) point.second_entity = (point.is_of_edges ? remap.edges : remap.faces)[point.second_entity];
-  if (point.first_entity == removed || point.second_entity == removed) return false;
+  const OptionalIndex first = (point.is_of_edges ? remap.edges
+                               : is_node         ? remap.rows
+                                                 : remap.faces)[point.first_entity];
+  const OptionalIndex second =
+      is_plane ? point.second_entity : (point.is_of_edges ? remap.edges : remap.faces)[point.second_entity];
+  if (!first || !second) return false;
+  point.first_entity = *first;
+  point.second_entity = *second;
   for (ContactPointSide* side : {&point.first, &point.second}) {
     if (side == &point.second && is_plane) continue;
-    for (std::uint32_t& node : side->nodes) node = remap.nodes[node];
+    for (std::uint32_t& node : side->nodes) node = *remap.nodes[node];
   }
   return true;
 }

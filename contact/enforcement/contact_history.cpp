@@ -62,13 +62,17 @@ void ContactHistory::end() {
 }
 
 void ContactHistory::remap(const ContactRemap& remap) {
-  constexpr std::uint32_t removed = ContactRemap::removed;
   std::vector<KnownPoint> kept;
   for (KnownPoint known : entries_) {
-    const auto& first = known.kind == 0 ? remap.faces : known.kind == 2 ? remap.edges : remap.rows;
-    known.first = first[known.first];
-    if (known.kind != 3) known.second = (known.kind == 2 ? remap.edges : remap.faces)[known.second];
-    if (known.first != removed && known.second != removed) kept.push_back(known);
+    const OptionalIndex first = (known.kind == 0   ? remap.faces
+                                 : known.kind == 2 ? remap.edges
+                                                   : remap.rows)[known.first];
+    const OptionalIndex second =
+        known.kind == 3 ? known.second : (known.kind == 2 ? remap.edges : remap.faces)[known.second];
+    if (!first || !second) continue;
+    known.first = *first;
+    known.second = *second;
+    kept.push_back(known);
   }
   entries_ = std::move(kept);
   end();

@@ -54,7 +54,7 @@ struct MassOf {
 }  // namespace
 
 void LightCarriers::begin(std::size_t n_carriers) {
-  index_.assign(n_carriers, none);
+  index_.assign(n_carriers, std::nullopt);
   mobility_.clear();
   mass_.clear();
   free_.clear();

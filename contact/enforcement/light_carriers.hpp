@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/base/optional_index.hpp"
+
 namespace contactsim {
 
 using RigidVector = Eigen::Matrix<double, 6, 1>;  ///< of translation, then of rotation
@@ -45,15 +47,14 @@ struct LightAnswer {
 /// why it converges.
 class LightCarriers {
  public:
-  static constexpr std::uint32_t none = 0xffffffff;
   using Answer = std::function<LightAnswer(std::uint32_t row, const Eigen::Vector3d& velocity)>;
 
   /// Begins a step without light carriers.
   void begin(std::size_t n_carriers);
   bool empty() const { return mobility_.empty(); }
-  bool is_light(std::uint32_t carrier) const { return index_[carrier] != none; }
+  bool is_light(std::uint32_t carrier) const { return index_[carrier].has_value(); }
   /// Position of a light carrier.
-  std::uint32_t of(std::uint32_t carrier) const { return index_[carrier]; }
+  std::uint32_t of(std::uint32_t carrier) const { return *index_[carrier]; }
   void add(std::uint32_t carrier, const CarrierMobility& mobility);
   /// Adds a constraint; returns its row.
   std::uint32_t add_row(std::span<const LightShare> shares);
@@ -81,7 +82,7 @@ class LightCarriers {
   void find_step();
   double go(const Answer& answer);
 
-  std::vector<std::uint32_t> index_;                                  // [n_carriers] among the light ones
+  std::vector<OptionalIndex> index_;                                  // [n_carriers] among the light ones
   std::vector<RigidMatrix> mobility_, mass_, free_, preconditioner_;  // [n_light]
   std::vector<Row> rows_;
   std::vector<LightShare> shares_;

@@ -28,7 +28,7 @@ void NodeMobility::begin(const Model& model, const ModelFreeDirections& free,
   rigid_ = &model.rigid.nodes;
   state_ = &state;
   half_steps_ = 0.5 * (state.dt + state.next_dt);
-  for (const Carrier& carrier : carriers_) carrier_[carrier.body] = none;
+  for (const Carrier& carrier : carriers_) carrier_[carrier.body] = std::nullopt;
   carriers_.clear();
   mesh_nodes_.clear();
   rings_.clear();
@@ -39,9 +39,9 @@ void NodeMobility::begin(const Model& model, const ModelFreeDirections& free,
   }
   if (inverse_mass_.empty()) {
     const std::size_t n_bodies = kinematics.contact_mesh().n_nodes() + model.rigid.bodies.size();
-    general_.assign(n_bodies, none);
+    general_.assign(n_bodies, std::nullopt);
     inverse_mass_.assign(n_bodies, 0.0);
-    carrier_.assign(n_bodies, none);
+    carrier_.assign(n_bodies, std::nullopt);
     generals_.clear();
     set_nodes(model, free);
     set_bodies(model, free);
@@ -58,7 +58,7 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool turns = model.inertia.cols() > 0;
   const Eigen::Matrix3d all = Eigen::Matrix3d::Identity();
-  contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), none);
+  contact_node_.assign(static_cast<std::size_t>(model.mass.cols()), std::nullopt);
   for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i) {
     const NodeIndex node{contact_mesh.mesh_nodes[i]};
     if (contact_mesh.first_alike[i] == i) contact_node_[node.value] = i;
@@ -67,7 +67,7 @@ void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& dire
     const Eigen::Matrix3d* free = directions.of_node(node.value);
     const double inertia = turns ? model.inertia(0, node.value) : 0.0;
     const bool is_held = free != nullptr && free->isZero(0.0);
-    const bool has_ring = kinematics_->spins().find(node.value) != LoftSpins::none;
+    const bool has_ring = kinematics_->spins().find(node.value).has_value();
     if (!is_positive(inertia) && !has_ring && (free == nullptr || is_held || *free == all)) {
       inverse_mass_[i] = is_held ? 0.0 : 1.0 / mass;
       continue;
@@ -93,7 +93,7 @@ void NodeMobility::turn_bodies(const Model& model, const ModelFreeDirections& di
                                const State& state) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
     const RigidBody& body = model.rigid.bodies[i];
-    General& general = generals_[general_[kinematics_->contact_mesh().n_nodes() + i]];
+    General& general = generals_[*general_[kinematics_->contact_mesh().n_nodes() + i]];
     const Eigen::Matrix3d axes = state.rigid[i].orientation.toRotationMatrix();
     const Eigen::Matrix3d* free = directions.of_body_turns(i);
     if (free == nullptr) {
@@ -106,12 +106,12 @@ void NodeMobility::turn_bodies(const Model& model, const ModelFreeDirections& di
 }
 
 std::uint32_t NodeMobility::use(std::uint32_t body) {
-  std::uint32_t& carrier = carrier_[body];
-  if (carrier != none) return carrier;
-  carrier = static_cast<std::uint32_t>(carriers_.size());
+  if (carrier_[body]) return *carrier_[body];
+  const auto carrier = static_cast<std::uint32_t>(carriers_.size());
+  carrier_[body] = carrier;
   Carrier& made = carriers_.emplace_back(body, general_[body], half_steps_ * inverse_mass_[body]);
-  if (made.general != none) {
-    const General& general = generals_[made.general];
+  if (made.general) {
+    const General& general = generals_[*made.general];
     made.mobility = half_steps_ * largest_stretch(general.translation);
     made.turn_bound = std::sqrt(half_steps_ * largest_stretch(general.rotation));
   }
@@ -129,19 +129,19 @@ std::uint32_t NodeMobility::use_node(std::uint32_t node) {
 
 /// Has a node of a lofted shell turn with the nodes around.
 void NodeMobility::use_ring(std::uint32_t carrier, std::uint32_t mesh_node) {
-  const std::uint32_t spin = kinematics_->spins().find(mesh_node);
-  if (spin == LoftSpins::none || carriers_[carrier].ring != none) return;
+  const OptionalIndex spin = kinematics_->spins().find(mesh_node);
+  if (!spin || carriers_[carrier].ring) return;
   carriers_[carrier].ring = static_cast<std::uint32_t>(rings_.size());
   carriers_[carrier].turn_bound = 1.0;
-  rings_.push_back({carrier, spin, static_cast<std::uint32_t>(ring_carriers_.size())});
-  for (const std::uint32_t other : kinematics_->spins().neighbours(spin))
-    ring_carriers_.push_back(use_node(contact_node_[other]));
+  rings_.push_back({carrier, *spin, static_cast<std::uint32_t>(ring_carriers_.size())});
+  for (const std::uint32_t other : kinematics_->spins().neighbours(*spin))
+    ring_carriers_.push_back(use_node(*contact_node_[other]));
 }
 
 std::optional<std::uint32_t> NodeMobility::plain_carrier(std::uint32_t node) {
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool is_plain =
-      rigid_->is_free({contact_mesh.mesh_nodes[node]}) && general_[contact_mesh.first_alike[node]] == none;
+      rigid_->is_free({contact_mesh.mesh_nodes[node]}) && !general_[contact_mesh.first_alike[node]];
   return is_plain ? std::optional(use_node(node)) : std::nullopt;
 }
 
@@ -174,16 +174,16 @@ void NodeMobility::add_terms(std::uint32_t node, double weight, const Eigen::Vec
 }
 
 double NodeMobility::turn_root(std::uint32_t carrier, const Eigen::Vector3d& turn) const {
-  if (carriers_[carrier].ring != none) return turn.norm();
-  if (carriers_[carrier].general == none) return 0.0;
-  const Eigen::Matrix3d& rotation = generals_[carriers_[carrier].general].rotation;
+  if (carriers_[carrier].ring) return turn.norm();
+  if (!carriers_[carrier].general) return 0.0;
+  const Eigen::Matrix3d& rotation = generals_[*carriers_[carrier].general].rotation;
   return std::sqrt(std::max(0.0, half_steps_ * turn.dot(rotation * turn)));
 }
 
 CarrierMobility NodeMobility::mobility(std::uint32_t carrier) const {
   const Carrier& own = carriers_[carrier];
-  if (own.general == none) return {own.mobility * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero()};
-  const General& general = generals_[own.general];
+  if (!own.general) return {own.mobility * Eigen::Matrix3d::Identity(), Eigen::Matrix3d::Zero()};
+  const General& general = generals_[*own.general];
   return {half_steps_ * general.translation, half_steps_ * general.rotation};
 }
 
@@ -244,17 +244,17 @@ void NodeMobility::end_pass() {
 /// The change of velocity by a force over the coming step.
 Eigen::Vector3d NodeMobility::moved_by(std::uint32_t carrier, const Eigen::Vector3d& force) const {
   const Carrier& pushed = carriers_[carrier];
-  if (pushed.general == none) return pushed.mobility * force;
-  return generals_[pushed.general].translation * (half_steps_ * force);
+  if (!pushed.general) return pushed.mobility * force;
+  return generals_[*pushed.general].translation * (half_steps_ * force);
 }
 
 void NodeMobility::push(std::uint32_t carrier, const Eigen::Vector3d& force, const Eigen::Vector3d& moment) {
   next_.changes[carrier].head<3>() += moved_by(carrier, force);
   const Carrier& pushed = carriers_[carrier];
-  if (pushed.ring != none) {
+  if (pushed.ring) {
     next_.turnings[carrier].head<3>() += moment;
-  } else if (pushed.general != none) {
-    next_.turnings[carrier].head<3>() += generals_[pushed.general].rotation * (half_steps_ * moment);
+  } else if (pushed.general) {
+    next_.turnings[carrier].head<3>() += generals_[*pushed.general].rotation * (half_steps_ * moment);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "contact/enforcement/light_carriers.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/free_directions.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/elements/gather.hpp"
@@ -84,8 +85,6 @@ class NodeMobility {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
-
   /// A body that turns, or that conditions hold along some directions.
   struct General {
     Eigen::Matrix3d translation = Eigen::Matrix3d::Zero();  // velocity per impulse [1/mass]
@@ -93,11 +92,11 @@ class NodeMobility {
   };
   /// A carrier of the step.
   struct Carrier {
-    std::uint32_t body = 0;        // contact node, the first one with each node of the mesh, or rigid body
-    std::uint32_t general = none;  // position in generals_, none of a plain one
-    double mobility = 0.0;         // the largest change of velocity per force, of a plain one any [time/mass]
-    double turn_bound = 0.0;       // see turn_bound()
-    std::uint32_t ring = none;     // position in rings_, of one that turns with the mid surface around it
+    std::uint32_t body = 0;   // contact node, the first one with each node of the mesh, or rigid body
+    OptionalIndex general;    // position in generals_; none of a plain one
+    double mobility = 0.0;    // the largest change of velocity per force, of a plain one any [time/mass]
+    double turn_bound = 0.0;  // see turn_bound()
+    OptionalIndex ring;       // position in rings_, of one that turns with the mid surface around it
   };
   /// A node of a lofted shell and the carriers around it.
   struct Ring {
@@ -123,10 +122,10 @@ class NodeMobility {
   const RigidNodes* rigid_ = nullptr;
   const State* state_ = nullptr;
   // Bodies: contact nodes, then rigid bodies.
-  std::vector<std::uint32_t> general_;       // [n_bodies] position in generals_, or none
+  std::vector<OptionalIndex> general_;       // [n_bodies] position in generals_
   std::vector<double> inverse_mass_;         // [n_bodies] of plain ones, 0 of held ones [1/mass]
-  std::vector<std::uint32_t> carrier_;       // [n_bodies] among those of the step, or none
-  std::vector<std::uint32_t> contact_node_;  // [n_nodes of the mesh] the first one with it, or none
+  std::vector<OptionalIndex> carrier_;       // [n_bodies] among those of the step
+  std::vector<OptionalIndex> contact_node_;  // [n_nodes of the mesh] the first one with it
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step

@@ -60,8 +60,8 @@ std::span<const double> PairHistories::update_available_energy(const PairRules& 
   available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < available_.size(); ++i) {
     const PairRule& rule = rules.rules()[i];
-    const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr &&
-                           rule.far == PairRule::not_hybrid && !rule.model.is_variant();
+    const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr && !rule.far &&
+                           !rule.model.is_variant();
     if (!is_simple || rule.is_balanced) continue;
     const double lost = histories_[i].work - stored_[i];
     available_[i] = histories_[i].stored_at_start + assembler.taken()[i] - lost;

@@ -191,7 +191,7 @@ ConstraintPass TieConstraints::pass(double momentum, const LightCarriers& light)
   ConstraintPass sums;
   for (Row& row : rows_) {
     Eigen::Vector3d velocity = change(row);
-    if (row.light != LightCarriers::none) velocity += light.velocity(row.light);
+    if (row.light) velocity += light.velocity(*row.light);
     sums.take(row, next_force(row, dt_ * velocity), momentum);
     push(row);
   }

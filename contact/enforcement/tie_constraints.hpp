@@ -7,6 +7,7 @@
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/node_mobility.hpp"
 #include "contact/formulations/tied/ties.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -46,9 +47,9 @@ class TieConstraints {
     std::uint32_t point = 0;  // of the tie
     std::uint32_t first_term = 0, n_terms = 0;
     Eigen::Vector3d start =
-        Eigen::Vector3d::Zero();                // distance at the end of the step without forces [length]
-    double softness = 0.0;                      // as of contact points [length/force]
-    std::uint32_t light = LightCarriers::none;  // its row among those with light carriers
+        Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
+    double softness = 0.0;        // as of contact points [length/force]
+    OptionalIndex light;          // its row among those with light carriers
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), ahead = Eigen::Vector3d::Zero();  // [force]
   };
   /// Corners of a tie, and the axes that turn with the second side.

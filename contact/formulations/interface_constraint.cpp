@@ -93,11 +93,13 @@ CornerVectors corners_of(const ContactStepContext& context, const InterfaceConst
 }
 
 bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint) {
-  constraint.first_entity = (constraint.is_node ? remap.rows : remap.faces)[constraint.first_entity];
-  constraint.second_entity = remap.faces[constraint.second_entity];
-  for (std::uint32_t& node : constraint.nodes) node = remap.nodes[node];
-  return constraint.first_entity != ContactRemap::removed &&
-         constraint.second_entity != ContactRemap::removed;
+  const OptionalIndex first = (constraint.is_node ? remap.rows : remap.faces)[constraint.first_entity];
+  const OptionalIndex second = remap.faces[constraint.second_entity];
+  if (!first || !second) return false;
+  constraint.first_entity = *first;
+  constraint.second_entity = *second;
+  for (std::uint32_t& node : constraint.nodes) node = *remap.nodes[node];
+  return true;
 }
 
 void visit_constraint(InterfaceConstraint& constraint, RowNumbers& row) {

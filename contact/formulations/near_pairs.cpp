@@ -65,7 +65,7 @@ InterfaceConstraint constraint_of_faces(const ContactStepContext& context, std::
   const ContactFace &a = context.kinematics.contact_mesh().faces[first],
                     &b = context.kinematics.contact_mesh().faces[second];
   InterfaceConstraint constraint;
-  constraint.pair = context.rules.find(a.surface, b.surface);
+  constraint.pair = *context.rules.find(a.surface, b.surface);
   constraint.is_swapped = a.surface != context.rules[constraint.pair].pair->first;
   constraint.first_entity = first;
   constraint.second_entity = second;
@@ -80,7 +80,7 @@ InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::u
   const ContactFace& other = context.kinematics.contact_mesh().faces[face];
   InterfaceConstraint constraint;
   constraint.is_node = true;
-  constraint.pair = context.rules.find(node.surface, other.surface);
+  constraint.pair = *context.rules.find(node.surface, other.surface);
   constraint.is_swapped = node.surface != context.rules[constraint.pair].pair->first;
   constraint.first_entity = row;
   constraint.second_entity = face;
@@ -115,10 +115,11 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
   double nearest = std::numeric_limits<double>::infinity();
   bool faces_best = false;
   for (const std::uint32_t face : node_faces.of(row)) {
-    const std::uint32_t pair =
+    const OptionalIndex found =
         context.rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
-    if (pair == PairRules::none || !context.rules[pair].is_active || !holds(context.rules.of_node(pair, row)))
-      continue;
+    if (!found) continue;
+    const std::uint32_t pair = *found;
+    if (!context.rules[pair].is_active || !holds(context.rules.of_node(pair, row))) continue;
     const double tolerance =
         tolerance_of(*context.rules[pair].pair, context.kinematics.bound(face), size_share);
     const auto closest = find_closest_point(context, row, face, tolerance);
@@ -145,9 +146,10 @@ std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const P
   std::vector<NearPair> near_pairs;
   for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
     for (const std::uint32_t second : face_partners.of(first)) {
-      const std::uint32_t pair =
+      const OptionalIndex found =
           context.rules.find(contact_mesh.faces[first].surface, contact_mesh.faces[second].surface);
-      if (pair == PairRules::none || !context.rules[pair].is_active) continue;
+      if (!found || !context.rules[*found].is_active) continue;
+      const std::uint32_t pair = *found;
       if (!holds(context.rules.of_faces(pair, first, second))) continue;
       const double tolerance =
           tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);

@@ -10,7 +10,7 @@ namespace contactsim {
 
 PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
                      std::size_t n_surfaces)
-    : table_(n_surfaces * n_surfaces, none), n_surfaces_(n_surfaces) {
+    : table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     PairRule rule;
     rule.pair = &pairs[i];
@@ -19,8 +19,8 @@ PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes
     rule.times = std::move(times[i]);
     rules_.push_back(std::move(rule));
     // Of two that take turns the interaction comes first; activate() tells whose turn it is.
-    std::uint32_t& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
-    if (entry == none) entry = table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
+    OptionalIndex& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
+    if (!entry) entry = table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
   }
 }
 
@@ -59,7 +59,7 @@ void PairRules::activate(double time, bool is_on) {
   for (PairRule& rule : rules_) {
     rule.is_active = is_on && rule.times.is_active(time);
     rule.has_changed = false;
-    if (rule.far != PairRule::not_hybrid) far_rules_[rule.far].is_active = rule.is_active;
+    if (rule.far) far_rules_[*rule.far].is_active = rule.is_active;
     if (!rule.model.is_variant()) continue;
     const auto period =
         std::ranges::find_if(rule.model.periods, [&](const auto& p) { return p.times.is_active(time); });
@@ -73,9 +73,9 @@ void PairRules::activate(double time, bool is_on) {
   for (std::uint32_t i = 0; i < rules_.size(); ++i) {
     const SurfacePair& pair = *rules_[i].pair;
     if (!rules_[i].is_active || (pair.periods.active.empty() && pair.periods.inactive.empty())) continue;
-    std::uint32_t& entry = table_[pair.first * n_surfaces_ + pair.second];
+    OptionalIndex& entry = table_[pair.first * n_surfaces_ + pair.second];
     if (entry == i) continue;
-    rules_[i].has_changed = rules_[entry].has_changed = true;
+    rules_[i].has_changed = rules_[*entry].has_changed = true;
     entry = table_[pair.second * n_surfaces_ + pair.first] = i;
   }
 }

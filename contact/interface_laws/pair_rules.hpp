@@ -9,6 +9,7 @@
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_set.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/conditions/active_times.hpp"
 
 namespace contactsim {
@@ -22,15 +23,13 @@ struct PairRule {
   double friction = 0.0;  ///< Coulomb's coefficient; more than 0 wherever points that touch have friction [1]
   double activation_distance = 0.0;             ///< gaps up to this one feel the law [length]
   const InterfaceLaw* interface_law = nullptr;  ///< of models that are more than the above
-  std::uint32_t far = not_hybrid;               ///< rule of what was far at the start
+  OptionalIndex far;                            ///< of HYBRID pairs: rule of what was far at the start
   bool is_active = true;                        ///< now
   bool is_balanced = false;                     ///< enforced by momentum balance
   bool has_changed = false;                     ///< has another model than before, by its period
   ActiveTimes times;
   PairInterfaceLaw model;             ///< that the above are of
   const InterfaceLaw* now = nullptr;  ///< the model of this period, of a TIME VARIANT one
-
-  static constexpr std::uint32_t not_hybrid = 0xffffffff;
 
   /// Whether the law pulls, or acts along the surface, across a gap.
   bool acts_apart() const {
@@ -39,7 +38,7 @@ struct PairRule {
   /// The same of any model that the pair may ever have.
   bool may_act_apart() const;
   /// Whether the pair has ties and never anything else.
-  bool only_ties() const { return law == ContactLaw::tied && far == not_hybrid && !model.is_variant(); }
+  bool only_ties() const { return law == ContactLaw::tied && !far && !model.is_variant(); }
   /// The largest tangential force of a contact point that touches, by its force, area and slip of the step
   /// [force].
   double slip_limit(const ContactPoint& point, double dt) const;
@@ -50,8 +49,6 @@ struct PairRule {
 /// The pairs of a run by the surfaces that they are of.
 class PairRules {
  public:
-  static constexpr std::uint32_t none = 0xffffffff;
-
   PairRules() = default;
   /// The pairs must outlive this.
   ///   times  [n_pairs] at which each is active
@@ -76,16 +73,15 @@ class PairRules {
   /// not.
   const PairRule& of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
     const PairRule& rule = rules_[pair];
-    return rule.far == PairRule::not_hybrid || are_close(pair, first, second) ? rule : far_rules_[rule.far];
+    return !rule.far || are_close(pair, first, second) ? rule : far_rules_[*rule.far];
   }
   const PairRule& of_node(std::uint32_t pair, std::uint32_t row) const {
     const PairRule& rule = rules_[pair];
-    return rule.far == PairRule::not_hybrid || is_close(pair, row) ? rule : far_rules_[rule.far];
+    return !rule.far || is_close(pair, row) ? rule : far_rules_[*rule.far];
   }
   const PairRule& of_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
     const PairRule& rule = rules_[pair];
-    return rule.far == PairRule::not_hybrid || are_close_edges(pair, first, second) ? rule
-                                                                                    : far_rules_[rule.far];
+    return !rule.far || are_close_edges(pair, first, second) ? rule : far_rules_[*rule.far];
   }
   /// The rule of a contact point: for HYBRID that of what was close at the start, or not.
   const PairRule& of(const ContactPoint& point) const {
@@ -97,8 +93,8 @@ class PairRules {
   double max_activation_distance(std::uint32_t pair) const;
   std::span<const PairRule> rules() const { return rules_; }
   const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
-  /// Position of the pair of two surfaces in either order; `none` if they do not meet.
-  std::uint32_t find(std::uint32_t surface, std::uint32_t other) const {
+  /// Position of the pair of two surfaces in either order; nothing if they do not meet.
+  OptionalIndex find(std::uint32_t surface, std::uint32_t other) const {
     return table_[surface * n_surfaces_ + other];
   }
   bool has_friction() const;
@@ -112,7 +108,7 @@ class PairRules {
 
   std::vector<PairRule> rules_, far_rules_;
   PairSet close_faces_, close_nodes_, close_edges_;
-  std::vector<std::uint32_t> table_;  // [n_surfaces x n_surfaces]
+  std::vector<OptionalIndex> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };
 

@@ -11,8 +11,6 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t no_point = 0xffffffff;
-
 /// What makes two vertices one point, whichever of the shells is asked.
 using OffsetKey = std::tuple<std::uint32_t, double, std::vector<TurnedShell>>;
 
@@ -35,7 +33,7 @@ std::array<std::uint32_t, 4> corners_of(const Mesh& mesh, ElementIndex element) 
 }  // namespace
 
 LoftPoints::LoftPoints(const LoftGeometry& loft, const Mesh& mesh)
-    : point_of_vertex_(loft.offsets.size(), no_point), offset_shells_(loft.offset_shells) {
+    : point_of_vertex_(loft.offsets.size()), offset_shells_(loft.offset_shells) {
   for (const ElementIndex shell : loft.shells) shell_nodes_.push_back(corners_of(mesh, shell));
   std::map<OffsetKey, std::uint32_t> known;
   for (std::size_t vertex = 0; vertex < loft.offsets.size(); ++vertex) {

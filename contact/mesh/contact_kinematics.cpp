@@ -78,9 +78,9 @@ void ContactKinematics::remap(const ContactRemap& remap, const Motion& motion) {
   contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, offsets_);
   const std::size_t first_before = remap.nodes.size() - static_cast<std::size_t>(before.cols());
   for (Eigen::Index i = 0; i < before.cols(); ++i) {
-    const std::uint32_t after = remap.nodes[first_before + static_cast<std::size_t>(i)];
-    if (after != ContactRemap::removed)
-      offsets_.col(static_cast<Eigen::Index>(after - contact_mesh_.n_mesh_points())) = before.col(i);
+    const OptionalIndex after = remap.nodes[first_before + static_cast<std::size_t>(i)];
+    if (after)
+      offsets_.col(static_cast<Eigen::Index>(*after - contact_mesh_.n_mesh_points())) = before.col(i);
   }
 }
 
@@ -105,10 +105,10 @@ void ContactKinematics::turn_offsets(const Motion& motion) {
 #pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.loft.size()))
   for (Eigen::Index i = 0; i < offsets_.cols(); ++i) {
     const std::uint32_t node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
-    const std::uint32_t spin = spins_.find(node);
+    const OptionalIndex spin = spins_.find(node);
     const Eigen::Vector3d turn = motion.dt * own_of(node), offset = offsets_.col(i);
-    if (spin != LoftSpins::none) {
-      offsets_.col(i) = turns_[spin] * offset;
+    if (spin) {
+      offsets_.col(i) = turns_[*spin] * offset;
     } else if (const double angle = turn.norm(); angle > 0.0) {
       offsets_.col(i) = Eigen::AngleAxisd(angle, turn / angle) * offset;
     }
@@ -122,7 +122,7 @@ void ContactKinematics::move_lofts(const Motion& motion) {
   } else if (motion.angular_velocity == nullptr) {
     contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, normal_offsets_);
     for (Eigen::Index i = 0; i < offsets_.cols(); ++i) {
-      if (spins_.find(contact_mesh_.loft.node(static_cast<std::size_t>(i))) == LoftSpins::none)
+      if (!spins_.find(contact_mesh_.loft.node(static_cast<std::size_t>(i))))
         offsets_.col(i) = normal_offsets_.col(i);
     }
   }

@@ -65,18 +65,16 @@ struct ErodedNode {
 /// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
 /// or truss's axis, or of a particle's one node; a sharp one stands between two faces.
 struct ContactEdge {
-  static constexpr std::uint32_t no_face = 0xffffffff;
-
   std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
   std::uint32_t surface = 0;
   ElementSide side;     ///< side 1 of the element; of a sharp edge that of its first face
   double radius = 0.0;  ///< 0 of sharp edges [length]
   double width = 0.0;   ///< of the strip that touches another edge [length]
   PenaltyProperties penalty_properties;
-  std::array<std::uint32_t, 2> faces{no_face, no_face};  ///< of sharp edges
-  bool is_feature = false;                               ///< a sharp edge that meets other sharp ones
+  std::optional<std::array<std::uint32_t, 2>> faces = {};  ///< of sharp edges
+  bool is_feature = false;                                 ///< a sharp edge that meets other sharp ones
 
-  bool is_sharp() const { return faces[0] != no_face; }
+  bool is_sharp() const { return faces.has_value(); }
   bool is_particle() const { return nodes[0] == nodes[1]; }
 };
 

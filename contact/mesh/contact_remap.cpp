@@ -2,6 +2,7 @@
 #include "contact/mesh/contact_remap.hpp"
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -9,19 +10,18 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t removed = ContactRemap::removed;
-
 /// Positions in one ascending list of what stands in another.
 ///   begin, end  of both in their arrays
 template <class Key>
 void match(std::span<const Key> before, std::span<const Key> after, std::uint32_t first_after,
-           std::vector<std::uint32_t>& positions) {
+           std::vector<OptionalIndex>& positions) {
   std::size_t j = 0;
   for (const Key& key : before) {
     while (j < after.size() && after[j] < key) ++j;
     const bool is_there = j < after.size() && after[j] == key;
     // Facets of one side have the same key, and are as many before and after.
-    positions.push_back(is_there ? first_after + static_cast<std::uint32_t>(j++) : removed);
+    OptionalIndex& position = positions.emplace_back();
+    if (is_there) position = first_after + static_cast<std::uint32_t>(j++);
   }
 }
 
@@ -47,13 +47,13 @@ std::vector<FaceKey> face_keys(const ContactMesh& contact_mesh, std::size_t surf
 void match_nodes(const ContactMesh& before, const ContactMesh& after, ContactRemap& remap) {
   match<std::uint32_t>(std::span(before.mesh_nodes).first(before.n_mesh_points()),
                        std::span(after.mesh_nodes).first(after.n_mesh_points()), 0, remap.nodes);
-  remap.nodes.resize(before.n_nodes(), removed);
+  remap.nodes.resize(before.n_nodes());
   for (std::size_t f = 0; f < before.faces.size(); ++f) {
-    if (remap.faces[f] == removed || !before.is_lofted(before.faces[f])) continue;
-    const ContactFace& face = after.faces[remap.faces[f]];
+    if (!remap.faces[f] || !before.is_lofted(before.faces[f])) continue;
+    const ContactFace& face = after.faces[*remap.faces[f]];
     for (std::size_t k = 0; k < 4; ++k) {
-      std::uint32_t& position = remap.nodes[before.faces[f].corners[k]];
-      if (position == removed) position = face.corners[k];
+      OptionalIndex& position = remap.nodes[before.faces[f].corners[k]];
+      if (!position) position = face.corners[k];
     }
   }
 }
@@ -68,8 +68,11 @@ void match_rows(const ContactMesh& before, const ContactMesh& after, ContactRema
     known.emplace_hint(known.end(), RowKey(row.surface, row.node, row.radius > 0.0f), i);
   }
   for (const SurfaceNode& row : before.surface_nodes) {
-    const auto found = known.find({row.surface, remap.nodes[row.node], row.radius > 0.0f});
-    remap.rows.push_back(found != known.end() ? found->second : removed);
+    OptionalIndex& position = remap.rows.emplace_back();
+    const OptionalIndex node = remap.nodes[row.node];
+    if (!node) continue;
+    const auto found = known.find({row.surface, *node, row.radius > 0.0f});
+    if (found != known.end()) position = found->second;
   }
 }
 
@@ -83,9 +86,11 @@ void match_edges(const ContactMesh& before, const ContactMesh& after, ContactRem
     known[{edge.surface, edge.nodes[0], edge.nodes[1], edge.radius}] = i;
   }
   for (const ContactEdge& edge : before.edges) {
-    const EdgeKey key{edge.surface, remap.nodes[edge.nodes[0]], remap.nodes[edge.nodes[1]], edge.radius};
-    const auto found = known.find(key);
-    remap.edges.push_back(found != known.end() ? found->second : removed);
+    OptionalIndex& position = remap.edges.emplace_back();
+    const OptionalIndex first = remap.nodes[edge.nodes[0]], second = remap.nodes[edge.nodes[1]];
+    if (!first || !second) continue;
+    const auto found = known.find({edge.surface, *first, *second, edge.radius});
+    if (found != known.end()) position = found->second;
   }
 }
 
@@ -107,22 +112,21 @@ ContactRemap make_contact_remap(const ContactMesh& before, const ContactMesh& af
   return remap;
 }
 
-PairLists transferred(const PairLists& lists, std::span<const std::uint32_t> rows,
-                      std::span<const std::uint32_t> partners, std::size_t n_rows_after,
+PairLists transferred(const PairLists& lists, std::span<const OptionalIndex> rows,
+                      std::span<const OptionalIndex> partners, std::size_t n_rows_after,
                       std::vector<std::size_t>& before) {
-  constexpr std::size_t none = SIZE_MAX;
-  std::vector<std::size_t> old_rows(n_rows_after, none);
+  std::vector<std::optional<std::size_t>> old_rows(n_rows_after);
   for (std::size_t row = 0; row < lists.n_rows(); ++row) {
-    if (rows[row] != removed) old_rows[rows[row]] = row;
+    if (rows[row]) old_rows[*rows[row]] = row;
   }
   PairLists after;
   before.clear();
-  for (const std::size_t row : old_rows) {
-    const std::size_t end = row == none ? 0 : lists.begin[row + 1];
-    for (std::size_t k = row == none ? 0 : lists.begin[row]; k < end; ++k) {
-      const std::uint32_t partner = partners[lists.partners[k]];
-      if (partner == removed) continue;
-      after.partners.push_back(partner);
+  for (const std::optional<std::size_t> row : old_rows) {
+    const std::size_t end = row ? lists.begin[*row + 1] : 0;
+    for (std::size_t k = row ? lists.begin[*row] : 0; k < end; ++k) {
+      const OptionalIndex partner = partners[lists.partners[k]];
+      if (!partner) continue;
+      after.partners.push_back(*partner);
       before.push_back(k);
     }
     after.begin.push_back(static_cast<std::uint32_t>(after.partners.size()));

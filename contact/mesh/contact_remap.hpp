@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/mesh/contact_mesh.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -14,9 +15,7 @@ namespace contactsim {
 /// are, an edge when its nodes are and what it is of. Faces that are still there keep their order; nodes and
 /// rows do too, but for those of lofts.
 struct ContactRemap {
-  static constexpr std::uint32_t removed = UINT32_MAX;
-
-  std::vector<std::uint32_t> faces, rows, nodes, edges;  ///< [n before] position after, or gone
+  std::vector<OptionalIndex> faces, rows, nodes, edges;  ///< [n before] position after, none of what is gone
   std::size_t n_faces_after = 0, n_rows_after = 0, n_nodes_after = 0, n_edges_after = 0;
 };
 
@@ -27,12 +26,12 @@ ContactRemap make_contact_remap(const ContactMesh& before, const ContactMesh& af
 /// in use, because it is empty, stays so.
 ///   positions  [n before] of ContactRemap
 template <class T>
-void transfer(std::span<const std::uint32_t> positions, std::size_t n_after, const T& fresh,
+void transfer(std::span<const OptionalIndex> positions, std::size_t n_after, const T& fresh,
               std::vector<T>& values) {
   if (values.empty()) return;
   std::vector<T> transferred(n_after, fresh);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (positions[i] != ContactRemap::removed) transferred[positions[i]] = values[i];
+    if (positions[i]) transferred[*positions[i]] = values[i];
   }
   values = std::move(transferred);
 }
@@ -40,8 +39,8 @@ void transfer(std::span<const std::uint32_t> positions, std::size_t n_after, con
 /// Lists with the rows and partners that are still there.
 ///   rows, partners  [n before] of ContactRemap; those of the partners ascend
 ///   before          gets which pair each one was; [n_pairs after]
-PairLists transferred(const PairLists& lists, std::span<const std::uint32_t> rows,
-                      std::span<const std::uint32_t> partners, std::size_t n_rows_after,
+PairLists transferred(const PairLists& lists, std::span<const OptionalIndex> rows,
+                      std::span<const OptionalIndex> partners, std::size_t n_rows_after,
                       std::vector<std::size_t>& before);
 
 }  // namespace contactsim

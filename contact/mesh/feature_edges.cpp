@@ -84,7 +84,7 @@ ContactEdge make_edge(const ContactKinematics& start, const FaceEdge& one, const
   const ContactFace &a = start.contact_mesh().faces[one.face], &b = start.contact_mesh().faces[other.face];
   ContactEdge edge;
   edge.nodes = {one.low, one.high};
-  edge.faces = {one.face, other.face};
+  edge.faces = {{one.face, other.face}};
   edge.surface = a.surface;
   edge.side = a.side;
   edge.penalty_properties = a.penalty_properties.thickness < b.penalty_properties.thickness
@@ -98,8 +98,8 @@ ContactEdge make_edge(const ContactKinematics& start, const FaceEdge& one, const
 bool is_between(const ContactKinematics& kinematics, const ContactEdge& edge,
                 const Eigen::Vector3d& direction, double least) {
   const auto& faces = kinematics.contact_mesh().faces;
-  const Eigen::Vector3d a = kinematics.area(faces[edge.faces[0]]).normalized();
-  const Eigen::Vector3d b = kinematics.area(faces[edge.faces[1]]).normalized();
+  const Eigen::Vector3d a = kinematics.area(faces[(*edge.faces)[0]]).normalized();
+  const Eigen::Vector3d b = kinematics.area(faces[(*edge.faces)[1]]).normalized();
   const double cosine = a.dot(b);
   return direction.dot(a - cosine * b) > least && direction.dot(b - cosine * a) > least;
 }

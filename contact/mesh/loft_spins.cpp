@@ -36,7 +36,7 @@ double size_of_cross(const Eigen::Vector3d& arm, const Eigen::Matrix3d& flexible
 }  // namespace
 
 LoftSpins::LoftSpins(const LoftPoints& loft, std::size_t n_mesh_nodes, const RigidNodes& rigid)
-    : first_{0}, index_(n_mesh_nodes, none) {
+    : first_{0}, index_(n_mesh_nodes) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> around;
   for (const auto& shell : loft.shell_nodes()) {
     for (const std::uint32_t node : shell) {

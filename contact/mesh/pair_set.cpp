@@ -3,18 +3,17 @@
 
 #include <utility>
 
-#include "contact/mesh/contact_remap.hpp"
 #include "core/base/state_archive.hpp"
 
 namespace contactsim {
 
-void PairSet::remap(std::span<const std::uint32_t> first, std::span<const std::uint32_t> second) {
+void PairSet::remap(std::span<const OptionalIndex> first, std::span<const OptionalIndex> second) {
   std::set<std::uint64_t> after;
   for (const std::uint64_t known : keys_) {
-    auto a = static_cast<std::uint32_t>(known >> 32), b = static_cast<std::uint32_t>(known);
-    if (!first.empty()) a = first[a];
-    if (!second.empty()) b = second[b];
-    if (a != ContactRemap::removed && b != ContactRemap::removed) after.insert(key(a, b));
+    OptionalIndex a = static_cast<std::uint32_t>(known >> 32), b = static_cast<std::uint32_t>(known);
+    if (!first.empty()) a = first[*a];
+    if (!second.empty()) b = second[*b];
+    if (a && b) after.insert(key(*a, *b));
   }
   keys_ = std::move(after);
 }

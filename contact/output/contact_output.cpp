@@ -11,8 +11,6 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t no_contact = 0xffffffff;
-
 /// Nodes of blocks and surfaces that take part.
 std::vector<double> find_rest_status(const ContactModel& contact, const Mesh& mesh) {
   std::vector<double> status(mesh.n_nodes(), 0.0);
@@ -76,7 +74,7 @@ ContactOutput::ContactOutput(ContactForce& force, const ContactModel& contact, c
 /// Most runs never ask, and the arrays are large.
 void ContactOutput::begin() {
   rest_status_ = find_rest_status(contact_, *model_.mesh);
-  contact_node_.assign(model_.mesh->n_nodes(), no_contact);
+  contact_node_.assign(model_.mesh->n_nodes(), std::nullopt);
   const ContactMesh& contact_mesh = force_.contact_mesh();
   for (std::uint32_t i = 0; i < contact_mesh.n_nodes(); ++i)
     contact_node_[contact_mesh.mesh_nodes[i]] = contact_mesh.first_alike[i];
@@ -96,8 +94,8 @@ std::vector<OutputVariable> ContactOutput::variables() {
         const std::size_t node = range.first + i;
         NodeContact at_rest;
         at_rest.status = rest_status_[node];
-        const std::uint32_t own = contact_node_[node];
-        row.fill(own == no_contact ? at_rest : nodes_[own], values.data() + i * size);
+        const OptionalIndex own = contact_node_[node];
+        row.fill(own ? nodes_[*own] : at_rest, values.data() + i * size);
       }
     };
     made.push_back(std::move(variable));

@@ -9,6 +9,7 @@
 
 #include "contact/enforcement/contact_force.hpp"
 #include "contact/mesh/contact_model.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/output/output_variables.hpp"
 
 namespace contactsim {
@@ -89,7 +90,7 @@ class ContactOutput {
   std::mutex lock_;
   std::int64_t step_ = -1;                   // of what is known
   std::vector<double> rest_status_;          // [n_nodes] of nodes that touch nothing
-  std::vector<std::uint32_t> contact_node_;  // [n_nodes] position among the contact nodes, or none
+  std::vector<OptionalIndex> contact_node_;  // [n_nodes] position among the contact nodes
   std::vector<NodeContact> nodes_;           // [n_contact_nodes]
   std::vector<ContactTotal> surfaces_, pairs_;
 };

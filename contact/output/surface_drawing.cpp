@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "contact/mesh/contact_model.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -20,7 +21,7 @@ class SurfaceDrawing {
   SurfaceDrawing(const ContactModel& model, const Mesh& mesh) : model_(model), mesh_(mesh) {
     for (const ContactSurface& surface : model.surfaces.surfaces)
       drawing_.blocks.push_back({surface.name, {}, {}});
-    point_of_node_.assign(mesh.n_nodes(), no_point);
+    point_of_node_.resize(mesh.n_nodes());
   }
 
   FacetMesh draw() {
@@ -35,7 +36,6 @@ class SurfaceDrawing {
 
  private:
   using Facet = std::array<std::uint32_t, 4>;
-  static constexpr std::uint32_t no_point = UINT32_MAX;
 
   std::uint32_t add_point(const Eigen::Vector3d& position) {
     points_.push_back(position);
@@ -43,9 +43,9 @@ class SurfaceDrawing {
   }
 
   std::uint32_t point_of(NodeIndex node) {
-    std::uint32_t& point = point_of_node_[node.value];
-    if (point == no_point) point = add_point(mesh_.coordinates().col(node.value));
-    return point;
+    OptionalIndex& point = point_of_node_[node.value];
+    if (!point) point = add_point(mesh_.coordinates().col(node.value));
+    return *point;
   }
 
   void draw_mesh_parts(std::uint32_t index) {
@@ -113,7 +113,7 @@ class SurfaceDrawing {
   const Mesh& mesh_;
   FacetMesh drawing_;
   std::vector<Eigen::Vector3d> points_;
-  std::vector<std::uint32_t> point_of_node_;  ///< [n_nodes]
+  std::vector<OptionalIndex> point_of_node_;  ///< [n_nodes]
 };
 
 }  // namespace

@@ -15,8 +15,6 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 /// Shallower than this share of a face's size a node lies on the face.
 constexpr double smallest_share = 1e-6;
 
@@ -42,11 +40,11 @@ DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const Ov
       parts_(parts),
       rules_(model.pairs, std::vector<ActiveTimes>(model.pairs.size()), model.surfaces.surfaces.size()),
       bodies_(find_bodies(mesh)),
-      number_of_body_(mesh.n_nodes(), none) {
+      number_of_body_(mesh.n_nodes()) {
   for (const ContactFace& face : contact_mesh().faces) {
     if (!contact_mesh().is_lofted(face) && !is_solid(mesh, face.side)) continue;
-    std::uint32_t& number = number_of_body_[body_of(face)];
-    if (number != none) continue;
+    OptionalIndex& number = number_of_body_[body_of(face)];
+    if (number) continue;
     number = 0;
     thick_bodies_.push_back(body_of(face));
   }
@@ -86,13 +84,13 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
   Volume volume;
   // Most bodies of a mesh have nothing near: they cost no corners.
   const auto may_be_near = [&](std::uint32_t body) {
-    const std::uint32_t number = number_of_body_[body];
-    return number != none && boxes[number].lo[0] <= boxes[number].hi[0];
+    const OptionalIndex number = number_of_body_[body];
+    return number && boxes[*number].lo[0] <= boxes[*number].hi[0];
   };
   const auto add_if_near = [&](std::size_t n_corners) {
     Box own = empty_box();
     for (std::size_t k = 0; k < n_corners; ++k) add(volume.corners.col(static_cast<Eigen::Index>(k)), own);
-    if (do_overlap(own, boxes[number_of_body_[volume.body]])) near.push_back(volume);
+    if (do_overlap(own, boxes[*number_of_body_[volume.body]])) near.push_back(volume);
   };
   for (const ElementBlock& block : mesh_.blocks()) {
     if (topology(block.shape).family != Family::solid) continue;
@@ -133,8 +131,8 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   };
   std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
   const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
-    const std::uint32_t number = number_of_body_[bodies_[mesh_node]];
-    if (number != none) add(x, body_boxes[number]);
+    const OptionalIndex number = number_of_body_[bodies_[mesh_node]];
+    if (number) add(x, body_boxes[*number]);
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
   for (const auto& loft : lofts_) {
@@ -170,7 +168,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   std::vector<Inside> inside;
   for (std::uint32_t row = 0; row < n_rows; ++row) {
     for (const std::uint32_t i : near.of(row)) {
-      const std::uint32_t body = number_of_body_[volumes[i].body];
+      const std::uint32_t body = *number_of_body_[volumes[i].body];
       const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
       if (!is_known) inside.push_back({row, body});
     }
@@ -202,10 +200,10 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t index : faces_of_body.of(inside.body)) {
     const ContactFace& face = contact_mesh().faces[index];
-    const std::uint32_t pair = rules_.find(node.surface, face.surface);
-    if (pair == PairRules::none) continue;
+    const OptionalIndex pair = rules_.find(node.surface, face.surface);
+    if (!pair) continue;
     const bool is_lofted = contact_mesh().is_lofted(face);
-    if (is_lofted && rules_[pair].law == ContactLaw::tied) continue;
+    if (is_lofted && rules_[*pair].law == ContactLaw::tied) continue;
     FaceCorners x;
     for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(face.corners[k]);
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
@@ -221,7 +219,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
     if (cost >= least) continue;
     least = cost;
     const double depth = static_cast<double>(node.radius) - closest->gap;
-    best = DeepOverlap{pair, inside.row, index, depth, closest->normal, false};
+    best = DeepOverlap{*pair, inside.row, index, depth, closest->normal, false};
   }
   if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
   const double own_half_thickness =
@@ -239,8 +237,8 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
   if (inside.empty()) return {};
   const PairLists faces_of_body = list_by_row(thick_bodies_.size(), [&](const auto& take) {
     for (std::uint32_t i = 0; i < contact_mesh().faces.size(); ++i) {
-      const std::uint32_t number = number_of_body_[body_of(contact_mesh().faces[i])];
-      if (number != none) take(number, i);
+      const OptionalIndex number = number_of_body_[body_of(contact_mesh().faces[i])];
+      if (number) take(*number, i);
     }
   });
   std::vector<std::optional<DeepOverlap>> ways(inside.size());

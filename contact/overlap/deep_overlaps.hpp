@@ -10,6 +10,7 @@
 #include "contact/mesh/contact_model.hpp"
 #include "contact/overlap/overlap_parts.hpp"
 #include "contact/search/box_tree.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -77,7 +78,7 @@ class DeepOverlaps {
   PairRules rules_;
   std::vector<std::uint32_t> bodies_;          // [n_nodes]
   std::vector<std::uint32_t> thick_bodies_;    // with contact faces of solids or lofts, ascending
-  std::vector<std::uint32_t> number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
+  std::vector<OptionalIndex> number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
   /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
   std::vector<std::array<std::uint32_t, 8>> lofts_;
 };

@@ -52,17 +52,17 @@ void add_node(const ContactKinematics& kinematics, const PairRules& rules, const
               std::uint32_t row, std::vector<InitialGap>& starts) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   std::optional<double> nearest;
-  std::uint32_t of = PairRules::none;
+  OptionalIndex of;
   for (const std::uint32_t face : node_faces.of(row)) {
     const std::uint32_t pair =
-        rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
+        *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
     note(std::nullopt, starts[pair]);
     const auto gap = gap_of_node(kinematics, *rules[pair].pair, row, face);
     if (!gap || (nearest && std::abs(*gap) >= std::abs(*nearest))) continue;
     nearest = gap;
     of = pair;
   }
-  if (nearest && !(starts[of].smallest_gap <= *nearest)) starts[of].smallest_gap = *nearest;
+  if (nearest && !(starts[*of].smallest_gap <= *nearest)) starts[*of].smallest_gap = *nearest;
 }
 
 /// Gaps to planes.
@@ -104,7 +104,7 @@ std::vector<InitialGap> find_initial_gaps(const ContactModel& model, const Mesh&
   search.find_node_faces(kinematics, motion, {}, node_faces);
   for (std::uint32_t a = 0; a < face_partners.n_rows(); ++a) {
     for (const std::uint32_t b : face_partners.of(a)) {
-      const std::uint32_t pair = rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
+      const std::uint32_t pair = *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
       note(gap_of_faces(kinematics, *rules[pair].pair, a, b), starts[pair]);
     }
   }

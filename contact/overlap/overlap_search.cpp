@@ -118,7 +118,7 @@ bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {
   const ContactMesh& contact_mesh = parts_.contact_mesh;
   const SurfaceNode& node = contact_mesh.surface_nodes[row];
   const ContactFace& face = contact_mesh.faces[index];
-  if (rules_.find(node.surface, face.surface) == PairRules::none) return false;
+  if (!rules_.find(node.surface, face.surface)) return false;
   const auto own = mesh_.element_nodes(face.side.element());
   return std::ranges::find(own, NodeIndex{contact_mesh.mesh_nodes[node.node]}) == own.end();
 }
@@ -138,7 +138,7 @@ void OverlapSearch::add_faces(const ContactKinematics& kinematics, bool is_of_lo
   for (std::uint32_t row = 0; row < near.n_rows(); ++row) {
     const std::uint32_t own = contact_mesh.surface_nodes[row].surface;
     for (const std::uint32_t face : near.of(row)) {
-      PairSites& sites = sites_[rules_.find(own, contact_mesh.faces[face].surface)];
+      PairSites& sites = sites_[*rules_.find(own, contact_mesh.faces[face].surface)];
       (is_lofted(row, face) ? sites.lofted : sites.meshed).faces.push_back({row, face});
     }
   }
@@ -152,7 +152,7 @@ void OverlapSearch::add_edges(const ContactKinematics& kinematics) {
   for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
     for (const std::uint32_t other : near.of(i)) {
       if (edges[i].is_sharp() && edges[other].is_sharp()) continue;
-      sites_[rules_.find(edges[i].surface, edges[other].surface)].edges.push_back({i, other});
+      sites_[*rules_.find(edges[i].surface, edges[other].surface)].edges.push_back({i, other});
     }
   }
 }
@@ -161,7 +161,7 @@ bool OverlapSearch::may_cross(const ContactKinematics& kinematics, std::uint32_t
                               std::uint32_t second) const {
   const ContactFace &a = parts_.contact_mesh.faces[first], &b = parts_.contact_mesh.faces[second];
   if (!parts_.contact_mesh.is_lofted(a) && !parts_.contact_mesh.is_lofted(b)) return false;
-  if (rules_.find(a.surface, b.surface) == PairRules::none) return false;
+  if (!rules_.find(a.surface, b.surface)) return false;
   if (a.side.element() == b.side.element() || parts_.contact_mesh.share_node(a, b)) return false;
   return kinematics.area(a).dot(kinematics.area(b)) < 0.0;
 }
@@ -174,7 +174,7 @@ void OverlapSearch::add_rims(const ContactKinematics& kinematics) {
   faces_.find_pairs([&](std::uint32_t a, std::uint32_t b) { return may_cross(kinematics, a, b); }, near);
   for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
     for (const std::uint32_t other : near.of(i))
-      sites_[rules_.find(faces[i].surface, faces[other].surface)].rims.push_back({i, other});
+      sites_[*rules_.find(faces[i].surface, faces[other].surface)].rims.push_back({i, other});
   }
 }
 

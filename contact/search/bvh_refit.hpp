@@ -55,24 +55,25 @@ class BvhRefit {
   BvhRefit(BoxTree& tree, const BoxOf& box_of) : nodes_(tree.nodes.data()), box_of_(box_of) {}
 
   /// Fits all that is below a node, last first, then the node. Returns the smallest number of a box that is
-  /// not sound, `none` if all are.
+  /// not sound, `all_sound` if all are.
   std::uint32_t fit_branch(std::uint32_t root) const {
     const std::uint32_t n_below = 2 * nodes_[root].n_boxes - 2, first = nodes_[root].link;
-    std::uint32_t unsound = none;
+    std::uint32_t unsound = all_sound;
     for (std::uint32_t i = n_below; i-- > 0;) unsound = std::min(unsound, fit(nodes_[first + i]));
     return std::min(unsound, fit(nodes_[root]));
   }
   std::uint32_t fit(BoxNode& node) const {
     if (!node.is_leaf()) {
       fit_parent(node, &nodes_[node.link]);
-      return none;
+      return all_sound;
     }
     const Box box = box_of_(node.link);
     fit_leaf(node, box);
-    return is_sound(box) ? none : node.link;
+    return is_sound(box) ? all_sound : node.link;
   }
 
-  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  /// Greater than any number of a box, as a minimum begins.
+  static constexpr std::uint32_t all_sound = std::numeric_limits<std::uint32_t>::max();
 
  private:
   BoxNode* nodes_;
@@ -84,14 +85,14 @@ class BvhRefit {
 template <class BoxOf>
 std::optional<std::uint32_t> refit(BoxTree& tree, const BoxOf& box_of) {
   const BvhRefit fit(tree, box_of);
-  std::uint32_t unsound = fit.none;
+  std::uint32_t unsound = fit.all_sound;
   const auto n_branches = static_cast<std::int64_t>(tree.branches.size());
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(tree.nodes.size())) reduction(min \
                                                                                                  : unsound)
   for (std::int64_t i = 0; i < n_branches; ++i)
     unsound = std::min(unsound, fit.fit_branch(tree.branches[static_cast<std::size_t>(i)]));
   for (std::size_t i = tree.top_levels.size(); i-- > 0;) fit.fit(tree.nodes[tree.top_levels[i]]);
-  return unsound == fit.none ? std::nullopt : std::optional(unsound);
+  return unsound == fit.all_sound ? std::nullopt : std::optional(unsound);
 }
 
 }  // namespace contactsim

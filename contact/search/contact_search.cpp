@@ -131,7 +131,7 @@ void ContactSearch::keep_first_partners(const std::vector<std::uint8_t>& is_new,
     const std::uint32_t end = lists.begin[row + 1];
     for (std::uint32_t k = begin; k < end; ++k) {
       const std::uint32_t partner = lists.partners[k];
-      const PairRule& rule = rules_[rules_.find(surface_of(row), contact_mesh_.faces[partner].surface)];
+      const PairRule& rule = rules_[*rules_.find(surface_of(row), contact_mesh_.faces[partner].surface)];
       const bool may_change = rule.pair->behavior != InteractionBehavior::infinitesimal_sliding;
       if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
           holds(first, row, partner))
@@ -250,10 +250,10 @@ Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t i
 
 bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
-  const std::uint32_t pair = rules_.find(a.surface, b.surface);
-  if (pair == PairRules::none) return false;
-  if (rules_[pair].pair->formulation != ConstraintFormulation::face_face) return false;
-  if (rules_[pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
+  const OptionalIndex pair = rules_.find(a.surface, b.surface);
+  if (!pair) return false;
+  if (rules_[*pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
   if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
   if (are_of_one_rigid_body(a.corners, b.corners)) return false;
@@ -263,10 +263,10 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
 bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[index];
-  const std::uint32_t pair = rules_.find(node.surface, face.surface);
-  if (pair == PairRules::none) return false;
-  const SurfacePair& of = *rules_[pair].pair;
-  if (rules_[pair].only_ties() && n_searches_ > 0) return false;
+  const OptionalIndex pair = rules_.find(node.surface, face.surface);
+  if (!pair) return false;
+  const SurfacePair& of = *rules_[*pair].pair;
+  if (rules_[*pair].only_ties() && n_searches_ > 0) return false;
   // Balls have no faces: they meet those of others as nodes, whatever the formulation.
   const bool is_sphere = node.radius > 0.0f;
   if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
@@ -277,8 +277,8 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
 
 bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
-  const std::uint32_t pair = rules_.find(a.surface, b.surface);
-  if (pair == PairRules::none || rules_[pair].only_ties()) return false;
+  const OptionalIndex pair = rules_.find(a.surface, b.surface);
+  if (!pair || rules_[*pair].only_ties()) return false;
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;

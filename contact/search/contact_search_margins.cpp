@@ -11,12 +11,12 @@ namespace {
 /// Marks what was not there before besides what is marked already.
 ///   positions  [n before] of ContactRemap
 ///   is_new     [n before], or empty when nothing was; gets [n_after]
-void mark_new(std::span<const std::uint32_t> positions, std::size_t n_after,
+void mark_new(std::span<const OptionalIndex> positions, std::size_t n_after,
               std::vector<std::uint8_t>& is_new) {
   is_new.resize(positions.size(), 0);
   std::vector<std::uint8_t> marks(n_after, 1);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (positions[i] != ContactRemap::removed) marks[positions[i]] = is_new[i];
+    if (positions[i]) marks[*positions[i]] = is_new[i];
   }
   is_new = std::move(marks);
 }

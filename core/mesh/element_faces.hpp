@@ -16,9 +16,6 @@ namespace contactsim::element_faces {
 /// A face by its corner nodes; a triangle repeats its last node.
 using Corners = std::array<std::uint32_t, 4>;
 
-/// Stands for the corner that a triangle lacks.
-inline constexpr std::uint32_t no_node = UINT32_MAX;
-
 /// One face of one element by all corners but the smallest, ascending.
 struct FaceRecord {
   std::uint32_t b, c, d;
@@ -30,7 +27,8 @@ struct FaceRecord {
 
 /// The record of a face of at least three different nodes, the same whatever the order of its corners.
 inline FaceRecord make_record(Corners c, ElementSide side) {
-  if (c[3] == c[2]) c[3] = no_node;
+  constexpr std::uint32_t behind_all_nodes = UINT32_MAX;  // so that a triangle's record is like no other's
+  if (c[3] == c[2]) c[3] = behind_all_nodes;
   const auto order = [&c](std::size_t i, std::size_t j) {
     const std::uint32_t low = std::min(c[i], c[j]), high = std::max(c[i], c[j]);
     c[i] = low;

@@ -74,7 +74,7 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
       const std::uint32_t second = candidates_.partners[k];
       const std::uint32_t pair =
-          context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+          *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
       const Candidate candidate{first, second, pair, k, context.rules.of_faces(pair, first, second)};
       detect_one(context, candidate, points);
       if (candidate.rule.acts_apart()) add_pull(context, candidate, points);

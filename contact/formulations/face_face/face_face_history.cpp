@@ -11,8 +11,6 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::uint32_t no_partner = 0xffffffff;
-
 bool are_of_one_pair(const ContactPoint& a, const ContactPoint& b) {
   return a.first_entity == b.first_entity && a.second_entity == b.second_entity;
 }
@@ -56,8 +54,8 @@ void FaceFaceHistory::remap(const ContactRemap& remap, std::span<const std::size
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_before_);
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_now_);
   // Contacts that deaths end are not lost.
-  for (std::vector<std::uint32_t>* partners : {&partner_before_, &partner_now_})
-    partners->assign(depth_now_.size(), no_partner);
+  for (std::vector<OptionalIndex>* partners : {&partner_before_, &partner_now_})
+    partners->assign(depth_now_.size(), std::nullopt);
 }
 
 void FaceFaceHistory::begin_step(const PairLists& candidates, std::size_t n_faces) {
@@ -66,9 +64,9 @@ void FaceFaceHistory::begin_step(const PairLists& candidates, std::size_t n_face
   std::swap(depth_before_, depth_now_);
   std::swap(partner_before_, partner_now_);
   depth_before_.resize(n_faces, 0.0f);
-  partner_before_.resize(n_faces, no_partner);
+  partner_before_.resize(n_faces);
   depth_now_.assign(n_faces, 0.0f);
-  partner_now_.assign(n_faces, no_partner);
+  partner_now_.assign(n_faces, std::nullopt);
   if (!has_friction_) return;
   std::swap(means_, next_means_);
   means_.resize(n_faces, Eigen::Vector4d::Zero());
@@ -135,15 +133,14 @@ void FaceFaceHistory::update_faces(const ContactPoint& point) {
 void FaceFaceHistory::find_lost(const ContactMesh& contact_mesh, const PairRules& rules,
                                 std::vector<LostContact>& lost) const {
   for (std::uint32_t face = 0; face < partner_before_.size(); ++face) {
-    const std::uint32_t partner = partner_before_[face];
-    if (partner == no_partner || partner < face) continue;
-    const bool is_over = partner_now_[face] == no_partner && partner_now_[partner] == no_partner;
-    if (!is_over) continue;
+    if (!partner_before_[face] || *partner_before_[face] < face) continue;
+    const std::uint32_t partner = *partner_before_[face];
+    if (partner_now_[face] || partner_now_[partner]) continue;
     const ContactFace &a = contact_mesh.faces[face], &b = contact_mesh.faces[partner];
     const double depth = depth_before_[face];
     if (depth < deep_share * std::min(a.penalty_properties.thickness, b.penalty_properties.thickness))
       continue;
-    lost.push_back({rules.find(a.surface, b.surface), a.corners[0], depth});
+    lost.push_back({*rules.find(a.surface, b.surface), a.corners[0], depth});
   }
 }
 

@@ -8,6 +8,7 @@
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_lists.hpp"
+#include "core/base/optional_index.hpp"
 
 namespace contactsim {
 
@@ -63,7 +64,7 @@ class FaceFaceHistory {
   std::vector<Eigen::Vector4d> means_, next_means_;
   // [n_faces] penetration, 0 where nothing touches, in the last step and in this one [length]
   std::vector<float> depth_before_, depth_now_;
-  std::vector<std::uint32_t> partner_before_, partner_now_;  // [n_faces] by which each is deepest
+  std::vector<OptionalIndex> partner_before_, partner_now_;  // [n_faces] by which each is deepest
 };
 
 }  // namespace contactsim

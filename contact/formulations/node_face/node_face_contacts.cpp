@@ -140,7 +140,7 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   // Before the first step faces in front of the node count too: it is not inside what it stands in front of.
   NearFace near_face;
   near_face.face = face_index;
-  near_face.pair = context.rules.find(node.surface, face.surface);
+  near_face.pair = *context.rules.find(node.surface, face.surface);
   const PairRule& rule = context.rules.of_node(near_face.pair, row);
   if (rule.is_balanced != context.balances) return;
   const double margin = context.balances ? closed_share * std::min(face.penalty_properties.thickness,

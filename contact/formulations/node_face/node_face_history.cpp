@@ -91,10 +91,11 @@ void NodeFaceHistory::remap(const ContactRemap& remap) {
   std::vector<std::vector<FaceHistory>> chunks(remap.n_rows_after / rows_per_chunk + 1);
   for (const std::vector<FaceHistory>& chunk : chunks_) {
     for (FaceHistory face_history : chunk) {
-      face_history.row = remap.rows[face_history.row];
+      const OptionalIndex row = remap.rows[face_history.row];
+      if (!row) continue;
+      face_history.row = *row;
       face_history.is_deep = 0;  // what deaths end is not lost
-      if (face_history.row != ContactRemap::removed)
-        chunks[face_history.row / rows_per_chunk].push_back(face_history);
+      chunks[*row / rows_per_chunk].push_back(face_history);
     }
   }
   for (std::vector<FaceHistory>& chunk : chunks) std::ranges::stable_sort(chunk, {}, &FaceHistory::row);

@@ -51,7 +51,9 @@ void NodePlaneContacts::remap(const ContactRemap& remap) {
   for (NodePlanePair& pair_of_node : node_plane_pairs_)
     known[{pair_of_node.pair, pair_of_node.plane, pair_of_node.node}] = &pair_of_node;
   for (const NodePlanePair& old : before) {
-    const auto found = known.find({old.pair, old.plane, remap.rows[old.node]});
+    const OptionalIndex node = remap.rows[old.node];
+    if (!node) continue;
+    const auto found = known.find({old.pair, old.plane, *node});
     if (found != known.end()) found->second->elastic_slip = old.elastic_slip;
   }
 }

@@ -104,7 +104,7 @@ Pairs sweep_faces(const ContactParts& parts, double dt) {
     for (std::uint32_t b = a + 1; b < n; ++b) {
       const ContactFace &first = parts.contact_mesh.faces[a], &second = parts.contact_mesh.faces[b];
       if (have_common_node(parts.mesh, first.side.element(), second.side.element())) continue;
-      if (parts.rules.find(first.surface, second.surface) == PairRules::none) continue;
+      if (!parts.rules.find(first.surface, second.surface)) continue;
       if (spans[a].meets(spans[b])) pairs.insert({a, b});
     }
   }

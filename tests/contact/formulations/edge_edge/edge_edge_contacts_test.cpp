@@ -66,7 +66,7 @@ TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact]
   choose_feature_edges(parts.definition.surface_options, parts.model.surfaces.surfaces, parts.kinematics,
                        parts.contact_mesh);
   for (ContactEdge& edge : parts.contact_mesh.edges) {
-    edge.penalty_properties = parts.contact_mesh.faces[edge.faces[0]].penalty_properties;
+    edge.penalty_properties = parts.contact_mesh.faces[(*edge.faces)[0]].penalty_properties;
     edge.width = 1.0;
   }
   EdgeEdgeContacts edges(parts.setup());
@@ -84,9 +84,9 @@ TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact]
   REQUIRE(free.size() == 1);
   const ContactEdge &first = parts.contact_mesh.edges[free[0].first_entity],
                     &second = parts.contact_mesh.edges[free[0].second_entity];
-  parts.constrained.add_faces(second.faces[1], first.faces[0]);
+  parts.constrained.add_faces((*second.faces)[1], (*first.faces)[0]);
   CHECK(find().empty());
-  parts.constrained.remove(false, second.faces[1], first.faces[0]);
+  parts.constrained.remove(false, (*second.faces)[1], (*first.faces)[0]);
   CHECK(find().size() == 1);
   parts.constrained.add_node(parts.contact_mesh.find_row(first.nodes[1], first.surface).value(),
                              free[0].pair);
