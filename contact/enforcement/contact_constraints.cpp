@@ -39,8 +39,8 @@ void ContactConstraints::begin(const ContactKinematics& kinematics, double dt_be
   groups_.clear();
   rows_.clear();
   weights_.clear();
-  arms_.clear();
   grips_.clear();
+  carriers_.begin();
 }
 
 /// Calls visit(group, row) for each point, in their order.
@@ -51,53 +51,9 @@ void ContactConstraints::visit_rows(const Visit& visit) const {
   }
 }
 
-/// Finds a point's shares of plain carriers, beside those that its group has. Returns whether that is all.
-bool ContactConstraints::find_plain_terms(const ContactPoint& contact_point, Group& group, Weights& weights) {
-  const auto find_side = [&](const ContactPointSide& side, double sign, std::uint8_t first_corner) {
-    for (std::uint8_t k = 0; k < 4; ++k) {
-      const double weight = side.weights[k];
-      if (weight == 0.0) continue;
-      const auto corner = static_cast<std::uint8_t>(first_corner + k);
-      std::size_t term = 0;
-      while (term < group.n_terms && group.corners[term] != corner) ++term;
-      if (term == group.n_terms) {
-        const std::optional<std::uint32_t> carrier = mobility_.plain_carrier(side.nodes[k]);
-        if (!carrier) return false;
-        group.corners[term] = corner;
-        group.carriers[term] = *carrier;
-        ++group.n_terms;
-      }
-      weights[term] = sign * weight;
-    }
-    return true;
-  };
-  return find_side(contact_point.first, 1.0, 0) && find_side(contact_point.second, -1.0, 4);
-}
-
-void ContactConstraints::find_general_terms(const ContactPoint& contact_point, Group& group,
-                                            Weights& weights) {
-  group.n_terms = 0;
-  group.first_arm = static_cast<std::uint32_t>(arms_.size());
-  const auto add_side = [&](const ContactPointSide& side, double sign) {
-    carriers_.clear();
-    const Eigen::Vector3d beside = -sign * side.radius * contact_point.normal;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = side.weights[static_cast<Eigen::Index>(k)];
-      if (weight != 0.0) mobility_.add_terms(side.nodes[k], sign * weight, beside, carriers_);
-    }
-    for (const CarrierTerm& term : carriers_) {
-      group.carriers[group.n_terms] = term.carrier;
-      weights[group.n_terms++] = term.weight;
-      arms_.push_back(term.weight * term.arm);
-    }
-  };
-  add_side(contact_point.first, 1.0);
-  add_side(contact_point.second, -1.0);
-}
-
 /// Whether a point is between the entities of the last row, and seen along the same normal.
 bool ContactConstraints::is_of_last_group(const ContactPoint& contact_point) const {
-  if (rows_.empty() || groups_.back().first_arm) return false;
+  if (rows_.empty() || groups_.back().terms.first_arm) return false;
   const ContactPoint& last = points_[rows_.back().point];
   return contact_point.first.nodes == last.first.nodes && contact_point.second.nodes == last.second.nodes &&
          contact_point.normal == last.normal;
@@ -133,12 +89,13 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   Weights weights{};
   Group alone;
   Group* group = is_of_last ? &groups_.back() : &alone;
-  if (!find_plain_terms(contact_point, *group, weights)) {
+  if (!carriers_.find_plain(contact_point, group->terms, weights)) {
     group = &alone;
     weights = {};
-    find_general_terms(contact_point, alone, weights);
+    carriers_.find_general(contact_point, alone.terms, weights);
   }
-  if (contact_point.touches()) push(*group, weights, node_vector(contact_point.force_on_first()));
+  if (contact_point.touches())
+    carriers_.push(group->terms, weights, node_vector(contact_point.force_on_first()));
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
@@ -156,59 +113,30 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   weights_.push_back(weights);
 }
 
-/// How far a force of 1 turns the carrier of a term with an arm, at the point and as a square root.
-double ContactConstraints::turn_size(const Group& group, const Row& row, std::size_t term) const {
-  const std::uint32_t carrier = group.carriers[term];
-  const Eigen::Vector3d& arm = arms_[*group.first_arm + term];
-  if (row.grip) return mobility_.turn_bound(carrier) * arm.norm();
-  return mobility_.turn_root(carrier, arm.cross(Eigen::Vector3d(group.normal.head<3>())));
-}
-
 void ContactConstraints::add_areas(LeaningAreas& areas) const {
   visit_rows([&](const Group& group, std::uint32_t row) {
-    const double area = points_[rows_[row].point].area;
-    for (std::size_t i = 0; i < group.n_terms; ++i)
-      areas[group.carriers[i]][0] += area * std::abs(weights_[row][i]);
-    if (!group.first_arm) return;
-    for (std::size_t i = 0; i < group.n_terms; ++i)
-      areas[group.carriers[i]][1] += area * turn_size(group, rows_[row], i);
+    carriers_.add_areas(group.terms, weights_[row], direction(group, rows_[row]), area_of(rows_[row]), areas);
   });
-}
-
-/// What a carrier adds to the softness of a point, times its area over the step.
-double ContactConstraints::share(const Group& group, std::uint32_t row, std::size_t term,
-                                 const LeaningAreas& areas) const {
-  const std::uint32_t carrier = group.carriers[term];
-  const double moves =
-      mobility_.translation_bound(carrier) * std::abs(weights_[row][term]) * areas[carrier][0];
-  if (!group.first_arm) return moves;
-  return moves + turn_size(group, rows_[row], term) * areas[carrier][1];
 }
 
 void ContactConstraints::add_loads(const LeaningAreas& areas, std::vector<CarrierLoad>& loads) const {
   visit_rows([&](const Group& group, std::uint32_t row) {
-    const double area = points_[rows_[row].point].area;
-    const auto side = [&](std::size_t term) { return weights_[row][term] > 0.0 ? 0 : 1; };
-    std::array<double, 2> sides{};
-    for (std::size_t i = 0; i < group.n_terms; ++i) sides[side(i)] += share(group, row, i, areas);
-    for (std::size_t i = 0; i < group.n_terms; ++i) {
-      CarrierLoad& load = loads[group.carriers[i]];
-      load.own += sides[side(i)];
-      load.others += sides[1 - side(i)];
-      load.area += area * std::abs(weights_[row][i]);
-    }
+    carriers_.add_loads(group.terms, weights_[row], direction(group, rows_[row]), area_of(rows_[row]), areas,
+                        loads);
   });
 }
 
 double ContactConstraints::softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
                                     const LightCarriers& light, double least) const {
-  const double area = points_[rows_[row].point].area;
+  const double area = area_of(rows_[row]);
+  const Terms& terms = group.terms;
+  const PointCarriers::Direction along = direction(group, rows_[row]);
   double gap = 0.0;
   bool has_light = false;
-  for (std::size_t i = 0; i < group.n_terms; ++i) {
-    const bool is_light = light.is_light(group.carriers[i]);
+  for (std::size_t i = 0; i < terms.n_terms; ++i) {
+    const bool is_light = light.is_light(terms.carriers[i]);
     has_light = has_light || is_light;
-    if (!is_light) gap += share(group, row, i, areas);
+    if (!is_light) gap += carriers_.share(terms, weights_[row], i, along, areas);
   }
   if (has_light) gap = std::max(gap, least * area);
   return dt_ * gap / area;
@@ -218,9 +146,11 @@ double ContactConstraints::softness(const Group& group, std::uint32_t row, const
 /// motion.
 double ContactConstraints::slip_softness(const Group& group, std::uint32_t row,
                                          const LeaningAreas& areas) const {
+  const PointCarriers::Direction along = direction(group, rows_[row]);
   double slip = 0.0;
-  for (std::size_t i = 0; i < group.n_terms; ++i) slip += share(group, row, i, areas);
-  return dt_ * slip / points_[rows_[row].point].area;
+  for (std::size_t i = 0; i < group.terms.n_terms; ++i)
+    slip += carriers_.share(group.terms, weights_[row], i, along, areas);
+  return dt_ * slip / area_of(rows_[row]);
 }
 
 void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarriers& light, double least) {
@@ -245,16 +175,17 @@ void ContactConstraints::set_softness(const LeaningAreas& areas, const LightCarr
 }
 
 void ContactConstraints::add_rows(LightCarriers& light) {
-  std::array<LightShare, max_terms> shares;
+  std::array<LightShare, PointCarriers::max_terms> shares;
   light_points_.clear();
   visit_rows([&](const Group& group, std::uint32_t row) {
     std::size_t n = 0;
-    for (std::size_t i = 0; i < group.n_terms; ++i) {
+    const Terms& terms = group.terms;
+    for (std::size_t i = 0; i < terms.n_terms; ++i) {
       const double weight = weights_[row][i];
-      if (weight == 0.0 || !light.is_light(group.carriers[i])) continue;
+      if (weight == 0.0 || !light.is_light(terms.carriers[i])) continue;
       LightShare& share = shares[n++];
-      share = {light.of(group.carriers[i]), weight * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
-      if (group.first_arm) share.arm = arms_[*group.first_arm + i] / weight;
+      share = {light.of(terms.carriers[i]), weight * Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
+      if (terms.first_arm) share.arm = carriers_.arm(terms, i) / weight;
     }
     if (n == 0) return;
     rows_[row].light = light.add_row({shares.data(), n});
@@ -274,7 +205,7 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   const auto [place, r] = light_points_[light_point];
   const Group& group = *place;
   const Row& row = rows_[r];
-  const NodeVector changed = dt_ * (change(group, weights_[r]) + node_vector(velocity));
+  const NodeVector changed = dt_ * (carriers_.change(group.terms, weights_[r]) + node_vector(velocity));
   const NodeVector force = next_force(group.normal, row, changed);
   const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
   LightAnswer answer{force.head<3>(), (force - row.ahead).head<3>(), Eigen::Matrix3d::Zero(), rate};
@@ -295,32 +226,10 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   return answer;
 }
 
-/// Change of the first side's velocity against the second's by the forces of the last pass [length/time].
-NodeVector ContactConstraints::change(const Group& group, const Weights& weights) const {
-  NodeVector sum = NodeVector::Zero();
-  for (std::size_t i = 0; i < group.n_terms; ++i) sum += weights[i] * mobility_.change(group.carriers[i]);
-  if (!group.first_arm) return sum;
-  for (std::size_t i = 0; i < group.n_terms; ++i)
-    sum.head<3>() += mobility_.turning(group.carriers[i]).cross(arms_[*group.first_arm + i]);
-  return sum;
-}
-
-void ContactConstraints::push(const Group& group, const Weights& weights, const NodeVector& force) {
-  if (force.isZero(0.0)) return;
-  if (!group.first_arm) {
-    for (std::size_t i = 0; i < group.n_terms; ++i)
-      mobility_.push_plain(group.carriers[i], weights[i] * force);
-    return;
-  }
-  const Eigen::Vector3d whole = force.head<3>();
-  for (std::size_t i = 0; i < group.n_terms; ++i)
-    mobility_.push(group.carriers[i], weights[i] * whole, arms_[*group.first_arm + i].cross(whole));
-}
-
 void ContactConstraints::push_forces() {
   visit_rows([this](const Group& group, std::uint32_t i) {
     rows_[i].ahead = rows_[i].force;
-    push(group, weights_[i], rows_[i].ahead);
+    carriers_.push(group.terms, weights_[i], rows_[i].ahead);
   });
 }
 
@@ -354,10 +263,10 @@ ConstraintPass ContactConstraints::pass(double momentum, const LightCarriers& li
   ConstraintPass sums;
   visit_rows([&](const Group& group, std::uint32_t i) {
     Row& row = rows_[i];
-    NodeVector velocity = change(group, weights_[i]);
+    NodeVector velocity = carriers_.change(group.terms, weights_[i]);
     if (row.light) velocity += node_vector(light.velocity(*row.light));
     sums.take(row, next_force(group.normal, row, dt_ * velocity), momentum);
-    push(group, weights_[i], row.ahead);
+    carriers_.push(group.terms, weights_[i], row.ahead);
   });
   return sums;
 }
@@ -385,7 +294,8 @@ ContactLoss ContactConstraints::finish() {
   ContactLoss loss;
   history_.begin();
   visit_rows([&](const Group& group, std::uint32_t i) {
-    finish(rows_[i], rows_[i].force.dot(group.normal), dt_ * change(group, weights_[i]), loss);
+    finish(rows_[i], rows_[i].force.dot(group.normal), dt_ * carriers_.change(group.terms, weights_[i]),
+           loss);
   });
   history_.end();
   return loss;

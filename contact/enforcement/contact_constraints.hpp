@@ -9,7 +9,7 @@
 
 #include "contact/enforcement/constraint_pass.hpp"
 #include "contact/enforcement/contact_history.hpp"
-#include "contact/enforcement/node_mobility.hpp"
+#include "contact/enforcement/point_carriers.hpp"
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/geometry/contact_point.hpp"
 #include "core/base/optional_index.hpp"
@@ -25,7 +25,7 @@ struct ContactLoss {
 /// returns to the Coulomb cone.
 class ContactConstraints {
  public:
-  explicit ContactConstraints(NodeMobility& mobility) : mobility_(mobility) {}
+  explicit ContactConstraints(NodeMobility& mobility) : carriers_(mobility) {}
 
   /// Begins a step.
   ///   dt_before, dt  of the step that ended, of the coming one [time]
@@ -61,10 +61,8 @@ class ContactConstraints {
   ContactHistory& memory() { return history_; }
 
  private:
-  static constexpr std::size_t max_terms = 8;
-
-  /// Shares of the carriers of a row's group, signed [1].
-  using Weights = std::array<double, max_terms>;
+  using Terms = PointCarriers::Terms;
+  using Weights = PointCarriers::Weights;
   /// A contact point. Fourth numbers are 0.
   struct Row {
     NodeVector force = NodeVector::Zero();  // on the first side [force]
@@ -78,11 +76,8 @@ class ContactConstraints {
   /// Contact points between the same entities, which have the same carriers.
   struct Group {
     NodeVector normal = NodeVector::Zero();  // [1]
-    std::array<std::uint32_t, max_terms> carriers{};
     std::uint32_t first_row = 0, n_rows = 0;
-    std::uint32_t n_terms = 0;
-    OptionalIndex first_arm;                        // of the carriers; none where all are plain
-    std::array<std::uint8_t, max_terms> corners{};  // of both sides, of plain carriers
+    Terms terms;
   };
   /// Friction of a contact point.
   struct Grip {
@@ -95,18 +90,16 @@ class ContactConstraints {
 
   template <class Visit>
   void visit_rows(const Visit& visit) const;
-  bool find_plain_terms(const ContactPoint& contact_point, Group& group, Weights& weights);
-  void find_general_terms(const ContactPoint& contact_point, Group& group, Weights& weights);
   bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
   void take_over(const ContactPoint& contact_point, double allowed, Row& row);
-  double turn_size(const Group& group, const Row& row, std::size_t term) const;
-  double share(const Group& group, std::uint32_t row, std::size_t term, const LeaningAreas& areas) const;
+  double area_of(const Row& row) const { return points_[row.point].area; }
+  static PointCarriers::Direction direction(const Group& group, const Row& row) {
+    return {group.normal, row.grip.has_value()};
+  }
   double slip_softness(const Group& group, std::uint32_t row, const LeaningAreas& areas) const;
   double softness(const Group& group, std::uint32_t row, const LeaningAreas& areas,
                   const LightCarriers& light, double least) const;
-  NodeVector change(const Group& group, const Weights& weights) const;
-  void push(const Group& group, const Weights& weights, const NodeVector& force);
   double slip_limit(const Row& row, const NodeVector& changed, double normal_force) const;
   NodeVector next_force(const NodeVector& normal, const Row& row, const NodeVector& changed) const;
   Eigen::Vector3d trial_traction(const Eigen::Vector3d& normal, const Row& row,
@@ -116,7 +109,7 @@ class ContactConstraints {
                      const Eigen::Vector3d& changed) const;
   void finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss);
 
-  NodeMobility& mobility_;
+  PointCarriers carriers_;
   const ContactKinematics* kinematics_ = nullptr;
   double dt_ = 0.0, dt_before_ = 0.0;
   std::vector<ContactPoint> points_;
@@ -124,9 +117,7 @@ class ContactConstraints {
   std::vector<Row> rows_;
   std::vector<Weights> weights_;                                      // [n_rows]
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
-  std::vector<Eigen::Vector3d> arms_;  // of carriers that are not plain, times the weight [length]
   std::vector<Grip> grips_;
-  std::vector<CarrierTerm> carriers_;  // scratch
   ContactHistory history_;
 };
 
