@@ -23,8 +23,8 @@ class LoftPoints {
   LoftPoints(const LoftGeometry& loft, const Mesh& mesh);
 
   std::size_t size() const { return offsets_.size(); }
-  /// The point of a vertex of a brick.
-  std::uint32_t of_vertex(std::uint32_t vertex) const { return *point_of_vertex_[vertex]; }
+  /// The point of a vertex of a brick; nothing for one that no shell offsets.
+  OptionalIndex of_vertex(std::uint32_t vertex) const { return point_of_vertex_[vertex]; }
   /// The node of the mesh that a point hangs on, its distance from it and the shell's thickness [length].
   std::uint32_t node(std::size_t point) const { return nodes_[point]; }
   double distance(std::size_t point) const { return std::abs(offsets_[point].height); }

@@ -21,7 +21,7 @@ void add_bricks(const ContactModel& contact, std::uint32_t position, ContactMesh
     const LoftFacet& facet = loft.facets[i];
     if (facet.part == LoftPart::prism || contact.surface_of_facet[i] != position) continue;
     ContactFace face;
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = first + made.loft.of_vertex(facet.vertices[k]);
+    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = first + *made.loft.of_vertex(facet.vertices[k]);
     face.surface = position;
     face.side = ElementSide(facet.element, facet.side);
     face.penalty_properties.thickness = made.loft.thickness(face.corners[0] - first);
