@@ -21,6 +21,11 @@ struct PairLists {
   std::span<const std::uint32_t> of(std::size_t row) const {
     return std::span(partners).subspan(begin[row], begin[row + 1] - begin[row]);
   }
+  /// Where in `partners` a pair of the lists stands.
+  std::size_t position(std::size_t row, std::uint32_t partner) const {
+    const auto of_row = of(row);
+    return begin[row] + static_cast<std::size_t>(std::ranges::lower_bound(of_row, partner) - of_row.begin());
+  }
 };
 
 /// Saves or restores lists.

@@ -126,10 +126,7 @@ void EdgeEdgeContacts::begin_step() {
 void EdgeEdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /*rows*/,
                               std::span<const ContactPoint> points) {
   for (const ContactPoint& point : points) {
-    const auto partners = candidates_.of(point.first_entity);
-    const auto found = std::ranges::lower_bound(partners, point.second_entity);
-    const std::size_t candidate =
-        candidates_.begin[point.first_entity] + static_cast<std::size_t>(found - partners.begin());
+    const std::size_t candidate = candidates_.position(point.first_entity, point.second_entity);
     slips_now_[candidate][point.part] = point.elastic_slip;
     if (!point.is_met()) continue;
     const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());

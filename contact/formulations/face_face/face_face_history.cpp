@@ -78,10 +78,7 @@ void FaceFaceHistory::update(const ContactStepContext& context, const PairLists&
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
     const ContactPoint& first = points[begin];
     while (end < points.size() && are_of_one_pair(first, points[end])) ++end;
-    const auto partners = candidates.of(first.first_entity);
-    const auto found = std::ranges::lower_bound(partners, first.second_entity);
-    const std::size_t candidate =
-        candidates.begin[first.first_entity] + static_cast<std::size_t>(found - partners.begin());
+    const std::size_t candidate = candidates.position(first.first_entity, first.second_entity);
     update_pair(context, candidate, points.subspan(begin, end - begin));
   }
   for (const ContactPoint& point : points) update_faces(point);
