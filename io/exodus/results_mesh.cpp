@@ -5,6 +5,7 @@
 
 #include <array>
 #include <string_view>
+
 #include "io/exodus/exodus_conventions.hpp"
 
 namespace contactsim {

@@ -18,8 +18,6 @@ namespace contactsim {
 
 namespace {
 
-// Lengths that the Exodus library expects, of lines and strings with their final NUL.
-
 void check_input(const std::string& path, const Mesh& mesh) {
   std::error_code is_missing;
   if (std::filesystem::equivalent(path, mesh.path(), is_missing)) {
