@@ -87,14 +87,6 @@ struct PairEnergy {
   }
 };
 
-void scale(double factor, ContactPoint& contact_point) {
-  contact_point.force *= factor;
-  contact_point.tangential *= factor;
-  contact_point.dissipated *= factor;
-  contact_point.damped *= factor;
-  contact_point.beyond_spring *= factor;
-}
-
 }  // namespace
 
 void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& work,
@@ -114,7 +106,7 @@ void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& 
     const double held =
         std::max(pair.factor(available, least[points[i].pair]), share_of_step(points[i], works[i].taken));
     const double factor = held * works[i].factor(pair.spared(available, works[i].meets()));
-    if (factor < 1.0) scale(factor, points[i]);
+    if (factor < 1.0) points[i].scale_forces(factor);
   }
 }
 

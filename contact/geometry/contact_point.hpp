@@ -50,6 +50,14 @@ struct ContactPoint {
   /// Whether it touches, or would at the end of the coming step without a force.
   bool is_met() const { return touches() || (is_balanced && gap < closing); }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }
+  /// Scales the forces, and the energies that go with them.
+  void scale_forces(double factor) {
+    force *= factor;
+    tangential *= factor;
+    dissipated *= factor;
+    damped *= factor;
+    beyond_spring *= factor;
+  }
   /// What the springs of the penalty and of friction hold, and the potential of what pulls [energy].
   double stored() const {
     if (is_balanced) return beyond_spring;

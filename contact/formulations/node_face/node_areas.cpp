@@ -57,12 +57,8 @@ double inside_border(const ContactStepContext& context, const ContactPoint& cont
 
 void scale(double factor, ContactPoint& contact_point) {
   contact_point.area *= factor;
-  contact_point.force *= factor;
-  contact_point.tangential *= factor;
   contact_point.stiffness *= factor;
-  contact_point.dissipated *= factor;
-  contact_point.damped *= factor;
-  contact_point.beyond_spring *= factor;
+  contact_point.scale_forces(factor);
 }
 
 }  // namespace
