@@ -91,6 +91,29 @@ std::string format_settings(const ContactModel& model) {
   return text + "      tolerances and overlaps are lengths, auto: from the size of each face\n";
 }
 
+/// What the gaps of the start count as.
+std::string describe_start(const GapSettings& gap) {
+  if (gap.initial_clearance) return "as " + number(*gap.initial_clearance);
+  if (gap.overlap_ramp_time) return fmt::format("overlaps come in within {}", number(*gap.overlap_ramp_time));
+  return gap.ignore_initial_overlap.value_or(false) ? "overlaps as just touching" : "as meshed";
+}
+
+/// Every interaction whose gaps are not those of the mesh, once.
+std::string format_gaps(const ContactModel& model) {
+  constexpr const char* gaps_format = "      {:<22} {:>6}  {:>11}  {}\n";
+  std::string text;
+  std::set<std::pair<std::string, std::string>> reported;
+  for (const SurfacePair& pair : model.pairs) {
+    if (pair.gap == GapSettings{} || !reported.insert({pair.interaction, to_string(pair.location)}).second)
+      continue;
+    text += fmt::format(gaps_format, pair.interaction, pair.location.line,
+                        number(pair.gap.contact_offset.value_or(0.0)), describe_start(pair.gap));
+  }
+  if (text.empty()) return "";
+  return "\nGaps of interactions\n" +
+         fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;
+}
+
 std::string format_history(const ContactModel& model, const PairHistory& history, std::size_t i) {
   const SurfacePair& pair = model.pairs[i];
   return fmt::format(history_format, i + 1, model.surfaces.surfaces[pair.first].name,
@@ -122,7 +145,7 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
     text +=
         fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
   }
-  return text + "\nSettings of interactions\n" + format_settings(model);
+  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model);
 }
 
 std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories) {

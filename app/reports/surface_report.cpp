@@ -106,22 +106,29 @@ Json to_json(const std::optional<double>& value) { return value ? Json(*value) :
 Json to_json(const ContactModel& model, const SurfacePair& pair) {
   const bool is_face_face = pair.formulation == ConstraintFormulation::face_face;
   const bool is_sliding = pair.behavior == InteractionBehavior::sliding;
-  return {{"first", model.surfaces.surfaces[pair.first].name},
-          {"second", model.surfaces.surfaces[pair.second].name},
-          {"interaction", pair.interaction},
-          {"line", pair.location.line},
-          {"law", describe_law(*pair.law)},
-          {"formulation", is_face_face ? "face_face" : "node_face"},
-          {"one_sided", pair.is_one_sided},
-          {"behavior", is_sliding ? "sliding" : "infinitesimal_sliding"},
-          {"normal_tolerance", to_json(pair.normal_tolerance)},
-          {"tangential_tolerance", to_json(pair.tangential_tolerance)},
-          {"overlap_normal_tolerance", to_json(pair.overlap_normal_tolerance)},
-          {"overlap_tangential_tolerance", to_json(pair.overlap_tangential_tolerance)},
-          {"capture_tolerance", to_json(pair.capture_tolerance)},
-          {"penalty_scale", pair.penalty_scale},
-          {"penalty_stiffness", to_json(pair.penalty_stiffness)},
-          {"damping_fraction", pair.damping_fraction}};
+  Json json{{"first", model.surfaces.surfaces[pair.first].name},
+            {"second", model.surfaces.surfaces[pair.second].name},
+            {"interaction", pair.interaction},
+            {"line", pair.location.line},
+            {"law", describe_law(*pair.law)},
+            {"formulation", is_face_face ? "face_face" : "node_face"},
+            {"one_sided", pair.is_one_sided},
+            {"behavior", is_sliding ? "sliding" : "infinitesimal_sliding"},
+            {"normal_tolerance", to_json(pair.normal_tolerance)},
+            {"tangential_tolerance", to_json(pair.tangential_tolerance)},
+            {"overlap_normal_tolerance", to_json(pair.overlap_normal_tolerance)},
+            {"overlap_tangential_tolerance", to_json(pair.overlap_tangential_tolerance)},
+            {"capture_tolerance", to_json(pair.capture_tolerance)},
+            {"penalty_scale", pair.penalty_scale},
+            {"penalty_stiffness", to_json(pair.penalty_stiffness)},
+            {"damping_fraction", pair.damping_fraction}};
+  if (pair.gap != GapSettings{}) {
+    json["gap"] = {{"contact_offset", to_json(pair.gap.contact_offset)},
+                   {"initial_clearance", to_json(pair.gap.initial_clearance)},
+                   {"ignore_initial_overlap", pair.gap.ignore_initial_overlap.value_or(false)},
+                   {"overlap_ramp_time", to_json(pair.gap.overlap_ramp_time)}};
+  }
+  return json;
 }
 
 std::string csv_field(const std::string& text) {

@@ -24,7 +24,8 @@ struct PairStep {
   double dissipated = 0.0;      ///< by friction in the step [energy]
   double damped = 0.0;          ///< by contact damping in the step [energy]
   double impact = 0.0;          ///< lost in the step where sides met without rebound [energy]
-  double penetration = 0.0;     ///< deepest of what touches [length]
+  double ramp_energy = 0.0;  ///< work of the ramps of overlaps, if they came in whole at this force [energy]
+  double penetration = 0.0;  ///< deepest of what touches [length]
   double penetration_share = 0.0;  ///< the same over the thickness of the thinner side [1]
   bool touches = false;
   bool is_near = false;  ///< some contact point touches or is about to
@@ -56,6 +57,11 @@ class ContactAssembler {
     work_.begin_step(kinematics, dt);
   }
   void add(const ContactPoint& point);
+  /// Takes note that the overlap at a contact point of the step comes in by a ramp.
+  ///   depth  of all of it [length]
+  void note_ramp(const ContactPoint& point, double depth) {
+    pairs_[point.pair].ramp_energy += point.force * depth;
+  }
   /// Notes how deep a contact point that touches is.
   ///   thickness  of the thinner side [length]
   void note_penetration(const ContactPoint& point, double thickness);

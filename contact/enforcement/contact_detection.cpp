@@ -49,6 +49,15 @@ void ContactDetection::mark_close(const ContactStepContext& context, PairRules& 
   });
 }
 
+FoundStartGaps ContactDetection::find_start_gaps(const ContactStepContext& context) const {
+  FoundStartGaps found;
+  for_each_of_points(formulations_, [&](const auto& formulation) {
+    if constexpr (requires { formulation.add_start_gaps(context, found); })
+      formulation.add_start_gaps(context, found);
+  });
+  return found;
+}
+
 std::size_t ContactDetection::n_candidates() const {
   std::size_t n = 0;
   for_each_of_points(formulations_, [&](const auto& formulation) { n += formulation.n_candidates(); });

@@ -40,6 +40,10 @@ class ContactDetection {
 
   /// Marks what of HYBRID pairs is close to the other side.
   void mark_close(const ContactStepContext& context, PairRules& rules) const;
+  /// The gaps of pairs that have to know them, before the first step.
+  FoundStartGaps find_start_gaps(const ContactStepContext& context) const;
+  /// Takes notice of other reaches of the pairs. A search has to follow.
+  void renew_reaches() { search_.renew_reaches(); }
   std::size_t n_candidates() const;
 
   /// Has ties and bonds hold what is near: of all pairs, or of those whose model has just changed, which lose

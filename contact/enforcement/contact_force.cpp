@@ -68,6 +68,10 @@ void ContactForce::begin(const Motion& motion) {
   const ContactStepContext context{kinematics_, rules_, constrained_, motion.dt};
   detection_.mark_close(context, rules_);
   detection_.find_constraints(context, false, constrained_);
+  if (!rules_.gap_offsets().needs_start()) return;
+  rules_.gap_offsets().set_start(detection_.find_start_gaps(context), motion.time);
+  detection_.renew_reaches();
+  detection_.find_candidates(motion, kinematics_);
 }
 
 /// Searches where something has moved far enough, or models have changed.
@@ -86,6 +90,8 @@ void ContactForce::update_candidates(const Motion& motion) {
 void ContactForce::add_to_sums(const ContactPoint& point) {
   assembler_.add(point);
   if (point.gap < 0.0) assembler_.note_penetration(point, thinner_side(point));
+  const double ramped = rules_.gap_offsets().ramped_depth(point);
+  if (ramped > 0.0) assembler_.note_ramp(point, ramped);
   depths_.note(kinematics_, point);
 }
 
@@ -206,20 +212,21 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     stored_at_start_ = stored();
     histories_.begin(assembler_);
   }
-  if (!balances_) end_step(motion.time, motion.dt);
   ForceReport report;
+  if (!balances_) report.supplied_work = end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
   report.contact_damping_work = assembler_.damped();
   limit_step(motion, report);
   return report;
 }
 
-void ContactForce::end_step(double time, double dt) {
+double ContactForce::end_step(double time, double dt) {
   assembler_.end_step();
-  histories_.add(assembler_, dt);
+  const double supplied = histories_.add(assembler_, rules_.gap_offsets(), dt);
   std::vector<LostContact> lost;
   detection_.find_lost(lost);
   histories_.add_lost(lost, rules_, contact_mesh_, time);
+  return supplied;
 }
 
 /// The velocities of the contact nodes in the coming step, as the forces so far give them.
@@ -277,8 +284,8 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   }
   if (balances_pulls_) pull_eigenvalue_ = largest_eigenvalue();
   write_forces(forces);
-  end_step(state.time, state.dt);
   ForceReport report;
+  report.supplied_work = end_step(state.time, state.dt);
   report.balanced_nodes = balance_.mesh_nodes();
   const ContactLoss& loss = balance_.loss();
   report.friction_work = last_loss_.friction_after + loss.friction_before;

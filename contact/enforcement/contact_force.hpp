@@ -90,7 +90,8 @@ class ContactForce final : public ForceTerm {
   double largest_eigenvalue();
   void limit_step(const Motion& motion, ForceReport& report);
   void limit_stiffness(const ContactKinematics& start);
-  void end_step(double time, double dt);
+  /// Returns the work of overlaps that are ramped [energy].
+  double end_step(double time, double dt);
   void foresee(const State& state);
   double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);

@@ -13,14 +13,20 @@ void PairHistories::begin(const ContactAssembler& assembler) {
     histories_[i].stored_at_start = assembler.pairs()[i].stored;
 }
 
-void PairHistories::add(const ContactAssembler& assembler, double dt) {
+double PairHistories::add(const ContactAssembler& assembler, const GapOffsets& offsets, double dt) {
   const auto steps = assembler.pairs();
+  double supplied = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const PairStep& step = steps[i];
     PairHistory& history = histories_[i];
     history.work += step.stored - stored_[i] + step.dissipated + step.damped;
     history.impact += step.impact;
     stored_[i] = step.stored;
+    const double ramped =
+        0.5 * (ramp_energy_[i] + step.ramp_energy) * offsets.ramp_progress(static_cast<std::uint32_t>(i));
+    history.ramped += ramped;
+    supplied += ramped;
+    ramp_energy_[i] = step.ramp_energy;
     history.taken = assembler.taken()[i];
     if (step.penetration > history.deepest) {
       history.deepest = step.penetration;
@@ -32,6 +38,7 @@ void PairHistories::add(const ContactAssembler& assembler, double dt) {
     history.impulse -= dt * step.force;
     history.friction_work += step.dissipated;
   }
+  return supplied;
 }
 
 void PairHistories::add_lost(std::span<const LostContact> lost, const PairRules& rules,
@@ -62,9 +69,11 @@ std::span<const double> PairHistories::update_available_energy(const PairRules& 
     const PairRule& rule = rules.rules()[i];
     const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr && !rule.far &&
                            !rule.model.is_variant();
-    if (!is_simple || rule.is_balanced) continue;
+    // What a ramp puts in is known after the forces only.
+    const bool is_ramped = rules.gap_offsets().ramp_progress(static_cast<std::uint32_t>(i)) > 0.0;
+    if (!is_simple || rule.is_balanced || is_ramped) continue;
     const double lost = histories_[i].work - stored_[i];
-    available_[i] = histories_[i].stored_at_start + assembler.taken()[i] - lost;
+    available_[i] = histories_[i].stored_at_start + histories_[i].ramped + assembler.taken()[i] - lost;
     min_energy_[i] = std::min(min_energy_[i], available_[i]);
   }
   return available_;
@@ -73,9 +82,11 @@ std::span<const double> PairHistories::update_available_energy(const PairRules& 
 void PairHistories::archive(StateArchive& saved) {
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
     row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
-        history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start);
+        history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start,
+        history.ramped);
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
+  saved.fixed("contact/pairs/ramp_energy", std::span(ramp_energy_));
   saved.fixed("contact/pairs/least_energy", std::span(min_energy_));
 }
 

@@ -16,7 +16,7 @@ namespace contactsim {
 class PairHistories {
  public:
   explicit PairHistories(std::size_t n_pairs)
-      : histories_(n_pairs), min_energy_(n_pairs, 0.0), stored_(n_pairs, 0.0) {}
+      : histories_(n_pairs), min_energy_(n_pairs, 0.0), stored_(n_pairs, 0.0), ramp_energy_(n_pairs, 0.0) {}
 
   std::span<const PairHistory> all() const { return histories_; }
 
@@ -24,7 +24,8 @@ class PairHistories {
   void begin(const ContactAssembler& assembler);
   /// Adds a step.
   ///   dt  of the step [time]
-  void add(const ContactAssembler& assembler, double dt);
+  /// Returns the work of overlaps that are ramped [energy].
+  double add(const ContactAssembler& assembler, const GapOffsets& offsets, double dt);
   /// Adds contacts that ended though their sides did not part; those that a pair's period ends are not among
   /// them.
   void add_lost(std::span<const LostContact> lost, const PairRules& rules, const ContactMesh& contact_mesh,
@@ -43,9 +44,10 @@ class PairHistories {
 
  private:
   std::vector<PairHistory> histories_;
-  std::vector<double> available_;   // scratch, [n_pairs] [energy]
-  std::vector<double> min_energy_;  // [n_pairs] [energy]
-  std::vector<double> stored_;      // [n_pairs] of the last step [energy]
+  std::vector<double> available_;    // scratch, [n_pairs] [energy]
+  std::vector<double> min_energy_;   // [n_pairs] [energy]
+  std::vector<double> stored_;       // [n_pairs] of the last step [energy]
+  std::vector<double> ramp_energy_;  // [n_pairs] PairStep::ramp_energy of the last step
 };
 
 }  // namespace contactsim

@@ -17,10 +17,12 @@ struct PairHistory {
   double friction_work = 0.0;                         ///< lost to friction, >= 0 [energy]
   double taken = 0.0;            ///< by its forces from the bodies, < 0 given to them [energy]
   double stored_at_start = 0.0;  ///< part of work: in overlaps of the mesh, before the first step [energy]
+  double ramped = 0.0;           ///< put in by overlaps that are ramped [energy]
   double impact = 0.0;           ///< lost where sides met without rebound [energy]
 
-  /// What it holds and has lost beyond what it had and took: energy from nowhere; < 0 destroyed [energy].
-  double made() const { return work + std::max(impact, 0.0) - stored_at_start - taken; }
+  /// What it holds and has lost beyond what it had, took and was given: energy from nowhere; < 0 destroyed
+  /// [energy].
+  double made() const { return work + std::max(impact, 0.0) - stored_at_start - taken - ramped; }
 
   double deepest = 0.0;        ///< penetration of what has touched [length]
   double deepest_share = 0.0;  ///< the same over the thickness of the thinner side [1]

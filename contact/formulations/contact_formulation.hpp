@@ -63,6 +63,8 @@ concept FormulationBase = requires(F formulation, const ContactRemap& remap, Sta
 ///   mark_close(context, size_share, rules)
 ///       marks what of HYBRID pairs is close to the other side; size_share is the automatic CAPTURE TOLERANCE
 ///       over the size of a side [1]
+///   add_start_gaps(context, gaps)
+///       before the first step: appends the gaps of pairs that have to know them
 template <class F>
 concept PointFormulation = FormulationBase<F> && std::constructible_from<F, const FormulationSetup&> &&
     requires(F formulation, const F& is, ContactSearch& search, const ContactKinematics& kinematics,

@@ -33,6 +33,18 @@ bool projects_inside(const ContactStepContext& context, const PairLists& node_fa
 
 }  // namespace
 
+bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, const Eigen::Vector3d& normal) {
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  bool has_faces = false;
+  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+    if (contact_mesh.faces[own].surface != node.surface) continue;
+    const Eigen::Vector3d area = kinematics.area(contact_mesh.faces[own]);
+    if (area.dot(normal) < max_facing_cosine * area.norm()) return true;
+    has_faces = true;
+  }
+  return !has_faces;
+}
+
 double share_of_node(const ContactStepContext& context, const PairLists& node_faces,
                      const NearPair& near_pair, const Eigen::Vector4d& weights) {
   if (context.rules[near_pair.pair].pair->is_one_sided) return 1.0;
@@ -91,19 +103,6 @@ InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::u
 
 namespace {
 
-/// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
-bool is_facing(const ContactStepContext& context, const SurfaceNode& node, const Eigen::Vector3d& normal) {
-  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
-  bool has_faces = false;
-  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
-    if (contact_mesh.faces[own].surface != node.surface) continue;
-    const Eigen::Vector3d area = context.kinematics.area(contact_mesh.faces[own]);
-    if (area.dot(normal) < max_facing_cosine * area.norm()) return true;
-    has_faces = true;
-  }
-  return !has_faces;
-}
-
 /// The nearest of the faces that a node projects inside and is held to; one that looks at the node's own
 /// faces before all others. On the rim of a joint the sides of the other body are as near as what the joint
 /// joins.
@@ -125,7 +124,7 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
     const auto closest = find_closest_point(context, row, face, tolerance);
     if (!closest) continue;
     const double distance = std::abs(closest->gap) + closest->beyond;
-    const bool faces_node = is_facing(context, contact_mesh.surface_nodes[row], closest->normal);
+    const bool faces_node = is_facing(context.kinematics, contact_mesh.surface_nodes[row], closest->normal);
     if (faces_node == faces_best ? distance >= nearest : faces_best) continue;
     nearest = distance;
     faces_best = faces_node;

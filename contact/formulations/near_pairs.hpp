@@ -55,6 +55,9 @@ InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::u
 std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, std::uint32_t row,
                                                std::uint32_t face, double tolerance);
 
+/// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
+bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, const Eigen::Vector3d& normal);
+
 /// What a surface node counts for where it meets a face [1]. Pairs that go one way meet everything once: 1.
 /// In those that go both ways nodes of the face count too, as far as they project inside the node's surface:
 /// from 1, when no corner of the face does, down to 1/2, when all do.

@@ -10,7 +10,7 @@ namespace contactsim {
 
 PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
                      std::size_t n_surfaces)
-    : table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
+    : gap_offsets_(pairs), table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     PairRule rule;
     rule.pair = &pairs[i];
@@ -56,6 +56,7 @@ void PairRules::set_laws(std::vector<PairInterfaceLaw> laws) {
 }
 
 void PairRules::activate(double time, bool is_on) {
+  gap_offsets_.activate(time);
   for (PairRule& rule : rules_) {
     rule.is_active = is_on && rule.times.is_active(time);
     rule.has_changed = false;
@@ -106,12 +107,14 @@ void PairRules::archive(StateArchive& saved) {
   close_faces_.archive("contact/close_faces", saved);
   close_nodes_.archive("contact/close_nodes", saved);
   close_edges_.archive("contact/close_edges", saved);
+  gap_offsets_.archive(saved);
 }
 
 void PairRules::remap(const ContactRemap& remap) {
   close_faces_.remap({}, remap.faces);
   close_nodes_.remap({}, remap.rows);
   close_edges_.remap({}, remap.edges);
+  gap_offsets_.remap(remap);
 }
 
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/geometry/contact_point.hpp"
+#include "contact/interface_laws/gap_offsets.hpp"
 #include "contact/interface_laws/pair_interface_law.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_set.hpp"
@@ -98,7 +99,10 @@ class PairRules {
     return table_[surface * n_surfaces_ + other];
   }
   bool has_friction() const;
-  /// Saves or restores what is close at the start; then activate() has to be called.
+  /// What is taken off the gaps of the mesh.
+  const GapOffsets& gap_offsets() const { return gap_offsets_; }
+  GapOffsets& gap_offsets() { return gap_offsets_; }
+  /// Saves or restores what is close at the start, and its gaps; then activate() has to be called.
   void archive(StateArchive& saved);
 
  private:
@@ -108,6 +112,7 @@ class PairRules {
 
   std::vector<PairRule> rules_, far_rules_;
   PairSet close_faces_, close_nodes_, close_edges_;
+  GapOffsets gap_offsets_;
   std::vector<OptionalIndex> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };

@@ -8,6 +8,7 @@
 #include "contact/surfaces/resolve_surfaces.hpp"
 #include "contact/surfaces/surface_names.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/mesh/name_lookup.hpp"
 
 namespace contactsim {
 
@@ -47,6 +48,18 @@ bool takes_all_blocks(const ContactDefinition& contact) {
   });
 }
 
+/// Finds the node sets that pairs name.
+void find_adjusted_nodes(const RegionNames& names, const Mesh& mesh, std::vector<SurfacePair>& pairs,
+                         Diagnostics& diagnostics) {
+  static constexpr EntityKind kinds[] = {EntityKind::node_set};
+  NameLookup lookup(mesh, names.aliases, diagnostics, "");
+  for (SurfacePair& pair : pairs) {
+    if (!pair.adjusted_nodes) continue;
+    const auto found = lookup.find_members(*pair.adjusted_nodes, kinds, "ADJUST NODE SET");
+    if (!found.empty()) pair.adjusted_node_set = found.front().index;
+  }
+}
+
 }  // namespace
 
 void make_lofts(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
@@ -73,6 +86,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
     surface.may_gain_faces = surface.may_gain_faces && !region.element_deaths.empty();
   check_surface_names(*region.contact, model.surfaces, diagnostics);
   model.pairs = make_surface_pairs(*region.contact, model.surfaces, diagnostics);
+  find_adjusted_nodes(names, mesh, model.pairs, diagnostics);
   make_lofts(definition, region, mesh, model, diagnostics);
   return model;
 }

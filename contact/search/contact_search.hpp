@@ -31,6 +31,9 @@ class ContactSearch {
   /// has to follow.
   void remap(const ContactRemap& remap);
 
+  /// Takes notice of other reaches of the pairs. A search has to follow.
+  void renew_reaches() { set_surface_margins(); }
+
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const ContactKinematics& kinematics) const;
 

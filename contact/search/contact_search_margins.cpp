@@ -50,7 +50,8 @@ void ContactSearch::set_surface_margins() {
     const double given = std::max(pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0));
     for (const std::uint32_t surface : {pair.first, pair.second})
       activation_distance_[surface] =
-          std::max({activation_distance_[surface], rules_.max_activation_distance(i), given});
+          std::max({activation_distance_[surface], given,
+                    rules_.max_activation_distance(i) + rules_.gap_offsets().reach(i)});
   }
   widest_margin_.assign(n_surfaces, 0.0);
   narrowest_margin_.assign(n_surfaces, std::numeric_limits<double>::infinity());

@@ -41,12 +41,14 @@ void SurfaceMeetings::settle(const Meeting& meeting, SurfacePair& pair) const {
   if (has_faces) {
     const bool is_node_face = pair.formulation == ConstraintFormulation::node_face;
     pair.is_one_sided = meeting.has_sides && is_node_face && pair.first != pair.second;
+    if (meeting.has_sides && pair.first != pair.second) pair.side_b = pair.second;
     if (!pair.is_one_sided && pair.first > pair.second) std::swap(pair.first, pair.second);
     return;
   }
   pair.formulation = ConstraintFormulation::node_face;
   pair.is_one_sided = true;
   if (!can_meet_one_way(parts_[pair.first], parts_[pair.second])) std::swap(pair.first, pair.second);
+  pair.side_b = pair.second;
 }
 
 std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const Interaction& interaction) const {

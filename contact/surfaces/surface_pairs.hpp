@@ -9,6 +9,7 @@
 
 #include "contact/surfaces/contact_surface.hpp"
 #include "core/base/diagnostics.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/definition/interaction.hpp"
 
@@ -36,12 +37,19 @@ struct SurfacePair {
   std::optional<double>
       overlap_tangential_tolerance;         ///< the same beyond an edge; absent: automatic [length]
   std::optional<double> capture_tolerance;  ///< gap that is closed at the start; absent: 0 [length]
+  GapSettings gap;
+  std::optional<GapClosureTolerance> gap_closure;  ///< nodes this near are moved onto the other side
+  std::optional<DeckName> adjusted_nodes;          ///< node set of nodes that are, at any distance
+  OptionalIndex adjusted_node_set;                 ///< of the mesh, with that name
+  OptionalIndex side_b;  ///< surface that SIDE B names, or that gives the nodes; its nodes are moved then
   Enforcement enforcement = Enforcement::penalty;
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]
   std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
   double damping_fraction = 0.0;            ///< of critical damping [1]
   ActivePeriods periods;                    ///< of the interaction
 
+  /// Whether nodes are moved onto the other side before the first step.
+  bool closes_gaps() const { return gap_closure || adjusted_nodes; }
   /// Share of a node's area that counts where it meets a face: pairs that go both ways meet everything twice
   /// [1].
   double node_share() const { return is_one_sided ? 1.0 : 0.5; }

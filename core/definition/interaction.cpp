@@ -10,6 +10,18 @@ void fill(std::optional<V>& own, const std::optional<V>& fallback) {
   if (!own) own = fallback;
 }
 
+/// A pair that says itself what its start counts as does not take another way from its defaults.
+GapSettings with_defaults(GapSettings own, const GapSettings& defaults) {
+  const bool has_start =
+      own.initial_clearance || own.ignore_initial_overlap.has_value() || own.overlap_ramp_time;
+  if (!own.initial_clearance) fill(own.contact_offset, defaults.contact_offset);
+  if (has_start) return own;
+  if (!own.contact_offset) fill(own.initial_clearance, defaults.initial_clearance);
+  fill(own.ignore_initial_overlap, defaults.ignore_initial_overlap);
+  fill(own.overlap_ramp_time, defaults.overlap_ramp_time);
+  return own;
+}
+
 }  // namespace
 
 PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
@@ -21,6 +33,9 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   fill(own.overlap_normal_tolerance, defaults.overlap_normal_tolerance);
   fill(own.overlap_tangential_tolerance, defaults.overlap_tangential_tolerance);
   fill(own.capture_tolerance, defaults.capture_tolerance);
+  own.gap = with_defaults(own.gap, defaults.gap);
+  fill(own.gap_closure, defaults.gap_closure);
+  fill(own.adjusted_nodes, defaults.adjusted_nodes);
   fill(own.enforcement, defaults.enforcement);
   fill(own.penalty_scale, defaults.penalty_scale);
   fill(own.penalty_stiffness, defaults.penalty_stiffness);

@@ -23,6 +23,27 @@ struct PenaltyStiffness {
   bool operator==(const PenaltyStiffness&) const = default;
 };
 
+/// How the gap that contact counts with differs from that of the mesh. Of the last three a pair has one at
+/// most.
+struct GapSettings {
+  std::optional<double> contact_offset;        ///< taken off every gap; program: 0 [length]
+  std::optional<double> initial_clearance;     ///< gap that counts at the start, < 0 overlaps [length]
+  std::optional<bool> ignore_initial_overlap;  ///< overlaps of the start count as just touching; program: no
+  std::optional<double> overlap_ramp_time;     ///< in which overlaps of the start come to count, > 0 [time]
+  bool operator==(const GapSettings&) const = default;
+
+  /// Whether gaps of the start have to be remembered.
+  bool needs_start() const {
+    return initial_clearance || overlap_ramp_time || ignore_initial_overlap.value_or(false);
+  }
+};
+
+/// GAP CLOSURE TOLERANCE = AUTO or a number: gaps up to it are closed by moving nodes before the first step.
+struct GapClosureTolerance {
+  std::optional<double> given;  ///< absent: AUTO, a share of the mean edge of the faces; >= 0 [length]
+  bool operator==(const GapClosureTolerance&) const = default;
+};
+
 /// The settings of a pair of surfaces. One that is absent in an INTERACTION comes from INTERACTION DEFAULTS;
 /// one absent there too is the program's.
 struct PairSettings {
@@ -36,9 +57,12 @@ struct PairSettings {
       overlap_normal_tolerance;  ///< deepest overlap that is removed at the start, >= 0 [length]
   std::optional<double> overlap_tangential_tolerance;  ///< the same beyond a face's edge, >= 0 [length]
   std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
-  std::optional<double> penalty_scale;                 ///< of the automatic stiffness, > 0; program: 1 [1]
-  std::optional<PenaltyStiffness> penalty_stiffness;   ///< program: automatic
-  std::optional<double> damping_fraction;              ///< of critical damping, >= 0; program: 0 [1]
+  GapSettings gap;
+  std::optional<GapClosureTolerance> gap_closure;     ///< program: none is closed
+  std::optional<DeckName> adjusted_nodes;             ///< node set whose nodes go onto the other side
+  std::optional<double> penalty_scale;                ///< of the automatic stiffness, > 0; program: 1 [1]
+  std::optional<PenaltyStiffness> penalty_stiffness;  ///< program: automatic
+  std::optional<double> damping_fraction;             ///< of critical damping, >= 0; program: 0 [1]
 };
 
 /// The settings of a pair with what is absent taken from the defaults.

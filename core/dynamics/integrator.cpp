@@ -27,6 +27,15 @@ void set_moments(ForceTerms terms, const Motion& motion, NodalForces& moments) {
   terms.contact->set_moments(motion, moments.contact);
 }
 
+/// Adds what contact reports of its step.
+void add_contact(const ForceReport& contact, Energies& energies) {
+  energies.friction += contact.friction_work;
+  energies.contact_damping += contact.contact_damping_work;
+  energies.impact += contact.impact_work;
+  energies.external += contact.supplied_work;
+  energies.contact += contact.supplied_work;
+}
+
 /// Has every term set its forces for the motion.
 StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
   Energies& energies = state.energies;
@@ -41,8 +50,7 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
     known.stable_step = step.stable_step;
     const ForceReport contact = terms.contact->set_forces(known, state.forces.contact);
     step.stable_step = std::min(step.stable_step, contact.stable_step);
-    energies.friction += contact.friction_work;
-    energies.contact_damping += contact.contact_damping_work;
+    add_contact(contact, energies);
   }
   if (state.rotations.exist()) set_moments(terms, motion, state.rotations.moments);
   return step;
@@ -172,9 +180,7 @@ void balance_contact(const Model& model, ForceTerms terms, State& state) {
   if (terms.contact == nullptr) return;
   const auto report = terms.contact->balance(state, state.forces.contact);
   if (!report) return;
-  state.energies.friction += report->friction_work;
-  state.energies.contact_damping += report->contact_damping_work;
-  state.energies.impact += report->impact_work;
+  add_contact(*report, state.energies);
   accelerate(report->balanced_nodes, model.mass, state.forces, state.acceleration);
   NodalRotations& rotations = state.rotations;
   if (rotations.exist()) {

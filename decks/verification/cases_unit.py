@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Contact of unit size, to be checked by hand."""
+import itertools
 import math
 
 import numpy as np
 
-from cases import balances, case
+from cases import FORMULATIONS, balances, case
 from mesh_maker import MeshMaker
 from runs import Check, at_most
 
@@ -137,6 +138,26 @@ def overlap(bench):
             at_most("nodes moved aside", np.max(np.abs(moved[:, :2])), 1e-12),
             at_most("largest stress afterwards over E", np.max(np.abs(run.element("stress_zz", 1))) / 1e6, 1e-6),
             at_most("largest force", np.max(np.abs(run.nodal("force_contact"))), 1e-6)]
+
+
+@case()
+def press_fit(bench):
+    mesh, checks, runs = overlapping_cubes(), [], []
+    at_once = 49.7  # kinetic energy of the cubes when the overlap counts at once [J]
+    for form, enforcement in itertools.product(FORMULATIONS, ("momentum_balance", "penalty")):
+        name = f"{form}, {enforcement}"
+        run = bench.run("press_fit", mesh, form=form, enforcement=enforcement)
+        runs.append(run)
+        place = run.nodal("coordinates")[-1]
+        apart = np.mean(place[run.nodes_of(2), 2]) - np.mean(place[run.nodes_of(1), 2]) - 0.98
+        # A push leaves free bodies with up to twice its speed.
+        checks += [at_most(f"{name}: overlap left over 0.02", max(0.0, 0.02 - apart) / 0.02, 1e-3),
+                   at_most(f"{name}: kinetic energy over that at once", np.max(run["kinetic_energy"]) / at_once, 0.01),
+                   at_most(f"{name}: energy error over that at once", np.max(np.abs(run["energy_error"])) / at_once, 1e-4)]
+        for start in ("ignore initial overlap = on", "initial clearance = 0.01"):
+            still = bench.run("press_fit", mesh, form=form, enforcement=enforcement, start=start, end_time=0.2)
+            checks.append(at_most(f"{name}, {start}: largest force [N]", np.max(np.abs(still.nodal("force_contact"))), 1e-9))
+    return checks + balances(runs, is_free=True)
 
 
 def nodes_over_block(kind):

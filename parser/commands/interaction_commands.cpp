@@ -15,8 +15,65 @@ void read_penalty_stiffness(Arguments& arguments, PairSettings& pair) {
   if (!arguments.accept("auto")) pair.penalty_stiffness->given = arguments.positive();
 }
 
-/// The lines that pairs and their defaults share.
-std::vector<Row<PairSettings>> pair_rows() {
+const Choice one_start{"", "says twice what overlaps and gaps of the start count as"};
+
+/// What contact takes off the gaps of the mesh.
+std::vector<Row<GapSettings>> gap_rows() {
+  using G = GapSettings;
+  return {
+      row("contact offset", read::real, &G::contact_offset,
+          "Taken off every gap of the pair: the sides touch that far apart [length]; contactsim's own line",
+          "0"),
+      row("initial clearance", read::real, &G::initial_clearance,
+          "Gap that counts at the start wherever the sides are near each other then, whatever the mesh says; "
+          "below 0 they overlap [length]. Nodes do not move; contactsim's own line",
+          "that of the mesh")
+          .or_spelled("clearance")
+          .one_of(one_start),
+      row("ignore initial overlap", read::on_off, &G::ignore_initial_overlap,
+          "Overlaps of the start count as just touching: only what closes further is pushed apart; "
+          "contactsim's own line",
+          "OFF")
+          .one_of(one_start),
+      row("overlap ramp time", read::positive, &G::overlap_ramp_time,
+          "Overlaps of the start come to count within this time, as for a press fit [time]; contactsim's own "
+          "line",
+          "at once")
+          .one_of(one_start),
+  };
+}
+
+void check_gap(const PairSettings& pair, DeckNames& names) {
+  if (!pair.gap.contact_offset || !pair.gap.initial_clearance) return;
+  names.add_problem_of_block("has both CONTACT OFFSET and INITIAL CLEARANCE",
+                             "the clearance is the gap that counts: leave the offset out");
+}
+
+void read_gap_closure(Arguments& arguments, PairSettings& pair) {
+  pair.gap_closure.emplace();
+  if (!arguments.accept("auto")) pair.gap_closure->given = arguments.non_negative();
+}
+
+/// Which nodes are moved onto the other side before the first step.
+std::vector<Row<PairSettings>> adjustment_rows() {
+  using P = PairSettings;
+  return {
+      row<P>(
+          "gap closure tolerance", "= {AUTO|<real >= 0>}", read_gap_closure,
+          "Nodes of SIDE B, of both sides without one, that are no farther in front of the other side, or "
+          "behind it, are moved onto it before the first step, without strain [length]. AUTO is 0.05 of the "
+          "mean edge of the faces; contactsim's own line",
+          "no node is moved")
+          .or_spelled("adjust"),
+      row("adjust node set", read::name_of(NameKind::node_set), &P::adjusted_nodes,
+          "Node set whose nodes are moved onto the other side before the first step, however far; "
+          "contactsim's own line",
+          "none"),
+  };
+}
+
+/// What meets what, and how the sides are kept apart.
+std::vector<Row<PairSettings>> meeting_rows() {
   using P = PairSettings;
   static const auto formulation = choice_of<ConstraintFormulation>({"node_face", "face_face"});
   static const auto behavior =
@@ -59,22 +116,31 @@ std::vector<Row<PairSettings>> pair_rows() {
   };
 }
 
+/// The lines that pairs and their defaults share.
+std::vector<Row<PairSettings>> pair_rows() {
+  return joined<PairSettings>({meeting_rows(), adjustment_rows(), lift_all(gap_rows(), &PairSettings::gap)});
+}
+
 const Table<InteractionDefaults>& interaction_defaults_table() {
   using D = InteractionDefaults;
-  static const Table<D> table(joined<D>({
-      {
-          row("general contact", read::on_off, &D::general_contact, "Every surface meets every other"),
-          row("self contact", read::on_off, &D::self_contact, "Every surface meets itself"),
-          row("surfaces", read::names_of(NameKind::contact_surface), &D::surfaces,
-              "Contact surfaces that general and self contact take", "all")
-              .or_spelled("contact surfaces"),
-      },
-      lift_all(pair_rows(), &D::pair),
-  }));
+  const auto check = [](const D& defaults, DeckNames& names) { check_gap(defaults.pair, names); };
+  static const Table<D> table(
+      joined<D>({
+          {
+              row("general contact", read::on_off, &D::general_contact, "Every surface meets every other"),
+              row("self contact", read::on_off, &D::self_contact, "Every surface meets itself"),
+              row("surfaces", read::names_of(NameKind::contact_surface), &D::surfaces,
+                  "Contact surfaces that general and self contact take", "all")
+                  .or_spelled("contact surfaces"),
+          },
+          lift_all(pair_rows(), &D::pair),
+      }),
+      check);
   return table;
 }
 
 void check(const Interaction& interaction, DeckNames& names) {
+  check_gap(interaction.pair, names);
   const bool has_a = !interaction.side_a.empty(), has_b = !interaction.side_b.empty();
   if ((has_a || has_b) && !interaction.surfaces.empty()) {
     names.add_problem_of_block("takes either SURFACES or SIDE A and SIDE B, found both");

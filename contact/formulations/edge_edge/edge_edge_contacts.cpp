@@ -46,8 +46,9 @@ Eigen::Vector3d velocity_at(const ContactKinematics& kinematics, const ContactPo
 /// Whether two sharp edges may cross, seen along the normal of both, near enough to touch soon. Says yes
 /// rather too often.
 ///   dt_ahead  within which they may close [time]
+///   offset    taken off their gap at most [length]
 bool may_cross(const ContactKinematics& kinematics, const ContactEdge& first, const ContactEdge& second,
-               double dt_ahead) {
+               double dt_ahead, double offset) {
   constexpr double parallel = 0.02, beside = 1e-4;  // less strict than find_edge_gap()
   const Eigen::Vector3d a = kinematics.x(first.nodes[0]), b = kinematics.x(second.nodes[0]);
   const Eigen::Vector3d p = kinematics.x(first.nodes[1]) - a, q = kinematics.x(second.nodes[1]) - b;
@@ -60,7 +61,8 @@ bool may_cross(const ContactKinematics& kinematics, const ContactEdge& first, co
   const auto v = [&](const ContactEdge& edge, std::size_t k) { return kinematics.v(edge.nodes[k]); };
   double speed = 0.0;
   for (std::size_t k = 0; k < 4; ++k) speed = std::max(speed, (v(first, k / 2) - v(second, k % 2)).norm());
-  const double height = apart.dot(normal), reach = first.penalty_properties.thickness + speed * dt_ahead;
+  const double height = apart.dot(normal),
+               reach = first.penalty_properties.thickness + offset + speed * dt_ahead;
   return height * height <= reach * reach * square;
 }
 
@@ -170,6 +172,24 @@ void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size
   }
 }
 
+void EdgeEdgeContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+    const ContactEdge& first = contact_mesh_.edges[row];
+    for (const std::uint32_t partner : candidates_.of(row)) {
+      const ContactEdge& second = contact_mesh_.edges[partner];
+      const std::uint32_t pair = *context.rules.find(first.surface, second.surface);
+      if (!context.rules.gap_offsets().needs_start(pair)) continue;
+      const EdgePairPoint nearest =
+          nearest_points(segment_of(context.kinematics, first), segment_of(context.kinematics, second));
+      const auto found = find_edge_gap(context.kinematics, first, second, nearest, infinite);
+      if (!found) continue;
+      for (const std::uint32_t edge : {row, partner})
+        gaps.edges.push_back({edge, pair, found->gap, found->gap, 1.0});
+    }
+  }
+}
+
 bool EdgeEdgeContacts::are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
                                 std::uint32_t second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
@@ -226,8 +246,11 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
   const ContactEdge &first = contact_mesh_.edges[first_edge], &second = contact_mesh_.edges[second_edge];
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const bool are_sharp = first.is_sharp() && second.is_sharp();
+  const GapOffsets& offsets = context.rules.gap_offsets();
   // What touched nothing holds no slip.
-  if (are_sharp && before == 0.0 && !may_cross(context.kinematics, first, second, context.ahead())) return;
+  if (are_sharp && before == 0.0 &&
+      !may_cross(context.kinematics, first, second, context.ahead(), offsets.largest_reach()))
+    return;
   const std::uint32_t pair = *context.rules.find(first.surface, second.surface);
   const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
   if (rule.is_balanced != context.balances) return;
@@ -243,7 +266,9 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
     if (!owns(context, first_edge, pair_point.s, pair_point, way) ||
         !owns(context, second_edge, pair_point.t, pair_point, -way))
       continue;
-    ContactPoint point = make_contact_point(context, {first, second, rule, before > 0.0, before}, pair_point);
+    const Pair edges{first,        second, rule,
+                     before > 0.0, before, offsets.of_edges(pair, first_edge, second_edge)};
+    ContactPoint point = make_contact_point(context, edges, pair_point);
     if (point.stiffness == 0.0 && !point.is_balanced) continue;
     point.part = static_cast<std::uint8_t>(i);
     point.pair = pair;
@@ -261,7 +286,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
 
 ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& context, const Pair& pair,
                                                   const EdgePairPoint& pair_point) {
-  const auto& [first, second, rule, touched, before] = pair;
+  const auto& [first, second, rule, touched, before, offset] = pair;
   ContactPoint point;
   point.is_of_edges = true;
   point.is_swapped = first.surface != rule.pair->first;
@@ -276,7 +301,7 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
   const auto found = find_edge_gap(context.kinematics, first, second, pair_point, infinite);
   if (!found) return point;
   point.normal = found->normal;
-  point.gap = found->gap;
+  point.gap = found->gap - offset;
   const Eigen::Vector3d relative =
       velocity_at(context.kinematics, point.first, -first.radius * point.normal) -
       velocity_at(context.kinematics, point.second, second.radius * point.normal);

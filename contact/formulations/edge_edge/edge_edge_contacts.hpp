@@ -35,6 +35,8 @@ class EdgeEdgeContacts {
   void find_lost(const PairRules& /*rules*/, std::vector<LostContact>& /*lost*/) const {}
   /// Marks the edges of HYBRID pairs that are close to each other.
   void mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const;
+  /// Appends the gaps before the first step of edges of pairs that have to know them.
+  void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);
@@ -47,6 +49,7 @@ class EdgeEdgeContacts {
     const PairRule& rule;
     bool touched;         ///< one of the edges, something, in the last step
     double depth_before;  ///< and how deep it was [length]
+    double offset = 0.0;  ///< taken off the gap [length]
   };
 
   void detect_one(const ContactStepContext& context, std::uint32_t first, std::size_t candidate,

@@ -10,6 +10,7 @@
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/interface_laws/friction.hpp"
 
@@ -22,6 +23,13 @@ constexpr double slide_depth = 0.1;
 
 Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
   return face.v * weights;
+}
+
+/// Takes an offset off the gap of two faces: the first goes by it along their common normal, which stays.
+void take_off(double offset, const MovingFace& second, MovingFace& first) {
+  if (offset == 0.0) return;
+  const auto plane = make_common_plane(first.x, first.look(), second.look());
+  if (plane) first.x.colwise() -= offset * plane->normal;
 }
 
 }  // namespace
@@ -53,6 +61,23 @@ void FaceFaceContacts::mark_close(const ContactStepContext& context, double size
     if (!find_mean_overlap(first, second, near.tolerance)) continue;
     rules.mark_close_face(near.pair, near.first);
     rules.mark_close_face(near.pair, near.second);
+  }
+}
+
+void FaceFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
+  for (std::uint32_t first = 0; first < candidates_.n_rows(); ++first) {
+    for (const std::uint32_t second : candidates_.of(first)) {
+      const std::uint32_t pair =
+          *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+      if (!context.rules.gap_offsets().needs_start(pair)) continue;
+      auto gap = find_start_gap(context.kinematics, *context.rules[pair].pair, first, second);
+      if (!gap) continue;
+      gap->pair = pair;
+      for (const std::uint32_t face : {first, second}) {
+        gap->entity = face;
+        gaps.faces.push_back(*gap);
+      }
+    }
   }
 }
 
@@ -92,9 +117,9 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   if (rule.is_balanced != context.balances) return;
   const bool did_touch = history_.has_touched(candidate.position);
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
-  if (!may_touch(a, b, std::max(activation_distance, margin)) || !context.enforces(rule) ||
-      rule.law == ContactLaw::tied)
-    return;
+  const GapOffsets& offsets = context.rules.gap_offsets();
+  const double reach = std::max(activation_distance, margin) + offsets.reach(candidate.pair);
+  if (!may_touch(a, b, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
 
@@ -107,8 +132,9 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   penalty.depth = did_touch      ? std::numeric_limits<double>::infinity()
                   : before > 0.0 ? std::max(penalty.depth, depth_of_known(0.0, before, closed))
                                  : std::max(penalty.depth, 1.5 * closed);
-  const MovingFace first = context.kinematics.face(candidate.first),
-                   second = context.kinematics.face(candidate.second);
+  MovingFace first = context.kinematics.face(candidate.first);
+  const MovingFace second = context.kinematics.face(candidate.second);
+  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), second, first);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
     return add_balanced_points(
@@ -226,10 +252,13 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
                     &second = contact_mesh_.faces[candidate.second];
   const FaceBound &a = context.kinematics.bound(candidate.first),
                   &b = context.kinematics.bound(candidate.second);
-  if (!context.enforces(rule) || !may_touch(a, b, rule.activation_distance)) return;
-  const FacePenaltyInput push{
+  const GapOffsets& offsets = context.rules.gap_offsets();
+  const double reach = rule.activation_distance + offsets.reach(candidate.pair);
+  if (!context.enforces(rule) || !may_touch(a, b, reach)) return;
+  FacePenaltyInput push{
       context.kinematics.last_face(candidate.first), context.kinematics.last_face(candidate.second),
       make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair), context.dt};
+  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), push.second, push.first);
   ContactPoint contact_point;
   contact_point.elastic_slip = history_.elastic_slip(candidate.position);
   if (!add_face_traction(*rule.interface_law, push, contact_point)) return;

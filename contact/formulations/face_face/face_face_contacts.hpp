@@ -38,6 +38,8 @@ class FaceFaceContacts {
   std::span<const float> depths() const { return history_.depths(); }
   /// Marks the faces of HYBRID pairs that are close to the other side.
   void mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const;
+  /// Appends the gaps before the first step of faces of pairs that have to know them.
+  void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);

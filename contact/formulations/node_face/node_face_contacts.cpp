@@ -9,6 +9,7 @@
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/penalty.hpp"
+#include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
 
@@ -85,6 +86,13 @@ void NodeFaceContacts::mark_close(const ContactStepContext& context, double size
   }
 }
 
+void NodeFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
+  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+    const auto gap = find_start_gap(context.kinematics, context.rules, row, candidates_.of(row));
+    if (gap && context.rules.gap_offsets().needs_start(gap->pair)) gaps.nodes.push_back(*gap);
+  }
+}
+
 void NodeFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.rows, remap.faces, remap.n_rows_after, before);
@@ -152,11 +160,12 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
   const double deepest = std::max(
       {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
+  const double offset = context.rules.gap_offsets().of_node(near_face.pair, row);
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.warp() - bound.height_of(x));
-  if (!may_project_inside(x, bound, activation_distance + node.radius, deepest,
-                          beyond + behind + node.radius) ||
+  if (!may_project_inside(x, bound, activation_distance + std::max(offset, 0.0) + node.radius,
+                          deepest + std::max(-offset, 0.0), beyond + behind + node.radius) ||
       has_corner(face, node.node))
     return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
@@ -166,6 +175,7 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   if (!point) return;
   near_face.point = *point;
   near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
+  near_face.point.gap -= offset;
   near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, *rule.pair);
   const bool is_known = node_history.knows(near_face.point.normal);
   near_face.penalty.depth = is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed);

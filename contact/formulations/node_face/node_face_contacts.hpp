@@ -45,6 +45,8 @@ class NodeFaceContacts {
   std::vector<float> depths() const { return history_.depths(contact_mesh_.surface_nodes.size()); }
   /// Marks the nodes of HYBRID pairs that are close to the other side.
   void mark_close(const ContactStepContext& context, double size_share, PairRules& rules) const;
+  /// Appends the gaps before the first step of nodes of pairs that have to know them.
+  void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);

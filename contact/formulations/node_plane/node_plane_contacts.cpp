@@ -63,6 +63,24 @@ void NodePlaneContacts::archive(StateArchive& saved) {
                    [](NodePlanePair& pair_of_node, RowNumbers& row) { row(pair_of_node.elastic_slip); });
 }
 
+double NodePlaneContacts::gap_of(const ContactKinematics& kinematics, const NodePlanePair& candidate) const {
+  const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
+  return (kinematics.x(node.node) - candidate.origin).dot(candidate.normal) - node.radius;
+}
+
+/// A plane has no end: nodes are near it that are no farther than half an element.
+void NodePlaneContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
+  constexpr double near_share = 0.5;
+  for (const NodePlanePair& candidate : node_plane_pairs_) {
+    if (!context.rules.gap_offsets().needs_start(candidate.pair)) continue;
+    const SurfacePair& pair = *context.rules[candidate.pair].pair;
+    const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
+    const double reach = pair.normal_tolerance.value_or(near_share * node.penalty_properties.thickness);
+    const double gap = gap_of(context.kinematics, candidate);
+    if (gap <= reach) gaps.nodes.push_back({candidate.node, candidate.pair, gap, gap, 1.0});
+  }
+}
+
 void NodePlaneContacts::detect(const ContactStepContext& context, CandidateRows rows,
                                std::vector<ContactPoint>& points) const {
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
@@ -76,7 +94,8 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
                                    const PairRule& rule, std::vector<ContactPoint>& points) const {
   const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * candidate.normal;
-  const double gap = (context.kinematics.x(node.node) - candidate.origin).dot(candidate.normal) - node.radius;
+  const double gap = gap_of(context.kinematics, candidate) -
+                     context.rules.gap_offsets().of_node(candidate.pair, candidate.node);
   const Eigen::Vector3d velocity = context.kinematics.velocity_beside(node.node, arm);
   const double margin = context.balances ? closed_share * node.penalty_properties.thickness : 0.0;
   const double near = -context.ahead() * velocity.dot(candidate.normal);

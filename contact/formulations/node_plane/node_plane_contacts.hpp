@@ -24,6 +24,8 @@ class NodePlaneContacts {
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points);
   /// None: a plane has no far side.
   void find_lost(const PairRules& /*rules*/, std::vector<LostContact>& /*lost*/) const {}
+  /// Appends the gaps before the first step of nodes of pairs that have to know them.
+  void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);
@@ -39,6 +41,7 @@ class NodePlaneContacts {
   };
   void add_pairs();
   void add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t plane);
+  double gap_of(const ContactKinematics& kinematics, const NodePlanePair& candidate) const;
   void detect_one(const ContactStepContext& context, const NodePlanePair& candidate, const PairRule& rule,
                   std::vector<ContactPoint>& points) const;
 

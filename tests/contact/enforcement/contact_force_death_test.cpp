@@ -98,6 +98,19 @@ TEST_CASE("an overlap of the start stays that of a spring when a far element die
   CHECK(bodies.force_on(1).z() == Approx(at_start));
 }
 
+TEST_CASE("an overlap of the start stays ignored when a far element dies", "[contact][death][gaps]") {
+  const std::string formulation = GENERATE(as<std::string>{}, "", "constraint formulation = node_face\n");
+  DyingBodies bodies("penalty stiffness = 1e4\nignore initial overlap = on\n" + formulation);
+  bodies.ask();
+  CHECK(bodies.force_size() == 0.0);
+  bodies.kill({{0}});
+  bodies.step(0.1);
+  CHECK(bodies.force_size() == 0.0);
+  bodies.set_velocity(1, {0, 0, -0.0005});
+  for (int i = 0; i < 10; ++i) bodies.step(1.0);
+  CHECK(bodies.force_on(1).z() == Approx(1e4 * 0.005 * 0.64).epsilon(0.01));
+}
+
 TEST_CASE("contact passes to what a death exposes, also where first partners are kept", "[contact][death]") {
   DyingBodies bodies(
       GENERATE(as<std::string>{}, "", "interaction behavior = infinitesimal_sliding\n",

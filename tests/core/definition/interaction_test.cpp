@@ -38,3 +38,18 @@ TEST_CASE("a pair keeps its own settings", "[core][interaction]") {
   CHECK(are_equal(with_defaults(settings(1.0), settings(2.0)), settings(1.0)));
   CHECK(are_equal(with_defaults(settings(1.0), {}), settings(1.0)));
 }
+
+TEST_CASE("a pair's own way to take its start keeps those of the defaults away",
+          "[definition][interaction]") {
+  PairSettings defaults, own;
+  defaults.gap.overlap_ramp_time = 2.0;
+  defaults.gap.contact_offset = 0.1;
+  CHECK(with_defaults(own, defaults).gap == defaults.gap);
+  own.gap.ignore_initial_overlap = false;
+  CHECK_FALSE(with_defaults(own, defaults).gap.overlap_ramp_time);
+  CHECK(with_defaults(own, defaults).gap.contact_offset == 0.1);
+  own.gap.ignore_initial_overlap.reset();
+  own.gap.initial_clearance = 0.0;
+  CHECK_FALSE(with_defaults(own, defaults).gap.contact_offset);
+  CHECK_FALSE(with_defaults(own, defaults).gap.overlap_ramp_time);
+}

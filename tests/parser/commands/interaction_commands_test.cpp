@@ -131,6 +131,40 @@ TEST_CASE("penalties must be positive and damping not negative", "[parser][inter
         "a.i:6:28: error: 'contact damping fraction' must not be negative, found '-0.1'\n");
 }
 
+TEST_CASE("pairs and their defaults say what gaps count as", "[parser][interaction][gaps]") {
+  const std::string lines = "contact offset = -0.1\noverlap ramp time = 2\nadjust = AUTO\n";
+  const BoundContact bound = bound_contact("begin interaction defaults\n" + lines +
+                                           "end\nbegin interaction\nsurfaces = a b\n" + lines + "end\n");
+  CHECK(bound.messages == "");
+  for (const PairSettings& pair :
+       {bound.contact.interaction_defaults.value().pair, bound.contact.interactions.at(0).pair}) {
+    CHECK(pair.gap.contact_offset == -0.1);
+    CHECK(pair.gap.overlap_ramp_time == 2.0);
+    CHECK(pair.gap_closure == GapClosureTolerance{});
+  }
+  const BoundContact others = bound_contact(
+      "begin interaction\nsurfaces = a b\nignore initial overlap = on\ngap closure tolerance = 0.2\nend\n"
+      "begin interaction\nsurfaces = a b\nclearance = -3\nadjust node set = n\nend\n");
+  CHECK(others.messages == "");
+  CHECK(others.contact.interactions.at(0).pair.gap.ignore_initial_overlap == true);
+  CHECK(others.contact.interactions.at(0).pair.gap_closure == GapClosureTolerance{0.2});
+  CHECK(others.contact.interactions.at(1).pair.gap.initial_clearance == -3.0);
+  CHECK(others.contact.interactions.at(1).pair.adjusted_nodes.value().text == "n");
+}
+
+TEST_CASE("a pair says once what its start counts as", "[parser][interaction][gaps]") {
+  CHECK(
+      bound_contact("begin interaction i\nsurfaces = a b\nignore initial overlap = on\n"
+                    "overlap ramp time = 1\nend\n")
+          .messages ==
+      "a.i:5:1: error: the interaction 'i' says twice what overlaps and gaps of the start count as; keep "
+      "one of INITIAL CLEARANCE, IGNORE INITIAL OVERLAP and OVERLAP RAMP TIME; the first stands at a.i:4\n");
+  CHECK(bound_contact("begin interaction i\nsurfaces = a b\nclearance = 1\ncontact offset = 1\nend\n")
+            .messages ==
+        "a.i:2:1: error: the interaction 'i' has both CONTACT OFFSET and INITIAL CLEARANCE; the clearance is "
+        "the gap that counts: leave the offset out\n");
+}
+
 TEST_CASE("lines of other algorithms are ignored with a reason", "[parser][interaction]") {
   const BoundContact bound = bound_contact(
       "begin interaction\nsurfaces = a b\nkinematic partition = 0.5\nautomatic kinematic partition\n"

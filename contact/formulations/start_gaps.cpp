@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/start_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/formulations/near_pairs.hpp"
+#include "contact/formulations/penalty.hpp"
+#include "contact/geometry/node_face.hpp"
+
+namespace contactsim {
+
+namespace {
+
+std::optional<double> gap_of_node(const ContactKinematics& kinematics, const SurfacePair& pair,
+                                  std::uint32_t row, std::uint32_t face) {
+  const MovingFace moving = kinematics.face(face);
+  const SurfaceNode& node = kinematics.contact_mesh().surface_nodes[row];
+  const auto point = project_sphere(moving.x, moving.is_triangle, kinematics.x(node.node), node.radius);
+  const double depth = make_pair_penalty(node.penalty_properties,
+                                         &kinematics.contact_mesh().faces[face].penalty_properties, pair)
+                           .depth;
+  if (!point || point->edge >= 0 || -point->gap > depth) return std::nullopt;
+  if (!is_facing(kinematics, node, point->normal)) return std::nullopt;
+  return point->gap;
+}
+
+}  // namespace
+
+std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const SurfacePair& pair,
+                                       std::uint32_t first, std::uint32_t second) {
+  const auto found = find_face_face_points(kinematics.face(first), kinematics.face(second));
+  if (!found) return std::nullopt;
+  StartGap gap{first, 0, 0.0, std::numeric_limits<double>::infinity(), 0.0};
+  for (const OverlapBatch& batch : found->points.batches()) {
+    const auto is_used = batch.weight > 0.0;
+    gap.smallest = std::min(gap.smallest, is_used.select(batch.gap, gap.smallest).minCoeff());
+    gap.mean += is_used.select(batch.weight * batch.gap, 0.0).sum();
+  }
+  gap.area = found->points.area;
+  gap.mean /= gap.area;
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  const double depth = make_pair_penalty(contact_mesh.faces[first].penalty_properties,
+                                         &contact_mesh.faces[second].penalty_properties, pair)
+                           .depth;
+  const bool is_contact = -gap.smallest <= depth && -gap.smallest <= std::sqrt(gap.area);
+  return is_contact ? std::optional(gap) : std::nullopt;
+}
+
+std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const PairRules& rules,
+                                       std::uint32_t row, std::span<const std::uint32_t> faces) {
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  std::optional<StartGap> nearest;
+  for (const std::uint32_t face : faces) {
+    const std::uint32_t pair =
+        *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
+    const auto gap = gap_of_node(kinematics, *rules[pair].pair, row, face);
+    if (!gap || (nearest && std::abs(*gap) >= std::abs(nearest->mean))) continue;
+    nearest = StartGap{row, pair, *gap, *gap, 1.0};
+  }
+  return nearest;
+}
+
+}  // namespace contactsim
