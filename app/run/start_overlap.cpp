@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/overlap/body_parting.hpp"
@@ -52,24 +53,42 @@ std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
   return is_held;
 }
 
+std::string names_of(const ContactModel& model, std::uint32_t pair) {
+  const auto& surfaces = model.surfaces.surfaces;
+  return fmt::format("'{}' and '{}'", surfaces[model.pairs[pair].first].name,
+                     surfaces[model.pairs[pair].second].name);
+}
+
 void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diagnostics& warnings) {
   for (const OverlapMoves& moves : removed.moves) {
     if (moves.left <= worrying_remainder * moves.deepest) continue;
     const SurfacePair& pair = model.pairs[moves.pair];
     warnings.add_warning(
         "overlap-left", pair.location,
-        fmt::format("'{}' and '{}' still overlap by {:.4g} after overlap removal",
-                    model.surfaces.surfaces[pair.first].name, model.surfaces.surfaces[pair.second].name,
+        fmt::format("{} still overlap by {:.4g} after overlap removal", names_of(model, moves.pair),
                     moves.left),
         "held nodes stay where they are; more OVERLAP ITERATIONS, or SHELL OVERLAP ITERATIONS for "
         "shells, beams and particles, may help");
   }
 }
 
-std::string names_of(const ContactModel& model, std::uint32_t pair) {
-  const auto& surfaces = model.surfaces.surfaces;
-  return fmt::format("'{}' and '{}'", surfaces[model.pairs[pair].first].name,
-                     surfaces[model.pairs[pair].second].name);
+/// Gaps that stay open as nodes are held, and nodes that were moved for two pairs.
+void warn_of_closures(const OverlapRemoved& removed, const ContactModel& model, Diagnostics& warnings) {
+  for (const OverlapMoves& moves : removed.moves) {
+    const SurfacePair& pair = model.pairs[moves.pair];
+    const std::string names = names_of(model, moves.pair);
+    if (moves.left_open > worrying_remainder * moves.widest)
+      warnings.add_warning(
+          "gap-left", pair.location,
+          fmt::format("a gap of {:.4g} between {} stays open, of {:.4g} that was to be closed",
+                      moves.left_open, names, moves.widest),
+          "held nodes stay where they are; more OVERLAP ITERATIONS may help");
+    if (pair.closes_gaps() && moves.n_again > 0)
+      warnings.add_warning("gap-closed-twice", pair.location,
+                           fmt::format("{} moved for {} had been moved for an earlier pair already",
+                                       pluralize(moves.n_again, "node"), names),
+                           "the last move counts: gaps of the earlier pair may be open again");
+  }
 }
 
 /// Stops when elements would be turned inside out: the run could not begin with them.
@@ -112,7 +131,10 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
   for (const StartOverlap& overlap : overlaps) {
     const SurfacePair& pair = input.contact->pairs[overlap.pair];
     const bool is_tied = row_of(*pair.law).holding == ContactLaw::tied;
-    if (is_tied || !(overlap.deepest > worrying_depth * overlap.size)) continue;
+    if (pair.closes_gaps()) continue;
+    if (is_tied || (pair.gap.needs_start() && overlap.n_deep == 0) ||
+        !(overlap.deepest > worrying_depth * overlap.size))
+      continue;
     std::string text = describe(overlap, *input.contact, input.mesh);
     if (!stored.empty() && stored[overlap.pair] > 0.0)
       text += fmt::format("; contact stores {:.4g} of energy in it, which the bodies will get",
@@ -126,14 +148,17 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
 std::optional<OverlapRemoved> remove_initial_overlap(const RunInput& input) {
   if (input.contact == nullptr) return std::nullopt;
   const OverlapRemoval& settings = input.region.contact->overlap_removal;
-  if (!settings.is_on() && !settings.is_all_there_is) return std::nullopt;
+  const bool closes_gaps = std::ranges::any_of(input.contact->pairs, &SurfacePair::closes_gaps);
+  if (!settings.is_on() && !settings.is_all_there_is && !closes_gaps) return std::nullopt;
   return remove_overlap(*input.contact, input.mesh, *input.region.contact, find_held_nodes(input));
 }
 
 std::optional<Mesh> move_nodes(const RunInput& input, OverlapRemoved removed, Diagnostics& warnings) {
   stop_at_turned(removed, input);
   warn_of_rest(removed, *input.contact, warnings);
-  if (removed.n_passes + removed.n_body_passes == 0) return std::nullopt;
+  warn_of_closures(removed, *input.contact, warnings);
+  const auto moves_nodes = [](const OverlapMoves& moves) { return moves.n_nodes > 0; };
+  if (std::ranges::none_of(removed.moves, moves_nodes)) return std::nullopt;
   return input.mesh.with_coordinates(std::move(removed.coordinates));
 }
 

@@ -140,28 +140,43 @@ void OverlapDetection::visit_crossings(const OverlapCandidate& faces, double dee
 
 std::optional<Overlap> OverlapDetection::find_behind_faces(const SurfacePair& pair,
                                                            std::span<const OverlapCandidate> of_node) const {
-  struct Near {
-    std::uint32_t face = 0;
-    Overlap overlap;
-  };
-  std::vector<Near> near;
+  std::vector<NearOverlap> near;
   for (const OverlapCandidate& candidate : of_node) {
     if (const auto found = find_near_face(pair, candidate)) near.push_back({candidate.partner, *found});
   }
   // What is joined takes long to find out, and most nodes are in front of everything.
-  if (std::ranges::none_of(near, [](const Near& one) { return one.overlap.depth > 0.0; }))
+  if (std::ranges::none_of(near, [](const NearOverlap& one) { return one.overlap.depth > 0.0; }))
     return std::nullopt;
-  const SurfaceNode& node = parts_.contact_mesh.surface_nodes[of_node.front().entity];
-  std::optional<Overlap> least;
-  for (const Near& one : near) {
-    if (least && !(one.overlap.distance < least->distance)) continue;
-    if (!adjacent_.are_adjacent(node, one.face)) least = one.overlap;
-  }
+  const auto least = nearest_of(of_node.front().entity, near);
   return least && least->depth > 0.0 ? least : std::nullopt;
 }
 
+std::optional<Overlap> OverlapDetection::find_before_faces(const SurfacePair& pair,
+                                                           std::span<const OverlapCandidate> of_node,
+                                                           double reach) const {
+  std::vector<NearOverlap> near;
+  for (const OverlapCandidate& candidate : of_node) {
+    if (const auto found = find_near_face(pair, candidate, reach))
+      near.push_back({candidate.partner, *found});
+  }
+  const auto least = nearest_of(of_node.front().entity, near);
+  return least && least->depth < 0.0 ? least : std::nullopt;
+}
+
+std::optional<Overlap> OverlapDetection::nearest_of(std::uint32_t row,
+                                                    std::span<const NearOverlap> near) const {
+  const SurfaceNode& node = parts_.contact_mesh.surface_nodes[row];
+  std::optional<Overlap> least;
+  for (const NearOverlap& one : near) {
+    if (least && !(one.overlap.distance < least->distance)) continue;
+    if (!adjacent_.are_adjacent(node, one.face)) least = one.overlap;
+  }
+  return least;
+}
+
 std::optional<Overlap> OverlapDetection::find_near_face(const SurfacePair& pair,
-                                                        const OverlapCandidate& candidate) const {
+                                                        const OverlapCandidate& candidate,
+                                                        std::optional<double> reach) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[candidate.entity];
   const ContactFace& face = parts_.contact_mesh.faces[candidate.partner];
   const OverlapNode& of_node = parts_.of_node[candidate.entity];
@@ -172,7 +187,9 @@ std::optional<Overlap> OverlapDetection::find_near_face(const SurfacePair& pair,
   const double least = round_off_share * of_face.size;
   const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;
   // A sphere whose middle is still in front of the face belongs there.
-  const double deepest = pair.overlap_normal_tolerance.value_or(std::max(of_face.half_thickness, radius));
+  const double deepest =
+      reach ? *reach + least
+            : pair.overlap_normal_tolerance.value_or(std::max(of_face.half_thickness, radius));
   // Shells are thin beside the solids that they lie on.
   const bool is_lofted = parts_.is_lofted(node) || parts_.contact_mesh.is_lofted(face);
   const double valley = beside_share * (is_lofted ? std::min(depth, of_node.half_thickness) : depth);
@@ -217,6 +234,18 @@ std::optional<Overlap> OverlapDetection::find_behind_plane(const SurfacePair& pa
   const bool is_behind = depth > round_off_share * std::max(of_node.size, radius) && depth <= deepest;
   if (!is_behind || !is_facing(candidate.entity, normal, parts_.is_lofted(node))) return std::nullopt;
   return Overlap{side_of(node), {}, depth, normal, depth, OverlapMover::first};
+}
+
+std::optional<Overlap> OverlapDetection::find_before_plane(const OverlapCandidate& candidate,
+                                                           double reach) const {
+  const SurfaceNode& node = parts_.contact_mesh.surface_nodes[candidate.entity];
+  const double size = std::max<double>(parts_.of_node[candidate.entity].size, node.radius);
+  const AnalyticPlane& plane = model_.planes[candidate.partner];
+  const Eigen::Vector3d normal = plane.normal.stableNormalized();
+  const double gap = (points_.at(node.node) - plane.origin).dot(normal) - node.radius;
+  const bool is_near = gap > round_off_share * size && gap <= reach + round_off_share * size;
+  if (!is_near || !is_facing(candidate.entity, normal, parts_.is_lofted(node))) return std::nullopt;
+  return Overlap{side_of(node), {}, -gap, normal, gap, OverlapMover::first};
 }
 
 std::optional<Overlap> OverlapDetection::find_between(const SurfacePair& pair,

@@ -50,6 +50,12 @@ class OverlapDetection {
   void visit_all(std::uint32_t pair, const Visit& visit) const;
   /// Nodes behind faces, then behind planes, in their order.
   void visit_nodes(std::uint32_t pair, OverlapKind kind, const Visit& visit) const;
+  /// The way of a node onto the nearest of some faces that it is in front of, as an overlap of negative
+  /// depth; nothing when it is behind one, or no nearer than the reach.
+  std::optional<Overlap> find_before_faces(const SurfacePair& pair, std::span<const OverlapCandidate> of_node,
+                                           double reach) const;
+  /// The same before a plane.
+  std::optional<Overlap> find_before_plane(const OverlapCandidate& candidate, double reach) const;
   /// Capsules, spheres and sharp edges in each other, as they stood when the points were renewed.
   void visit_edges(std::uint32_t pair, const Visit& visit) const;
   /// Edges of faces that cross with none of their nodes in between, as they stood then.
@@ -59,7 +65,16 @@ class OverlapDetection {
   /// The way out of several faces is the shortest one; in front of the nearest face a node is outside.
   std::optional<Overlap> find_behind_faces(const SurfacePair& pair,
                                            std::span<const OverlapCandidate> of_node) const;
-  std::optional<Overlap> find_near_face(const SurfacePair& pair, const OverlapCandidate& candidate) const;
+  /// A face that a node is near to.
+  struct NearOverlap {
+    std::uint32_t face = 0;
+    Overlap overlap;
+  };
+  /// The nearest; faces that the node is joined to are none.
+  std::optional<Overlap> nearest_of(std::uint32_t row, std::span<const NearOverlap> near) const;
+  ///   reach  off the face, either way; absent: as deep as counts as overlap [length]
+  std::optional<Overlap> find_near_face(const SurfacePair& pair, const OverlapCandidate& candidate,
+                                        std::optional<double> reach = {}) const;
   std::optional<Overlap> find_behind_plane(const SurfacePair& pair, const OverlapCandidate& candidate) const;
   std::optional<Overlap> find_between(const SurfacePair& pair, const OverlapCandidate& candidate,
                                       const EdgePairPoint& pair_point) const;

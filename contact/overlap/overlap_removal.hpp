@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct OverlapMoves {
   double largest = 0.0;       ///< move of a node [length]
   NodeIndex largest_node;     ///< the first of those that moved so far
   double left = 0.0;          ///< deepest overlap that is still there, as nodes are held [length]
+  double widest = 0.0;        ///< gap that was to be closed [length]
+  double left_open = 0.0;     ///< widest of these gaps that is still there [length]
+  double mean_square = 0.0;   ///< root of the mean square of the moves [length]
+  std::uint32_t n_again = 0;  ///< nodes that an earlier pair had moved, too
   bool operator==(const OverlapMoves&) const = default;
 };
 
@@ -31,11 +36,13 @@ struct TurnedElement {
 
 /// Coordinates without overlap, and how they came about.
 struct OverlapRemoved {
-  Eigen::Matrix3Xd coordinates;       ///< 3 x n_nodes [length]
-  std::vector<OverlapMoves> moves;    ///< of the pairs that overlapped, in order
-  std::int64_t n_passes = 0;          ///< that moved nodes
-  std::int64_t n_body_passes = 0;     ///< that moved bodies, before those
-  std::vector<TurnedElement> turned;  ///< ascending; the coordinates are of no use when there are any
+  Eigen::Matrix3Xd coordinates;          ///< 3 x n_nodes [length]
+  std::vector<OverlapMoves> moves;       ///< of the pairs that overlapped, in order
+  std::int64_t n_passes = 0;             ///< that moved nodes
+  std::int64_t n_body_passes = 0;        ///< that moved bodies, before those
+  std::optional<ElementIndex> squeezed;  ///< solid that has lost most of its volume, where gaps are closed
+  double volume_share = 1.0;             ///< of that volume that is left, > 1 grown [1]
+  std::vector<TurnedElement> turned;     ///< ascending; the coordinates are of no use when there are any
 };
 
 /// Moves nodes of contact faces out of the faces of paired surfaces that they lie behind, along the face's
@@ -55,6 +62,9 @@ struct OverlapRemoved {
 /// overlap of lofts no deeper than the SHELL OVERLAP TOLERANCE is left. What the mesh joins within its
 /// thickness never counts as overlap. Bodies that lie deeper in solids of others than half an element go
 /// apart as wholes before that (BodyParting).
+///
+/// Where pairs close gaps (GapClosure), that comes last. Without INITIAL OVERLAP REMOVAL these pairs are the
+/// only ones whose overlap is removed.
 ///   definition  of the model
 ///   is_held     [n_nodes] 0 moves, held_fully stays, the body of held_in_part does not go as a whole; or
 ///   empty

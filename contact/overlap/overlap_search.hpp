@@ -48,6 +48,8 @@ class OverlapSearch {
   OverlapSearch(const OverlapSearch&) = delete;
   OverlapSearch& operator=(const OverlapSearch&) = delete;
 
+  /// Has nodes found that are this far in front of a face, or behind it [length].
+  void widen(double reach) { deepest_ = std::max(deepest_, reach); }
   /// Fills in all sites of the pairs.
   void find(const ContactKinematics& kinematics);
   /// Fills in those of lofts again where something has moved too far for the last time: thick bodies may push
