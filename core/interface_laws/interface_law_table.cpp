@@ -13,6 +13,7 @@
 #include "core/interface_laws/junction.hpp"
 #include "core/interface_laws/pressure_velocity.hpp"
 #include "core/interface_laws/spring_weld.hpp"
+#include "core/interface_laws/sticking.hpp"
 #include "core/interface_laws/surface_weld.hpp"
 #include "core/interface_laws/threaded.hpp"
 #include "core/interface_laws/time_variant.hpp"
@@ -40,6 +41,7 @@ std::span<const InterfaceLawRow> interface_law_rows() {
   static const std::vector<InterfaceLawRow> rows{
       {"frictionless", "Normal force only"},
       constant_friction(),
+      sticking(),
       tied(),
       glued(),
       spring_weld(),

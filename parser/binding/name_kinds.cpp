@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "core/definition/built_in_friction.hpp"
 #include "core/definition/function.hpp"
 
 namespace contactsim {
@@ -24,7 +25,7 @@ NameKindText function_text() {
 NameKindText friction_model_text() {
   NameKindText text{
       NameKind::friction_model, "friction model", NameKind::contact_definition, {}, Counts::when_used};
-  text.built_in = {"frictionless", "tied"};
+  for (const BuiltInFriction& built_in : built_in_friction) text.built_in.push_back(built_in.name);
   text.redefines_built_in = true;
   text.mistake = {NameKind::material, "cohesive materials as friction models are not supported"};
   return text;

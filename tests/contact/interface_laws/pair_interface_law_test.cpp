@@ -45,6 +45,17 @@ TEST_CASE("a time variant model rubs in one period and ties in the next", "[cont
   CHECK(std::abs(force.z()) < 1e-9);
 }
 
+TEST_CASE("what sticks does not slip however far it is moved, and parts freely", "[contact][interface_law]") {
+  const std::string formulation = GENERATE(std::string(), by_nodes);
+  ContactBodies bodies(law_mesh(-0.01), law_deck("begin stick model m\nend\n", formulation));
+  bodies.ask();
+  Vector3d force = force_after(bodies, {0.2, 0, 0});
+  CHECK(force.x() == Approx(-1000.0 * 0.2));
+  CHECK(force.z() == Approx(10.0));
+  force = force_after(bodies, {0, 0, 0.02});
+  CHECK(force.norm() < 1e-9);
+}
+
 TEST_CASE("a period that a time variant model does not name is frictionless", "[contact][interface_law]") {
   ContactBodies bodies(law_mesh(-0.01),
                        law_deck("begin time variant model m\nmodel = tied during periods first\nend\n"), "",

@@ -17,6 +17,7 @@ namespace {
 const std::map<std::string, std::string> laws{
     {"frictionless", "begin frictionless model m\nend\n"},
     {"constant friction", "begin constant friction model m\nfriction coefficient = 0.3\nend\n"},
+    {"stick", "begin stick model m\nend\n"},
     {"pv dependent",
      "begin pv_dependent model m\nstatic coefficient = 0.5\ndynamic coefficient = 0.1\nvelocity decay = 2\n"
      "reference pressure = 10\npressure exponent = 2\nend\n"},

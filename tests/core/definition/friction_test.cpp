@@ -21,6 +21,8 @@ TEST_CASE("frictionless and tied are there without a definition, which may repla
           "[core][friction]") {
   CHECK(find_friction_law({}, "FrictionLess")->type == "frictionless");
   CHECK(find_friction_law({}, "tied")->type == "tied");
+  CHECK(find_friction_law({}, "STICK")->type == "stick");
+  CHECK(find_friction_law({}, "freeze")->type == "tied");
   const std::vector<FrictionModel> models{{{"tied", {}}, friction_law("glued")}};
   CHECK(find_friction_law(models, "tied")->type == "glued");
 }
