@@ -7,6 +7,7 @@
 
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/enforcement/returned_energy.hpp"
+#include "contact/formulations/node_gaps.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/interface_laws/make_interface_laws.hpp"
 #include "core/base/errors.hpp"
@@ -292,6 +293,12 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
   report.impact_work = last_loss_.impact_after + loss.impact_before;
   last_loss_ = loss;
   return report;
+}
+
+std::vector<double> ContactForce::node_gaps(const Motion& motion) const {
+  ContactKinematics now = kinematics_;
+  now.bound_all();
+  return find_node_gaps(now, *setup_.model.mesh, rules_, setup_.definition.dash, motion);
 }
 
 double ContactForce::stored() const {

@@ -74,6 +74,9 @@ class ContactForce final : public ForceTerm {
   void visit_constraints(const Do& do_one) const {
     detection_.visit_constraints(do_one);
   }
+  /// How far contact nodes are from what they meet: find_node_gaps().
+  ///   motion  of now
+  std::vector<double> node_gaps(const Motion& motion) const;
   /// Where a contact node is, of the motion seen last [length].
   Eigen::Vector3d position(std::uint32_t node) const { return kinematics_.x(node); }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/base/names.hpp"
+#include "core/dynamics/state_motion.hpp"
 
 namespace contactsim {
 
@@ -90,6 +91,7 @@ std::vector<OutputVariable> ContactOutput::variables() {
     variable.fill = [this, &row, size](const OutputContext& context, const EntityRange& range,
                                        std::span<double> values) {
       evaluate(context.state);
+      if (row.needs_gaps) evaluate_gaps(context.state);
       for (std::size_t i = 0; i < range.count; ++i) {
         const std::size_t node = range.first + i;
         NodeContact at_rest;
@@ -167,6 +169,22 @@ void ContactOutput::evaluate(const State& state) {
   }
   for (const ContactPoint& point : force_.points()) add_place(point);
   for (const ConstraintForces& held : force_.constraint_forces()) add_tie(held.constraint, held.forces);
+}
+
+void ContactOutput::evaluate_gaps(const State& state) {
+  const std::lock_guard guard(lock_);
+  if (state.step == gaps_step_) return;
+  gaps_step_ = state.step;
+  const std::vector<double> gaps = force_.node_gaps(motion_of(state));
+  const auto& first_alike = force_.contact_mesh().first_alike;
+  std::vector<std::uint8_t> is_known(nodes_.size(), 0);
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    NodeContact& node = nodes_[first_alike[i]];
+    if (node.status == 1.0) continue;
+    std::uint8_t& known = is_known[first_alike[i]];
+    if (known == 0 || std::abs(gaps[i]) < std::abs(node.gap)) node.gap = gaps[i];
+    known = 1;
+  }
 }
 
 void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {

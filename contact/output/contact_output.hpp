@@ -20,7 +20,8 @@ struct NodeContact {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();      ///< normal force [force]
   Eigen::Vector3d tangential = Eigen::Vector3d::Zero();  ///< friction [force]
   double area = 0.0;                                     ///< that touches [length^2]
-  double gap = 0.0;  ///< of its nearest contact point, < 0 where it touches; 0 with nothing near [length]
+  double gap = 0.0;  ///< of its deepest contact point; of a node that does not touch see find_node_gaps(), if
+                     ///< it was asked for [length]
   double tangential_gap = 0.0;  ///< slip held by the tangential spring there [length]
   double interaction = 0.0;     ///< number of its last pair in the log's table, 0 of none [1]
   double surface_area = 0.0;    ///< its share of its surface at the start [length^2]
@@ -33,7 +34,8 @@ struct ContactNodeRow {
   std::string_view name;
   FieldShape shape = FieldShape::scalar;
   void (*fill)(const NodeContact& node, double* values) = nullptr;
-  std::string_view help;  ///< one line with the dimension
+  std::string_view help;    ///< one line with the dimension
+  bool needs_gaps = false;  ///< of nodes that do not touch
 };
 
 /// Source: Sierra/SM 5.22, 8.10 and 9.
@@ -69,12 +71,14 @@ class ContactOutput {
   std::vector<OutputVariable> variables();
 
   /// To be called after the force has gone over to other surfaces.
-  void renew() { step_ = -1; }
+  void renew() { step_ = gaps_step_ = -1; }
 
  private:
   void begin();
   /// Brings everything to the state. Whoever asks first does the work.
   void evaluate(const State& state);
+  /// The same with the gaps of nodes that do not touch, which take a search.
+  void evaluate_gaps(const State& state);
   void add_place(const ContactPoint& contact_point);
   void add_tie(const InterfaceConstraint& tie, const CornerForces& forces);
   void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
@@ -88,7 +92,7 @@ class ContactOutput {
   const ContactModel& contact_;
   const Model& model_;
   std::mutex lock_;
-  std::int64_t step_ = -1;                   // of what is known
+  std::int64_t step_ = -1, gaps_step_ = -1;  // of what is known, and of gaps
   std::vector<double> rest_status_;          // [n_nodes] of nodes that touch nothing
   std::vector<OptionalIndex> contact_node_;  // [n_nodes] position among the contact nodes
   std::vector<NodeContact> nodes_;           // [n_contact_nodes]

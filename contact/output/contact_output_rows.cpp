@@ -48,7 +48,9 @@ std::span<const ContactNodeRow> contact_node_rows() {
       ContactNodeRow{"contact_tangential_force_magnitude", scalar,
                      [](N n, double* v) { *v = n.tangential.norm(); }, "[force]"},
       ContactNodeRow{"contact_normal_gap", scalar, [](N n, double* v) { *v = n.gap; },
-                     "Of the nearest place that touches or nearly does, < 0 where it touches [length]"},
+                     "To the nearest face of the other side, < 0 where it touches; with none within TRACKING "
+                     "DISTANCE, or a share of the face, that distance [length]",
+                     true},
       ContactNodeRow{"contact_tangential_gap", scalar, [](N n, double* v) { *v = n.tangential_gap; },
                      "Slip that is not lost: what the tangential spring holds [length]"},
       ContactNodeRow{"contact_accumulated_slip", scalar, [](N n, double* v) { *v = n.friction.slip_length; },

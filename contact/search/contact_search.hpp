@@ -58,6 +58,8 @@ class ContactSearch {
 
   void archive(StateArchive& saved);
 
+  /// How far beyond touch what a contact node may meet is looked for [length].
+  double margin_of(std::uint32_t node) const { return node_margin_[node]; }
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }

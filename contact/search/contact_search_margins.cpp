@@ -47,7 +47,8 @@ void ContactSearch::set_surface_margins() {
   for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
     const SurfacePair& pair = *rules_[i].pair;
     // Ties reach as far as the deck says.
-    const double given = std::max(pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0));
+    const double given = std::max({pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0),
+                                   pair.tracking_distance.value_or(0.0)});
     for (const std::uint32_t surface : {pair.first, pair.second})
       activation_distance_[surface] =
           std::max({activation_distance_[surface], given,

@@ -57,6 +57,7 @@ struct PairSettings {
       overlap_normal_tolerance;  ///< deepest overlap that is removed at the start, >= 0 [length]
   std::optional<double> overlap_tangential_tolerance;  ///< the same beyond a face's edge, >= 0 [length]
   std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
+  std::optional<double> tracking_distance;  ///< gaps up to it are told in the output, >= 0 [length]
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;     ///< program: none is closed
   std::optional<DeckName> adjusted_nodes;             ///< node set whose nodes go onto the other side

@@ -105,6 +105,12 @@ std::vector<Row<PairSettings>> meeting_rows() {
           "How far apart sides may be at the start for TIED and other laws that hold to hold them [length]; "
           "the gap stays as it is",
           "automatic: NORMAL TOLERANCE, else a share of the face"),
+      row("tracking distance", read::non_negative, &P::tracking_distance,
+          "Gaps of nodes that do not touch are told in the output up to this one; a node with nothing so "
+          "near "
+          "has the distance itself [length]; contactsim's own line",
+          "automatic: a share of the face")
+          .or_spelled("tracking thickness"),
       row("penalty scale", read::positive, &P::penalty_scale,
           "Multiplies the penalty stiffness [1]; contactsim's own line", "1"),
       row<P>("penalty stiffness", "= {AUTO|<real>}", read_penalty_stiffness,
