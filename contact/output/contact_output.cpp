@@ -50,17 +50,18 @@ ContactTotal opposite(ContactTotal total) {
   return total;
 }
 
-/// The pair that a pair adds to in the totals: what stands in outside the periods of an interaction adds to
-/// that of the interaction.
+/// The pair that a pair adds to in the totals: of those that take turns by their periods the first one that
+/// an interaction names.
 std::size_t find_total(std::span<const SurfacePair> pairs, std::size_t index) {
   const SurfacePair& pair = pairs[index];
   const bool takes_turns = !pair.periods.active.empty() || !pair.periods.inactive.empty();
-  if (!pair.is_from_defaults || !takes_turns) return index;
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (i != index && std::minmax(pairs[i].first, pairs[i].second) == std::minmax(pair.first, pair.second))
-      return i;
-  }
-  return index;
+  if (!takes_turns) return index;
+  const auto is_it = [&](const SurfacePair& other) {
+    return !other.is_from_defaults &&
+           std::minmax(other.first, other.second) == std::minmax(pair.first, pair.second);
+  };
+  const auto found = std::ranges::find_if(pairs, is_it);
+  return found == pairs.end() ? index : static_cast<std::size_t>(found - pairs.begin());
 }
 
 }  // namespace

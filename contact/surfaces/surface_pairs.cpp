@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/surfaces/surface_pairs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <map>
 #include <tuple>
+#include <utility>
 
+#include "contact/surfaces/pair_layers.hpp"
+#include "contact/surfaces/pair_warnings.hpp"
 #include "contact/surfaces/surface_meetings.hpp"
 #include "core/definition/contact.hpp"
-
 #include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
@@ -62,21 +62,7 @@ PairSettings shared_settings(const ContactDefinition& contact) {
   return shared;
 }
 
-bool has_periods(const ActivePeriods& periods) {
-  return !periods.active.empty() || !periods.inactive.empty();
-}
-
-/// The periods in which these do not act. Precondition: there are some.
-ActivePeriods rest_of(const ActivePeriods& periods) {
-  if (periods.active.empty()) return {periods.inactive, {}};
-  ActivePeriods rest;
-  std::ranges::copy_if(periods.active, std::back_inserter(rest.inactive), [&](const DeckName& name) {
-    return std::ranges::find(periods.inactive, name) == periods.inactive.end();
-  });
-  return rest;
-}
-
-/// Gathers pairs; what is added later overrides.
+/// Gathers pairs; what is added later overrides, and exclusions win.
 class PairMaker {
  public:
   PairMaker(const ContactDefinition& contact, const ContactSurfaces& surfaces, Diagnostics& diagnostics);
@@ -87,22 +73,15 @@ class PairMaker {
   std::vector<SurfacePair> take();
 
  private:
-  struct Entry {
-    SurfacePair pair;
-    std::optional<std::size_t> interaction;  ///< position; absent: the defaults
-    std::optional<SurfacePair> otherwise;    ///< by the defaults, outside the interaction's periods
-  };
-  using Overridden = std::map<std::size_t, std::vector<PairKey>>;  ///< by the earlier interaction
-
-  void warn_of_overridden(std::size_t index, const Overridden& overridden);
-  std::string interaction_name(std::size_t index) const;
+  SurfacePair pair_of(std::size_t index) const;
 
   const ContactDefinition& contact_;
   const std::vector<ContactSurface>& surfaces_;
   Diagnostics& diagnostics_;
   SurfaceMeetings meetings_;
   PairSettings defaults_;
-  std::map<PairKey, Entry> entries_;
+  std::map<PairKey, PairLayers> layers_;
+  std::vector<PairExclusion> exclusions_;
 };
 
 PairMaker::PairMaker(const ContactDefinition& contact, const ContactSurfaces& surfaces,
@@ -126,10 +105,10 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
   const auto add = [&](std::uint32_t a, std::uint32_t b) {
     const Meeting meeting{std::min(a, b), std::max(a, b)};
     if (!meetings_.can_meet(meeting)) return;
-    Entry& entry = entries_[{meeting.first, meeting.second}];
-    entry.pair = pair;
-    entry.pair.interaction = a == b ? "self contact" : "general contact";
-    meetings_.settle(meeting, entry.pair);
+    pair.interaction = a == b ? "self contact" : "general contact";
+    SurfacePair own = pair;
+    meetings_.settle(meeting, own);
+    layers_[{meeting.first, meeting.second}].add(std::move(own), std::nullopt);
   };
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (defaults.self_contact) add(members[i], members[i]);
@@ -139,7 +118,7 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
   }
 }
 
-void PairMaker::add_interaction(std::size_t index) {
+SurfacePair PairMaker::pair_of(std::size_t index) const {
   const Interaction& interaction = contact_.interactions[index];
   SurfacePair pair = common_pair(with_defaults(interaction.pair, defaults_), contact_);
   if (interaction.friction_coefficient) {
@@ -147,56 +126,48 @@ void PairMaker::add_interaction(std::size_t index) {
     coulomb.values.set("friction coefficient", *interaction.friction_coefficient);
     pair.law = std::make_shared<const FrictionLaw>(std::move(coulomb));
   }
-  pair.interaction = interaction_name(index);
+  pair.interaction = name_of_interaction(contact_, index);
   pair.location = interaction.name.location;
   pair.periods = interaction.periods;
+  return pair;
+}
+
+void PairMaker::add_interaction(std::size_t index) {
+  const Interaction& interaction = contact_.interactions[index];
+  const SurfacePair pair = pair_of(index);
+  // One that the defaults alone switch off takes nothing from others.
+  const bool excludes = interaction.pair.behavior == InteractionBehavior::no_interaction;
+  if (excludes) exclusions_.push_back({pair.interaction, pair.location});
   const auto meetings = meetings_.meetings_of(interaction);
-  Overridden overridden;
   bool is_served = meetings.empty();
   for (const auto& [key, meeting] : meetings) {
     is_served = is_served || meetings_.has_empty_side(meeting);
     if (!meetings_.can_meet(meeting)) continue;
     is_served = true;
-    const bool is_known = entries_.contains(key);
-    Entry& entry = entries_[key];
-    if (entry.interaction) overridden[*entry.interaction].push_back(key);
-    std::optional<SurfacePair> otherwise = std::move(entry.otherwise);
-    if (!entry.interaction && is_known) otherwise = std::move(entry.pair);
-    if (otherwise && has_periods(pair.periods)) otherwise->periods = rest_of(pair.periods);
-    entry = {pair, index, std::move(otherwise)};
-    meetings_.settle(meeting, entry.pair);
+    if (excludes) {
+      layers_[key].exclude(pair.periods, exclusions_.size() - 1);
+      continue;
+    }
+    SurfacePair own = pair;
+    meetings_.settle(meeting, own);
+    layers_[key].add(std::move(own), index);
   }
-  warn_of_overridden(index, overridden);
   if (is_served) return;
   diagnostics_.add_error(interaction.name.location, "none of the surfaces of the interaction can meet",
                          "a node set meets faces only, an analytic plane faces and nodes only");
 }
 
-std::string PairMaker::interaction_name(std::size_t index) const {
-  const std::string& name = contact_.interactions[index].name.text;
-  return name.empty() ? fmt::format("interaction {}", index + 1) : name;
-}
-
-void PairMaker::warn_of_overridden(std::size_t index, const Overridden& overridden) {
-  for (const auto& [earlier, keys] : overridden) {
-    const auto& [a, b] = keys.front();
-    const std::string more = keys.size() > 1 ? fmt::format(" and {} more", keys.size() - 1) : "";
-    diagnostics_.add_warning(
-        "interaction-overridden", contact_.interactions[index].name.location,
-        fmt::format("'{}' overrides '{}' for the pair of '{}' and '{}'{}", interaction_name(index),
-                    interaction_name(earlier), surfaces_[a].name, surfaces_[b].name, more),
-        "the earlier one stands at " + to_string(contact_.interactions[earlier].name.location));
-  }
-}
-
 std::vector<SurfacePair> PairMaker::take() {
   std::vector<SurfacePair> pairs;
-  for (auto& [key, entry] : entries_) {
-    const bool goes_on = entry.otherwise && has_periods(entry.pair.periods) &&
-                         entry.otherwise->behavior != InteractionBehavior::no_interaction;
-    if (goes_on) pairs.push_back(std::move(*entry.otherwise));
-    if (entry.pair.behavior != InteractionBehavior::no_interaction) pairs.push_back(std::move(entry.pair));
+  PairWarnings warnings(contact_, surfaces_);
+  for (auto& [key, layers] : layers_) {
+    if (!layers.is_empty()) {
+      for (const std::size_t exclusion : layers.exclusions()) exclusions_[exclusion].has_effect = true;
+    }
+    for (const auto& overridden : layers.overridden()) warnings.note(key, overridden);
+    std::ranges::move(layers.take(), std::back_inserter(pairs));
   }
+  warnings.add_to(exclusions_, diagnostics_);
   // What stands in for an interaction outside its periods comes after it.
   std::stable_sort(pairs.begin(), pairs.end(), [](const SurfacePair& a, const SurfacePair& b) {
     return std::tie(a.first, a.second, a.is_from_defaults) < std::tie(b.first, b.second, b.is_from_defaults);

@@ -47,7 +47,7 @@ struct SurfacePair {
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]
   std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
   double damping_fraction = 0.0;            ///< of critical damping [1]
-  ActivePeriods periods;                    ///< of the interaction
+  ActivePeriods periods;                    ///< of the interaction, less those in which others act
 
   /// Whether nodes are moved onto the other side before the first step.
   bool closes_gaps() const { return gap_closure || adjusted_nodes; }
@@ -56,14 +56,15 @@ struct SurfacePair {
   double node_share() const { return is_one_sided ? 1.0 : 0.5; }
 };
 
-/// The pairs that a contact definition asks for, sorted by (first, second), those of NO_INTERACTION left out.
-/// General contact pairs every surface with every other, self contact with itself. A named interaction
-/// overrides both for its pairs; of two that name one pair the later wins, with the warning
-/// "interaction-overridden". A side that both ways name, or FACE_FACE, makes a pair two-sided again. Nodes
-/// meet faces and planes only, planes never each other.
+/// The pairs that a contact definition asks for, sorted by (first, second); those of the same surfaces take
+/// turns by their periods. General contact pairs every surface with every other, self contact with itself. A
+/// named interaction overrides both for its pairs, a later one an earlier one, and one with NO_INTERACTION
+/// takes them out, wherever it stands. A side that both ways name, or FACE_FACE, makes a pair two-sided
+/// again. Nodes meet faces and planes only, planes never each other.
 ///   surfaces     resolved; names that are not among them are passed over, since they are errors elsewhere
 ///   diagnostics  gets an error for an interaction none of whose surfaces can meet, and the warning
-///                "contact-without-pairs" when nothing meets at all
+///                "contact-without-pairs" when nothing meets at all, "interaction-overridden" and
+///                "exclusion-without-effect"
 /// Source: Sierra/SM 5.22, 8.6.
 std::vector<SurfacePair> make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
                                             Diagnostics& diagnostics);

@@ -86,8 +86,8 @@ std::vector<Row<PairSettings>> meeting_rows() {
       row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
       row("interaction behavior", behavior, &P::behavior,
           "How the pair moves: INFINITESIMAL_SLIDING keeps the partners of the start, but for what element "
-          "death "
-          "exposes; NO_INTERACTION switches it off",
+          "death exposes; NO_INTERACTION of an interaction switches the pair off in its periods, whatever "
+          "others say",
           "SLIDING"),
       row("enforcement", enforcement, &P::enforcement,
           "How the sides are kept apart: MOMENTUM_BALANCE lets nothing through and does not lower the time "

@@ -140,6 +140,66 @@ TEST_CASE("an interaction without effect takes its pairs out", "[contact][pairs]
         "b c frictionless face_face (general contact)\n");
 }
 
+TEST_CASE("an exclusion wins wherever it stands", "[contact][pairs]") {
+  const std::string on = "begin interaction rub\n surfaces = a b\n friction coefficient = 0.2\nend\n";
+  const std::string off =
+      "begin interaction off\n surfaces = b a\n interaction behavior = no_interaction\nend\n";
+  const std::string general = "begin interaction defaults\n general contact = on\n surfaces = a b c\nend\n";
+  const std::string text =
+      "warning: 'off' overrides 'rub' for the pair of 'a' and 'b'; exclusions win in any order; the "
+      "interaction stands at ";
+  for (const bool is_first : {true, false}) {
+    const Paired paired = pair_up(general + (is_first ? off + on : on + off));
+    CHECK(paired.text ==
+          "a c frictionless face_face (general contact)\n"
+          "b c frictionless face_face (general contact)\n");
+    CHECK(paired.messages == (is_first ? "c.i:10:19: " + text + "c.i:14:19 [interaction-overridden]\n"
+                                       : "c.i:14:19: " + text + "c.i:10:19 [interaction-overridden]\n"));
+  }
+}
+
+TEST_CASE("an exclusion of what does not meet anyway is told", "[contact][pairs]") {
+  CHECK(pair_up("begin interaction\n surfaces = a b\nend\n"
+                "begin interaction off\n surfaces = a c\n interaction behavior = no_interaction\nend\n")
+            .messages ==
+        "c.i:9:19: warning: 'off' takes out pairs that do not meet without it either; no interaction names "
+        "them, nor does GENERAL or SELF CONTACT [exclusion-without-effect]\n");
+}
+
+TEST_CASE("an exclusion with periods leaves the others to interactions", "[contact][pairs]") {
+  const std::string on = "begin interaction rub\n surfaces = a b\n friction coefficient = 0.2\nend\n";
+  const std::string off =
+      "begin interaction off\n surfaces = a b\n interaction behavior = no_interaction\n"
+      " active periods = p1 p2\nend\n";
+  for (const std::string& deck : {on + off, off + on}) {
+    const Paired paired = pair_up(deck);
+    CHECK(paired.messages == "");
+    CHECK(paired.text == "a b friction 0.2 face_face (rub)\n");
+    REQUIRE(paired.pairs.size() == 1);
+    CHECK(paired.pairs[0].periods.active.empty());
+    REQUIRE(paired.pairs[0].periods.inactive.size() == 2);
+    CHECK(paired.pairs[0].periods.inactive[1].text == "p2");
+  }
+}
+
+TEST_CASE("outside the periods of an interaction its pairs go on as an earlier one says",
+          "[contact][pairs]") {
+  const Paired paired = pair_up(
+      "begin interaction defaults\n surfaces = a b\n general contact = on\nend\n"
+      "begin interaction rub\n surfaces = a b\n friction coefficient = 0.5\n inactive periods = p3\nend\n"
+      "begin interaction tie\n surfaces = a b\n friction model = tied\n active periods = p1\nend\n");
+  CHECK(paired.messages == "");
+  CHECK(paired.text ==
+        "a b tied face_face (tie)\n"
+        "a b friction 0.5 face_face (rub)\n"
+        "a b frictionless face_face (general contact)\n");
+  REQUIRE(paired.pairs.size() == 3);
+  CHECK(paired.pairs[0].periods.active.at(0).text == "p1");
+  CHECK(paired.pairs[1].periods.inactive.size() == 2);
+  CHECK(paired.pairs[2].periods.active.size() == 1);
+  CHECK(paired.pairs[2].periods.active.at(0).text == "p3");
+}
+
 TEST_CASE("outside the periods of an interaction its pairs go on as the defaults say", "[contact][pairs]") {
   const std::string defaults = "begin interaction defaults\n surfaces = a b\n general contact = on\nend\n";
   const auto timed = pair_up(defaults +
