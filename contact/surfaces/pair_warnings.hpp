@@ -15,7 +15,7 @@
 
 namespace contactsim {
 
-/// Something that takes pairs out: an interaction with NO_INTERACTION.
+/// Something that takes pairs out: an interaction with NO_INTERACTION, a line EXCLUDE SURFACES.
 struct PairExclusion {
   std::string name;
   DeckLocation location;

@@ -2,10 +2,26 @@
 #include "contact/surfaces/surface_meetings.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "core/base/names.hpp"
 
 namespace contactsim {
+
+namespace {
+
+/// Adds every pair among listed surfaces; of a list of one name it with itself.
+///   positions  of those that there are
+template <class Add>
+void add_among(const std::vector<DeckName>& names, const std::vector<std::uint32_t>& positions,
+               const Add& add) {
+  if (names.size() == 1 && positions.size() == 1) add(Meeting{positions[0], positions[0]});
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t j = i + 1; j < positions.size(); ++j) add(Meeting{positions[i], positions[j]});
+  }
+}
+
+}  // namespace
 
 SurfaceMeetings::SurfaceMeetings(const std::vector<ContactSurface>& surfaces) : surfaces_(surfaces) {
   for (const ContactSurface& surface : surfaces) {
@@ -51,6 +67,18 @@ void SurfaceMeetings::settle(const Meeting& meeting, SurfacePair& pair) const {
   pair.side_b = pair.second;
 }
 
+bool SurfaceMeetings::is_all(const DeckName& name) const {
+  return fold(name.text) == "all" && !positions_.contains("all");
+}
+
+std::vector<std::uint32_t> SurfaceMeetings::positions_with_all(const std::vector<DeckName>& names) const {
+  std::vector<std::uint32_t> positions = positions_of(names);
+  if (std::ranges::none_of(names, [&](const DeckName& name) { return is_all(name); })) return positions;
+  positions.resize(surfaces_.size());
+  std::iota(positions.begin(), positions.end(), 0U);
+  return positions;
+}
+
 std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const Interaction& interaction) const {
   std::map<PairKey, Meeting> meetings;
   const auto add = [&](const Meeting& meeting) {
@@ -59,13 +87,33 @@ std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const Interaction& inter
     const bool is_turned = !is_new && known->second.first != meeting.first;
     if (is_turned) known->second.has_sides = false;
   };
-  for (const std::uint32_t a : positions_of(interaction.side_a)) {
-    for (const std::uint32_t b : positions_of(interaction.side_b)) add({a, b, true});
+  const bool excludes = interaction.pair.behavior == InteractionBehavior::no_interaction;
+  const auto named_a = positions_of(interaction.side_a), named_b = positions_of(interaction.side_b);
+  const auto is_named_twice = [&](std::uint32_t i) {
+    return std::ranges::count(named_a, i) > 0 && std::ranges::count(named_b, i) > 0;
+  };
+  for (const std::uint32_t a : positions_with_all(interaction.side_a)) {
+    for (const std::uint32_t b : positions_with_all(interaction.side_b)) {
+      if (a != b || excludes || is_named_twice(a)) add({a, b, true});
+    }
   }
-  const auto listed = positions_of(interaction.surfaces);
-  if (interaction.surfaces.size() == 1 && listed.size() == 1) add({listed[0], listed[0]});
-  for (std::size_t i = 0; i < listed.size(); ++i) {
-    for (std::size_t j = i + 1; j < listed.size(); ++j) add({listed[i], listed[j]});
+  add_among(interaction.surfaces, positions_of(interaction.surfaces), add);
+  return meetings;
+}
+
+std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const SurfaceExclusion& exclusion) const {
+  std::map<PairKey, Meeting> meetings;
+  const auto add = [&](const Meeting& meeting) {
+    meetings.try_emplace(std::minmax(meeting.first, meeting.second), meeting);
+  };
+  const auto named = positions_of(exclusion.surfaces);
+  if (std::ranges::none_of(exclusion.surfaces, [&](const DeckName& name) { return is_all(name); })) {
+    add_among(exclusion.surfaces, named, add);
+    return meetings;
+  }
+  const auto all = positions_with_all(exclusion.surfaces);
+  for (const std::uint32_t a : named.empty() ? all : named) {
+    for (const std::uint32_t b : all) add({a, b});
   }
   return meetings;
 }

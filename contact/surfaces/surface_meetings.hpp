@@ -32,8 +32,11 @@ class SurfaceMeetings {
 
   /// Positions of the surfaces with these names; names that there are not are passed over.
   std::vector<std::uint32_t> positions_of(const std::vector<DeckName>& names) const;
-  /// All that an interaction names. Two surfaces that both ways name have no sides.
+  /// All that an interaction names. Two surfaces that both ways name have no sides. ALL of a side is every
+  /// surface; by it alone a surface meets itself only where that is excluded.
   std::map<PairKey, Meeting> meetings_of(const Interaction& interaction) const;
+  /// Every pair among the surfaces; of one alone it with itself; beside ALL each of them with every surface.
+  std::map<PairKey, Meeting> meetings_of(const SurfaceExclusion& exclusion) const;
   bool can_meet(const Meeting& meeting) const;
   bool has_empty_side(const Meeting& meeting) const;
   /// Sets who gives what. A pair that only one order can serve gets that order, whatever the sides say.
@@ -46,6 +49,9 @@ class SurfaceMeetings {
     bool nodes = false;  ///< of a surface of nodes
     bool planes = false;
   };
+  /// The same with every surface for ALL, unless a surface has that name.
+  std::vector<std::uint32_t> positions_with_all(const std::vector<DeckName>& names) const;
+  bool is_all(const DeckName& name) const;
   static bool can_meet_one_way(const Parts& faces, const Parts& nodes) {
     return (faces.faces || faces.planes) && (nodes.faces || nodes.nodes);
   }

@@ -70,6 +70,7 @@ class PairMaker {
   void add_defaults(const InteractionDefaults& defaults);
   /// Adds contact.interactions[index].
   void add_interaction(std::size_t index);
+  void add_exclusion(const SurfaceExclusion& exclusion);
   std::vector<SurfacePair> take();
 
  private:
@@ -157,6 +158,13 @@ void PairMaker::add_interaction(std::size_t index) {
                          "a node set meets faces only, an analytic plane faces and nodes only");
 }
 
+void PairMaker::add_exclusion(const SurfaceExclusion& exclusion) {
+  exclusions_.push_back({"EXCLUDE SURFACES", exclusion.location});
+  for (const auto& [key, meeting] : meetings_.meetings_of(exclusion)) {
+    if (meetings_.can_meet(meeting)) layers_[key].exclude({}, exclusions_.size() - 1);
+  }
+}
+
 std::vector<SurfacePair> PairMaker::take() {
   std::vector<SurfacePair> pairs;
   PairWarnings warnings(contact_, surfaces_);
@@ -180,7 +188,11 @@ std::vector<SurfacePair> PairMaker::take() {
 std::vector<SurfacePair> make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
                                             Diagnostics& diagnostics) {
   PairMaker maker(contact, surfaces, diagnostics);
-  if (contact.interaction_defaults) maker.add_defaults(*contact.interaction_defaults);
+  if (contact.interaction_defaults) {
+    maker.add_defaults(*contact.interaction_defaults);
+    for (const SurfaceExclusion& exclusion : contact.interaction_defaults->exclusions)
+      maker.add_exclusion(exclusion);
+  }
   for (std::size_t i = 0; i < contact.interactions.size(); ++i) maker.add_interaction(i);
   std::vector<SurfacePair> pairs = maker.take();
   if (pairs.empty() && !diagnostics.has_errors()) {

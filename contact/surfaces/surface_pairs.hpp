@@ -59,8 +59,8 @@ struct SurfacePair {
 /// The pairs that a contact definition asks for, sorted by (first, second); those of the same surfaces take
 /// turns by their periods. General contact pairs every surface with every other, self contact with itself. A
 /// named interaction overrides both for its pairs, a later one an earlier one, and one with NO_INTERACTION
-/// takes them out, wherever it stands. A side that both ways name, or FACE_FACE, makes a pair two-sided
-/// again. Nodes meet faces and planes only, planes never each other.
+/// or EXCLUDE SURFACES takes them out, wherever it stands. A side that both ways name, or FACE_FACE, makes a
+/// pair two-sided again. Nodes meet faces and planes only, planes never each other.
 ///   surfaces     resolved; names that are not among them are passed over, since they are errors elsewhere
 ///   diagnostics  gets an error for an interaction none of whose surfaces can meet, and the warning
 ///                "contact-without-pairs" when nothing meets at all, "interaction-overridden" and

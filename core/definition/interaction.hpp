@@ -69,6 +69,12 @@ struct PairSettings {
 /// The settings of a pair with what is absent taken from the defaults.
 PairSettings with_defaults(PairSettings own, const PairSettings& defaults);
 
+/// EXCLUDE SURFACES <names> of the defaults: no pair among the surfaces meets, whatever interactions say.
+struct SurfaceExclusion {
+  DeckLocation location;
+  std::vector<DeckName> surfaces;  ///< one alone: with itself; ALL: each of the others with every surface
+};
+
 /// BEGIN INTERACTION DEFAULTS [name]. Without it, and without any INTERACTION, nothing touches.
 /// Source: Sierra/SM 5.22, 8.6.1.
 struct InteractionDefaults {
@@ -76,11 +82,14 @@ struct InteractionDefaults {
   bool general_contact = false;    ///< every surface meets every other
   bool self_contact = false;       ///< every surface meets itself
   std::vector<DeckName> surfaces;  ///< the contact surfaces that general and self contact take; none: all
+  std::vector<SurfaceExclusion> exclusions;
   PairSettings pair;
 };
 
 /// BEGIN INTERACTION [name]: pairs that are treated their own way; a later one overrides an earlier one for
-/// the same pair. Either `surfaces` or both sides are given. Source: Sierra/SM 5.22, 8.6.2.
+/// the same pair, and one with NO_INTERACTION all of them. Either `surfaces` or both sides are given; ALL of
+/// a side stands for every surface. Source: Sierra/SM 5.22, 8.6.2; exclusions and ALL: Abaqus, *CONTACT
+/// EXCLUSIONS.
 struct Interaction {
   DeckName name;
   std::vector<DeckName> surfaces;  ///< every pair among them; one that is alone or listed twice meets itself

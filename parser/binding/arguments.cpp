@@ -107,9 +107,11 @@ DeckName Arguments::reference(NameKind kind) {
   return notes_.referred.back().name;
 }
 
-std::vector<DeckName> Arguments::references(NameKind kind) {
+std::vector<DeckName> Arguments::references(NameKind kind, std::string_view word) {
   std::vector<DeckName> list = names();
-  for (const DeckName& name : list) notes_.referred.push_back({kind, name});
+  for (const DeckName& name : list) {
+    if (fold(name.text) != word) notes_.referred.push_back({kind, name});
+  }
   return list;
 }
 

@@ -58,8 +58,9 @@ class Arguments {
 
   /// A name() that stands for something that is defined elsewhere, or in the mesh.
   DeckName reference(NameKind kind);
-  std::vector<DeckName> references(NameKind kind);  ///< all remaining words, at least one
-  DeckName definition(NameKind kind);               ///< a name() that this line defines
+  /// All remaining words, at least one; `word` among them stands for nothing that is defined.
+  std::vector<DeckName> references(NameKind kind, std::string_view word = "");
+  DeckName definition(NameKind kind);  ///< a name() that this line defines
   void define(NameKind kind, DeckName name) { notes_.defined.push_back({kind, std::move(name)}); }
   /// Says that the mesh gives further names of the kind, here and in the block around.
   void leave_open(NameKind kind) { notes_.left_open.push_back(kind); }

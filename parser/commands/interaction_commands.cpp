@@ -127,6 +127,19 @@ std::vector<Row<PairSettings>> pair_rows() {
   return joined<PairSettings>({meeting_rows(), adjustment_rows(), lift_all(gap_rows(), &PairSettings::gap)});
 }
 
+Row<InteractionDefaults> exclusion_row() {
+  const auto names = read::names_of_or_all(NameKind::contact_surface);
+  const auto read_exclusion = [names](Arguments& arguments, InteractionDefaults& defaults) {
+    defaults.exclusions.push_back({arguments.location(), names.read(arguments)});
+  };
+  return row<InteractionDefaults>(
+             "exclude surfaces", "= " + names.syntax, read_exclusion,
+             "Contact surfaces of which no pair meets, whatever interactions say; one alone does not meet "
+             "itself, one with ALL neither itself nor any other. May be repeated; contactsim's own line",
+             "none")
+      .references(NameKind::contact_surface);
+}
+
 const Table<InteractionDefaults>& interaction_defaults_table() {
   using D = InteractionDefaults;
   const auto check = [](const D& defaults, DeckNames& names) { check_gap(defaults.pair, names); };
@@ -138,6 +151,7 @@ const Table<InteractionDefaults>& interaction_defaults_table() {
               row("surfaces", read::names_of(NameKind::contact_surface), &D::surfaces,
                   "Contact surfaces that general and self contact take", "all")
                   .or_spelled("contact surfaces"),
+              exclusion_row(),
           },
           lift_all(pair_rows(), &D::pair),
       }),
@@ -160,17 +174,19 @@ void check(const Interaction& interaction, DeckNames& names) {
 const Table<Interaction>& interaction_table() {
   using I = Interaction;
   using K = NameKind;
+  const std::string all_of_a_side =
+      "ALL stands for every surface but the one it meets, and with NO_INTERACTION for that one too";
   static const Table<I> table(
       joined<I>({
           {
               row("surfaces", read::names_of(K::contact_surface), &I::surfaces,
                   "Contact surfaces of which every pair meets; one alone or twice meets itself")
                   .or_spelled("contact surfaces"),
-              row("side a", read::names_of(K::contact_surface), &I::side_a,
-                  "Contact surfaces that give the faces of NODE_FACE")
+              row("side a", read::names_of_or_all(K::contact_surface), &I::side_a,
+                  "Contact surfaces that give the faces of NODE_FACE; " + all_of_a_side)
                   .or_spelled("master"),
-              row("side b", read::names_of(K::contact_surface), &I::side_b,
-                  "Contact surfaces that give the nodes of NODE_FACE")
+              row("side b", read::names_of_or_all(K::contact_surface), &I::side_b,
+                  "Contact surfaces that give the nodes of NODE_FACE; " + all_of_a_side)
                   .or_spelled("slave"),
               row("friction coefficient", read::non_negative, &I::friction_coefficient,
                   "Coulomb coefficient, in place of a friction model [1]")

@@ -53,6 +53,11 @@ Reader<std::vector<DeckName>> names_of(NameKind kind) {
           [kind](Arguments& arguments) { return arguments.references(kind); }, names.show, kind};
 }
 
+Reader<std::vector<DeckName>> names_of_or_all(NameKind kind) {
+  return {fmt::format("<{}> ... or ALL", text_of(kind).word),
+          [kind](Arguments& arguments) { return arguments.references(kind, "all"); }, names.show, kind};
+}
+
 }  // namespace read
 
 DeckExpression read_expression(Arguments& arguments) {

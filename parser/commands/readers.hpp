@@ -37,6 +37,8 @@ extern const Reader<std::vector<std::int64_t>> integers;
 /// A name of something that the deck defines, or that the mesh holds; or several, all that remain.
 Reader<DeckName> name_of(NameKind kind);
 Reader<std::vector<DeckName>> names_of(NameKind kind);
+/// The same, where the word ALL need not be defined.
+Reader<std::vector<DeckName>> names_of_or_all(NameKind kind);
 }  // namespace read
 
 /// EVALUATE EXPRESSION and the like: the text between quotes, or the rest of the line. A mistake in it is

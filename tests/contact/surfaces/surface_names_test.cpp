@@ -43,6 +43,16 @@ TEST_CASE("interactions and options may name surfaces of every origin", "[contac
             .empty());
 }
 
+TEST_CASE("ALL stands for all surfaces on a side and in an exclusion only", "[contact][names]") {
+  CHECK(errors_of("begin interaction\n side a = all\n side b = ALL\nend\n"
+                  "begin interaction defaults\n exclude surfaces = top all\nend\n")
+            .empty());
+  CHECK(errors_of("begin interaction\n surfaces = top all\nend\n"
+                  "begin interaction defaults\n exclude surfaces = toop\nend\n") ==
+        "c.i:8:17: error: there is no contact surface 'all'\n"
+        "c.i:11:21: error: there is no contact surface 'toop'; did you mean 'Top'?\n");
+}
+
 TEST_CASE("a surface that nothing made is an error wherever it is named", "[contact][names]") {
   CHECK(errors_of("begin interaction defaults\n surfaces = top toop\nend\n") ==
         "c.i:8:17: error: there is no contact surface 'toop'; did you mean 'Top'?\n");

@@ -200,6 +200,61 @@ TEST_CASE("outside the periods of an interaction its pairs go on as an earlier o
   CHECK(paired.pairs[2].periods.active.at(0).text == "p3");
 }
 
+TEST_CASE("the defaults exclude pairs, surfaces from themselves and from everything", "[contact][pairs]") {
+  const auto excluding = [](const std::string& lines) {
+    return pairs_of(
+        "begin interaction defaults\n general contact = on\n self contact = on\n surfaces = a b c\n" + lines +
+        "end\n");
+  };
+  const std::string aa = "a a frictionless face_face (self contact)\n",
+                    ab = "a b frictionless face_face (general contact)\n",
+                    ac = "a c frictionless face_face (general contact)\n",
+                    bb = "b b frictionless face_face (self contact)\n",
+                    bc = "b c frictionless face_face (general contact)\n",
+                    cc = "c c frictionless face_face (self contact)\n";
+  CHECK(excluding("") == aa + ab + ac + bb + bc + cc);
+  CHECK(excluding(" exclude surfaces = a c\n") == aa + ab + bb + bc + cc);
+  CHECK(excluding(" exclude surfaces = b\n") == aa + ab + ac + bc + cc);
+  CHECK(excluding(" exclude surfaces = a b c\n exclude surfaces = C c\n") == aa + bb);
+  CHECK(excluding(" exclude surfaces = all a\n") == bb + bc + cc);
+  CHECK(excluding(" exclude surfaces = a All b\n") == cc);
+}
+
+TEST_CASE("what the defaults exclude no interaction brings back", "[contact][pairs]") {
+  const Paired paired = pair_up(
+      "begin interaction rub\n surfaces = a b c\nend\n"
+      "begin interaction defaults\n exclude surfaces = b a\n exclude surfaces = a n\nend\n");
+  CHECK(paired.text ==
+        "a c frictionless face_face (rub)\n"
+        "b c frictionless face_face (rub)\n");
+  CHECK(
+      paired.messages ==
+      "c.i:10:2: warning: 'EXCLUDE SURFACES' overrides 'rub' for the pair of 'a' and 'b'; exclusions win in "
+      "any order; the interaction stands at c.i:6:19 [interaction-overridden]\n"
+      "c.i:11:2: warning: 'EXCLUDE SURFACES' takes out pairs that do not meet without it either; no "
+      "interaction names them, nor does GENERAL or SELF CONTACT [exclusion-without-effect]\n");
+}
+
+TEST_CASE("ALL of a side is every other surface, and itself too where that is excluded", "[contact][pairs]") {
+  CHECK(pairs_of("begin interaction\n side a = b\n side b = ALL\nend\n") ==
+        "a b frictionless face_face (interaction 1)\n"
+        "b c frictionless face_face (interaction 1)\n"
+        "b n frictionless node_face one-sided (interaction 1)\n"
+        "b m frictionless node_face one-sided (interaction 1)\n");
+  CHECK(pairs_of(
+            "begin interaction\n side a = all b\n side b = b\n constraint formulation = node_face\nend\n") ==
+        "a b frictionless node_face one-sided (interaction 1)\n"
+        "b b frictionless node_face (interaction 1)\n"
+        "c b frictionless node_face one-sided (interaction 1)\n"
+        "b n frictionless node_face one-sided (interaction 1)\n"
+        "b m frictionless node_face one-sided (interaction 1)\n");
+  CHECK(pairs_of(
+            "begin interaction defaults\n general contact = on\n self contact = on\n surfaces = a b n\nend\n"
+            "begin interaction\n side a = all\n side b = b\n interaction behavior = no_interaction\nend\n") ==
+        "a a frictionless face_face (self contact)\n"
+        "a n frictionless node_face one-sided (general contact)\n");
+}
+
 TEST_CASE("outside the periods of an interaction its pairs go on as the defaults say", "[contact][pairs]") {
   const std::string defaults = "begin interaction defaults\n surfaces = a b\n general contact = on\nend\n";
   const auto timed = pair_up(defaults +

@@ -22,6 +22,14 @@ TEST_CASE("a name in an interaction must be a contact surface, not a part of the
         "a.i:12:18: error: unknown contact surface 'up'\n");
 }
 
+TEST_CASE("ALL of a side or an exclusion is no surface's name", "[parser][contact]") {
+  CHECK(contact_name_messages("contact surface left contains block_1\nbegin interaction\nside a = ALL\n"
+                              "side b = left all\nend\nbegin interaction defaults\n"
+                              "exclude surfaces = all left\nexclude surfaces = lft\nsurfaces = all\nend\n") ==
+        "a.i:9:20: error: unknown contact surface 'lft'; did you mean 'left'?\n"
+        "a.i:10:12: error: unknown contact surface 'all'\n");
+}
+
 TEST_CASE("with SKIN ALL BLOCKS an unknown name may be a block, which the mesh decides",
           "[parser][contact]") {
   CHECK(contact_name_messages("begin interaction\nsurfaces = block_1 block_2\nend\nskin all blocks = on\n") ==

@@ -37,6 +37,17 @@ TEST_CASE("interaction defaults take all of their lines", "[parser][interaction]
   CHECK(defaults.pair.behavior == InteractionBehavior::infinitesimal_sliding);
 }
 
+TEST_CASE("the defaults exclude surfaces line by line", "[parser][interaction]") {
+  const BoundContact bound =
+      bound_contact("begin interaction defaults\nexclude surfaces = a b\nexclude_surfaces c\nend\n");
+  CHECK(bound.messages == "");
+  const InteractionDefaults& defaults = bound.contact.interaction_defaults.value();
+  REQUIRE(defaults.exclusions.size() == 2);
+  CHECK(joined_names(defaults.exclusions[0].surfaces) == "a b");
+  CHECK(to_string(defaults.exclusions[0].location) == "a.i:3:1");
+  CHECK(joined_names(defaults.exclusions[1].surfaces) == "c");
+}
+
 TEST_CASE("the defaults block of 2003 has tolerances", "[parser][interaction]") {
   const BoundContact bound = bound_contact(
       "begin defaults\nself contact = off\ngeneral contact = on\ncontact surfaces = a\nnormal tolerance = "
