@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <variant>
 
 #include "core/definition/contact_surfaces.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
 
-/// Which nodes take part in contact at all: those within the sphere of RESTRICT CONTACT TO SUBDOMAIN or on
-/// it. Source: Sierra/SM 5.22, 8.4.4.
+/// Which nodes take part in contact at all: those that at the start are within the sphere or box of RESTRICT
+/// CONTACT or on it. Source: Sierra/SM 5.22, 8.4.4.
 class ContactDomain {
  public:
   /// Both must outlive this. An absent subdomain means everywhere.
@@ -20,8 +21,8 @@ class ContactDomain {
 
   bool holds(NodeIndex node) const {
     if (!subdomain_) return true;
-    const double distance_squared = (mesh_.coordinates().col(node.value) - subdomain_->point).squaredNorm();
-    return distance_squared <= subdomain_->radius * subdomain_->radius;
+    const Eigen::Vector3d x = mesh_.coordinates().col(node.value);
+    return std::visit([&](const auto& shape) { return is_in(shape, x); }, subdomain_->shape);
   }
   /// Whether it holds all of them.
   bool holds(std::span<const NodeIndex> nodes) const {
@@ -34,6 +35,13 @@ class ContactDomain {
   }
 
  private:
+  static bool is_in(const ContactSphere& sphere, const Eigen::Vector3d& x) {
+    return (x - sphere.point).squaredNorm() <= sphere.radius * sphere.radius;
+  }
+  static bool is_in(const ContactBox& box, const Eigen::Vector3d& x) {
+    return (x.array() >= box.lower.array()).all() && (x.array() <= box.upper.array()).all();
+  }
+
   const Mesh& mesh_;
   const std::optional<ContactSubdomain>& subdomain_;
 };

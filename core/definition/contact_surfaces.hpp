@@ -60,10 +60,22 @@ using SurfaceCommand =
     std::variant<ContactSurfaceLine, ContactNodeSetLine, ContactSurfaceBlock, SkinAllBlocks>;
 
 /// RESTRICT CONTACT TO SUBDOMAIN DEFINED BY RADIUS <r> AND POINT <x> <y> <z>. Source: Sierra/SM 5.22, 8.4.4.
-struct ContactSubdomain {
-  DeckLocation location;
+struct ContactSphere {
   double radius = 0.0;                              ///< > 0 [length]
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< [length]
+};
+
+/// RESTRICT CONTACT TO BOX DEFINED BY <x> <y> <z> AND <x> <y> <z>: two opposite corners, its edges along the
+/// axes. Source: Abaqus, contact in a box.
+struct ContactBox {
+  Eigen::Vector3d lower = Eigen::Vector3d::Zero();  ///< [length]
+  Eigen::Vector3d upper = Eigen::Vector3d::Zero();  ///< not below `lower` anywhere [length]
+};
+
+/// The part of space, at the start, to which contact is restricted.
+struct ContactSubdomain {
+  DeckLocation location;
+  std::variant<ContactSphere, ContactBox> shape;
 };
 
 /// BEGIN ANALYTIC OBJECT <name>, TYPE = PLANE. Source: Sierra/SM 5.22, analytic objects.

@@ -37,17 +37,29 @@ void read_contact_all_blocks(Arguments& arguments, ContactDefinition& contact) {
   contact.surface_commands.emplace_back(SkinAllBlocks{arguments.location(), {}});
 }
 
-void read_subdomain(Arguments& arguments, ContactDefinition& contact) {
-  if (contact.subdomain) {
-    arguments.fail_here("a second RESTRICT CONTACT in one contact definition",
-                        "the first stands at " + to_string(contact.subdomain->location));
-  }
-  ContactSubdomain subdomain{arguments.location(), arguments.positive(), {}};
+void refuse_second_subdomain(const Arguments& arguments, const ContactDefinition& contact) {
+  if (!contact.subdomain) return;
+  arguments.fail_here("a second RESTRICT CONTACT in one contact definition",
+                      "the first stands at " + to_string(contact.subdomain->location));
+}
+
+void read_sphere(Arguments& arguments, ContactDefinition& contact) {
+  refuse_second_subdomain(arguments, contact);
+  ContactSphere sphere{arguments.positive(), {}};
   arguments.expect("and");
   arguments.expect("point");
   arguments.skip_separator();
-  subdomain.point = arguments.vector();
-  contact.subdomain = subdomain;
+  sphere.point = arguments.vector();
+  contact.subdomain = {arguments.location(), sphere};
+}
+
+void read_box(Arguments& arguments, ContactDefinition& contact) {
+  refuse_second_subdomain(arguments, contact);
+  const Eigen::Vector3d corner = arguments.vector();
+  arguments.expect("and");
+  const Eigen::Vector3d opposite = arguments.vector();
+  contact.subdomain = {arguments.location(),
+                       ContactBox{corner.cwiseMin(opposite), corner.cwiseMax(opposite)}};
 }
 
 Eigen::Vector3d read_direction(Arguments& arguments) {
@@ -121,8 +133,12 @@ std::vector<Row<ContactDefinition>> contact_surface_rows() {
              "Makes one surface per block, named as the block, at this place in the deck", "OFF"),
       row<C>("contact all blocks", "", read_contact_all_blocks, "Older spelling of SKIN ALL BLOCKS = ON",
              "OFF"),
-      row<C>("restrict contact to subdomain defined by radius", "<r> AND POINT <x> <y> <z>", read_subdomain,
+      row<C>("restrict contact to subdomain defined by radius", "<r> AND POINT <x> <y> <z>", read_sphere,
              "Keeps contact inside a sphere: radius and centre [length]", "none"),
+      row<C>("restrict contact to box defined by", "<x> <y> <z> AND <x> <y> <z>", read_box,
+             "Keeps contact inside a box along the axes: two opposite corners [length]; what has a node "
+             "outside at the start is left out; contactsim's own line",
+             "none"),
   };
 }
 

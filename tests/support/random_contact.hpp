@@ -126,8 +126,9 @@ inline std::string random_commands(const Mesh& mesh, Random& random) {
   if (picked.back() != '=') lines.push_back(picked + "\nend\n");
   std::shuffle(lines.begin(), lines.end(), random);
   lines.resize(3 + random() % (lines.size() - 3));
-  if (random() % 3 == 0)
-    lines.push_back("restrict contact to subdomain defined by radius 2.6 and point 1 1 1\n");
+  const auto domain = random() % 6;
+  if (domain < 2) lines.push_back("restrict contact to subdomain defined by radius 2.6 and point 1 1 1\n");
+  if (domain == 2) lines.push_back("restrict contact to box defined by -0.5 0 2 and 3 2.6 -0.5\n");
   return join(lines);
 }
 

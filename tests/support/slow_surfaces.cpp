@@ -50,7 +50,10 @@ class SlowSurfaces {
   bool is_inside(const Nodes& nodes) const {
     return !contact_.subdomain || std::ranges::all_of(nodes, [&](NodeIndex node) {
       const Eigen::Vector3d x = mesh_.coordinates().col(node.value);
-      return (x - contact_.subdomain->point).norm() <= contact_.subdomain->radius;
+      if (const auto* box = std::get_if<ContactBox>(&contact_.subdomain->shape))
+        return x.cwiseMax(box->lower).cwiseMin(box->upper) == x;
+      const auto& sphere = std::get<ContactSphere>(contact_.subdomain->shape);
+      return (x - sphere.point).norm() <= sphere.radius;
     });
   }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
+#include <utility>
 
 #include "contact/surfaces/resolve_surfaces.hpp"
 #include "support/catch.hpp"
@@ -156,6 +157,28 @@ TEST_CASE("RESTRICT keeps what touches the sphere from inside", "[contact][restr
   const auto inside = resolve(mesh, surfaces + "4.9999 and point 0 0 0\n");
   CHECK(inside["s"].faces.empty());
   CHECK(inside["n"].nodes.empty());
+}
+
+TEST_CASE("RESTRICT to a box keeps what has all its nodes in it or on it", "[contact][restrict]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .cells = {2, 3, 4}, .size = {2, 3, 4}});
+  b.add_node_set(1, "", [](const Eigen::Vector3d& x) { return x.z() == 4.0; });
+  const Mesh mesh = b.build();
+  const auto n_in = [&](const std::string& box) {
+    const auto result = resolve(mesh,
+                                "contact surface s contains block_1\ncontact node set n contains nodelist_1\n"
+                                "restrict contact to box defined by " +
+                                    box + "\n");
+    CHECK(result.messages == "");
+    return std::pair(result["s"].faces.size(), result["n"].nodes.size());
+  };
+  using Counts = std::pair<std::size_t, std::size_t>;
+  CHECK(n_in("-0.1 -0.1 -0.1 and 1.1 1.1 1.1") ==
+        Counts(3, 0));  // the three outer faces of the cube in the corner
+  CHECK(n_in("-0.1 -0.1 -0.1 and 2.1 3.1 4.1") == Counts(52, 12));
+  CHECK(n_in("0 0 0 and 2 3 4") == Counts(52, 12));
+  CHECK(n_in("2 3 4 and 0 0 0.1") == Counts(36, 12));  // 52 less the bottom's 6 and the lowest ring's 10
+  CHECK(n_in("0 0 3.9 and 1 2 4.1") == Counts(2, 6));
 }
 
 TEST_CASE("RESTRICT keeps lofted elements and nodes by their own nodes", "[contact][restrict]") {

@@ -79,12 +79,26 @@ TEST_CASE("surface commands keep the deck's order", "[parser][contact]") {
 TEST_CASE("contact can be restricted to a sphere once", "[parser][contact]") {
   const std::string line = "restrict contact to subdomain defined by radius 2.5 and point 1 2 3\n";
   const ContactSubdomain subdomain = bound_contact(line).contact.subdomain.value();
-  CHECK(subdomain.radius == 2.5);
-  CHECK(subdomain.point == Eigen::Vector3d(1.0, 2.0, 3.0));
+  const auto sphere = std::get<ContactSphere>(subdomain.shape);
+  CHECK(sphere.radius == 2.5);
+  CHECK(sphere.point == Eigen::Vector3d(1.0, 2.0, 3.0));
   CHECK(bound_contact("restrict contact to subdomain defined by radius 2.5 and point 1 2\n").messages ==
         "a.i:2:1: error: expected a number after 'restrict contact to subdomain defined by "
         "radius', found the end of the line\n");
   CHECK(bound_contact(line + line).messages.find("a second RESTRICT CONTACT in one contact definition") !=
+        std::string::npos);
+}
+
+TEST_CASE("contact can be restricted to a box once, by any two opposite corners", "[parser][contact]") {
+  const std::string line = "restrict contact to box defined by 1 5 -3 and 2 -4 0\n";
+  const auto box = std::get<ContactBox>(bound_contact(line).contact.subdomain.value().shape);
+  CHECK(box.lower == Eigen::Vector3d(1.0, -4.0, -3.0));
+  CHECK(box.upper == Eigen::Vector3d(2.0, 5.0, 0.0));
+  CHECK(bound_contact("restrict contact to box defined by 1 5 -3 to 2 -4 0\n").messages ==
+        "a.i:2:43: error: expected 'and' after 'restrict contact to box defined by', found 'to'\n");
+  CHECK(bound_contact("restrict contact to subdomain defined by radius 2.5 and point 1 2 3\n" + line)
+            .messages.find(
+                "a second RESTRICT CONTACT in one contact definition; the first stands at a.i:2:1") !=
         std::string::npos);
 }
 
