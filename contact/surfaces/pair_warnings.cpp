@@ -14,8 +14,18 @@ void PairWarnings::note(const PairKey& pair, const PairLayers::Overridden& overr
   overridden_[{overridden.is_by_exclusion, overridden.by, overridden.interaction}].push_back(pair);
 }
 
+void PairWarnings::note_both_sides(std::size_t interaction, std::uint32_t surface) {
+  both_sides_[interaction].insert(surface);
+}
+
+void PairWarnings::note_nodes(std::size_t interaction, std::uint32_t surface) {
+  nodes_[interaction].insert(surface);
+}
+
 void PairWarnings::add_to(const std::vector<PairExclusion>& exclusions, Diagnostics& diagnostics) const {
   for (const auto& [by, pairs] : overridden_) add_overridden(by, pairs, exclusions, diagnostics);
+  for (const auto& [interaction, surfaces] : both_sides_) add_both_sides(interaction, surfaces, diagnostics);
+  for (const auto& [interaction, surfaces] : nodes_) add_nodes(interaction, surfaces, diagnostics);
   for (const PairExclusion& exclusion : exclusions) {
     if (exclusion.has_effect) continue;
     diagnostics.add_warning(
@@ -40,6 +50,27 @@ void PairWarnings::add_overridden(const Case& by, const std::vector<PairKey>& pa
                   name_of_interaction(contact_, loser), surfaces_[a].name, surfaces_[b].name, more),
       is_by_exclusion ? fmt::format("exclusions win in any order; the interaction stands at {}", place)
                       : "the earlier one stands at " + place);
+}
+
+void PairWarnings::add_both_sides(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+                                  Diagnostics& diagnostics) const {
+  diagnostics.add_warning("one-sided-self", contact_.interactions[interaction].name.location,
+                          fmt::format("'{}' has {} on both sides; both give faces and nodes",
+                                      name_of_interaction(contact_, interaction), list(surfaces)),
+                          "a surface meets itself both ways: SURFACES with its name alone says so");
+}
+
+void PairWarnings::add_nodes(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+                             Diagnostics& diagnostics) const {
+  diagnostics.add_warning("node-set-face-face", contact_.interactions[interaction].name.location,
+                          fmt::format("'{}' asks for FACE_FACE of {}, a surface of nodes; NODE_FACE is taken",
+                                      name_of_interaction(contact_, interaction), list(surfaces)),
+                          "write CONSTRAINT FORMULATION = NODE_FACE, or make it a surface of faces");
+}
+
+std::string PairWarnings::list(const std::set<std::uint32_t>& surfaces) const {
+  const std::string more = surfaces.size() > 1 ? fmt::format(" and {} more", surfaces.size() - 1) : "";
+  return fmt::format("'{}'{}", surfaces_[*surfaces.begin()].name, more);
 }
 
 }  // namespace contactsim

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -33,7 +35,12 @@ class PairWarnings {
       : contact_(contact), surfaces_(surfaces) {}
 
   void note(const PairKey& pair, const PairLayers::Overridden& overridden);
-  /// Warnings "interaction-overridden" and "exclusion-without-effect".
+  /// An interaction puts a surface on both sides of NODE_FACE.
+  void note_both_sides(std::size_t interaction, std::uint32_t surface);
+  /// An interaction asks for FACE_FACE of a surface without faces.
+  void note_nodes(std::size_t interaction, std::uint32_t surface);
+  /// Warnings "interaction-overridden", "exclusion-without-effect", "one-sided-self" and
+  /// "node-set-face-face".
   void add_to(const std::vector<PairExclusion>& exclusions, Diagnostics& diagnostics) const;
 
  private:
@@ -42,9 +49,16 @@ class PairWarnings {
   void add_overridden(const Case& by, const std::vector<PairKey>& pairs,
                       const std::vector<PairExclusion>& exclusions, Diagnostics& diagnostics) const;
 
+  void add_both_sides(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+                      Diagnostics& diagnostics) const;
+  void add_nodes(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+                 Diagnostics& diagnostics) const;
+  std::string list(const std::set<std::uint32_t>& surfaces) const;
+
   const ContactDefinition& contact_;
   const std::vector<ContactSurface>& surfaces_;
   std::map<Case, std::vector<PairKey>> overridden_;
+  std::map<std::size_t, std::set<std::uint32_t>> both_sides_, nodes_;  // by interaction
 };
 
 }  // namespace contactsim

@@ -75,6 +75,8 @@ class PairMaker {
 
  private:
   SurfacePair pair_of(std::size_t index) const;
+  /// Notes what a settled pair is not that its interaction asks for.
+  void note_what_differs(std::size_t index, const Meeting& meeting, const SurfacePair& settled);
 
   const ContactDefinition& contact_;
   const std::vector<ContactSurface>& surfaces_;
@@ -83,6 +85,7 @@ class PairMaker {
   PairSettings defaults_;
   std::map<PairKey, PairLayers> layers_;
   std::vector<PairExclusion> exclusions_;
+  PairWarnings warnings_;
 };
 
 PairMaker::PairMaker(const ContactDefinition& contact, const ContactSurfaces& surfaces,
@@ -91,7 +94,8 @@ PairMaker::PairMaker(const ContactDefinition& contact, const ContactSurfaces& su
       surfaces_(surfaces.surfaces),
       diagnostics_(diagnostics),
       meetings_(surfaces.surfaces),
-      defaults_(shared_settings(contact)) {
+      defaults_(shared_settings(contact)),
+      warnings_(contact, surfaces.surfaces) {
   if (contact.interaction_defaults) defaults_ = with_defaults(contact.interaction_defaults->pair, defaults_);
 }
 
@@ -142,7 +146,9 @@ void PairMaker::add_interaction(std::size_t index) {
   const auto meetings = meetings_.meetings_of(interaction);
   bool is_served = meetings.empty();
   for (const auto& [key, meeting] : meetings) {
-    is_served = is_served || meetings_.has_empty_side(meeting);
+    const bool has_empty_side = meetings_.has_empty_side(meeting);
+    is_served = is_served || has_empty_side;
+    if (excludes && has_empty_side) exclusions_.back().has_effect = true;  // that is told of the surface
     if (!meetings_.can_meet(meeting)) continue;
     is_served = true;
     if (excludes) {
@@ -151,6 +157,7 @@ void PairMaker::add_interaction(std::size_t index) {
     }
     SurfacePair own = pair;
     meetings_.settle(meeting, own);
+    note_what_differs(index, meeting, own);
     layers_[key].add(std::move(own), index);
   }
   if (is_served) return;
@@ -158,24 +165,33 @@ void PairMaker::add_interaction(std::size_t index) {
                          "a node set meets faces only, an analytic plane faces and nodes only");
 }
 
+void PairMaker::note_what_differs(std::size_t index, const Meeting& meeting, const SurfacePair& settled) {
+  if (settled.formulation == ConstraintFormulation::face_face) return;
+  if (meeting.has_sides && meeting.first == meeting.second) warnings_.note_both_sides(index, meeting.first);
+  if (contact_.interactions[index].pair.formulation != ConstraintFormulation::face_face) return;
+  for (const std::uint32_t surface : {meeting.first, meeting.second}) {
+    if (surfaces_[surface].kind == SurfaceKind::node) warnings_.note_nodes(index, surface);
+  }
+}
+
 void PairMaker::add_exclusion(const SurfaceExclusion& exclusion) {
   exclusions_.push_back({"EXCLUDE SURFACES", exclusion.location});
   for (const auto& [key, meeting] : meetings_.meetings_of(exclusion)) {
+    if (meetings_.has_empty_side(meeting)) exclusions_.back().has_effect = true;
     if (meetings_.can_meet(meeting)) layers_[key].exclude({}, exclusions_.size() - 1);
   }
 }
 
 std::vector<SurfacePair> PairMaker::take() {
   std::vector<SurfacePair> pairs;
-  PairWarnings warnings(contact_, surfaces_);
   for (auto& [key, layers] : layers_) {
     if (!layers.is_empty()) {
       for (const std::size_t exclusion : layers.exclusions()) exclusions_[exclusion].has_effect = true;
     }
-    for (const auto& overridden : layers.overridden()) warnings.note(key, overridden);
+    for (const auto& overridden : layers.overridden()) warnings_.note(key, overridden);
     std::ranges::move(layers.take(), std::back_inserter(pairs));
   }
-  warnings.add_to(exclusions_, diagnostics_);
+  warnings_.add_to(exclusions_, diagnostics_);
   // What stands in for an interaction outside its periods comes after it.
   std::stable_sort(pairs.begin(), pairs.end(), [](const SurfacePair& a, const SurfacePair& b) {
     return std::tie(a.first, a.second, a.is_from_defaults) < std::tie(b.first, b.second, b.is_from_defaults);

@@ -241,13 +241,13 @@ TEST_CASE("ALL of a side is every other surface, and itself too where that is ex
         "b c frictionless face_face (interaction 1)\n"
         "b n frictionless node_face one-sided (interaction 1)\n"
         "b m frictionless node_face one-sided (interaction 1)\n");
-  CHECK(pairs_of(
-            "begin interaction\n side a = all b\n side b = b\n constraint formulation = node_face\nend\n") ==
+  CHECK(pair_up("begin interaction\n side a = all b\n side b = b\n constraint formulation = node_face\nend\n")
+            .text ==
         "a b frictionless node_face one-sided (interaction 1)\n"
         "b b frictionless node_face (interaction 1)\n"
-        "c b frictionless node_face one-sided (interaction 1)\n"
         "b n frictionless node_face one-sided (interaction 1)\n"
-        "b m frictionless node_face one-sided (interaction 1)\n");
+        "b m frictionless node_face one-sided (interaction 1)\n"
+        "c b frictionless node_face one-sided (interaction 1)\n");
   CHECK(pairs_of(
             "begin interaction defaults\n general contact = on\n self contact = on\n surfaces = a b n\nend\n"
             "begin interaction\n side a = all\n side b = b\n interaction behavior = no_interaction\nend\n") ==
@@ -298,10 +298,33 @@ TEST_CASE("sides make one-way pairs of faces and nodes, unless faces meet faces"
   CHECK(pairs_of("begin interaction\n side a = c\n side b = a n\nend\n") ==
         "a c frictionless face_face (interaction 1)\n"
         "c n frictionless node_face one-sided (interaction 1)\n");
-  CHECK(pairs_of("begin interaction\n side a = a b\n side b = b a\n" + node_face) ==
+}
+
+TEST_CASE("a surface on both sides meets itself both ways, with a warning", "[contact][pairs]") {
+  const std::string sides = "begin interaction\n side a = a b\n side b = b a\n";
+  const Paired paired = pair_up(sides + " constraint formulation = node_face\nend\n");
+  CHECK(paired.text ==
         "a a frictionless node_face (interaction 1)\n"
         "a b frictionless node_face (interaction 1)\n"
         "b b frictionless node_face (interaction 1)\n");
+  CHECK(paired.messages ==
+        "c.i:6:1: warning: 'interaction 1' has 'a' and 1 more on both sides; both give faces and nodes; a "
+        "surface "
+        "meets itself both ways: SURFACES with its name alone says so [one-sided-self]\n");
+  CHECK(pair_up(sides + "end\n").messages == "");
+}
+
+TEST_CASE("FACE_FACE asked for of a surface of nodes is told", "[contact][pairs]") {
+  const Paired paired =
+      pair_up("begin interaction rub\n surfaces = a b n\n constraint formulation = face_face\nend\n");
+  CHECK(paired.text ==
+        "a b frictionless face_face (rub)\n"
+        "a n frictionless node_face one-sided (rub)\n"
+        "b n frictionless node_face one-sided (rub)\n");
+  CHECK(paired.messages ==
+        "c.i:6:19: warning: 'rub' asks for FACE_FACE of 'n', a surface of nodes; NODE_FACE is taken; write "
+        "CONSTRAINT FORMULATION = NODE_FACE, or make it a surface of faces [node-set-face-face]\n");
+  CHECK(pair_up("begin interaction\n surfaces = a n\nend\n").messages == "");
 }
 
 TEST_CASE("planes meet faces and nodes, never each other or themselves", "[contact][pairs]") {

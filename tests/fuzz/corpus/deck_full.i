@@ -92,6 +92,7 @@ begin sierra fuzz me
         begin interaction defaults
           general contact = on
           self contact = off
+          exclude surfaces = s ALL
           friction model = mu
         end interaction defaults
         begin interaction one
