@@ -76,11 +76,11 @@ TEST_CASE("in every period the last layer that acts holds, unless excluded", "[c
   for (int round = 0; round < 200; ++round) {
     PairLayers layers;
     std::vector<ActivePeriods> added, excluded;
-    for (unsigned i = random() % 4 + 1; i > 0; --i) {
+    for (auto i = random() % 4 + 1; i > 0; --i) {
       added.push_back(any());
       layers.add(pair_of(std::to_string(added.size() - 1), added.back()), added.size() - 1);
     }
-    for (unsigned i = random() % 3; i > 0; --i) {
+    for (auto i = random() % 3; i > 0; --i) {
       excluded.push_back(any());
       layers.exclude(excluded.back(), excluded.size() - 1);
     }
