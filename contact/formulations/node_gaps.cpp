@@ -15,7 +15,7 @@ namespace contactsim {
 namespace {
 
 /// A node that stands beside a face by this share of its size counts as over it.
-constexpr double beside = 0.02;
+constexpr double beside_face = 0.02;
 
 class NodeGaps {
  public:
@@ -40,7 +40,7 @@ class NodeGaps {
     if (!pair || !rules_[*pair].is_active) return;
     const MovingFace moving = kinematics_.face(face_index);
     const auto point = project_sphere(moving.x, moving.is_triangle, kinematics_.x(node.node), node.radius);
-    if (!point || point->beyond > beside * kinematics_.bound(face_index).radius()) return;
+    if (!point || point->beyond > beside_face * kinematics_.bound(face_index).radius()) return;
     if (!is_facing(kinematics_, node, point->normal)) return;
     take(point->gap - offset, rules_[*pair], node.node);
   }
