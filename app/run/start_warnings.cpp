@@ -134,6 +134,36 @@ void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
   }
 }
 
+void warn_of_gaps(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
+  std::set<std::string> reported;
+  const auto warn = [&](const SurfacePair& pair, const char* id, const std::string& text, const char* hint) {
+    if (reported.insert(id + to_string(pair.location)).second)
+      warnings.add_warning(id, pair.location, text, hint);
+  };
+  for (std::uint32_t i = 0; i < contact.pairs.size(); ++i) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (pair.gap == GapSettings{}) continue;
+    if (force.rules()[i].only_ties()) {
+      warn(
+          pair, "gap-without-effect",
+          fmt::format("{}: ties keep the gap that they find, whatever it counts as", names_of(pair, contact)),
+          "GAP CLOSURE TOLERANCE moves the nodes before the tie is made");
+      continue;
+    }
+    if (!pair.gap.initial_clearance) continue;
+    const StartGapSummary start = force.rules().gap_offsets().summarize_start(i);
+    if (start.n == 0 && !pair.is_from_defaults)
+      warn(pair, "clearance-empty",
+           fmt::format("{}: nothing is near enough to have the INITIAL CLEARANCE", names_of(pair, contact)),
+           "the pair table has the smallest gap; NORMAL TOLERANCE says how far the search reaches");
+    if (start.n_far > 0)
+      warn(pair, "clearance-far",
+           fmt::format("{}: {:.3g} counts as a gap of up to {:.3g}, more than faces are wide there",
+                       names_of(pair, contact), *pair.gap.initial_clearance, start.widest),
+           "a smaller NORMAL TOLERANCE leaves sides out that are far apart");
+  }
+}
+
 void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
   std::vector<std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
   for (const ContactEdge& edge : force.contact_mesh().edges) {

@@ -57,7 +57,7 @@ std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, cons
         *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
     const auto gap = gap_of_node(kinematics, *rules[pair].pair, row, face);
     if (!gap || (nearest && std::abs(*gap) >= std::abs(nearest->mean))) continue;
-    nearest = StartGap{row, pair, *gap, *gap, 1.0};
+    nearest = StartGap{row, pair, *gap, *gap, contact_mesh.surface_nodes[row].area};
   }
   return nearest;
 }

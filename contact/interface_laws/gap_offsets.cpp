@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <tuple>
 
@@ -14,9 +15,11 @@ namespace {
 
 /// Joins what is known of one entity and pair from several partners.
 void add(const StartGap& more, StartGap& gap) {
-  gap.mean = (gap.mean * gap.area + more.mean * more.area) / (gap.area + more.area);
+  const double area = gap.area + more.area;
+  gap.mean =
+      area > 0.0 ? (gap.mean * gap.area + more.mean * more.area) / area : std::min(gap.mean, more.mean);
   gap.smallest = std::min(gap.smallest, more.smallest);
-  gap.area += more.area;
+  gap.area = area;
 }
 
 /// The gaps of what is still there, by its new numbers.
@@ -115,6 +118,20 @@ void GapOffsets::set_gaps(FoundStartGaps found) {
   nodes_.set(std::move(found.nodes));
   edges_.set(std::move(found.edges));
   set_reach();
+}
+
+StartGapSummary GapOffsets::summarize_start(std::uint32_t pair) const {
+  StartGapSummary summary;
+  for (const StartGaps* gaps : {&faces_, &nodes_, &edges_}) {
+    for (const StartGap& gap : gaps->all()) {
+      if (gap.pair != pair) continue;
+      ++summary.n;
+      if (gaps == &edges_ || !(gap.mean * gap.mean > gap.area)) continue;
+      ++summary.n_far;
+      summary.widest = std::max(summary.widest, std::abs(gap.mean));
+    }
+  }
+  return summary;
 }
 
 void GapOffsets::activate(double time) {

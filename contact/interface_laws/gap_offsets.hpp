@@ -20,7 +20,14 @@ struct StartGap {
   std::uint32_t entity = 0, pair = 0;
   double mean = 0.0;      ///< over the area in which the sides face each other [length]
   double smallest = 0.0;  ///< < 0 overlaps [length]
-  double area = 0.0;      ///< of which the mean is; of nodes and edges any [length^2]
+  double area = 0.0;      ///< of which the mean is; of a node its own; of edges any [length^2]
+};
+
+/// The start gaps of a pair, all together.
+struct StartGapSummary {
+  std::size_t n = 0;      ///< of faces, nodes and edges
+  std::size_t n_far = 0;  ///< faces and nodes with a gap wider than they are
+  double widest = 0.0;    ///< gap of these, either way [length]
 };
 
 /// Gaps of the start by the kind of what they are of, in any order.
@@ -79,6 +86,7 @@ class GapOffsets {
   /// Whether the gaps of a pair, or of any, have to be known at the start.
   bool needs_start(std::uint32_t pair) const { return rules_[pair].settings.needs_start(); }
   bool needs_start() const;
+  StartGapSummary summarize_start(std::uint32_t pair) const;
   /// Takes the gaps of the start, on the mesh as it is. Ramps begin at this time.
   void set_start(FoundStartGaps found, double time);
 

@@ -77,7 +77,7 @@ void NodePlaneContacts::add_start_gaps(const ContactStepContext& context, FoundS
     const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
     const double reach = pair.normal_tolerance.value_or(near_share * node.penalty_properties.thickness);
     const double gap = gap_of(context.kinematics, candidate);
-    if (gap <= reach) gaps.nodes.push_back({candidate.node, candidate.pair, gap, gap, 1.0});
+    if (gap <= reach) gaps.nodes.push_back({candidate.node, candidate.pair, gap, gap, node.area});
   }
 }
 

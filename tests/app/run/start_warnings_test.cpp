@@ -112,6 +112,27 @@ TEST_CASE("tied solids, and a rod tied to a solid, are nothing to tell", "[app][
   CHECK_THAT(warnings_of(rod_on_block(), general("tied")), !Contains("edges-without-law"));
 }
 
+TEST_CASE("lines about gaps that do nothing are told", "[app][gaps]") {
+  const auto pair = [](const std::string& lines) {
+    return "contact surface low contains block_1\ncontact surface high contains block_2\n"
+           "begin interaction\nsurfaces = low high\n" +
+           lines + "end\n";
+  };
+  const auto apart = [](double gap) {
+    return MeshBuilder()
+        .add_hexes({.id = 1, .cells = {2, 2, 2}})
+        .add_hexes({.id = 2, .cells = {2, 2, 2}, .origin = {0, 0, 1.0 + gap}, .share_nodes = false})
+        .build();
+  };
+  CHECK_THAT(warnings_of(apart(0.0), pair("friction model = tied\ncontact offset = 0.1\n")),
+             Contains("[gap-without-effect]"));
+  CHECK_THAT(warnings_of(apart(3.0), pair("initial clearance = 0.1\n")), Contains("[clearance-empty]"));
+  CHECK_THAT(warnings_of(apart(1.0), pair("initial clearance = 0.1\nnormal tolerance = 2\n")),
+             Contains("[clearance-far]"));
+  const std::string sound = warnings_of(apart(0.01), pair("initial clearance = 0.1\n"));
+  CHECK_THAT(sound, !Contains("clearance-") && !Contains("gap-without-effect"));
+}
+
 TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][ties]") {
   using contactsim::test::CandidateSide;
   const auto sides = [](double overhang) {
