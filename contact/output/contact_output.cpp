@@ -29,8 +29,10 @@ std::vector<double> find_rest_status(const ContactModel& contact, const Mesh& me
 }
 
 void add(const ContactTotal& part, ContactTotal& sum) {
-  sum.force += part.force;
-  sum.moment += part.moment;
+  sum.normal_force += part.normal_force;
+  sum.friction_force += part.friction_force;
+  sum.normal_moment += part.normal_moment;
+  sum.friction_moment += part.friction_moment;
   sum.centre += part.centre;
   sum.normal_sum += part.normal_sum;
   sum.area += part.area;
@@ -45,8 +47,10 @@ void add(const NodeFriction& point, NodeFriction& sum) {
 
 /// The same on the other side.
 ContactTotal opposite(ContactTotal total) {
-  total.force = -total.force;
-  total.moment = -total.moment;
+  total.normal_force = -total.normal_force;
+  total.friction_force = -total.friction_force;
+  total.normal_moment = -total.normal_moment;
+  total.friction_moment = -total.friction_moment;
   return total;
 }
 
@@ -165,8 +169,14 @@ void ContactOutput::evaluate(const State& state) {
   for (std::size_t i = 0; i < histories.size(); ++i) {
     const SurfacePair& pair = contact_.pairs[i];
     ContactTotal* const of_pair = &pairs_[find_total(contact_.pairs, i)];
-    for (ContactTotal* total : {of_pair, &surfaces_[pair.first], &surfaces_[pair.second]})
-      total->penetration = std::max(total->penetration, histories[i].deepest);
+    const auto add_history = [&](ContactTotal& total) {
+      total.penetration = std::max(total.penetration, histories[i].deepest);
+      total.energy += histories[i].taken + histories[i].ramped;
+      total.friction += histories[i].friction_work;
+    };
+    add_history(*of_pair);
+    add_history(surfaces_[pair.first]);
+    if (pair.first != pair.second) add_history(surfaces_[pair.second]);
   }
   for (const ContactPoint& point : force_.points()) add_place(point);
   for (const ConstraintForces& held : force_.constraint_forces()) add_tie(held.constraint, held.forces);
@@ -207,8 +217,7 @@ void ContactOutput::add_place(const ContactPoint& contact_point) {
     point_position += contact_point.first.weights[static_cast<Eigen::Index>(k)] *
                       force_.position(contact_point.first.nodes[k]);
   ContactTotal total;
-  total.force = contact_point.force_on_first();
-  total.moment = point_position.cross(total.force);
+  total.add(point_position, contact_point.force * contact_point.normal, contact_point.tangential);
   total.normal_sum = contact_point.force;
   total.centre = contact_point.force * point_position;
   total.area = contact_point.area;
@@ -217,6 +226,7 @@ void ContactOutput::add_place(const ContactPoint& contact_point) {
 
 void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side,
                                  double sign) {
+  const bool has_friction = force_.rules().of(contact_point).friction > 0.0;
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
     if (weight == 0.0) continue;
@@ -229,6 +239,8 @@ void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const Contac
     }
     if (!contact_point.touches()) continue;
     node.status = 1.0;
+    if (has_friction)
+      node.slip_status = std::max(node.slip_status, contact_point.dissipated > 0.0 ? 2.0 : 1.0);
     node.normal += sign * weight * contact_point.force * contact_point.normal;
     node.tangential += sign * weight * contact_point.tangential;
     node.area += weight * contact_point.area;
@@ -246,15 +258,14 @@ void ContactOutput::add_tie(const InterfaceConstraint& tie, const CornerForces& 
                                 tie.nodes.begin() + static_cast<int>(k), tie.nodes[k]);
     NodeContact& node = nodes_[force_.contact_mesh().first_alike[tie.nodes[k]]];
     const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
-    node.status = 1.0;
+    node.status = node.slip_status = 1.0;
     node.interaction = tie.pair + 1.0;
     node.normal += normal;
     node.tangential += force - normal;
     const bool is_repeated = same != tie.nodes.begin() + static_cast<int>(k);
     if (!is_repeated) node.area += tie.area * tie_share(tie, is_first);
     if (!is_first) continue;
-    total.force += force;
-    total.moment += force_.position(tie.nodes[k]).cross(force);
+    total.add(force_.position(tie.nodes[k]), normal, force - normal);
     total.normal_sum += std::abs(normal.norm());
     total.centre += normal.norm() * force_.position(tie.nodes[k]);
   }

@@ -26,6 +26,7 @@ struct NodeContact {
   double interaction = 0.0;     ///< number of its last pair in the log's table, 0 of none [1]
   double surface_area = 0.0;    ///< its share of its surface at the start [length^2]
   double slip_rate = 0.0;       ///< of the last step [length/time]
+  double slip_status = 0.0;     ///< 2 slips, 1 is held along the surface, 0 neither [1]
   NodeFriction friction;        ///< since the start
 };
 
@@ -41,14 +42,29 @@ struct ContactNodeRow {
 /// Source: Sierra/SM 5.22, 8.10 and 9.
 std::span<const ContactNodeRow> contact_node_rows();
 
-/// Force, moment, centre and area of contact on a surface, or on the first surface of a pair.
+/// Force, moment, centre and area of contact on a surface, or on the first surface of a pair. Both parts of
+/// the force and of the moment, along the normals and along the surface, add up to the whole.
 struct ContactTotal {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the origin [force length]
+  Eigen::Vector3d normal_force = Eigen::Vector3d::Zero();     ///< [force]
+  Eigen::Vector3d friction_force = Eigen::Vector3d::Zero();   ///< [force]
+  Eigen::Vector3d normal_moment = Eigen::Vector3d::Zero();    ///< about the origin [force length]
+  Eigen::Vector3d friction_moment = Eigen::Vector3d::Zero();  ///< the same [force length]
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< places times normal forces, summed [force length]
   double normal_sum = 0.0;                           ///< of the sizes of normal forces [force]
   double area = 0.0;                                 ///< that touches [length^2]
   double penetration = 0.0;                          ///< deepest since the start [length]
+  double energy = 0.0;    ///< taken from the bodies since the start, < 0 given to them [energy]
+  double friction = 0.0;  ///< lost to friction since the start [energy]
+
+  Eigen::Vector3d force() const { return normal_force + friction_force; }
+  Eigen::Vector3d moment() const { return normal_moment + friction_moment; }
+  /// Adds a force at a place.
+  void add(const Eigen::Vector3d& place, const Eigen::Vector3d& normal, const Eigen::Vector3d& along) {
+    normal_force += normal;
+    friction_force += along;
+    normal_moment += place.cross(normal);
+    friction_moment += place.cross(along);
+  }
 };
 
 /// Row of the table of global contact variables: one of each surface, name_<surface>, and of each pair,

@@ -17,6 +17,19 @@ void set_direction(const Eigen::Vector3d& vector, double* values) {
   set(length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(), values);
 }
 
+/// The point of the line of action of a force that is nearest to the centre: of all places at which the force
+/// alone would have the moment, but for the part of it along the force. Source: least moment, as of the
+/// wrench in Featherstone, Rigid Body Dynamics Algorithms (2008), 2.4; XN, XS, XT of Abaqus.
+void set_line_point(const ContactTotal& total, const Eigen::Vector3d& force, const Eigen::Vector3d& moment,
+                    double* values) {
+  const double square = force.squaredNorm();
+  if (!(square > 0.0)) return set(Eigen::Vector3d::Zero(), values);
+  const Eigen::Vector3d foot = force.cross(moment) / square;  // nearest to the origin
+  const Eigen::Vector3d centre =
+      total.normal_sum > 0.0 ? Eigen::Vector3d(total.centre / total.normal_sum) : foot;
+  set(foot + force.dot(centre - foot) / square * force, values);
+}
+
 void set_centre(const ContactTotal& total, double* values) {
   const bool touches = total.normal_sum > 0.0;
   set(touches ? Eigen::Vector3d(total.centre / total.normal_sum) : Eigen::Vector3d::Zero(), values);
@@ -73,6 +86,8 @@ std::span<const ContactNodeRow> contact_node_rows() {
                      "Area that touches, the node's share [length^2]"},
       ContactNodeRow{"contact_interaction", scalar, [](N n, double* v) { *v = n.interaction; },
                      "Number of the pair in the log's table, the last of several; 0 of none [1]"},
+      ContactNodeRow{"contact_slip_status", scalar, [](N n, double* v) { *v = n.slip_status; },
+                     "2 slips, 1 is held along the surface by friction or a tie, 0 neither [1]"},
   };
   return rows;
 }
@@ -81,15 +96,36 @@ std::span<const ContactTotalRow> contact_total_rows() {
   using T = const ContactTotal&;
   constexpr auto scalar = FieldShape::scalar, vector = FieldShape::vector;
   static constexpr std::array rows{
-      ContactTotalRow{"contact_force", vector, [](T t, double* v) { set(t.force, v); },
+      ContactTotalRow{"contact_force", vector, [](T t, double* v) { set(t.force(), v); },
                       "On the surface, or on the first of two [force]"},
-      ContactTotalRow{"contact_moment", vector, [](T t, double* v) { set(t.moment, v); },
-                      "Of that about the origin [force length]"},
+      ContactTotalRow{"contact_normal_force", vector, [](T t, double* v) { set(t.normal_force, v); },
+                      "Of that what acts along normals [force]"},
+      ContactTotalRow{"contact_friction_force", vector, [](T t, double* v) { set(t.friction_force, v); },
+                      "Of that what acts along the surface [force]"},
+      ContactTotalRow{"contact_moment", vector, [](T t, double* v) { set(t.moment(), v); },
+                      "Of the force about the origin [force length]"},
+      ContactTotalRow{"contact_normal_moment", vector, [](T t, double* v) { set(t.normal_moment, v); },
+                      "Of the normal force about the origin [force length]"},
+      ContactTotalRow{"contact_friction_moment", vector, [](T t, double* v) { set(t.friction_moment, v); },
+                      "Of the friction force about the origin [force length]"},
+      ContactTotalRow{
+          "contact_line_point", vector, [](T t, double* v) { set_line_point(t, t.force(), t.moment(), v); },
+          "Point of the line of action of the force nearest to the centre, 0 without any [length]"},
+      ContactTotalRow{"contact_normal_line_point", vector,
+                      [](T t, double* v) { set_line_point(t, t.normal_force, t.normal_moment, v); },
+                      "The same of the normal force [length]"},
+      ContactTotalRow{"contact_friction_line_point", vector,
+                      [](T t, double* v) { set_line_point(t, t.friction_force, t.friction_moment, v); },
+                      "The same of the friction force [length]"},
       ContactTotalRow{"contact_centre", vector, set_centre,
                       "Mean place by normal force, 0 without any [length]"},
       ContactTotalRow{"contact_area", scalar, [](T t, double* v) { *v = t.area; }, "That touches [length^2]"},
       ContactTotalRow{"contact_penetration_max", scalar, [](T t, double* v) { *v = t.penetration; },
                       "Deepest penetration of what has touched since the start [length]"},
+      ContactTotalRow{"contact_energy", scalar, [](T t, double* v) { *v = t.energy; },
+                      "Taken from the bodies since the start, < 0 given to them [energy]"},
+      ContactTotalRow{"friction_energy", scalar, [](T t, double* v) { *v = t.friction; },
+                      "Lost to friction since the start [energy]"},
   };
   return rows;
 }

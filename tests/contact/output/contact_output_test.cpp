@@ -102,6 +102,11 @@ TEST_CASE("nodes and totals of a cube pressed on a plate have the values of the 
   CHECK((bodies.global("contact_moment_high") - Vector3d(15, -15, 0)).norm() < 1e-9);
   CHECK((bodies.global("contact_moment_low") + bodies.global("contact_moment_high")).norm() < 1e-9);
   CHECK((bodies.global("contact_centre_high").head<2>() - Eigen::Vector2d(1.5, 1.5)).norm() < 1e-12);
+  CHECK((bodies.global("contact_line_point_high") - bodies.global("contact_centre_high")).norm() < 1e-9);
+  CHECK((bodies.global("contact_normal_line_point_high") - bodies.global("contact_centre_high")).norm() <
+        1e-9);
+  CHECK(bodies.global("contact_friction_line_point_high").norm() == 0.0);
+  CHECK(bodies.nodal("contact_slip_status").maxCoeff() == 1.0);
   CHECK(bodies.global("contact_area_high").x() == Approx(1.0));
   CHECK(bodies.nodal("contact_normal_force_magnitude").row(0).sum() == Approx(20.0));
   CHECK(bodies.nodal("contact_area").row(0).sum() == Approx(2.0));
@@ -172,6 +177,15 @@ TEST_CASE("slips, friction energy and rates of a cube that slides add up to what
     CHECK((force - bodies.force_on(1)).norm() < 1e-10);
     CHECK((force + bodies.global("contact_force_low")).norm() < 1e-10);
   }
+  CHECK((bodies.global("contact_normal_force_high") - Vector3d(0, 0, 10)).norm() < 1e-3);
+  CHECK((bodies.global("contact_friction_force_high") - Vector3d(-5, 0, 0)).norm() < 1e-3);
+  CHECK((bodies.global("contact_friction_force_low") - Vector3d(5, 0, 0)).norm() < 1e-3);
+  CHECK((bodies.global("contact_normal_moment_high") + bodies.global("contact_friction_moment_high") -
+         bodies.global("contact_moment_high"))
+            .norm() < 1e-12);
+  CHECK(bodies.global("friction_energy_low_high").x() == Approx(lost));
+  CHECK(bodies.global("friction_energy_low").x() == Approx(lost));
+  CHECK(bodies.nodal("contact_slip_status").maxCoeff() == 2.0);
   // It slips from 0.005 on, where the spring of 1000 holds 5.
   CHECK(lost == Approx(5.0 * (0.1 - 0.005)).epsilon(1e-3));  // slivers on new partners wait for a step
   CHECK(bodies.nodal("contact_frictional_energy").row(0).sum() == Approx(lost));
