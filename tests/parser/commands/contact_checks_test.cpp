@@ -123,6 +123,23 @@ TEST_CASE("a friction model and a friction coefficient contradict each other", "
         "of FRICTION COEFFICIENT and FRICTION MODEL; the first stands at a.i:5:1\n");
 }
 
+TEST_CASE("a pair says once what its start counts as", "[parser][contact][gaps]") {
+  const auto messages = [](const std::string& block, const std::string& lines) {
+    return contact_name_messages("contact surface s contains b\nbegin " + block + "\n" + lines + "end\n");
+  };
+  CHECK(
+      messages("interaction", "surfaces = s\nignore initial overlap = on\noverlap ramp time = 1\n") ==
+      "a.i:6:1: error: the interaction says twice what overlaps and gaps of the start count as; keep one of "
+      "INITIAL CLEARANCE, IGNORE INITIAL OVERLAP and OVERLAP RAMP TIME; the first stands at a.i:5:1\n");
+  const std::string both = "clearance = 1\ncontact offset = 1\n";
+  CHECK(messages("interaction", "surfaces = s\n" + both) ==
+        "a.i:3:1: error: the interaction has both CONTACT OFFSET and INITIAL CLEARANCE; the clearance is the "
+        "gap "
+        "that counts: leave the offset out\n");
+  CHECK_THAT(messages("interaction defaults", both),
+             Catch::Matchers::Contains("has both CONTACT OFFSET and INITIAL CLEARANCE"));
+}
+
 TEST_CASE("the periods of contact and of its interactions must be defined", "[parser][contact]") {
   CHECK(contact_name_messages("contact surface s contains b\nactive periods = p1 q1\nbegin interaction\n"
                               "surfaces = s\ninactive periods = q2 p2\nend\n") ==

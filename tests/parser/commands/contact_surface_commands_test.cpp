@@ -95,7 +95,7 @@ TEST_CASE("contact can be restricted to a box once, by any two opposite corners"
   CHECK(box.lower == Eigen::Vector3d(1.0, -4.0, -3.0));
   CHECK(box.upper == Eigen::Vector3d(2.0, 5.0, 0.0));
   CHECK(bound_contact("restrict contact to box defined by 1 5 -3 to 2 -4 0\n").messages ==
-        "a.i:2:43: error: expected 'and' after 'restrict contact to box defined by', found 'to'\n");
+        "a.i:2:43: error: expected 'and' in 'restrict contact to box defined by', found 'to'\n");
   CHECK(bound_contact("restrict contact to subdomain defined by radius 2.5 and point 1 2 3\n" + line)
             .messages.find(
                 "a second RESTRICT CONTACT in one contact definition; the first stands at a.i:2:1") !=

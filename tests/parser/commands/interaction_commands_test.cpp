@@ -163,19 +163,6 @@ TEST_CASE("pairs and their defaults say what gaps count as", "[parser][interacti
   CHECK(others.contact.interactions.at(1).pair.adjusted_nodes.value().text == "n");
 }
 
-TEST_CASE("a pair says once what its start counts as", "[parser][interaction][gaps]") {
-  CHECK(
-      bound_contact("begin interaction i\nsurfaces = a b\nignore initial overlap = on\n"
-                    "overlap ramp time = 1\nend\n")
-          .messages ==
-      "a.i:5:1: error: the interaction 'i' says twice what overlaps and gaps of the start count as; keep "
-      "one of INITIAL CLEARANCE, IGNORE INITIAL OVERLAP and OVERLAP RAMP TIME; the first stands at a.i:4\n");
-  CHECK(bound_contact("begin interaction i\nsurfaces = a b\nclearance = 1\ncontact offset = 1\nend\n")
-            .messages ==
-        "a.i:2:1: error: the interaction 'i' has both CONTACT OFFSET and INITIAL CLEARANCE; the clearance is "
-        "the gap that counts: leave the offset out\n");
-}
-
 TEST_CASE("lines of other algorithms are ignored with a reason", "[parser][interaction]") {
   const BoundContact bound = bound_contact(
       "begin interaction\nsurfaces = a b\nkinematic partition = 0.5\nautomatic kinematic partition\n"
