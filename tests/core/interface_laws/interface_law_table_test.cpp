@@ -120,8 +120,8 @@ TEST_CASE("what may follow a failed weld slides", "[core][interface_laws]") {
   for (const InterfaceLawRow& row : interface_law_rows()) {
     if (row.slides()) sliding.insert(row.name);
   }
-  CHECK(sliding ==
-        std::set<std::string>{"frictionless", "constant friction", "adhesion", "junction", "pv dependent"});
+  CHECK(sliding == std::set<std::string>{"frictionless", "constant friction", "stick", "adhesion", "junction",
+                                         "pv dependent"});
 }
 
 TEST_CASE("friction by pressure and speed falls from the static to the dynamic coefficient",

@@ -23,7 +23,8 @@ ParameterValues values_of(const std::string& type, const std::string& lines = ""
 }  // namespace
 
 TEST_CASE("models without parameters are empty blocks", "[parser][friction]") {
-  for (const char* type : {"frictionless", "tied", "stick", "glued"}) CHECK(values_of(type).parameters().empty());
+  for (const char* type : {"frictionless", "tied", "stick", "glued"})
+    CHECK(values_of(type).parameters().empty());
 }
 
 TEST_CASE("every line of every law is read into its parameter", "[parser][friction][conformance]") {
