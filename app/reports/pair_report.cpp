@@ -70,15 +70,22 @@ std::string format_start(const ContactModel& model, std::span<const SurfaceSumma
                      starts.empty() ? "-" : fmt::to_string(starts[i].n_in_reach));
 }
 
+/// Calls write(pair) for the first pair of every interaction, in order.
+template <class Write>
+void for_each_interaction(const ContactModel& model, const Write& write) {
+  std::set<std::pair<std::string, std::string>> reported;
+  for (const SurfacePair& pair : model.pairs) {
+    if (reported.insert({pair.interaction, to_string(pair.location)}).second) write(pair);
+  }
+}
+
 /// Every interaction that has a pair, once, in the order of its first pair.
 std::string format_settings(const ContactModel& model) {
   std::string text = fmt::format(settings_format, "", "", "", "", "normal", "tangential", "overlap",
                                  "overlap", "capture", "penalty", "penalty", "damping");
   text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance",
                       "tolerance", "normal", "tangential", "tolerance", "scale", "stiffness", "fraction");
-  std::set<std::pair<std::string, std::string>> reported;
-  for (const SurfacePair& pair : model.pairs) {
-    if (!reported.insert({pair.interaction, to_string(pair.location)}).second) continue;
+  for_each_interaction(model, [&](const SurfacePair& pair) {
     const bool is_fixed = pair.behavior == InteractionBehavior::infinitesimal_sliding;
     text += fmt::format(
         settings_format, pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
@@ -87,7 +94,7 @@ std::string format_settings(const ContactModel& model) {
         number_or(pair.overlap_normal_tolerance, "auto"),
         number_or(pair.overlap_tangential_tolerance, "auto"), number_or(pair.capture_tolerance, "0"),
         number(pair.penalty_scale), number_or(pair.penalty_stiffness, "auto"), number(pair.damping_fraction));
-  }
+  });
   return text + "      tolerances and overlaps are lengths, auto: from the size of each face\n";
 }
 
@@ -102,13 +109,11 @@ std::string describe_start(const GapSettings& gap) {
 std::string format_gaps(const ContactModel& model) {
   constexpr const char* gaps_format = "      {:<22} {:>6}  {:>11}  {}\n";
   std::string text;
-  std::set<std::pair<std::string, std::string>> reported;
-  for (const SurfacePair& pair : model.pairs) {
-    if (pair.gap == GapSettings{} || !reported.insert({pair.interaction, to_string(pair.location)}).second)
-      continue;
+  for_each_interaction(model, [&](const SurfacePair& pair) {
+    if (pair.gap == GapSettings{}) return;
     text += fmt::format(gaps_format, pair.interaction, pair.location.line,
                         number(pair.gap.contact_offset.value_or(0.0)), describe_start(pair.gap));
-  }
+  });
   if (text.empty()) return "";
   return "\nGaps of interactions\n" +
          fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;

@@ -17,6 +17,9 @@ void set_direction(const Eigen::Vector3d& vector, double* values) {
   set(length > 0.0 ? Eigen::Vector3d(vector / length) : Eigen::Vector3d::Zero(), values);
 }
 
+/// Of a total that touches [length].
+Eigen::Vector3d centre_of(const ContactTotal& total) { return total.centre / total.normal_sum; }
+
 /// The point of the line of action of a force that is nearest to the centre: of all places at which the force
 /// alone would have the moment, but for the part of it along the force. Source: least moment, as of the
 /// wrench in Featherstone, Rigid Body Dynamics Algorithms (2008), 2.4; XN, XS, XT of Abaqus.
@@ -25,14 +28,13 @@ void set_line_point(const ContactTotal& total, const Eigen::Vector3d& force, con
   const double square = force.squaredNorm();
   if (!(square > 0.0)) return set(Eigen::Vector3d::Zero(), values);
   const Eigen::Vector3d foot = force.cross(moment) / square;  // nearest to the origin
-  const Eigen::Vector3d centre =
-      total.normal_sum > 0.0 ? Eigen::Vector3d(total.centre / total.normal_sum) : foot;
+  const Eigen::Vector3d centre = total.normal_sum > 0.0 ? centre_of(total) : foot;
   set(foot + force.dot(centre - foot) / square * force, values);
 }
 
 void set_centre(const ContactTotal& total, double* values) {
   const bool touches = total.normal_sum > 0.0;
-  set(touches ? Eigen::Vector3d(total.centre / total.normal_sum) : Eigen::Vector3d::Zero(), values);
+  set(touches ? centre_of(total) : Eigen::Vector3d::Zero(), values);
 }
 
 double per_area(double value, double area) { return area > 0.0 ? value / area : 0.0; }

@@ -2,9 +2,9 @@
 // What is in contact in a run and when: exclusions, periods, rigid bodies, point masses. Numbers by hand.
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "support/catch.hpp"
+#include "support/csv_column.hpp"
 #include "support/exodus_file.hpp"
 #include "support/mesh_builder.hpp"
 #include "support/program_run.hpp"
@@ -67,17 +67,7 @@ struct Domain : ProgramDirectory {
   /// A column of the heartbeat: 0 time, 1 contact energy, 4 the vertical force
   /// on "upper", 5 its velocity.
   std::vector<double> column(std::size_t place) const {
-    std::vector<double> values;
-    std::istringstream lines(read("a.csv"));
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
-      std::istringstream words(line);
-      std::string word;
-      for (std::size_t i = 0; i <= place; ++i) std::getline(words, word, ',');
-      values.push_back(std::stod(word));
-    }
-    return values;
+    return contactsim::test::csv_column(read("a.csv"), place);
   }
   double peak_force() const { return std::ranges::max(column(4)); }
 };

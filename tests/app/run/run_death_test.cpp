@@ -5,6 +5,7 @@
 
 #include "app/run/simulation.hpp"
 #include "support/catch.hpp"
+#include "support/csv_column.hpp"
 #include "support/exodus_file.hpp"
 #include "support/mesh_builder.hpp"
 #include "support/program_run.hpp"
@@ -45,17 +46,7 @@ struct HitBar : ProgramDirectory {
 
   /// A column of the heartbeat, by its place.
   std::vector<double> column(std::size_t place) const {
-    std::vector<double> values;
-    std::istringstream lines(read("a.csv"));
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
-      std::istringstream words(line);
-      std::string word;
-      for (std::size_t i = 0; i <= place; ++i) std::getline(words, word, ',');
-      values.push_back(std::stod(word));
-    }
-    return values;
+    return contactsim::test::csv_column(read("a.csv"), place);
   }
 };
 
