@@ -58,7 +58,7 @@ class ContactKinematics {
   }
   /// In the step before, whatever is foreseen [length/time].
   Eigen::Vector3d last_v(std::uint32_t node) const {
-    const Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
+    Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
     if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
     return velocity + last_turning(node).cross(offsets_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
