@@ -7,6 +7,7 @@
 
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/enforcement/returned_energy.hpp"
+#include "contact/formulations/mark_start_reach.hpp"
 #include "contact/formulations/node_gaps.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/interface_laws/make_interface_laws.hpp"
@@ -65,21 +66,25 @@ void ContactForce::begin(const Motion& motion) {
   start_step_ = motion.stable_step;
   limit_stiffness(kinematics_);
   forget_start_depths(contact_mesh_);
-  detection_.find_candidates(motion, kinematics_);
+  mark_start_reach(setup_.contact, kinematics_, rules_);
+  detection_.find_start_candidates(motion, kinematics_);
   const ContactStepContext context{kinematics_, rules_, constrained_, motion.dt};
   detection_.mark_close(context, rules_);
   detection_.find_constraints(context, false, constrained_);
-  if (!rules_.gap_offsets().needs_start()) return;
-  rules_.gap_offsets().set_start(detection_.find_start_gaps(context), motion.time);
-  detection_.renew_reaches();
-  detection_.find_candidates(motion, kinematics_);
+  if (rules_.gap_offsets().needs_start()) {
+    rules_.gap_offsets().set_start(detection_.find_start_gaps(context), motion.time);
+    detection_.renew_reaches();
+    detection_.find_candidates(motion, kinematics_);
+  }
+  detection_.end_start(motion, kinematics_);
 }
 
 /// Searches where something has moved far enough, or models have changed.
 void ContactForce::update_candidates(const Motion& motion) {
   if (rules_.have_changed()) {
-    detection_.find_candidates(motion, kinematics_);
+    detection_.find_start_candidates(motion, kinematics_);
     detection_.find_constraints({kinematics_, rules_, constrained_, motion.dt}, true, constrained_);
+    detection_.end_start(motion, kinematics_);
   } else if (detection_.is_due(kinematics_)) {
     detection_.find_candidates(motion, kinematics_);
   } else if (has_penalty_) {
@@ -93,6 +98,8 @@ void ContactForce::add_to_sums(const ContactPoint& point) {
   if (point.gap < 0.0) assembler_.note_penetration(point, thinner_side(point));
   const double ramped = rules_.gap_offsets().ramped_depth(point);
   if (ramped > 0.0) assembler_.note_ramp(point, ramped);
+  if (rules_[point.pair].pair->behavior == InteractionBehavior::infinitesimal_sliding)
+    histories_.note_slide(point, contact_mesh_);
   depths_.note(kinematics_, point);
 }
 

@@ -59,6 +59,11 @@ class ContactForce final : public ForceTerm {
   double stored() const;
   double stored_at_start() const { return stored_at_start_; }
   std::size_t n_candidates() const { return detection_.n_candidates(); }
+  /// The memory of the contact mesh, its motion, search, candidates and sums now [bytes].
+  std::size_t bytes() const {
+    return contact_mesh_.bytes() + kinematics_.bytes() + detection_.bytes() +
+           assembler_.nodes().size_bytes() + assembler_.friction().size_bytes() + bytes_of(points_);
+  }
 
   /// The contact points of the last step, in their order, and the interface constraints, as their forces were
   /// added: what is written is what acted.

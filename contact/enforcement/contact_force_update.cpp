@@ -90,6 +90,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   constrained_.remap(remap);
   depths_.remap(remap);
   detection_.remap(remap);
+  histories_.add_released(detection_.released_faces(), detection_.released_nodes(), contact_mesh_);
   keep_constraints(remap, constraint_forces_);
   assembler_.remap(remap);
   balance_.remap(remap);

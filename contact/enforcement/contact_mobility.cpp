@@ -16,6 +16,14 @@ double free_share(const Eigen::Matrix3d* projection, const Eigen::Vector3d* dire
   return direction->dot(*projection * *direction);
 }
 
+/// What the corners of a side count for: their weights. A point far beyond the edges of its face has a lever:
+/// with the sum s of their sizes the corners count by s |w|, so that the bound of ContactForce holds.
+Eigen::Vector4d with_lever(const Eigen::Vector4d& weights) {
+  constexpr double hardly_beyond = 0.1;
+  if (!(weights.minCoeff() < -hardly_beyond)) return weights;
+  return weights.cwiseAbs().sum() * weights.cwiseAbs();
+}
+
 }  // namespace
 
 ContactMobility::ContactMobility(const Model& model) : model_(model) {
@@ -85,10 +93,12 @@ std::span<const double> ContactMobility::find_rates(const ContactKinematics& kin
   for (const ContactPoint& point : points) {
     if (!(point.stiffness > 0.0)) continue;
     const Eigen::Vector3d* normal = slips[point.pair] != 0 ? nullptr : &point.normal;
+    const Eigen::Vector4d of_first = with_lever(point.first.weights),
+                          of_second = with_lever(point.second.weights);
     for (std::size_t k = 0; k < 4; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      add(point.first.nodes[k], point.first.weights[i] * point.stiffness, normal);
-      add(point.second.nodes[k], point.second.weights[i] * point.stiffness, normal);
+      add(point.first.nodes[k], of_first[i] * point.stiffness, normal);
+      add(point.second.nodes[k], of_second[i] * point.stiffness, normal);
     }
   }
   for (const ConstraintForces& one : held) {

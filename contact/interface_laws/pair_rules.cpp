@@ -10,7 +10,7 @@ namespace contactsim {
 
 PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
                      std::size_t n_surfaces)
-    : gap_offsets_(pairs), table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
+    : gap_offsets_(pairs), start_reach_(pairs), table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     PairRule rule;
     rule.pair = &pairs[i];
@@ -108,6 +108,7 @@ void PairRules::archive(StateArchive& saved) {
   close_nodes_.archive("contact/close_nodes", saved);
   close_edges_.archive("contact/close_edges", saved);
   gap_offsets_.archive(saved);
+  start_reach_.archive(saved);
 }
 
 void PairRules::remap(const ContactRemap& remap) {
@@ -115,6 +116,7 @@ void PairRules::remap(const ContactRemap& remap) {
   close_nodes_.remap({}, remap.rows);
   close_edges_.remap({}, remap.edges);
   gap_offsets_.remap(remap);
+  start_reach_.remap(remap);
 }
 
 bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {

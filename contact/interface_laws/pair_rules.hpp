@@ -7,6 +7,7 @@
 #include "contact/geometry/contact_point.hpp"
 #include "contact/interface_laws/gap_offsets.hpp"
 #include "contact/interface_laws/pair_interface_law.hpp"
+#include "contact/interface_laws/start_reach.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_set.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
@@ -102,6 +103,9 @@ class PairRules {
   /// What is taken off the gaps of the mesh.
   const GapOffsets& gap_offsets() const { return gap_offsets_; }
   GapOffsets& gap_offsets() { return gap_offsets_; }
+  /// What is looked at of pairs with a SEARCH DISTANCE.
+  const StartReach& start_reach() const { return start_reach_; }
+  StartReach& start_reach() { return start_reach_; }
   /// Saves or restores what is close at the start, and its gaps; then activate() has to be called.
   void archive(StateArchive& saved);
 
@@ -113,6 +117,7 @@ class PairRules {
   std::vector<PairRule> rules_, far_rules_;
   PairSet close_faces_, close_nodes_, close_edges_;
   GapOffsets gap_offsets_;
+  StartReach start_reach_;
   std::vector<OptionalIndex> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };

@@ -48,6 +48,12 @@ class ContactKinematics {
   /// The faces that may touch something for now.
   void watch(std::vector<std::uint32_t> faces) { watched_ = std::move(faces); }
 
+  /// The memory of positions and bounds [bytes].
+  std::size_t bytes() const {
+    return sizeof(double) * static_cast<std::size_t>(x_.size() + offsets_.size() + loft_velocity_.size()) +
+           bytes_of(bounds_) + bytes_of(watched_);
+  }
+
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
   auto x(std::uint32_t node) const { return x_.col(node); }
   Eigen::Map<const Eigen::Vector3d> v(std::uint32_t node) const {

@@ -140,6 +140,12 @@ std::optional<std::uint32_t> ContactMesh::find_row(std::uint32_t node, std::uint
   return static_cast<std::uint32_t>(found - surface_nodes.begin());
 }
 
+std::size_t ContactMesh::bytes() const {
+  return bytes_of(mesh_nodes) + bytes_of(first_alike) + bytes_of(faces) + bytes_of(surface_nodes) +
+         bytes_of(edges) + bytes_of(first_face) + bytes_of(first_node) + bytes_of(mass) +
+         faces_of_node.bytes();
+}
+
 bool ContactMesh::share_node(const ContactFace& a, const ContactFace& b) const {
   return std::ranges::any_of(a.corners, [&](std::uint32_t own) {
     return std::ranges::any_of(b.corners,

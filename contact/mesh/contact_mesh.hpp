@@ -101,6 +101,8 @@ struct ContactMesh {
   /// Contact nodes that are nodes of the mesh; those of lofts follow.
   std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
   bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }
+  /// The memory of its lists, without those of lofts [bytes].
+  std::size_t bytes() const;
   /// Whether two faces hang on a common node of the mesh.
   bool share_node(const ContactFace& a, const ContactFace& b) const;
 };

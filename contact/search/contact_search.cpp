@@ -80,6 +80,12 @@ void ContactSearch::archive(StateArchive& saved) {
   saved.list("contact/search/searched_at", searched_at_);
   contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
   contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
+  // Most runs have neither, and states of such runs nothing of them.
+  const bool has_new = saved.restores() ? saved.has("contact/search/new_faces")
+                                        : !is_new_face_.empty() || !is_new_row_.empty();
+  if (!has_new) return;
+  saved.list("contact/search/new_faces", is_new_face_);
+  saved.list("contact/search/new_nodes", is_new_row_);
 }
 
 bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
@@ -141,6 +147,19 @@ void ContactSearch::keep_first_partners(const std::vector<std::uint8_t>& is_new,
     lists.begin[row + 1] = n;
   }
   lists.partners.resize(n);
+}
+
+bool ContactSearch::has_first_partners(std::uint32_t pair) const {
+  const auto has = [&](const PairLists& lists, const auto& surface_of) {
+    for (std::uint32_t row = 0; row < lists.n_rows(); ++row) {
+      for (const std::uint32_t partner : lists.of(row)) {
+        if (rules_.find(surface_of(row), contact_mesh_.faces[partner].surface) == pair) return true;
+      }
+    }
+    return false;
+  };
+  return has(first_face_partners_, [&](std::uint32_t face) { return contact_mesh_.faces[face].surface; }) ||
+         has(first_node_faces_, [&](std::uint32_t row) { return contact_mesh_.surface_nodes[row].surface; });
 }
 
 void ContactSearch::stop_at(const Motion& motion, std::uint32_t node) const {
@@ -253,6 +272,7 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   const OptionalIndex pair = rules_.find(a.surface, b.surface);
   if (!pair) return false;
   if (rules_[*pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  if (!rules_.start_reach().may_meet_faces(*pair, first, second, a.surface)) return false;
   if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
   if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
@@ -271,6 +291,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   const bool is_sphere = node.radius > 0.0f;
   if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
   if (!is_sphere && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  if (!rules_.start_reach().may_meet_node(*pair, row, index, node.surface)) return false;
   if (are_of_one_rigid_body({&node.node, 1}, face.corners)) return false;
   return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
 }
@@ -279,6 +300,7 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   const OptionalIndex pair = rules_.find(a.surface, b.surface);
   if (!pair || rules_[*pair].only_ties()) return false;
+  if (!rules_.start_reach().may_meet_edges(*pair, first, second, a.surface)) return false;
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;

@@ -33,6 +33,11 @@ class ContactSearch {
 
   /// Takes notice of other reaches of the pairs. A search has to follow.
   void renew_reaches() { set_surface_margins(); }
+  /// Searches reach as far as what is held at the start may be apart, the first ones do; or only as far as
+  /// what may touch before the next search. A search has to follow.
+  void reach_for_start(bool does);
+  /// Whether that makes a difference.
+  bool has_start_reach() const { return has_start_reach_; }
 
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const ContactKinematics& kinematics) const;
@@ -56,11 +61,26 @@ class ContactSearch {
   /// Ends a search: margins count from here.
   void finish(const ContactKinematics& kinematics);
 
+  /// Whether some pair keeps the partners of the first search.
+  bool keeps_first_partners() const { return has_small_sliding_; }
+  /// Whether a pair has any of them.
+  bool has_first_partners(std::uint32_t pair) const;
+  /// Keeps these of the first search alone.
+  void keep_face_partners(PairLists lists) { first_face_partners_ = std::move(lists); }
+  /// Has faces, or surface nodes, that kept their partners meet whatever they may, as what is new does.
+  void release_face(std::uint32_t face) { release(face, contact_mesh_.faces.size(), is_new_face_); }
+  void release_row(std::uint32_t row) { release(row, contact_mesh_.surface_nodes.size(), is_new_row_); }
+
   void archive(StateArchive& saved);
 
   /// How far beyond touch what a contact node may meet is looked for [length].
   double margin_of(std::uint32_t node) const { return node_margin_[node]; }
   std::uint64_t n_searches() const { return n_searches_; }
+  /// The memory of trees, margins and places of the last search [bytes].
+  std::size_t bytes() const {
+    return faces_phase_.bytes() + nodes_phase_.bytes() + edges_phase_.bytes() + bytes_of(face_margin_) +
+           bytes_of(node_margin_) + bytes_of(searched_at_);
+  }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
   const BroadPhaseCounts& edge_counts() const { return edges_phase_.counts(); }
@@ -100,6 +120,10 @@ class ContactSearch {
   template <class SurfaceOf>
   void keep_first_partners(const std::vector<std::uint8_t>& is_new, const SurfaceOf& surface_of,
                            PairLists& first, PairLists& lists) const;
+  static void release(std::uint32_t entity, std::size_t n, std::vector<std::uint8_t>& is_new) {
+    is_new.resize(n, 0);
+    is_new[entity] = 1;
+  }
   [[noreturn]] void stop_at(const Motion& motion, std::uint32_t node) const;
 
   const ContactMesh& contact_mesh_;
@@ -111,6 +135,7 @@ class ContactSearch {
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   bool has_eroded_nodes_ = false;
+  bool has_start_reach_ = false, reaches_for_start_ = true;
   std::vector<double> activation_distance_;                  // [n_surfaces] of the models [length]
   std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
   std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]

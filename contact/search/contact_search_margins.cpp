@@ -44,14 +44,18 @@ void ContactSearch::set_surface_margins() {
   const ContactMesh& contact_mesh = contact_mesh_;
   const std::size_t n_surfaces = contact_mesh.first_face.size() - 1;
   activation_distance_.assign(n_surfaces, 0.0);
+  has_start_reach_ = false;
   for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
     const SurfacePair& pair = *rules_[i].pair;
-    // Ties reach as far as the deck says.
-    const double given = std::max({pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0),
-                                   pair.tracking_distance.value_or(0.0)});
+    const double given = std::max(pair.normal_tolerance.value_or(0.0), pair.tracking_distance.value_or(0.0));
+    // Ties, and partners that are kept, reach as far as the deck says; what is held needs no search later.
+    const bool keeps_partners = pair.behavior == InteractionBehavior::infinitesimal_sliding;
+    const double at_start = std::max(pair.capture_tolerance.value_or(0.0),
+                                     keeps_partners ? rules_.start_reach().distance(i) : 0.0);
+    has_start_reach_ = has_start_reach_ || at_start > 0.0;
     for (const std::uint32_t surface : {pair.first, pair.second})
       activation_distance_[surface] =
-          std::max({activation_distance_[surface], given,
+          std::max({activation_distance_[surface], given, reaches_for_start_ ? at_start : 0.0,
                     rules_.max_activation_distance(i) + rules_.gap_offsets().reach(i)});
   }
   widest_margin_.assign(n_surfaces, 0.0);
@@ -66,6 +70,11 @@ void ContactSearch::set_surface_margins() {
     double& widest = widest_margin_[contact_mesh.faces[i].surface];
     widest = std::max<double>(widest, face_margin_[i]);
   }
+}
+
+void ContactSearch::reach_for_start(bool does) {
+  reaches_for_start_ = does;
+  set_surface_margins();
 }
 
 void ContactSearch::remap(const ContactRemap& remap) {

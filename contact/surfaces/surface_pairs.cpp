@@ -37,6 +37,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   pair.overlap_tangential_tolerance = settings.overlap_tangential_tolerance;
   pair.capture_tolerance = settings.capture_tolerance;
   pair.tracking_distance = settings.tracking_distance;
+  pair.search_distance = settings.search_distance;
   pair.gap = settings.gap;
   pair.gap_closure = settings.gap_closure;
   pair.adjusted_nodes = settings.adjusted_nodes;

@@ -36,8 +36,9 @@ struct SurfacePair {
   std::optional<double> overlap_normal_tolerance;  ///< deepest overlap removed; absent: automatic [length]
   std::optional<double>
       overlap_tangential_tolerance;         ///< the same beyond an edge; absent: automatic [length]
-  std::optional<double> capture_tolerance;  ///< gap that is closed at the start; absent: 0 [length]
+  std::optional<double> capture_tolerance;  ///< gap over which what holds does so; absent: automatic [length]
   std::optional<double> tracking_distance;  ///< gaps told in the output; absent: the search's margin [length]
+  std::optional<SearchDistance> search_distance;  ///< what is farther at the start is never looked at
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;  ///< nodes this near are moved onto the other side
   std::optional<DeckName> adjusted_nodes;          ///< node set of nodes that are, at any distance

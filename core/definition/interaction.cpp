@@ -34,6 +34,7 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   fill(own.overlap_tangential_tolerance, defaults.overlap_tangential_tolerance);
   fill(own.capture_tolerance, defaults.capture_tolerance);
   fill(own.tracking_distance, defaults.tracking_distance);
+  fill(own.search_distance, defaults.search_distance);
   own.gap = with_defaults(own.gap, defaults.gap);
   fill(own.gap_closure, defaults.gap_closure);
   fill(own.adjusted_nodes, defaults.adjusted_nodes);

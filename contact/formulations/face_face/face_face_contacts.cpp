@@ -25,6 +25,17 @@ Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weigh
   return face.v * weights;
 }
 
+/// Carries the still one of two faces along with the other; a contact point's weights follow.
+void carry(const PartnerCarry& carry, MovingFace& first, MovingFace& second) {
+  if (carry.is_zero()) return;
+  MovingFace& still = carry.is_of_first ? first : second;
+  still = carry.carried(still);
+}
+void carry(const PartnerCarry& carry, ContactPoint& contact_point) {
+  if (!carry.is_zero())
+    (carry.is_of_first ? contact_point.first : contact_point.second).weights += carry.weights;
+}
+
 /// Takes an offset off the gap of two faces: the first goes by it along their common normal, which stays.
 void take_off(double offset, const MovingFace& second, MovingFace& first) {
   if (offset == 0.0) return;
@@ -38,7 +49,12 @@ void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinem
                                        const Motion& motion) {
   PairLists next;
   search.find_face_pairs(kinematics, motion, depths(), next);
-  take_candidates(std::move(next));
+  if (search.keeps_first_partners() && search.n_searches() == 0) {
+    start_partners_.begin_faces(kinematics, rules_, next);
+    next = start_partners_.restricted(rules_, contact_mesh_, next);
+    search.keep_face_partners(next);
+  }
+  take_candidates(start_partners_.empty() ? std::move(next) : start_partners_.united_with(rules_, next));
 }
 
 void FaceFaceContacts::take_candidates(PairLists candidates) {
@@ -85,11 +101,26 @@ void FaceFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
   history_.remap(remap, before);
+  released_ = start_partners_.remap(remap.faces, remap.faces, remap.n_faces_after);
 }
 
 void FaceFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/face_pairs", candidates_, saved);
   history_.archive(saved);
+  start_partners_.archive("contact/start_faces", saved);
+}
+
+FaceFaceContacts::Candidate FaceFaceContacts::make_candidate(const ContactStepContext& context,
+                                                             std::uint32_t first,
+                                                             std::size_t position) const {
+  const std::uint32_t second = candidates_.partners[position];
+  const std::uint32_t pair =
+      *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+  Candidate candidate{first, second, pair, position, context.rules.of_faces(pair, first, second)};
+  if (start_partners_.empty()) return candidate;
+  if (const auto carry = start_partners_.find_carry(context.kinematics, first, second))
+    candidate.carry = *carry;
+  return candidate;
 }
 
 void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
@@ -97,10 +128,7 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     const auto first = static_cast<std::uint32_t>(row);
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
-      const std::uint32_t second = candidates_.partners[k];
-      const std::uint32_t pair =
-          *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
-      const Candidate candidate{first, second, pair, k, context.rules.of_faces(pair, first, second)};
+      const Candidate candidate = make_candidate(context, first, k);
       detect_one(context, candidate, points);
       if (candidate.rule.acts_apart()) add_pull(context, candidate, points);
     }
@@ -119,7 +147,7 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
   const GapOffsets& offsets = context.rules.gap_offsets();
   const double reach = std::max(activation_distance, margin) + offsets.reach(candidate.pair);
-  if (!may_touch(a, b, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
+  if (!may_meet(context, candidate, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
 
@@ -132,8 +160,9 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   penalty.depth = did_touch      ? std::numeric_limits<double>::infinity()
                   : before > 0.0 ? std::max(penalty.depth, depth_of_known(0.0, before, closed))
                                  : std::max(penalty.depth, 1.5 * closed);
-  MovingFace first = context.kinematics.face(candidate.first);
-  const MovingFace second = context.kinematics.face(candidate.second);
+  MovingFace first = context.kinematics.face(candidate.first),
+             second = context.kinematics.face(candidate.second);
+  carry(candidate.carry, first, second);
   take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), second, first);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
@@ -192,6 +221,17 @@ void FaceFaceContacts::add_penalty_point(const ContactStepContext& context, cons
                contact_point);
 }
 
+/// Says yes rather too often. Of a face that is carried only the plane stays where it is.
+bool FaceFaceContacts::may_meet(const ContactStepContext& context, const Candidate& candidate,
+                                double reach) const {
+  const FaceBound &a = context.kinematics.bound(candidate.first),
+                  &b = context.kinematics.bound(candidate.second);
+  if (candidate.carry.is_zero()) return may_touch(a, b, reach);
+  const FaceBound &still = candidate.carry.is_of_first ? a : b, &slides = candidate.carry.is_of_first ? b : a;
+  const double rough = 2.0 * static_cast<double>(a.radius() + b.radius());
+  return static_cast<double>(still.height_of(slides.centre())) <= reach + rough;
+}
+
 double FaceFaceContacts::thinner(const Candidate& candidate) const {
   return std::min(contact_mesh_.faces[candidate.first].penalty_properties.thickness,
                   contact_mesh_.faces[candidate.second].penalty_properties.thickness);
@@ -235,6 +275,7 @@ ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,
   contact_point.second_entity = candidate.second;
   contact_point.first = {first.corners, contact.weights_1};
   contact_point.second = {second.corners, contact.weights_2};
+  carry(candidate.carry, contact_point);
   contact_point.normal = contact.normal;
   contact_point.force = contact.force;
   contact_point.area = contact.area;
@@ -250,14 +291,13 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   const PairRule& rule = candidate.rule;
   const ContactFace &first = contact_mesh_.faces[candidate.first],
                     &second = contact_mesh_.faces[candidate.second];
-  const FaceBound &a = context.kinematics.bound(candidate.first),
-                  &b = context.kinematics.bound(candidate.second);
   const GapOffsets& offsets = context.rules.gap_offsets();
   const double reach = rule.activation_distance + offsets.reach(candidate.pair);
-  if (!context.enforces(rule) || !may_touch(a, b, reach)) return;
+  if (!context.enforces(rule) || !may_meet(context, candidate, reach)) return;
   FacePenaltyInput push{
       context.kinematics.last_face(candidate.first), context.kinematics.last_face(candidate.second),
       make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair), context.dt};
+  carry(candidate.carry, push.first, push.second);
   take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), push.second, push.first);
   ContactPoint contact_point;
   contact_point.elastic_slip = history_.elastic_slip(candidate.position);
@@ -268,6 +308,7 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   contact_point.second_entity = candidate.second;
   contact_point.first.nodes = first.corners;
   contact_point.second.nodes = second.corners;
+  carry(candidate.carry, contact_point);
   points.push_back(contact_point);
 }
 

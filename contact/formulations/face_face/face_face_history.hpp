@@ -47,6 +47,11 @@ class FaceFaceHistory {
   ///   before  position of each candidate before [n_candidates]
   void remap(const ContactRemap& remap, std::span<const std::size_t> before);
   void archive(StateArchive& saved);
+  std::size_t bytes() const {
+    return bytes_of(touched_before_) + bytes_of(touched_now_) + bytes_of(elastic_slips_) + bytes_of(means_) +
+           bytes_of(next_means_) + bytes_of(depth_before_) + bytes_of(depth_now_) +
+           bytes_of(partner_before_) + bytes_of(partner_now_);
+  }
 
  private:
   /// What detect() says of a pair that touched, or that a law held across a gap.

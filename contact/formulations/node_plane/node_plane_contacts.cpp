@@ -86,6 +86,7 @@ void NodePlaneContacts::detect(const ContactStepContext& context, CandidateRows 
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     const NodePlanePair& candidate = node_plane_pairs_[row];
     const PairRule& rule = context.rules.of_node(candidate.pair, candidate.node);
+    if (!context.rules.start_reach().may_meet_plane(candidate.pair, candidate.node)) continue;
     if (context.enforces(rule)) detect_one(context, candidate, rule, points);
   }
 }

@@ -14,6 +14,8 @@ PairSettings settings(double value) {
   made.behavior = value > 1.0 ? InteractionBehavior::no_interaction : InteractionBehavior::sliding;
   made.normal_tolerance = made.tangential_tolerance = made.capture_tolerance = value;
   made.overlap_normal_tolerance = made.overlap_tangential_tolerance = value;
+  made.tracking_distance = value;
+  made.search_distance = value > 1.0 ? SearchDistance{value} : SearchDistance{};
   made.penalty_scale = made.damping_fraction = value;
   made.penalty_stiffness = value > 1.0 ? PenaltyStiffness{value} : PenaltyStiffness{};
   return made;
@@ -24,7 +26,8 @@ bool are_equal(const PairSettings& a, const PairSettings& b) {
          a.normal_tolerance == b.normal_tolerance && a.tangential_tolerance == b.tangential_tolerance &&
          a.overlap_normal_tolerance == b.overlap_normal_tolerance &&
          a.overlap_tangential_tolerance == b.overlap_tangential_tolerance &&
-         a.capture_tolerance == b.capture_tolerance && a.penalty_scale == b.penalty_scale &&
+         a.capture_tolerance == b.capture_tolerance && a.tracking_distance == b.tracking_distance &&
+         a.search_distance == b.search_distance && a.penalty_scale == b.penalty_scale &&
          a.penalty_stiffness == b.penalty_stiffness && a.damping_fraction == b.damping_fraction;
 }
 

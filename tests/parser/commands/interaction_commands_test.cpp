@@ -125,6 +125,17 @@ TEST_CASE("pairs and their defaults take a penalty stiffness and a damping", "[p
   }
 }
 
+TEST_CASE("pairs and their defaults take a search distance, or AUTO", "[parser][interaction]") {
+  const BoundContact bound = bound_contact(
+      "begin interaction defaults\nsearch distance = auto\nend\nbegin interaction\nsurfaces = a b\n"
+      "srchdis = 0.25\nend\n");
+  CHECK(bound.messages == "");
+  CHECK(bound.contact.interaction_defaults->pair.search_distance == SearchDistance{});
+  CHECK(bound.contact.interactions.at(0).pair.search_distance == SearchDistance{0.25});
+  CHECK_THAT(bound_contact("begin interaction\nsurfaces = a b\nsearch distance = -1\nend\n").messages,
+             Catch::Contains("error"));
+}
+
 TEST_CASE("an automatic penalty stiffness can be asked for", "[parser][interaction]") {
   const BoundContact bound =
       bound_contact("begin interaction\nsurfaces = a b\npenalty stiffness = AUTO\nend\n");
