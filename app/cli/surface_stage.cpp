@@ -72,8 +72,9 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
   check_elements(mesh, blocks_in_contact(model, mesh));
   const auto summaries = summarize(model, mesh);
   const auto starts = find_initial_gaps(model, mesh, region.contact->dash);
-  log.write(format_surface_tables(model, summaries) + format_passed_over(model, mesh) +
-            format_pairs(model, summaries, starts));
+  log.write(
+      format_surface_tables(model, summaries) + format_passed_over(model, mesh) +
+      format_pairs(model, summaries, starts, find_automatic_lengths(model, mesh, region.contact->dash)));
   add_surface_warnings(model.surfaces, warnings);
   const ExitCode code = write_surface_files(options, model, summaries, mesh, log);
   return {std::move(model), code};

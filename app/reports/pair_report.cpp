@@ -6,8 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "core/base/pluralize.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -22,7 +24,7 @@ constexpr std::size_t max_rows = 1000;
 constexpr const char* start_format =
     "{:>4}  {:<28} {:<28} {:<22} {:>6}  {:<16} {:<19} {:>9} {:>9} {:>9} {:>9} {:>13} {:>9}\n";
 constexpr const char* settings_format =
-    "      {:<22} {:>6}  {:<13} {:<16} {:>11} {:>11} {:>11} {:>11} {:>11} {:>9} {:>11} {:>9}\n";
+    "      {:<22} {:>6}  {:<13} {:<16} {:>20} {:>20} {:>20} {:>11} {:>20} {:>9} {:>11} {:>9}\n";
 constexpr const char* history_format =
     "{:>4}  {:<28} {:<28} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13}\n";
 
@@ -70,32 +72,89 @@ std::string format_start(const ContactModel& model, std::span<const SurfaceSumma
                      starts.empty() ? "-" : fmt::to_string(starts[i].n_in_reach));
 }
 
-/// Calls write(pair) for the first pair of every interaction, in order.
-template <class Write>
-void for_each_interaction(const ContactModel& model, const Write& write) {
-  std::set<std::pair<std::string, std::string>> reported;
-  for (const SurfacePair& pair : model.pairs) {
-    if (reported.insert({pair.interaction, to_string(pair.location)}).second) write(pair);
-  }
-}
+/// An interaction, by its first pair.
+struct InteractionRow {
+  const SurfacePair* pair;
+  AutomaticLengths lengths;  ///< of all of its pairs
+  bool holds = false;        ///< the law of some of them goes by a capture tolerance
+};
 
 /// Every interaction that has a pair, once, in the order of its first pair.
-std::string format_settings(const ContactModel& model) {
+std::vector<InteractionRow> list_interactions(const ContactModel& model,
+                                              std::span<const AutomaticLengths> lengths) {
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  std::vector<InteractionRow> rows;
+  for (std::size_t i = 0; i < model.pairs.size(); ++i) {
+    const SurfacePair& pair = model.pairs[i];
+    const auto [found, is_new] = known.try_emplace({pair.interaction, to_string(pair.location)}, rows.size());
+    if (is_new) rows.push_back({&pair, {}});
+    InteractionRow& listed = rows[found->second];
+    if (!lengths.empty()) listed.lengths.add(lengths[i]);
+    const InterfaceLawRow& law = row_of(*pair.law);
+    listed.holds = listed.holds || law.holds_at_start || law.select != nullptr;
+  }
+  return rows;
+}
+
+/// A length that is given, or "auto" and what it comes to.
+///   factor  on the range [1]
+std::string length_or_auto(const std::optional<double>& given, const LengthRange& range,
+                           double factor = 1.0) {
+  if (given) return number(*given);
+  if (!range.exists()) return "auto";
+  const std::string least = fmt::format("{:.3g}", factor * range.least),
+                    most = fmt::format("{:.3g}", factor * range.most);
+  return least == most ? "auto " + least : fmt::format("auto {}..{}", least, most);
+}
+
+std::string format_settings(const std::vector<InteractionRow>& rows) {
   std::string text = fmt::format(settings_format, "", "", "", "", "normal", "tangential", "overlap",
                                  "overlap", "capture", "penalty", "penalty", "damping");
   text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance",
                       "tolerance", "normal", "tangential", "tolerance", "scale", "stiffness", "fraction");
-  for_each_interaction(model, [&](const SurfacePair& pair) {
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
     const bool is_fixed = pair.behavior == InteractionBehavior::infinitesimal_sliding;
+    // Faces on faces reach beyond no edge.
+    const LengthRange beyond =
+        pair.formulation == ConstraintFormulation::node_face ? listed.lengths.tangential : LengthRange{};
+    const auto capture = pair.capture_tolerance ? pair.capture_tolerance : pair.normal_tolerance;
     text += fmt::format(
         settings_format, pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
         pair.enforcement == Enforcement::penalty ? "penalty" : "momentum_balance",
-        number_or(pair.normal_tolerance, "auto"), number_or(pair.tangential_tolerance, "auto"),
-        number_or(pair.overlap_normal_tolerance, "auto"),
-        number_or(pair.overlap_tangential_tolerance, "auto"), number_or(pair.capture_tolerance, "0"),
-        number(pair.penalty_scale), number_or(pair.penalty_stiffness, "auto"), number(pair.damping_fraction));
-  });
-  return text + "      tolerances and overlaps are lengths, auto: from the size of each face\n";
+        length_or_auto(pair.normal_tolerance, listed.lengths.normal),
+        length_or_auto(pair.tangential_tolerance, beyond),
+        length_or_auto(pair.overlap_normal_tolerance, listed.lengths.overlap_normal),
+        number_or(pair.overlap_tangential_tolerance, "auto"),
+        listed.holds ? length_or_auto(capture, listed.lengths.capture) : "-", number(pair.penalty_scale),
+        number_or(pair.penalty_stiffness, "auto"), number(pair.damping_fraction));
+  }
+  return text +
+         "      tolerances and overlaps are lengths, auto: from the size of each face, the smallest and the "
+         "largest\n";
+}
+
+/// Every interaction with a line that says how far its sides reach, once.
+std::string format_reach(const std::vector<InteractionRow>& rows) {
+  constexpr const char* reach_format = "      {:<22} {:>6}  {:>15} {:>17} {:>15}  {}\n";
+  constexpr double search_edges = 2.0, closure_edges = 0.05;
+  std::string text;
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
+    if (!pair.search_distance && !pair.tracking_distance && !pair.closes_gaps()) continue;
+    text += fmt::format(
+        reach_format, pair.interaction, pair.location.line,
+        pair.search_distance ? length_or_auto(pair.search_distance->given, listed.lengths.edge, search_edges)
+                             : "all",
+        length_or_auto(pair.tracking_distance, listed.lengths.normal),
+        pair.gap_closure ? length_or_auto(pair.gap_closure->given, listed.lengths.edge, closure_edges) : "-",
+        pair.adjusted_nodes ? pair.adjusted_nodes->text : "-");
+  }
+  if (text.empty()) return "";
+  return "\nReach of interactions\n" +
+         fmt::format(reach_format, "interaction", "line", "search distance", "tracking distance",
+                     "gap closure", "adjusted nodes") +
+         text;
 }
 
 /// What the gaps of the start count as.
@@ -106,14 +165,15 @@ std::string describe_start(const GapSettings& gap) {
 }
 
 /// Every interaction whose gaps are not those of the mesh, once.
-std::string format_gaps(const ContactModel& model) {
+std::string format_gaps(const std::vector<InteractionRow>& rows) {
   constexpr const char* gaps_format = "      {:<22} {:>6}  {:>11}  {}\n";
   std::string text;
-  for_each_interaction(model, [&](const SurfacePair& pair) {
-    if (pair.gap == GapSettings{}) return;
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
+    if (pair.gap == GapSettings{}) continue;
     text += fmt::format(gaps_format, pair.interaction, pair.location.line,
                         number(pair.gap.contact_offset.value_or(0.0)), describe_start(pair.gap));
-  });
+  }
   if (text.empty()) return "";
   return "\nGaps of interactions\n" +
          fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;
@@ -132,7 +192,7 @@ std::string format_history(const ContactModel& model, const PairHistory& history
 }  // namespace
 
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const InitialGap> starts) {
+                         std::span<const InitialGap> starts, std::span<const AutomaticLengths> lengths) {
   assert(starts.empty() || starts.size() == model.pairs.size());
   if (model.pairs.empty()) return "";
   const auto is_far = [&](std::size_t i) {
@@ -150,7 +210,9 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
     text +=
         fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
   }
-  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model);
+  const auto rows = list_interactions(model, lengths);
+  return text + "\nSettings of interactions\n" + format_settings(rows) + format_reach(rows) +
+         format_gaps(rows);
 }
 
 std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories) {

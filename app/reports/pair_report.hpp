@@ -7,6 +7,7 @@
 #include "contact/enforcement/pair_history.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_summary.hpp"
+#include "contact/overlap/automatic_lengths.hpp"
 #include "contact/overlap/initial_gaps.hpp"
 
 /// What the log says of pairs of surfaces. Stable in order and width, without times of the clock, so that the
@@ -18,8 +19,9 @@ namespace contactsim {
 /// anything in reach are only counted, and so is what goes beyond a thousand rows. "" without pairs.
 ///   summaries  [n_surfaces]
 ///   starts     [n_pairs] of model.pairs, or empty when they are not known: "-" stands in their place
+///   lengths    [n_pairs] that stand beside "auto", or empty
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const InitialGap> starts);
+                         std::span<const InitialGap> starts, std::span<const AutomaticLengths> lengths = {});
 
 /// The pair table after a run, and the pairs that never touched. "" without pairs.
 ///   histories  [n_pairs] of model.pairs

@@ -122,6 +122,16 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
             {"penalty_scale", pair.penalty_scale},
             {"penalty_stiffness", to_json(pair.penalty_stiffness)},
             {"damping_fraction", pair.damping_fraction}};
+  if (pair.search_distance || pair.tracking_distance || pair.closes_gaps()) {
+    const auto or_auto = [](const auto& line) {
+      return !line ? Json(nullptr) : line->given ? Json(*line->given) : Json("auto");
+    };
+    json["reach"] = {
+        {"search_distance", or_auto(pair.search_distance)},
+        {"tracking_distance", to_json(pair.tracking_distance)},
+        {"gap_closure_tolerance", or_auto(pair.gap_closure)},
+        {"adjust_node_set", pair.adjusted_nodes ? Json(pair.adjusted_nodes->text) : Json(nullptr)}};
+  }
   if (pair.gap != GapSettings{}) {
     json["gap"] = {{"contact_offset", to_json(pair.gap.contact_offset)},
                    {"initial_clearance", to_json(pair.gap.initial_clearance)},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "app/run/energy_watch.hpp"
 #include "app/run/start_overlap.hpp"
@@ -46,6 +47,20 @@ std::string names_of(const ContactModel& contact, std::size_t pair) {
                      surfaces[contact.pairs[pair].second].name);
 }
 
+/// Adds the node set of what is too far apart to be held, if anything is.
+void add_untied_set(std::span<const UntiedPart> parts, const Mesh& mesh, std::vector<NodeSet>& sets) {
+  std::set<std::uint32_t> nodes;
+  for (const UntiedPart& part : parts) {
+    for (const NodeIndex node : part.nodes) nodes.insert(node.value);
+  }
+  if (nodes.empty()) return;
+  std::string name = "contact_untied";
+  for (int i = 2; mesh.find(EntityKind::node_set, name); ++i) name = fmt::format("contact_untied_{}", i);
+  NodeSet& set = sets.emplace_back();
+  set.name = name;
+  for (const std::uint32_t node : nodes) set.nodes.push_back({node});
+}
+
 }  // namespace
 
 RunContact::RunContact(const RunInput& input, const Model& model)
@@ -53,6 +68,7 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       model_(model),
       mesh_(input.mesh),
       contact_(*input.contact),
+      untied_(find_untied_parts(contact_, mesh_, input.region.contact->dash)),
       force_(ContactSetup{*input.region.contact, contact_, model,
                           input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
       output_(force_, contact_, model),
@@ -72,6 +88,7 @@ void RunContact::add_to(OutputSettings& settings) {
     for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface.name, i);
     settings.side_sets.push_back({0, name, surface.faces, {}});
   }
+  add_untied_set(untied_, mesh_, settings.node_sets);
 }
 
 void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes,
@@ -172,6 +189,32 @@ void RunContact::warn_of_lost(Diagnostics& warnings) const {
   }
 }
 
+void RunContact::warn_of_small_sliding(Diagnostics& warnings) const {
+  constexpr double worth_telling = 0.5;  // of a face
+  const auto histories = force_.histories();
+  const auto id = [&](std::uint32_t node) { return mesh_.node_id(NodeIndex{node}); };
+  for (std::size_t i = 0; i < histories.size(); ++i) {
+    const PairHistory& history = histories[i];
+    const SurfacePair& pair = contact_.pairs[i];
+    if (history.slid_share > worth_telling)
+      warnings.add_warning(
+          "slid-off-partner", pair.location,
+          fmt::format(
+              "{} have slid off their faces of the start, at node {} by {:.2g} of a face; the plane of "
+              "that face goes on there",
+              names_of(contact_, i), id(history.slid_node), history.slid_share),
+          "INTERACTION BEHAVIOR = SLIDING follows the surface");
+    if (history.n_released > 0)
+      warnings.add_warning(
+          "start-face-lost", pair.location,
+          fmt::format(
+              "{}: {} lost their faces of the start to element death, the first at node {}; they slide "
+              "since",
+              names_of(contact_, i), pluralize(history.n_released, "place"), id(history.released_node)),
+          "");
+  }
+}
+
 void RunContact::stop_at_runaway(const State& state) {
   const Energies& e = state.energies;
   const double made = made_by_contact(force_, e);
@@ -196,8 +239,9 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
   warn_of_edges(force_, contact_, warnings);
   warn_of_idle_settings(contact_, warnings);
+  warn_of_reach(force_, contact_, *input_.region.contact, warnings);
   warn_of_gaps(force_, contact_, warnings);
-  warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
+  warn_of_partial_ties(force_, {contact_, *input_.region.contact, mesh_, untied_}, warnings);
   std::vector<double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
   warn_of_overlaps(input_, input_.overlaps, stored, warnings);
@@ -208,6 +252,7 @@ void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {
     warn_of_energy(state.energies, warnings);
   warn_of_lost(warnings);
   warn_of_penetration(warnings);
+  warn_of_small_sliding(warnings);
 }
 
 }  // namespace contactsim

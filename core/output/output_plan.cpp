@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/definition/simulation.hpp"
+#include "core/mesh/more_node_sets.hpp"
 #include "core/output/single_values.hpp"
 
 namespace contactsim {
@@ -72,7 +73,8 @@ std::vector<StepTarget> OutputPlan::step_targets() const {
 }
 
 void OutputPlan::open_files() {
-  const Mesh no_mesh, mesh = rigid_part_.on(model_.mesh->with_side_sets(settings_.side_sets));
+  const Mesh no_mesh, mesh = rigid_part_.on(with_node_sets(model_.mesh->with_side_sets(settings_.side_sets),
+                                                           settings_.node_sets));
   for (auto& [plan, defined, append, is_due] : results_) {
     defined = plan.fields.fields();
     append = settings_.writers.open_results(plan.file, plan.file.has_mesh ? mesh : no_mesh, defined);

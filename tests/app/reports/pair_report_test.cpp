@@ -74,9 +74,26 @@ TEST_CASE("the pair table says how surfaces meet, before they are searched", "[a
         "normal tangential overlap overlap capture penalty penalty damping\n"
         "interaction line behavior enforcement tolerance tolerance normal tangential tolerance scale "
         "stiffness fraction\n"
-        "general contact 7 sliding penalty auto auto auto auto 0 1 auto 0\n"
-        "tie 12 infinitesimal penalty 0.25 auto auto auto 0 1 1e+09 0\n"
-        "tolerances and overlaps are lengths, auto: from the size of each face\n");
+        "general contact 7 sliding penalty auto auto auto auto - 1 auto 0\n"
+        "tie 12 infinitesimal penalty 0.25 auto auto auto 0.25 1 1e+09 0\n"
+        "tolerances and overlaps are lengths, auto: from the size of each face, the smallest and the "
+        "largest\n");
+}
+
+TEST_CASE("beside what is automatic stands the smallest and the largest length", "[app][pairs]") {
+  ContactModel model = three_pairs();
+  model.pairs[2].normal_tolerance.reset();
+  model.pairs[2].search_distance.emplace();
+  AutomaticLengths lengths;
+  for (LengthRange* range : {&lengths.normal, &lengths.capture}) range->add(0.15);
+  lengths.normal.add(0.3);
+  lengths.overlap_normal.add(0.5);
+  lengths.edge.add(0.25);
+  const std::string text =
+      squeezed(format_pairs(model, three_summaries(), {}, std::vector<AutomaticLengths>(3, lengths)));
+  CHECK_THAT(text, Contains("tie 12 infinitesimal penalty auto 0.15..0.3 auto auto 0.5 auto auto 0.15 1"));
+  CHECK_THAT(text, Contains("\nReach of interactions\n"));
+  CHECK_THAT(text, Contains("tie 12 auto 0.5 auto 0.15..0.3 - -"));
 }
 
 TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defaults", "[app][pairs]") {
