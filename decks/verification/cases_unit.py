@@ -160,6 +160,30 @@ def press_fit(bench):
     return checks + balances(runs, is_free=True)
 
 
+def block_on_row():
+    mesh = MeshMaker()
+    mesh.hexes("row", (0, 0, -0.25), (1, 0.25, 0.25), (4, 1, 1))
+    mesh.new_body()
+    mesh.hexes("slider", (0, 0, 0), (0.25, 0.25, 0.25), (1, 1, 1))
+    return mesh
+
+
+@case()
+def small_sliding(bench):
+    mesh, checks, runs = block_on_row(), [], []
+    for form, enforcement in itertools.product(FORMULATIONS, ("momentum_balance", "penalty")):
+        name = f"{form}, {enforcement}"
+        run = bench.run("small_sliding", mesh, form=form, enforcement=enforcement, behavior="infinitesimal_sliding",
+                        damping=0.1 if enforcement == "penalty" else 0)
+        runs.append(run)
+        nodes = run.nodes_of(2)
+        lower = [n for n in nodes if mesh.points[n][2] == 0.0]
+        place, velocity = run.nodal("coordinates"), run.nodal("velocity")
+        checks += [at_most(f"{name}: way off the plane [m]", np.max(np.abs(place[:, lower, 2])), 0.001),
+                   Check(f"{name}: speed after 0.7 m [m/s]", 1.0, np.mean(velocity[-1, nodes, 0]), 0.001)]
+    return checks + balances(runs)
+
+
 def nodes_over_block(kind):
     """Nodes of which none stands over an edge of the block's mesh."""
     mesh = MeshMaker()
