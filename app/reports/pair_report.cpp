@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -119,6 +120,59 @@ std::string format_gaps(const ContactModel& model) {
          fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;
 }
 
+constexpr const char* smoothings_format = "      {:<22} {:<28} {:<15} {:>9} {:>11} {:>11}  {}\n";
+
+std::string describe_place(const RoundShape& shape) {
+  const auto vector = [](const Eigen::Vector3d& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
+  };
+  switch (shape.kind) {
+    case RoundShape::Kind::spherical: return "about " + vector(shape.origin);
+    case RoundShape::Kind::circumferential:
+      return "axis " + vector(shape.axis) + " through " + vector(shape.origin);
+    default:
+      return fmt::format("axis {} through {}, circle of {:.6g}", vector(shape.axis), vector(shape.origin),
+                         shape.arc_radius);
+  }
+}
+
+std::string format_shapes(const SmoothingShapes& smoothing, const std::string& surface,
+                          const SurfaceShapes& shapes) {
+  static constexpr std::array kinds{"circumferential", "spherical", "toroidal"};
+  const auto kind_of = [](const RoundShape& shape) { return kinds[static_cast<std::size_t>(shape.kind)]; };
+  std::string text;
+  for (const RoundShape& shape : shapes.given)
+    text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(shape), "-", "of nodes", "-",
+                        describe_place(shape));
+  for (const FittedShape& fitted : shapes.fitted)
+    text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(fitted.shape), fitted.n_faces,
+                        number(fitted.radius), number(fitted.residual), describe_place(fitted.shape));
+  if (shapes.n_unfitted > 0)
+    text += fmt::format(
+        smoothings_format, smoothing.name, surface, "none", "-", "-", "-",
+        fmt::format("{} not round{}", pluralize(shapes.n_unfitted, "part"),
+                    std::isfinite(shapes.least_residual)
+                        ? fmt::format(", by {:.3g} of the radius at least", shapes.least_residual)
+                        : ""));
+  if (shapes.n_flat > 0 && shapes.fitted.empty())
+    text += fmt::format(smoothings_format, smoothing.name, surface, "flat", "-", "-", "-",
+                        pluralize(shapes.n_flat, "flat part"));
+  return text;
+}
+
+/// The round shapes of surfaces: those of the deck, and what AUTO has found.
+std::string format_smoothings(const ContactModel& model) {
+  std::string text;
+  for (const SmoothingShapes& smoothing : model.smoothings) {
+    for (std::size_t i = 0; i < smoothing.surfaces.size(); ++i)
+      text += format_shapes(smoothing, model.surfaces.surfaces[i].name, smoothing.surfaces[i]);
+  }
+  if (text.empty()) return "";
+  return "\nRound shapes of surfaces\n" +
+         fmt::format(smoothings_format, "smoothing", "surface", "shape", "faces", "radius", "residual", "where") +
+         text;
+}
+
 std::string format_history(const ContactModel& model, const PairHistory& history, std::size_t i) {
   const SurfacePair& pair = model.pairs[i];
   return fmt::format(history_format, i + 1, model.surfaces.surfaces[pair.first].name,
@@ -150,7 +204,8 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
     text +=
         fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
   }
-  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model);
+  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model) +
+         format_smoothings(model);
 }
 
 std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories) {

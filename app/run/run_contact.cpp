@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/run/energy_watch.hpp"
+#include "app/run/smoothing_warnings.hpp"
 #include "app/run/start_overlap.hpp"
 #include "app/run/start_warnings.hpp"
 #include "contact/output/surface_drawing.hpp"
@@ -197,6 +198,7 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_edges(force_, contact_, warnings);
   warn_of_idle_settings(contact_, warnings);
   warn_of_gaps(force_, contact_, warnings);
+  warn_of_smoothings(force_, contact_, mesh_, warnings);
   warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
   std::vector<double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
@@ -208,6 +210,7 @@ void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {
     warn_of_energy(state.energies, warnings);
   warn_of_lost(warnings);
   warn_of_penetration(warnings);
+  warn_of_strain(force_, contact_, mesh_, state, warnings);
 }
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/mesh/feature_edges.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
 #include "core/definition/contact.hpp"
 
 namespace contactsim {
@@ -58,6 +59,7 @@ ContactMesh ContactForce::make_faces(std::span<const ErodedNode> eroded_nodes) c
   choose_feature_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, start,
                        contact_mesh);
   measure_sharpness(start, contact_mesh);
+  add_smooth_faces(setup_.contact, start, contact_mesh);
   add_penalty_properties(setup_.model, contact_mesh);
   return contact_mesh;
 }

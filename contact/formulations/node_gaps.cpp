@@ -39,7 +39,9 @@ class NodeGaps {
     const OptionalIndex pair = rules_.find(node.surface, face.surface);
     if (!pair || !rules_[*pair].is_active) return;
     const MovingFace moving = kinematics_.face(face_index);
-    const auto point = project_sphere(moving.x, moving.is_triangle, kinematics_.x(node.node), node.radius);
+    const SmoothFace* round = contact_mesh_.smooth_faces.find(rules_[*pair].pair->smoothing, face_index);
+    const auto point =
+        project_sphere(moving.x, moving.is_triangle, round, kinematics_.x(node.node), node.radius);
     if (!point || point->beyond > beside_face * kinematics_.bound(face_index).radius()) return;
     if (!is_facing(kinematics_, node, point->normal)) return;
     take(point->gap - offset, rules_[*pair], node.node);

@@ -80,6 +80,7 @@ struct OverlapShare {
   Eigen::Vector3d normal;                ///< unit, from the second face to the first [1]
   Eigen::Vector4d weights_1, weights_2;  ///< of the corners, sum 1 each [1]
   std::uint8_t part;                     ///< of the overlap
+  double rise;  ///< by which the gap is wider than that of the weighted corners [length]
 };
 
 /// The contact points of two faces. Left without values: most of it is never used.

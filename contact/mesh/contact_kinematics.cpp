@@ -166,7 +166,9 @@ FaceCorners ContactKinematics::velocities(const ContactFace& face) const {
 
 void ContactKinematics::set_bound(std::size_t index) {
   const ContactFace& face = contact_mesh_.faces[index];
-  bounds_[index] = FaceBound(corners(face), velocities(face), face.is_triangle());
+  const SmoothFaces::Extent extent = contact_mesh_.smooth_faces.extent(static_cast<std::uint32_t>(index));
+  bounds_[index] =
+      FaceBound(corners(face), velocities(face), face.is_triangle(), extent.height, extent.lean);
 }
 
 MovingFace ContactKinematics::face(std::uint32_t index) const {

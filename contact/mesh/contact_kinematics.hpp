@@ -82,6 +82,7 @@ class ContactKinematics {
   const Eigen::Matrix3Xd& offsets() const { return offsets_; }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
   MovingFace face(std::uint32_t face) const;
+  FaceCorners face_corners(std::uint32_t face) const { return corners(contact_mesh_.faces[face]); }
   /// The same with the velocities of the step before, whatever is foreseen.
   MovingFace last_face(std::uint32_t face) const;
   /// The area vector of a face, and the share of it that each corner has [length^2].

@@ -9,6 +9,7 @@
 
 #include "contact/lofting/loft_points.hpp"
 #include "contact/mesh/pair_lists.hpp"
+#include "contact/smoothing/smooth_faces.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -92,6 +93,7 @@ struct ContactMesh {
   std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
   std::vector<double> mass;                ///< [n_contact_nodes] [mass]
   PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
+  SmoothFaces smooth_faces;                ///< that stand for round surfaces
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
   /// Position of a node of the mesh that is in contact.

@@ -208,11 +208,15 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
     for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(face.corners[k]);
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
     if ((point - middle).norm() - (x.colwise() - middle).colwise().norm().maxCoeff() > least) continue;
-    const auto closest = project_onto_face(x, face.is_triangle(), point);
+    const SmoothFace* round = contact_mesh().smooth_faces.find(rules_[*pair].pair->smoothing, index);
+    const auto closest = project_sphere(x, face.is_triangle(), round, point, 0.0);
     if (!closest) continue;
     const double cosine = has_normal ? own.normal.dot(closest->normal) / own.normal.norm() : -1.0;
     if (cosine > same_way_cosine || (is_lofted && !is_facing(kinematics, node, closest->normal))) continue;
     if (std::hypot(closest->gap, closest->beyond) <= smallest_share * parts_.of_face[index].size)
+      return std::nullopt;
+    // Behind a facet, and still before the round surface that it stands for.
+    if (round != nullptr && closest->edge < 0 && closest->gap > 0.0 && closest->gap <= round->height())
       return std::nullopt;
     if (closest->gap > 0.0) continue;
     const double cost = std::hypot(closest->gap, closest->beyond) * (1.0 + 2.0 * (1.0 + cosine));

@@ -111,7 +111,8 @@ Box OverlapSearch::box_of_face(const ContactKinematics& kinematics, std::uint32_
   FaceCorners x;
   for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(corners[k]);
   // Both sides move, each by no more than the deepest overlap.
-  return box_around(x, 2.0 * std::max(parts_.of_face[face].half_thickness, deepest_));
+  return box_around(x, 2.0 * std::max(parts_.of_face[face].half_thickness, deepest_) +
+                           parts_.contact_mesh.smooth_faces.extent(face).height);
 }
 
 bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {

@@ -219,7 +219,8 @@ Box ContactSearch::face_box(const ContactKinematics& kinematics, std::uint32_t i
     include(x - dt * kinematics.v(corner), box);
     include(x + inward, box);
   }
-  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface], box);
+  const double height = contact_mesh_.smooth_faces.extent(index).height;
+  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface] + height, box);
   return box;
 }
 
@@ -282,6 +283,7 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
+  if (a.is_sharp() && b.is_sharp() && (is_smoothed(a, *pair) || is_smoothed(b, *pair))) return false;
   if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
   if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
   const auto is_of_b = [&](std::uint32_t node) {
@@ -289,6 +291,10 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
     return alike == contact_mesh_.first_alike[b.nodes[0]] || alike == contact_mesh_.first_alike[b.nodes[1]];
   };
   return !std::ranges::any_of(a.nodes, is_of_b) && !adjacent_.are_adjacent(a, b);
+}
+
+bool ContactSearch::is_smoothed(const ContactEdge& edge, std::uint32_t pair) const {
+  return contact_mesh_.smooth_faces.go_on(rules_[pair].pair->smoothing, (*edge.faces)[0], (*edge.faces)[1]);
 }
 
 std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) const {

@@ -78,6 +78,8 @@ class ContactSearch {
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
   Box edge_box(const ContactKinematics& kinematics, std::uint32_t edge, double dt, double deep) const;
+  /// Whether a sharp edge is none in a pair: both its faces stand for one round surface.
+  bool is_smoothed(const ContactEdge& edge, std::uint32_t pair) const;
   bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   /// The rigid body that has all of these contact nodes, < 0 if none has.
   std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;

@@ -40,6 +40,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   pair.gap = settings.gap;
   pair.gap_closure = settings.gap_closure;
   pair.adjusted_nodes = settings.adjusted_nodes;
+  pair.smoothing_choice = settings.smoothing.value_or(SmoothingChoice{});
   pair.penalty_scale = settings.penalty_scale.value_or(1.0) * contact.enforcement.penalty_scale;
   if (settings.penalty_stiffness) pair.penalty_stiffness = settings.penalty_stiffness->given;
   pair.enforcement = settings.enforcement.value_or(Enforcement::momentum_balance);

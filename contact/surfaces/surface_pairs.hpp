@@ -42,6 +42,8 @@ struct SurfacePair {
   std::optional<GapClosureTolerance> gap_closure;  ///< nodes this near are moved onto the other side
   std::optional<DeckName> adjusted_nodes;          ///< node set of nodes that are, at any distance
   OptionalIndex adjusted_node_set;                 ///< of the mesh, with that name
+  SmoothingChoice smoothing_choice;                ///< of the deck
+  OptionalIndex smoothing;                         ///< of the contact model, by that choice
   OptionalIndex side_b;  ///< surface that SIDE B names, or that gives the nodes; its nodes are moved then
   Enforcement enforcement = Enforcement::penalty;
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]

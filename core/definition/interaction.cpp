@@ -37,6 +37,7 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   own.gap = with_defaults(own.gap, defaults.gap);
   fill(own.gap_closure, defaults.gap_closure);
   fill(own.adjusted_nodes, defaults.adjusted_nodes);
+  fill(own.smoothing, defaults.smoothing);
   fill(own.enforcement, defaults.enforcement);
   fill(own.penalty_scale, defaults.penalty_scale);
   fill(own.penalty_stiffness, defaults.penalty_stiffness);

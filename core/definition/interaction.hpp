@@ -7,6 +7,7 @@
 
 #include "core/definition/condition_lines.hpp"
 #include "core/definition/contact_options.hpp"
+#include "core/definition/surface_smoothing.hpp"
 
 namespace contactsim {
 
@@ -61,6 +62,7 @@ struct PairSettings {
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;     ///< program: none is closed
   std::optional<DeckName> adjusted_nodes;             ///< node set whose nodes go onto the other side
+  std::optional<SmoothingChoice> smoothing;           ///< round shapes of the sides; program: off
   std::optional<double> penalty_scale;                ///< of the automatic stiffness, > 0; program: 1 [1]
   std::optional<PenaltyStiffness> penalty_stiffness;  ///< program: automatic
   std::optional<double> damping_fraction;             ///< of critical damping, >= 0; program: 0 [1]

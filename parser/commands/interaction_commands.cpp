@@ -3,6 +3,7 @@
 
 #include "parser/commands/block_rows.hpp"
 #include "parser/commands/condition_line_commands.hpp"
+#include "parser/commands/smoothing_commands.hpp"
 
 namespace contactsim {
 
@@ -124,7 +125,10 @@ std::vector<Row<PairSettings>> meeting_rows() {
 
 /// The lines that pairs and their defaults share.
 std::vector<Row<PairSettings>> pair_rows() {
-  return joined<PairSettings>({meeting_rows(), adjustment_rows(), lift_all(gap_rows(), &PairSettings::gap)});
+  return joined<PairSettings>({meeting_rows(),
+                               adjustment_rows(),
+                               {smoothing_row()},
+                               lift_all(gap_rows(), &PairSettings::gap)});
 }
 
 Row<InteractionDefaults> exclusion_row() {

@@ -13,6 +13,7 @@
 #include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/interface_laws/friction.hpp"
+#include "contact/smoothing/smooth_overlap.hpp"
 
 namespace contactsim {
 
@@ -135,15 +136,30 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   MovingFace first = context.kinematics.face(candidate.first);
   const MovingFace second = context.kinematics.face(candidate.second);
   take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), second, first);
+  const RoundSides round = round_sides(candidate);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
-    return add_balanced_points(
-        context, candidate, first, second,
-        {context.coming_dt, margin, activation_distance, depth, flat_share * thinner(candidate)}, did_touch,
-        points);
+    const ConstraintActivation activation{context.coming_dt, margin, activation_distance, depth,
+                                          flat_share * thinner(candidate)};
+    const FaceFaceConstraints found =
+        round.any() ? find_smooth_constraints({first, round.first}, {second, round.second}, activation)
+                    : find_face_face_constraints(first, second, activation);
+    return add_balanced_points(context, candidate, first, second, found, did_touch, points);
   }
   penalty.closing = closed;
-  add_penalty_points(context, candidate, {first, second, penalty, activation_distance, did_touch}, points);
+  const PenaltyPush push{first, second, penalty, activation_distance, did_touch};
+  if (round.any()) {
+    const auto contact = find_smooth_contact({first, round.first}, {second, round.second}, penalty,
+                                             activation_distance);
+    return add_penalty_point(context, candidate, push, contact, points);
+  }
+  add_penalty_points(context, candidate, push, points);
+}
+
+FaceFaceContacts::RoundSides FaceFaceContacts::round_sides(const Candidate& candidate) const {
+  const OptionalIndex smoothing = candidate.rule.pair->smoothing;
+  return {contact_mesh_.smooth_faces.find(smoothing, candidate.first),
+          contact_mesh_.smooth_faces.find(smoothing, candidate.second)};
 }
 
 void FaceFaceContacts::add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
@@ -199,9 +215,8 @@ double FaceFaceContacts::thinner(const Candidate& candidate) const {
 
 void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
                                            const MovingFace& first, const MovingFace& second,
-                                           const ConstraintActivation& activation, bool did_touch,
+                                           const FaceFaceConstraints& found, bool did_touch,
                                            std::vector<ContactPoint>& points) const {
-  const FaceFaceConstraints found = find_face_face_constraints(first, second, activation);
   const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
   for (const OverlapShare& point : found.all()) {
     FaceFaceContact contact;
@@ -210,7 +225,8 @@ void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, co
     contact.weights_2 = point.weights_2;
     contact.area = point.area;
     contact.gap = point.normal.dot((first.x.colwise() - origin) * point.weights_1 -
-                                   (second.x.colwise() - origin) * point.weights_2);
+                                   (second.x.colwise() - origin) * point.weights_2) +
+                  point.rise;
     const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
     const double closing = -apart.dot(point.normal) * context.coming_dt;
     if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;

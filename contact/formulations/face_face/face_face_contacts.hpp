@@ -57,6 +57,12 @@ class FaceFaceContacts {
     double activation_distance;  ///< gaps up to it count as near [length]
     bool did_touch;              ///< in the last step
   };
+  /// The round surfaces that two faces stand for, null of a face that stands for itself.
+  struct RoundSides {
+    const SmoothFace *first, *second;
+    bool any() const { return first != nullptr || second != nullptr; }
+  };
+  RoundSides round_sides(const Candidate& candidate) const;
   void detect_one(const ContactStepContext& context, const Candidate& candidate,
                   std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by the elastic penalty.
@@ -68,7 +74,7 @@ class FaceFaceContacts {
   /// The contact points of a pair that is enforced by momentum balance.
   void add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
                            const MovingFace& first, const MovingFace& second,
-                           const ConstraintActivation& activation, bool did_touch,
+                           const FaceFaceConstraints& found, bool did_touch,
                            std::vector<ContactPoint>& points) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void add_pull(const ContactStepContext& context, const Candidate& candidate,

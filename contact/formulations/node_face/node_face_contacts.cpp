@@ -12,6 +12,7 @@
 #include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
+#include "contact/smoothing/smooth_face.hpp"
 
 namespace contactsim {
 
@@ -171,7 +172,8 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, near_face.pair)) return;
   const MovingFace moving = context.kinematics.face(face_index);
-  const auto point = project_sphere(moving.x, moving.is_triangle, x, node.radius);
+  const SmoothFace* round = contact_mesh_.smooth_faces.find(rule.pair->smoothing, face_index);
+  const auto point = project_sphere(moving.x, moving.is_triangle, round, x, node.radius);
   if (!point) return;
   near_face.point = *point;
   near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
