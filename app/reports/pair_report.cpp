@@ -123,11 +123,13 @@ std::string format_gaps(const ContactModel& model) {
 constexpr const char* smoothings_format = "      {:<22} {:<28} {:<15} {:>9} {:>11} {:>11}  {}\n";
 
 std::string describe_place(const RoundShape& shape) {
-  const auto vector = [](const Eigen::Vector3d& v) {
+  const auto vector = [](Eigen::Vector3d v) {
+    v = (v.array().abs() > 1e-9 * v.norm()).select(v, 0.0);  // round-off tells nothing
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
   };
   switch (shape.kind) {
-    case RoundShape::Kind::spherical: return "about " + vector(shape.origin);
+    case RoundShape::Kind::spherical:
+      return "about " + vector(shape.origin);
     case RoundShape::Kind::circumferential:
       return "axis " + vector(shape.axis) + " through " + vector(shape.origin);
     default:
@@ -148,12 +150,12 @@ std::string format_shapes(const SmoothingShapes& smoothing, const std::string& s
     text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(fitted.shape), fitted.n_faces,
                         number(fitted.radius), number(fitted.residual), describe_place(fitted.shape));
   if (shapes.n_unfitted > 0)
-    text += fmt::format(
-        smoothings_format, smoothing.name, surface, "none", "-", "-", "-",
-        fmt::format("{} not round{}", pluralize(shapes.n_unfitted, "part"),
-                    std::isfinite(shapes.least_residual)
-                        ? fmt::format(", by {:.3g} of the radius at least", shapes.least_residual)
-                        : ""));
+    text +=
+        fmt::format(smoothings_format, smoothing.name, surface, "none", "-", "-", "-",
+                    fmt::format("{} not round{}", pluralize(shapes.n_unfitted, "part"),
+                                std::isfinite(shapes.least_residual)
+                                    ? fmt::format(", by {:.3g} of the radius at least", shapes.least_residual)
+                                    : ""));
   if (shapes.n_flat > 0 && shapes.fitted.empty())
     text += fmt::format(smoothings_format, smoothing.name, surface, "flat", "-", "-", "-",
                         pluralize(shapes.n_flat, "flat part"));
@@ -169,7 +171,8 @@ std::string format_smoothings(const ContactModel& model) {
   }
   if (text.empty()) return "";
   return "\nRound shapes of surfaces\n" +
-         fmt::format(smoothings_format, "smoothing", "surface", "shape", "faces", "radius", "residual", "where") +
+         fmt::format(smoothings_format, "smoothing", "surface", "shape", "faces", "radius", "residual",
+                     "where") +
          text;
 }
 

@@ -128,6 +128,7 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
                    {"ignore_initial_overlap", pair.gap.ignore_initial_overlap.value_or(false)},
                    {"overlap_ramp_time", to_json(pair.gap.overlap_ramp_time)}};
   }
+  if (pair.smoothing) json["smoothing"] = model.smoothings[*pair.smoothing].name;
   return json;
 }
 

@@ -84,16 +84,17 @@ void warn_of_shapes(const ContactMesh& contact_mesh, const ContactModel& contact
   });
   const std::string& name = contact.surfaces.surfaces[surface].name;
   if (n == 0) {
-    warnings.add_warning(
-        "smoothing-without-effect", {},
-        fmt::format("no face of '{}' goes round the shape that the smoothing '{}' gives it", name, shapes.name),
-        "faces that look along the axis stand for themselves");
+    warnings.add_warning("smoothing-without-effect", {},
+                         fmt::format("no face of '{}' goes round the shape that the smoothing '{}' gives it",
+                                     name, shapes.name),
+                         "faces that look along the axis stand for themselves");
   } else if (n_askew > 0) {
-    warnings.add_warning("smoothing-askew", {},
-                         fmt::format("{} of {} faces of '{}' lean by more than 15 degrees on the shape that the "
-                                     "smoothing '{}' gives them",
-                                     n_askew, n, name, shapes.name),
-                         "the axis or centre may be another one");
+    warnings.add_warning(
+        "smoothing-askew", {},
+        fmt::format("{} of {} faces of '{}' lean by more than 15 degrees on the shape that the "
+                    "smoothing '{}' gives them",
+                    n_askew, n, name, shapes.name),
+        "the axis or centre may be another one");
   }
 }
 
@@ -127,9 +128,10 @@ void warn_of_strain(const ContactForce& force, const ContactModel& contact, cons
       if (!(strain > large_strain) || !told.insert(i).second) continue;
       warnings.add_warning(
           "smoothing-strained", {},
-          fmt::format("edges of '{}' have changed their length by {:.0f} %, and its round shape is that of the "
-                      "start",
-                      contact.surfaces.surfaces[i].name, 100.0 * strain),
+          fmt::format(
+              "edges of '{}' have changed their length by {:.0f} %, and its round shape is that of the "
+              "start",
+              contact.surfaces.surfaces[i].name, 100.0 * strain),
           "smoothing is for small strains; SMOOTHING = OFF takes the faces as they are");
     }
   }

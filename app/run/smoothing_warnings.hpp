@@ -7,8 +7,9 @@
 
 namespace contactsim {
 
-/// Warns of pairs whose smoothing does nothing, because they only tie, no face goes round the shape or the law
-/// acts across gaps of faces ("smoothing-without-effect"), and of shapes that faces lean on ("smoothing-askew").
+/// Warns of pairs whose smoothing does nothing, because they only tie, no face goes round the shape or the
+/// law acts across gaps of faces ("smoothing-without-effect"), and of shapes that faces lean on
+/// ("smoothing-askew").
 void warn_of_smoothings(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
                         Diagnostics& warnings);
 

@@ -35,7 +35,10 @@ std::optional<SmoothGap> gap_of_faces(const ContactKinematics& kinematics, const
   const SmoothFaces& smooth = kinematics.contact_mesh().smooth_faces;
   const SmoothFace *round_a = smooth.find(pair.smoothing, first),
                    *round_b = smooth.find(pair.smoothing, second);
-  if (round_a != nullptr || round_b != nullptr) return find_smooth_gap({a, round_a}, {b, round_b});
+  if (round_a != nullptr || round_b != nullptr) {
+    const SmoothPatch patch_a(a, round_a), patch_b(b, round_b);
+    return find_smooth_gap({patch_a, patch_b});
+  }
   const auto found = find_face_face_points(a, b);
   if (!found) return std::nullopt;
   SmoothGap gap{0.0, std::numeric_limits<double>::infinity(), found->points.area};

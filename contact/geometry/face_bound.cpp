@@ -81,8 +81,7 @@ bool may_project_inside(const Eigen::Vector3d& point, const FaceBound& face, dou
     return false;
   // The closest point of a point off a warped face lies aside by as much as its normal turns.
   const float turned = face.warp() / face.radius();
-  const float slack =
-      rough + static_cast<float>(beyond) + (2.0f * turned + face.lean()) * std::abs(height);
+  const float slack = rough + static_cast<float>(beyond) + (2.0f * turned + face.lean()) * std::abs(height);
   for (std::size_t i = 0; i < 2; ++i) {
     const FourFloats along = face.times(face.half(i));
     if (std::abs(on_face[i]) > reach_along(along[0], along[1]) + slack * std::sqrt(along[i])) return false;

@@ -91,8 +91,10 @@ class ContactKinematics {
   /// How much of its surface a node has as seen against a normal: the sides of an edge do not count for what
   /// its top touches. At least a hundredth of its share of the area at the start, which is that of nodes
   /// without faces.
-  ///   normal  unit, towards the node [1]
-  double area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const;
+  ///   normal     unit, towards the node [1]
+  ///   smoothing  by which faces stand for round surfaces, whose areas count then
+  double area_against(const SurfaceNode& node, const Eigen::Vector3d& normal,
+                      OptionalIndex smoothing = {}) const;
 
  private:
   FaceCorners corners(const ContactFace& face) const;

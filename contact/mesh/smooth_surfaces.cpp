@@ -51,8 +51,7 @@ class ShapeReader {
 
   std::optional<Eigen::Vector3d> find(const PointReference& point) const {
     if (const auto* coordinates = std::get_if<Eigen::Vector3d>(&point)) return *coordinates;
-    const auto* found =
-        find_definition(definition_.points, std::get<DeckName>(point), "point", diagnostics_);
+    const auto* found = find_definition(definition_.points, std::get<DeckName>(point), "point", diagnostics_);
     return found ? std::optional(found->coordinates) : std::nullopt;
   }
   std::optional<RoundShape> about(const AxisReference& axis, const DeckLocation& location) const {
@@ -159,8 +158,8 @@ SurfaceShapes fitted_shapes(const ContactKinematics& start, std::uint32_t surfac
     } else if (fit.is_flat) {
       ++shapes.n_flat;
     } else {
-      shapes.least_residual = shapes.n_unfitted == 0 ? fit.least_residual
-                                                     : std::min(shapes.least_residual, fit.least_residual);
+      shapes.least_residual =
+          shapes.n_unfitted == 0 ? fit.least_residual : std::min(shapes.least_residual, fit.least_residual);
       ++shapes.n_unfitted;
     }
   }
@@ -192,8 +191,7 @@ class SmoothingFinder {
     if (choice.kind == SmoothingChoice::Kind::off) return std::nullopt;
     const bool is_automatic = choice.kind == SmoothingChoice::Kind::automatic;
     const auto is_it = [&](const SmoothingShapes& one) {
-      return one.is_automatic == is_automatic &&
-             (is_automatic || fold(one.name) == fold(choice.name.text));
+      return one.is_automatic == is_automatic && (is_automatic || fold(one.name) == fold(choice.name.text));
     };
     const auto known = std::ranges::find_if(model_.smoothings, is_it);
     if (known != model_.smoothings.end())
@@ -229,10 +227,10 @@ void warn(const ContactDefinition& contact, const ContactModel& model, Diagnosti
       return !one.is_automatic && fold(one.name) == fold(smoothing.name.text);
     };
     if (std::ranges::none_of(model.smoothings, is_it))
-      diagnostics.add_warning("smoothing-unused", smoothing.name.location,
-                              fmt::format("no pair of surfaces uses the smoothing '{}'", smoothing.name.text),
-                              "write SMOOTHING = " + smoothing.name.text +
-                                  " in an INTERACTION or in INTERACTION DEFAULTS");
+      diagnostics.add_warning(
+          "smoothing-unused", smoothing.name.location,
+          fmt::format("no pair of surfaces uses the smoothing '{}'", smoothing.name.text),
+          "write SMOOTHING = " + smoothing.name.text + " in an INTERACTION or in INTERACTION DEFAULTS");
   }
   for (const SurfacePair& pair : model.pairs) {
     if (!pair.smoothing || smooths(model, pair) || pair.is_from_defaults) continue;

@@ -112,8 +112,8 @@ std::optional<RoundShape> start_cylinder(const SurfacePart& part) {
   return shape;
 }
 
-/// Normals of a surface of revolution meet its axis: with the moment p x n of a normal at p, and b that of the
-/// axis, n . b + (p x n) . a = 0.
+/// Normals of a surface of revolution meet its axis: with the moment p x n of a normal at p, and b that of
+/// the axis, n . b + (p x n) . a = 0.
 std::optional<RoundShape> start_torus(const SurfacePart& part) {
   Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   for (std::size_t i = 0; i < part.areas.size(); ++i) {
@@ -122,7 +122,8 @@ std::optional<RoundShape> start_torus(const SurfacePart& part) {
     squares += line * line.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(squares);
-  const Eigen::Vector3d a = solver.eigenvectors().col(0).head<3>(), b = solver.eigenvectors().col(0).tail<3>();
+  const Eigen::Vector3d a = solver.eigenvectors().col(0).head<3>(),
+                        b = solver.eigenvectors().col(0).tail<3>();
   if (!(a.norm() > 1e-6)) return std::nullopt;
   RoundShape shape;
   shape.kind = RoundShape::Kind::toroidal;

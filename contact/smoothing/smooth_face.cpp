@@ -14,6 +14,9 @@ namespace {
 /// way: that of a cone of 70 degrees is.
 constexpr double goes_round_cosine = 0.3;
 
+/// By so much coordinates may be beyond an edge and still be on it: they are found by iterations.
+constexpr double on_edge = 1e-8;
+
 /// Points at which the largest height and lean of the surface over a face are looked for, along each side.
 constexpr int n_probes = 4;
 
@@ -26,9 +29,8 @@ FaceFunction face_function(const Eigen::Vector4d& values, bool is_triangle) {
   return component(make_face_map(corners, is_triangle), 0);
 }
 
-}  // namespace
-
-Eigen::Matrix3d axes_of(const FaceCorners& corners) {
+/// The axes of a face, as columns: along a diagonal, across it, out of the element. They turn with the face.
+Eigen::Matrix3d face_axes(const FaceCorners& corners) {
   Eigen::Matrix3d axes;
   axes.col(2) = area_vector(corners).normalized();
   const Eigen::Vector3d diagonal = corners.col(2) - corners.col(0);
@@ -37,12 +39,14 @@ Eigen::Matrix3d axes_of(const FaceCorners& corners) {
   return axes;
 }
 
+}  // namespace
+
 std::optional<SmoothFace> SmoothFace::make(const RoundShape& shape, const FaceCorners& corners,
                                            bool is_triangle) {
   SmoothFace made;
   made.shape_ = shape;
   made.start_ = make_face_map(corners, is_triangle);
-  made.to_face_axes_ = axes_of(corners).transpose();
+  made.to_face_axes_ = face_axes(corners).transpose();
   const Eigen::Vector3d normal = area_vector(corners).normalized();
   const auto goes_round = [&](const Eigen::Vector3d& way) {
     return std::abs(normal.dot(way)) > goes_round_cosine * way.norm();
@@ -55,19 +59,31 @@ std::optional<SmoothFace> SmoothFace::make(const RoundShape& shape, const FaceCo
   }
   if (!goes_round(shape.way_to(made.start_.centre()))) return std::nullopt;
   made.radius_ = face_function(radii, is_triangle);
+  made.measure();
+  return made;
+}
+
+void SmoothFace::measure() {
+  const bool is_triangle = start_.is_triangle;
+  double area = 0.0, of_face = 0.0;
   for (int i = 0; i <= n_probes; ++i) {
     for (int j = 0; j <= (is_triangle ? n_probes - i : n_probes); ++j) {
       const double s = static_cast<double>(i) / n_probes, t = static_cast<double>(j) / n_probes;
       const double xi = is_triangle ? s : 2.0 * s - 1.0, eta = is_triangle ? t : 2.0 * t - 1.0;
-      const FaceVector rise = made.rise_at(xi, eta);
-      const Eigen::Vector3d along = made.to_face_axes_ * tangent_xi(made.start_, eta) + rise.by_xi,
-                            across = made.to_face_axes_ * tangent_eta(made.start_, xi) + rise.by_eta;
-      const Eigen::Vector3d out = along.cross(across).normalized();
-      made.height_ = std::max(made.height_, std::abs(rise.value.z()));
-      made.lean_ = std::max(made.lean_, out.head<2>().norm() / std::max(out.z(), goes_round_cosine));
+      const FaceVector rise = rise_at(xi, eta);
+      const Eigen::Vector3d along = tangent_xi(start_, eta), across = tangent_eta(start_, xi);
+      const Eigen::Vector3d out =
+          (to_face_axes_ * along + rise.by_xi).cross(to_face_axes_ * across + rise.by_eta);
+      height_ = std::max(height_, std::abs(rise.value.z()));
+      lean_ = std::max(lean_, out.head<2>().norm() / std::max(out.z(), goes_round_cosine * out.norm()));
+      // By the trapezoidal rule.
+      const bool is_at_end = is_triangle ? i + j == n_probes : i == n_probes;
+      const double weight = (i == 0 || is_at_end ? 0.5 : 1.0) * (j == 0 || j == n_probes ? 0.5 : 1.0);
+      area += weight * out.norm();
+      of_face += weight * along.cross(across).norm();
     }
   }
-  return made;
+  area_ratio_ = area / of_face;
 }
 
 FaceVector SmoothFace::rise_at(double xi, double eta) const {
@@ -91,7 +107,7 @@ SmoothPatch::SmoothPatch(const MovingFace& face, const SmoothFace* smooth)
       smooth_(smooth),
       map_(make_face_map(face.x, face.is_triangle)),
       velocity_(make_face_map(face.v, face.is_triangle)) {
-  if (smooth != nullptr) axes_ = axes_of(face.x);
+  if (smooth != nullptr) axes_ = face_axes(face.x);
 }
 
 SmoothPatch::Point SmoothPatch::at(double xi, double eta) const {
@@ -145,6 +161,7 @@ std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangl
   if (!found) return std::nullopt;
   double xi = found->xi, eta = found->eta;
   found->edge = move_inside(is_triangle, xi, eta);
+  if (std::abs(found->xi - xi) + std::abs(found->eta - eta) < on_edge) found->edge = -1;
   if (found->edge >= 0) {
     if (radius > 0.0) return project_sphere(x, is_triangle, centre, radius);
     found->beyond = (patch.at(found->xi, found->eta).on_face - patch.at(xi, eta).on_face).norm();

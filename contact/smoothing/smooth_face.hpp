@@ -23,19 +23,19 @@ class SmoothFace {
   /// The way from the face to the round surface at a point, in the axes of the face [length].
   FaceVector rise_at(double xi, double eta) const;
   double height() const { return height_; }  ///< of the surface over the face, at most, either way [length]
-  double lean() const { return lean_; }  ///< tangent of the angle between both's normals, at most [1]
+  double lean() const { return lean_; }      ///< tangent of the angle between both's normals, at most [1]
+  double area_ratio() const { return area_ratio_; }  ///< area of the surface over that of the face [1]
   double sharpness = 0.0;  ///< of its edges where the round surface ends, see FaceOrientation [degrees]
 
  private:
-  RoundShape shape_;
-  FaceMap start_;                // in the coordinates of the mesh
-  FaceFunction radius_;          // sum of N_i r_i
-  Eigen::Matrix3d to_face_axes_;  // at the start
-  double height_ = 0.0, lean_ = 0.0;
-};
+  void measure();
 
-/// The axes of a face, as columns: along a diagonal, across it, out of the element. They turn with the face.
-Eigen::Matrix3d axes_of(const FaceCorners& corners);
+  RoundShape shape_;
+  FaceMap start_;                 // in the coordinates of the mesh
+  FaceFunction radius_;           // sum of N_i r_i
+  Eigen::Matrix3d to_face_axes_;  // at the start
+  double height_ = 0.0, lean_ = 0.0, area_ratio_ = 1.0;
+};
 
 /// A face as it is now with the surface that it stands for: a round one that has turned along with it, or the
 /// face itself.
@@ -46,8 +46,8 @@ class SmoothPatch {
 
   /// A point of the surface.
   struct Point {
-    Eigen::Vector3d on_face;  ///< that the surface rises over [length]
-    Eigen::Vector3d x;        ///< [length]
+    Eigen::Vector3d on_face;              ///< that the surface rises over [length]
+    Eigen::Vector3d x;                    ///< [length]
     Eigen::Vector3d along_xi, along_eta;  ///< tangents of the surface [length]
     /// Unit, out of the element [1].
     Eigen::Vector3d normal() const { return along_xi.cross(along_eta).normalized(); }

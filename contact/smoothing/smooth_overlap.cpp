@@ -36,8 +36,8 @@ struct SurfaceSums {
   double sum() const { return on_first[0]; }
 };
 
-/// Changes the weights of a face's corners by as little as brings their point onto a line: with w + e, the sum of
-/// e is 0 and that of e_i x_i is the way to the line, square to it.
+/// Changes the weights of a face's corners by as little as brings their point onto a line: with w + e, the
+/// sum of e is 0 and that of e_i x_i is the way to the line, square to it.
 ///   x  a point of the line
 Eigen::Vector4d onto_line(const MovingFace& face, const Eigen::Vector4d& weights, const Eigen::Vector3d& x,
                           const Eigen::Vector3d& direction) {
@@ -95,16 +95,17 @@ OverlapShare share_of(const SmoothPatch& first, const SmoothPatch& second, const
   const Eigen::Vector3d origin = second.face().x.col(0);  // large coordinates would cost digits
   const double of_corners = weights.normal.dot((first.face().x.colwise() - origin) * weights.first -
                                                (second.face().x.colwise() - origin) * weights.second);
-  return {sums.sum(), weights.normal, weights.first, weights.second, part,
-          sums.gap / sums.sum() - of_corners};
+  return {sums.sum(),     weights.normal, weights.first,
+          weights.second, part,           sums.gap / sums.sum() - of_corners};
 }
 
 }  // namespace
 
-FaceFaceContact find_smooth_contact(const SmoothPatch& first, const SmoothPatch& second,
-                                    const PairPenalty& penalty, double activation_distance) {
+FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty& penalty,
+                                    double activation_distance) {
+  const auto& [first, second, offset] = sides;
   FaceFaceContact contact;
-  const SmoothOverlap overlap(first, second, 0.0);
+  const SmoothOverlap overlap(sides, 0.0);
   if (!overlap.has_area() || !overlap.may_hold({-penalty.depth, activation_distance})) return contact;
   SurfaceSums forces, areas;
   double work = 0.0;
@@ -131,11 +132,12 @@ FaceFaceContact find_smooth_contact(const SmoothPatch& first, const SmoothPatch&
   if (activation_distance > 0.0) {
     near_area = 0.0;
     SurfaceSums near;
-    overlap.visit_part({-penalty.depth, activation_distance}, [&](double area, const SurfacePairPoint& point) {
-      near_area += area;
-      near.add(area, point);
-      if (contact.area == 0.0) contact.gap = std::min(contact.gap, point.gap);
-    });
+    overlap.visit_part({-penalty.depth, activation_distance},
+                       [&](double area, const SurfacePairPoint& point) {
+                         near_area += area;
+                         near.add(area, point);
+                         if (contact.area == 0.0) contact.gap = std::min(contact.gap, point.gap);
+                       });
     if (contact.area == 0.0) areas = near;
   }
   contact.stiffness = penalty.stiffness * penalty.law.slope(penalty.closing - contact.gap) * near_area;
@@ -153,10 +155,11 @@ FaceFaceContact find_smooth_contact(const SmoothPatch& first, const SmoothPatch&
   return contact;
 }
 
-FaceFaceConstraints find_smooth_constraints(const SmoothPatch& first, const SmoothPatch& second,
+FaceFaceConstraints find_smooth_constraints(const SmoothSides& sides,
                                             const ConstraintActivation& activation) {
+  const auto& [first, second, offset] = sides;
   FaceFaceConstraints found;
-  const SmoothOverlap overlap(first, second, activation.ahead);
+  const SmoothOverlap overlap(sides, activation.ahead);
   const double reach = std::max(activation.near, activation.margin);
   if (!overlap.has_area() || !overlap.may_hold({-activation.depth, reach})) return found;
   const auto area_of = [&](const SmoothPatch& patch) {
@@ -187,9 +190,9 @@ FaceFaceConstraints find_smooth_constraints(const SmoothPatch& first, const Smoo
   return found;
 }
 
-std::optional<SmoothGap> find_smooth_gap(const SmoothPatch& first, const SmoothPatch& second) {
+std::optional<SmoothGap> find_smooth_gap(const SmoothSides& sides) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const SmoothOverlap overlap(first, second, 0.0);
+  const SmoothOverlap overlap(sides, 0.0);
   if (!overlap.has_area()) return std::nullopt;
   SmoothGap found;
   found.smallest = infinite;

@@ -11,15 +11,20 @@
 /// on the face below. Gaps, areas and normals are those of the surfaces; forces act on the faces.
 namespace contactsim {
 
-/// find_face_face_contact() of the surfaces. The normal is the mean of theirs by force, and the corners' weights
-/// have both points of attack on the line through the centre of force along it, so that neither force nor
-/// moment is left.
-FaceFaceContact find_smooth_contact(const SmoothPatch& first, const SmoothPatch& second,
-                                    const PairPenalty& penalty, double activation_distance);
+/// Both surfaces of two faces, as they are.
+struct SmoothSides {
+  const SmoothPatch &first, &second;
+  double offset = 0.0;  ///< taken off the gap [length]
+};
+
+/// find_face_face_contact() of the surfaces. The normal is the mean of theirs by force, and the corners'
+/// weights have both points of attack on the line through the centre of force along it, so that neither force
+/// nor moment is left.
+FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty& penalty,
+                                    double activation_distance);
 
 /// find_face_face_constraints() of the surfaces.
-FaceFaceConstraints find_smooth_constraints(const SmoothPatch& first, const SmoothPatch& second,
-                                            const ConstraintActivation& activation);
+FaceFaceConstraints find_smooth_constraints(const SmoothSides& sides, const ConstraintActivation& activation);
 
 /// The gap of the surfaces over all of the overlap of two faces.
 struct SmoothGap {
@@ -28,6 +33,6 @@ struct SmoothGap {
 };
 
 /// Nothing when the faces do not face each other or do not overlap.
-std::optional<SmoothGap> find_smooth_gap(const SmoothPatch& first, const SmoothPatch& second);
+std::optional<SmoothGap> find_smooth_gap(const SmoothSides& sides);
 
 }  // namespace contactsim

@@ -17,8 +17,8 @@ constexpr double flat = 0.02;
 /// As one does that bends by less than this share of the triangle's width.
 constexpr double negligible = 1e-6;
 
-/// The middle of an edge that is this much beside it, over its length, is on it; an overlap of this share of a
-/// face has no area.
+/// The middle of an edge that is this much beside it, over its length, is on it; an overlap of this share of
+/// a face has no area.
 constexpr double straight = 1e-6, no_area = 1e-12;
 
 /// Surfaces that lean on the plane by more than this cosine have no more area.
@@ -85,16 +85,16 @@ Eigen::Vector2d PlanePolygon::centroid() const {
   return corners[0] + sum / (3.0 * twice);
 }
 
-SmoothOverlap::SmoothOverlap(const SmoothPatch& first, const SmoothPatch& second, double ahead)
-    : first_(first), second_(second), ahead_(ahead) {
-  auto pair = project_pair(first.face(), second.face(), ahead);
+SmoothOverlap::SmoothOverlap(const SmoothSides& sides, double ahead)
+    : first_(sides.first), second_(sides.second), offset_(sides.offset), ahead_(ahead) {
+  auto pair = project_pair(first_.face(), second_.face(), ahead);
   if (!pair) return;
   plane_ = pair->plane;
-  const double height = first.height() + second.height();
-  min_gap_ = pair->min_gap - height;
-  max_gap_ = pair->max_gap + height;
+  const double height = first_.height() + second_.height();
+  min_gap_ = pair->min_gap - height - offset_;
+  max_gap_ = pair->max_gap + height - offset_;
   const PlanePolygon polygon =
-      intersect(outline(first, pair->first, true), outline(second, pair->second, false));
+      intersect(outline(first_, pair->first, true), outline(second_, pair->second, false));
   const double size = (pair->first.col(2) - pair->first.col(0)).squaredNorm();
   if (polygon.n > 2 && polygon.area() > no_area * size) polygon_ = polygon;
 }
@@ -121,7 +121,8 @@ PlanePolygon SmoothOverlap::outline(const SmoothPatch& patch, const FaceCorners&
 /// Newton's method from where the coordinates are.
 bool SmoothOverlap::locate(const SmoothPatch& patch, double u, double v, double& xi, double& eta) const {
   constexpr int max_iterations = 12;
-  constexpr double accuracy = 1e-9, far_away = 3.0;
+  constexpr double accuracy = 1e-5;  // of the step, of which the error left is the square
+  constexpr double far_away = 3.0;
   for (int i = 0; i < max_iterations; ++i) {
     const SmoothPatch::Point point = patch.at(xi, eta);
     const Eigen::Vector3d away = point.x - plane_.origin;
@@ -148,15 +149,24 @@ SurfacePairPoint SmoothOverlap::at(double u, double v, const SurfacePairPoint& n
   found.normal = normal_between(a.normal(), b.normal(), first_.sharpness(), second_.sharpness());
   const double cosine = std::max(found.normal.dot(plane_.normal), least_lean_cosine);
   found.spread = 1.0 / cosine;
-  found.gap = cosine * plane_.normal.dot(a.x - b.x);
+  found.gap = cosine * plane_.normal.dot(a.x - b.x) - offset_;
   found.coming_gap = found.gap;
   if (ahead_ > 0.0) {
-    const Eigen::Vector3d apart = first_.velocity_at(found.xi_1, found.eta_1) -
-                                  second_.velocity_at(found.xi_2, found.eta_2);
+    const Eigen::Vector3d apart =
+        first_.velocity_at(found.xi_1, found.eta_1) - second_.velocity_at(found.xi_2, found.eta_2);
     found.coming_gap += ahead_ * cosine * plane_.normal.dot(apart);
   }
   found.middle = 0.5 * (a.x + b.x);
   return found;
+}
+
+SurfacePairPoint SmoothOverlap::between(const SurfacePairPoint& a, const SurfacePairPoint& b) const {
+  SurfacePairPoint near = a;
+  near.xi_1 = 0.5 * (a.xi_1 + b.xi_1);
+  near.eta_1 = 0.5 * (a.eta_1 + b.eta_1);
+  near.xi_2 = 0.5 * (a.xi_2 + b.xi_2);
+  near.eta_2 = 0.5 * (a.eta_2 + b.eta_2);
+  return at(0.5 * (a.u + b.u), 0.5 * (a.v + b.v), near);
 }
 
 void SmoothOverlap::visit_part(const GapBounds& bounds, const Visit& visit) const {

@@ -12,9 +12,6 @@
 # {endif}
 # {frame = 0.02}
 begin sierra shrink fit
-  define point middle with coordinates 0 0 0
-  define point above with coordinates 0 0 1
-
   begin material rubber
     density = 1000
     begin parameters for model elastic
@@ -47,10 +44,6 @@ begin sierra shrink fit
 
       begin contact definition
         skin all blocks = on
-        begin surface smoothing round
-          surface = inner outer
-          circumferential axis = middle above
-        end
         begin interaction defaults
           general contact = on
           constraint formulation = {form}

@@ -125,10 +125,8 @@ std::vector<Row<PairSettings>> meeting_rows() {
 
 /// The lines that pairs and their defaults share.
 std::vector<Row<PairSettings>> pair_rows() {
-  return joined<PairSettings>({meeting_rows(),
-                               adjustment_rows(),
-                               {smoothing_row()},
-                               lift_all(gap_rows(), &PairSettings::gap)});
+  return joined<PairSettings>(
+      {meeting_rows(), adjustment_rows(), {smoothing_row()}, lift_all(gap_rows(), &PairSettings::gap)});
 }
 
 Row<InteractionDefaults> exclusion_row() {

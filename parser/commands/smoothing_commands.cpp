@@ -46,7 +46,8 @@ AxisReference read_axis(Arguments& arguments, std::string_view end) {
 /// The region that a line about its shape is for.
 SmoothingRegion& region_of(Arguments& arguments, SurfaceSmoothing& smoothing) {
   if (smoothing.regions.empty())
-    arguments.fail_here("a shape stands behind the SURFACE line that it is for", "write SURFACE = <names> first");
+    arguments.fail_here("a shape stands behind the SURFACE line that it is for",
+                        "write SURFACE = <names> first");
   SmoothingRegion& region = smoothing.regions.back();
   if (region.shape)
     arguments.fail_here("the surfaces of this region have a shape already",
@@ -100,10 +101,11 @@ const Table<SurfaceSmoothing>& smoothing_table() {
   const std::string axis = axis_syntax;
   static const Table<S> table(
       {
-          row<S>("surface", "= " + surfaces.syntax, read_surface,
-                 "Contact surfaces of one round shape, which the next line gives; each such line begins another "
-                 "region. ALL is every contact surface",
-                 "none")
+          row<S>(
+              "surface", "= " + surfaces.syntax, read_surface,
+              "Contact surfaces of one round shape, which the next line gives; each such line begins another "
+              "region. ALL is every contact surface",
+              "none")
               .references(NameKind::contact_surface),
           row<S>("circumferential axis", "= " + axis, read_circumferential,
                  "The surfaces are parts of a surface of revolution about an axis: by its name, through two "
@@ -116,7 +118,8 @@ const Table<SurfaceSmoothing>& smoothing_table() {
               .or_spelled("spherical centre")
               .references(NameKind::point),
           row<S>("toroidal axis", "= " + axis + " RADIUS <r>", read_toroidal,
-                 "The surfaces are parts of a torus about an axis whose first point is the middle of the circle, "
+                 "The surfaces are parts of a torus about an axis whose first point is the middle of the "
+                 "circle, "
                  "of this radius, on which the centres of the arc lie [length]",
                  "none")
               .references(NameKind::axis)

@@ -135,25 +135,24 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
                                  : std::max(penalty.depth, 1.5 * closed);
   MovingFace first = context.kinematics.face(candidate.first);
   const MovingFace second = context.kinematics.face(candidate.second);
-  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), second, first);
   const RoundSides round = round_sides(candidate);
+  const double offset = offsets.of_faces(candidate.pair, candidate.first, candidate.second);
+  if (!round.any()) take_off(offset, second, first);
+  const SmoothPatch patch_1(first, round.first), patch_2(second, round.second);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
     const ConstraintActivation activation{context.coming_dt, margin, activation_distance, depth,
                                           flat_share * thinner(candidate)};
-    const FaceFaceConstraints found =
-        round.any() ? find_smooth_constraints({first, round.first}, {second, round.second}, activation)
-                    : find_face_face_constraints(first, second, activation);
+    const FaceFaceConstraints found = round.any()
+                                          ? find_smooth_constraints({patch_1, patch_2, offset}, activation)
+                                          : find_face_face_constraints(first, second, activation);
     return add_balanced_points(context, candidate, first, second, found, did_touch, points);
   }
   penalty.closing = closed;
   const PenaltyPush push{first, second, penalty, activation_distance, did_touch};
-  if (round.any()) {
-    const auto contact = find_smooth_contact({first, round.first}, {second, round.second}, penalty,
-                                             activation_distance);
-    return add_penalty_point(context, candidate, push, contact, points);
-  }
-  add_penalty_points(context, candidate, push, points);
+  if (!round.any()) return add_penalty_points(context, candidate, push, points);
+  const auto contact = find_smooth_contact({patch_1, patch_2, offset}, penalty, activation_distance);
+  add_penalty_point(context, candidate, push, contact, points);
 }
 
 FaceFaceContacts::RoundSides FaceFaceContacts::round_sides(const Candidate& candidate) const {

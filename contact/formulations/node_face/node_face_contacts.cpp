@@ -332,7 +332,8 @@ NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, 
                                              const ContactPoint& contact_point) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const SurfacePair& pair = *context.rules[near_face.pair].pair;
-  const double area = near_face.share * context.kinematics.area_against(node, near_face.point.normal);
+  const double area =
+      near_face.share * context.kinematics.area_against(node, near_face.point.normal, pair.smoothing);
   const MovingFace moving = context.kinematics.face(near_face.face);
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * near_face.point.normal;
   const Eigen::Vector3d relative =

@@ -53,14 +53,16 @@ TEST_CASE("a round surface rises over a facet by the sagitta and not at all at i
 TEST_CASE("the derivatives of a round surface are those of differences", "[contact][smoothing]") {
   const FaceCorners x = facet(2.0, 0.2, 0.7, 0.1);
   using Kind = RoundShape::Kind;
-  for (const RoundShape& shape : {shape_of(Kind::circumferential), shape_of(Kind::spherical),
-                                  shape_of(Kind::toroidal, 1.2)}) {
+  for (const RoundShape& shape :
+       {shape_of(Kind::circumferential), shape_of(Kind::spherical), shape_of(Kind::toroidal, 1.2)}) {
     const auto smooth = SmoothFace::make(shape, x, false);
     REQUIRE(smooth);
     constexpr double h = 1e-6;
     const FaceVector at = smooth->rise_at(0.3, -0.4);
-    const Vector3d by_xi = (smooth->rise_at(0.3 + h, -0.4).value - smooth->rise_at(0.3 - h, -0.4).value) / (2 * h);
-    const Vector3d by_eta = (smooth->rise_at(0.3, -0.4 + h).value - smooth->rise_at(0.3, -0.4 - h).value) / (2 * h);
+    const Vector3d by_xi =
+        (smooth->rise_at(0.3 + h, -0.4).value - smooth->rise_at(0.3 - h, -0.4).value) / (2 * h);
+    const Vector3d by_eta =
+        (smooth->rise_at(0.3, -0.4 + h).value - smooth->rise_at(0.3, -0.4 - h).value) / (2 * h);
     CHECK((at.by_xi - by_xi).norm() < 1e-8);
     CHECK((at.by_eta - by_eta).norm() < 1e-8);
   }
@@ -72,7 +74,8 @@ TEST_CASE("a round surface turns along with its face", "[contact][smoothing]") {
   Eigen::Isometry3d moved = Eigen::Isometry3d::Identity();
   moved.rotate(Eigen::AngleAxisd(2.1, Vector3d(1, -1, 2).normalized()));
   moved.translation() = Vector3d(5, 6, 7);
-  const MovingFace before{x, FaceCorners::Zero(), false, 0.0}, after{moved * x, FaceCorners::Zero(), false, 0.0};
+  const MovingFace before{x, FaceCorners::Zero(), false, 0.0},
+      after{moved * x, FaceCorners::Zero(), false, 0.0};
   const auto a = SmoothPatch(before, &*smooth).at(0.4, 0.1), b = SmoothPatch(after, &*smooth).at(0.4, 0.1);
   CHECK((moved * a.x - b.x).norm() < 1e-13);
   CHECK((moved.linear() * a.normal() - b.normal()).norm() < 1e-13);

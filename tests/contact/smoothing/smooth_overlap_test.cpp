@@ -30,7 +30,8 @@ std::vector<MovingFace> ring(int n, double radius, bool looks_out, double turn) 
   return faces;
 }
 
-MovingFace quad(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d, bool is_turned = false) {
+MovingFace quad(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d,
+                bool is_turned = false) {
   MovingFace face{FaceCorners::Zero(), FaceCorners::Zero(), false, 0.0};
   if (is_turned) {
     face.x << a, d, c, b;
@@ -83,8 +84,7 @@ std::vector<MovingFace> plate(int n, double z) {
   std::vector<MovingFace> faces;
   const auto at = [&](int i, int j) { return Vector3d(10.0 * i / n - 5.0, 10.0 * j / n - 5.0, z); };
   for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < n; ++j)
-      faces.push_back(quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)));
+    for (int j = 0; j < n; ++j) faces.push_back(quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)));
   }
   return faces;
 }
@@ -121,7 +121,8 @@ Total push(const Smoothed& a, const Smoothed& b) {
   Total total;
   for (std::size_t i = 0; i < a.faces.size(); ++i) {
     for (std::size_t j = 0; j < b.faces.size(); ++j) {
-      const FaceFaceContact contact = find_smooth_contact(a.patch(i), b.patch(j), penalty, 0.0);
+      const SmoothPatch first = a.patch(i), second = b.patch(j);
+      const FaceFaceContact contact = find_smooth_contact({first, second}, penalty, 0.0);
       if (!contact.overlaps) continue;
       const Vector3d force = contact.force * contact.normal;
       const Vector3d on_first = moment_of(a.faces[i].x, contact.weights_1, force),
@@ -206,8 +207,9 @@ TEST_CASE("points of balance carry the gap of the circles, and no moment", "[con
   Vector3d moment = Vector3d::Zero();
   for (std::size_t i = 0; i < inner.faces.size(); ++i) {
     for (std::size_t j = 0; j < outer.faces.size(); ++j) {
+      const SmoothPatch first = inner.patch(i), second = outer.patch(j);
       const FaceFaceConstraints found =
-          find_smooth_constraints(inner.patch(i), outer.patch(j), {0.0, 1e-4, 1e-4, 0.1, 1e-3});
+          find_smooth_constraints({first, second}, {0.0, 1e-4, 1e-4, 0.1, 1e-3});
       for (const OverlapShare& point : found.all()) {
         const Vector3d on_first = moment_of(inner.faces[i].x, point.weights_1, point.normal),
                        on_second = moment_of(outer.faces[j].x, point.weights_2, point.normal);

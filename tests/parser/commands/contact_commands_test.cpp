@@ -30,8 +30,8 @@ TEST_CASE("a second contact definition in a region is refused at its place", "[p
 TEST_CASE("smoothed surfaces and older analytic surfaces are refused", "[parser][contact]") {
   CHECK(bound_contact("contact smooth surface s contains b\nbegin analytic plane p\nend\n").messages ==
         "a.i:2:1: error: 'contact smooth surface' is not supported and would change the answer; "
-        "smoothed surfaces are a feature in development; CONTACT SURFACE takes the faces as they "
-        "are\n"
+        "write CONTACT SURFACE, and SMOOTHING = AUTO in the interaction, or the shape in BEGIN SURFACE "
+        "SMOOTHING\n"
         "a.i:3:7: error: block 'analytic plane' is not supported and would change the answer; "
         "write BEGIN ANALYTIC OBJECT, TYPE = PLANE, in the region\n");
 }
