@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SURFACE SMOOTHING and SMOOTHING = AUTO, as forces of rings of 16 in 24 facets.
+#include <omp.h>
+
 #include <numbers>
 
 #include "contact/enforcement/contact_force.hpp"
 #include "contact/overlap/start_overlaps.hpp"
+#include "contact/surfaces/surface_tracker.hpp"
 #include "support/catch.hpp"
 #include "support/contact_bodies.hpp"
 
@@ -104,6 +107,47 @@ TEST_CASE("round surfaces turn along with their bodies", "[contact][contact_forc
     CHECK(point.gap == Approx(-interference).epsilon(0.01));
   CHECK(bodies.net_force().norm() < 1e-9);
   CHECK(bodies.net_moment().norm() < 1e-9);
+}
+
+TEST_CASE("what is left of a ring after a death is as round as before",
+          "[contact][contact_force][smoothing]") {
+  const std::string which = GENERATE("round", "auto");
+  ContactBodies bodies(rings(), smoothed(stiff + formulation(), which));
+  bodies.ask();
+  const Eigen::Matrix3d turned = Eigen::AngleAxisd(1.0, Vector3d(1, 2, 2).normalized()).toRotationMatrix();
+  bodies.x = turned * bodies.x;
+  bodies.step(1.0);
+  const NodeElements elements(bodies.mesh);
+  const FaceGroups faces(bodies.mesh, elements);
+  Diagnostics diagnostics;
+  OwnershipRules rules(make_surface_requests(*bodies.region.contact, {}, bodies.mesh, diagnostics),
+                       bodies.mesh, {});
+  SurfaceTracker living(std::move(rules), faces, std::vector<std::uint8_t>(bodies.mesh.n_elements(), 0));
+  const std::vector<ElementIndex> dead{ElementIndex{3}};
+  living.update_for_deaths(dead, bodies.definition.surfaces);
+  bodies.contact.rebuild_surfaces(bodies.motion(), {});
+  bodies.step(1.0);
+  CHECK(area_of(bodies.contact) == Approx(15.0 / 16.0 * 2.0 * std::numbers::pi * width).epsilon(0.02));
+  for (const ContactPoint& point : bodies.contact.points())
+    CHECK(point.gap == Approx(-interference).epsilon(0.01));
+  CHECK(bodies.net_force().norm() < 1e-9);
+  CHECK(bodies.net_moment().norm() < 1e-9);
+}
+
+TEST_CASE("any number of threads gives smoothed contact the same bits",
+          "[contact][contact_force][smoothing]") {
+  const std::string form = formulation();
+  const int before = omp_get_max_threads();
+  std::vector<Eigen::Matrix3Xd> forces;
+  for (const int n_threads : {1, 2, 3}) {
+    omp_set_num_threads(n_threads);
+    ContactBodies bodies(rings(0.07), smoothed(stiff + form, "auto"));
+    bodies.ask();
+    forces.push_back(bodies.forces);
+  }
+  omp_set_num_threads(before);
+  CHECK(forces[0] == forces[1]);
+  CHECK(forces[0] == forces[2]);
 }
 
 TEST_CASE("momentum balance of smoothed rings has their gap and no moment",
