@@ -51,6 +51,19 @@ std::size_t count_normals(const SurfacePart& part, std::size_t enough) {
   return found.size();
 }
 
+/// Whether all normals lean by one angle on an axis, as those of cylinders and cones do: two circles, the
+/// borders of a band of faces, are always on a sphere.
+bool lean_alike(const SurfacePart& part) {
+  constexpr double alike = 1e-8;  // the square of what their cosines differ by
+  const auto n = static_cast<double>(part.areas.size());
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& normal : part.areas) mean += normal / n;
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& normal : part.areas)
+    spread += (normal - mean) * (normal - mean).transpose() / n;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvalues()[0] < alike;
+}
+
 bool is_flat(const SurfacePart& part) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& normal : part.areas) mean += normal;
@@ -200,9 +213,10 @@ PartFit fit_part(const SurfacePart& part) {
   const SurfacePart own = scaled(part, frame);
   fit.is_flat = is_flat(own);
   if (fit.is_flat || count_normals(own, least_normals) < least_normals) return fit;
+  const bool is_bent_once = lean_alike(own);
   for (const auto start : {start_cylinder, start_sphere, start_torus}) {
     auto shape = start(own);
-    if (!shape) continue;
+    if (!shape || (is_bent_once && shape->kind != RoundShape::Kind::circumferential)) continue;
     refine(own, *shape);
     double radius = 0.0;
     const double residual = residuals_of(*shape, own, radius).lpNorm<Eigen::Infinity>();

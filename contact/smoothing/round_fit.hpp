@@ -27,7 +27,7 @@ inline constexpr double largest_residual = 1e-3;
 
 /// Whether a part is a cylinder, else a sphere, else a torus: the first whose distances from the axis, the
 /// centre or the circle differ by largest_residual at most. Parts with fewer than four normals are none: a
-/// cylinder goes through any three of its lines.
+/// cylinder goes through any three of its lines; one whose normals all lean alike on an axis is no sphere.
 /// Source: Pottmann, Wallner, Computational Line Geometry (2001), 4.1, for the axis that all normals of a
 /// surface of revolution meet; Gauss and Newton for the least squares of the residuals.
 PartFit fit_part(const SurfacePart& part);

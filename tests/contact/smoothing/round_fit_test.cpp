@@ -106,6 +106,10 @@ TEST_CASE("planes, cones and ellipses are not round", "[contact][smoothing]") {
   CHECK_FALSE(cone.shape);
   CHECK(cone.least_residual > largest_residual);
 
+  // A band of one row of faces: its nodes are on a sphere.
+  CHECK_FALSE(fit_part(grid([](double u, double v) { return barrel(two, two, 0.3, u, v); }, 8, 1)).shape);
+  CHECK(fit_part(grid([](double u, double v) { return barrel(two, two, 0.0, u, v); }, 8, 1)).shape);
+
   const auto ellipse = [](double share) {
     return fit_part(grid([&](double u, double v) { return barrel(two, share * two, 0.0, u, v); }, 8, 6));
   };
