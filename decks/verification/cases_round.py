@@ -196,6 +196,7 @@ def shrink_fit(bench):
                 checks.append(Check(f"{name}: error of the pressure at the worst node is above 1", 1.0, float(scatter > 1), 1e-9))
                 continue
             runs.append(run)
-            checks += [Check(f"{name}: mean pressure [Pa]", expected, mean, 0.03),
-                       at_most(f"{name}: error of the pressure at the worst node", scatter, 0.03)]
+            limit = 0.03 if enforcement == "momentum_balance" else 0.06  # a penalty gives way by some of the interference
+            checks += [Check(f"{name}: mean pressure [Pa]", expected, mean, limit),
+                       at_most(f"{name}: error of the pressure at the worst node", scatter, limit)]
     return checks + balances(runs, is_free=True)
