@@ -157,11 +157,12 @@ ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
   made.first_node.push_back(0);
   const ContactNumbers numbers(mesh, std::span(made.mesh_nodes).first(made.n_mesh_points()));
   SurfaceNodes nodes(numbers);
+  const std::vector<double> radii = least_radii(contact, mesh);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     add_faces(surfaces[s], s, numbers, made);
     nodes.add(surfaces[s], s, made);
     if (!eroded_nodes.empty()) nodes.add_free(eroded_nodes, s, surfaces[s].kind == SurfaceKind::node, made);
-    add_lofts(contact, mesh, s, made);
+    add_lofts(contact, mesh, s, radii, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }

@@ -63,7 +63,8 @@ struct ErodedNode {
 };
 
 /// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
-/// or truss's axis, or of a particle's one node; a sharp one stands between two faces.
+/// or truss's axis, or of a particle's one node; a sharp one stands between two faces. Where rods of unlike
+/// radii meet, each of them has the least of these there, and tapers towards it.
 struct ContactEdge {
   std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
   std::uint32_t surface = 0;
@@ -73,8 +74,11 @@ struct ContactEdge {
   PenaltyProperties penalty_properties;
   std::optional<std::array<std::uint32_t, 2>> faces = {};  ///< of sharp edges
   bool is_feature = false;                                 ///< a sharp edge that meets other sharp ones
+  std::array<double, 2> less{};  ///< by which the radius is less at each end [length]
 
   bool is_sharp() const { return faces.has_value(); }
+  /// The radius at a point, by its share of the way from the first end to the second [length].
+  double radius_at(double share) const { return radius - ((1.0 - share) * less[0] + share * less[1]); }
   bool is_particle() const { return nodes[0] == nodes[1]; }
 };
 

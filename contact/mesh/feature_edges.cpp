@@ -195,7 +195,8 @@ std::optional<EdgeGap> find_edge_gap(const ContactKinematics& kinematics, const 
   }
   const double distance = apart.norm();
   if (distance == 0.0) return std::nullopt;
-  const EdgeGap found{apart / distance, distance - first.radius - second.radius};
+  const EdgeGap found{apart / distance,
+                      distance - first.radius_at(pair_point.s) - second.radius_at(pair_point.t)};
   if (first.is_sharp() && !is_between(kinematics, first, -found.normal, just_between)) return std::nullopt;
   if (second.is_sharp() && !is_between(kinematics, second, found.normal, just_between)) return std::nullopt;
   return found;

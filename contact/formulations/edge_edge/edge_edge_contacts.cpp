@@ -32,7 +32,7 @@ Segment segment_of(const ContactKinematics& kinematics, const ContactEdge& edge)
 ContactPointSide side_of(const ContactEdge& edge, double share) {
   return {{edge.nodes[0], edge.nodes[1], edge.nodes[1], edge.nodes[1]},
           {1.0 - share, share, 0.0, 0.0},
-          edge.radius};
+          edge.radius_at(share)};
 }
 
 /// The velocity of the surface of an edge at a point.
@@ -165,7 +165,7 @@ void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size
       const double distance =
           (point_at(context.kinematics, first, nearest.s) - point_at(context.kinematics, second, nearest.t))
               .norm();
-      if (distance - first.radius - second.radius > tolerance) continue;
+      if (distance - first.radius_at(nearest.s) - second.radius_at(nearest.t) > tolerance) continue;
       rules.mark_close_edge(pair, row);
       rules.mark_close_edge(pair, partner);
     }
@@ -303,8 +303,8 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
   point.normal = found->normal;
   point.gap = found->gap - offset;
   const Eigen::Vector3d relative =
-      velocity_at(context.kinematics, point.first, -first.radius * point.normal) -
-      velocity_at(context.kinematics, point.second, second.radius * point.normal);
+      velocity_at(context.kinematics, point.first, -point.first.radius * point.normal) -
+      velocity_at(context.kinematics, point.second, point.second.radius * point.normal);
   const double closing = std::max(0.0, -relative.dot(point.normal)), closed = closing * context.dt;
   const double thinner = std::min(first.penalty_properties.thickness, second.penalty_properties.thickness);
   const double margin = context.balances ? closed_share * thinner : 0.0;
