@@ -110,10 +110,11 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
   std::vector<ContactPoint> to_glue;
   if (has_penalty_) {
     to_glue = detection_.visit_points(context, [&](const ContactPoint& point) { points_.push_back(point); });
-    if (context.dt > 0.0)
-      limit_returned_energy(kinematics_, assembler_.work(),
-                            histories_.update_available_energy(rules_, assembler_), histories_.min_energy(),
-                            points_);
+    if (context.dt > 0.0) {
+      const auto energy = histories_.update_available_energy(rules_, assembler_);
+      limit_returned_energy(kinematics_, assembler_.work(), {energy, histories_.min_energy()},
+                            mobility_.find_accelerations(kinematics_, points_), points_);
+    }
     for (const ContactPoint& point : points_) add_to_sums(point);
   }
   add_constraints(context, to_glue);
