@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
@@ -119,6 +120,20 @@ std::string format_gaps(const ContactModel& model) {
          fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;
 }
 
+/// Every interaction whose sides may not part, or of whose shells one side takes part alone, once.
+std::string format_sides(const ContactModel& model) {
+  constexpr const char* sides_format = "      {:<22} {:>6}  {:>10}  {:<7} {:<7}\n";
+  std::string text;
+  for_each_interaction(model, [&](const SurfacePair& pair) {
+    if (pair.separates && !pair.is_polar()) return;
+    text += fmt::format(sides_format, pair.interaction, pair.location.line, pair.separates ? "on" : "off",
+                        name_of(pair.sides[0]), name_of(pair.sides[1]));
+  });
+  if (text.empty()) return "";
+  return "\nSides of interactions\n" +
+         fmt::format(sides_format, "interaction", "line", "separation", "first", "second") + text;
+}
+
 std::string format_history(const ContactModel& model, const PairHistory& history, std::size_t i) {
   const SurfacePair& pair = model.pairs[i];
   return fmt::format(history_format, i + 1, model.surfaces.surfaces[pair.first].name,
@@ -130,6 +145,11 @@ std::string format_history(const ContactModel& model, const PairHistory& history
 }
 
 }  // namespace
+
+std::string_view name_of(ShellSides sides) {
+  constexpr std::array<std::string_view, 3> names{"both", "top", "bottom"};
+  return names[static_cast<std::size_t>(sides)];
+}
 
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
                          std::span<const InitialGap> starts) {
@@ -150,7 +170,8 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
     text +=
         fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
   }
-  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model);
+  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model) +
+         format_sides(model);
 }
 
 std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories) {

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "contact/enforcement/pair_history.hpp"
 #include "contact/mesh/contact_model.hpp"
@@ -12,6 +13,9 @@
 /// What the log says of pairs of surfaces. Stable in order and width, without times of the clock, so that the
 /// tables of two runs can be compared with diff.
 namespace contactsim {
+
+/// "both", "top" or "bottom".
+std::string_view name_of(ShellSides sides);
 
 /// The pair table before a run: surfaces, interaction, law, formulation, faces and nodes of both sides, how
 /// near they are; then the resolved settings of every interaction. Pairs of general or self contact without

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/reports/pair_report.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
@@ -122,6 +123,8 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
             {"penalty_scale", pair.penalty_scale},
             {"penalty_stiffness", to_json(pair.penalty_stiffness)},
             {"damping_fraction", pair.damping_fraction}};
+  if (!pair.separates) json["separation"] = false;
+  if (pair.is_polar()) json["sides"] = {name_of(pair.sides[0]), name_of(pair.sides[1])};
   if (pair.gap != GapSettings{}) {
     json["gap"] = {{"contact_offset", to_json(pair.gap.contact_offset)},
                    {"initial_clearance", to_json(pair.gap.initial_clearance)},

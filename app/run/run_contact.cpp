@@ -197,6 +197,7 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_edges(force_, contact_, warnings);
   warn_of_idle_settings(contact_, warnings);
   warn_of_gaps(force_, contact_, warnings);
+  warn_of_sides(force_, contact_, mesh_, warnings);
   warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
   std::vector<double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);

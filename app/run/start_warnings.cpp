@@ -120,9 +120,57 @@ void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact
   }
 }
 
+namespace {
+
+bool has_friction(const FrictionLaw& law) { return law.values.real("friction coefficient") > 0.0; }
+
+/// Whether a surface has sides of shells, by lofts or by side sets.
+bool has_shells(const ContactForce& force, const Mesh& mesh, std::uint32_t surface) {
+  const ContactMesh& contact_mesh = force.contact_mesh();
+  const auto faces = std::span(contact_mesh.faces)
+                         .subspan(contact_mesh.first_face[surface],
+                                  contact_mesh.first_face[surface + 1] - contact_mesh.first_face[surface]);
+  return std::ranges::any_of(faces, [&](const ContactFace& face) {
+    return topology(mesh.blocks()[mesh.block_of(face.side.element())].shape).family == Family::shell;
+  });
+}
+
+}  // namespace
+
+void warn_of_sides(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
+                   Diagnostics& warnings) {
+  std::set<std::string> reported;
+  for (std::uint32_t i = 0; i < contact.pairs.size(); ++i) {
+    const SurfacePair& pair = contact.pairs[i];
+    const auto warn = [&](const char* id, const char* text, const char* hint) {
+      if (reported.insert(id + to_string(pair.location)).second)
+        warnings.add_warning(id, pair.location, fmt::format("{}: {}", names_of(pair, contact), text), hint);
+    };
+    if (!pair.separates && force.rules()[i].only_ties())
+      warn("separation-without-effect", "SEPARATION = OFF has no effect on ties, which do not part",
+           "it is for what touches and slides");
+    const bool is_polar_without_shells =
+        (pair.sides[0] != ShellSides::both || pair.sides[1] != ShellSides::both) &&
+        !(pair.sides[0] != ShellSides::both && has_shells(force, mesh, pair.first)) &&
+        !(pair.sides[1] != ShellSides::both && has_shells(force, mesh, pair.second));
+    if (is_polar_without_shells && !pair.is_from_defaults)
+      warn("sides-without-shells", "SIDES has no effect: no shell has the side that it names",
+           "with SIDE A and SIDE B it is of SIDE A");
+  }
+}
+
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
   std::set<std::string> reported;
   for (const SurfacePair& pair : contact.pairs) {
+    if (row_of(*pair.law).has_pressure && !has_friction(*pair.law) &&
+        (pair.penalty_stiffness || pair.penalty_scale != 1.0)) {
+      if (!reported.insert(to_string(pair.location)).second) continue;
+      warnings.add_warning("penalty-without-effect", pair.location,
+                           fmt::format("{} has no effect beside the law '{}', which presses by itself",
+                                       pair.penalty_stiffness ? "PENALTY STIFFNESS" : "PENALTY SCALE",
+                                       describe_law(*pair.law)),
+                           "with friction it would be the spring along the surface");
+    }
     if (pair.enforcement == Enforcement::penalty) continue;
     if (pair.penalty_scale == 1.0 && pair.damping_fraction == 0.0) continue;
     if (!reported.insert(to_string(pair.location)).second) continue;

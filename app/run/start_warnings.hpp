@@ -26,13 +26,19 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
 void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact,
                           const ContactDefinition& definition, const Mesh& mesh, Diagnostics& warnings);
 
-/// Warns of lines of the elastic penalty on pairs that are enforced by momentum balance.
+/// Warns of lines of the elastic penalty on pairs that are enforced by momentum balance, or by a pressure of
+/// their own.
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings);
 
 /// Warns of lines about gaps that do nothing, because the pair only ties ("gap-without-effect") or nothing
 /// was near at the start ("clearance-empty"), and of a clearance that counts for sides farther apart than a
 /// face is wide ("clearance-far").
 void warn_of_gaps(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);
+
+/// Warns of SEPARATION = OFF on ties ("separation-without-effect") and of SIDES where there are no shells
+/// ("sides-without-shells").
+void warn_of_sides(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
+                   Diagnostics& warnings);
 
 /// Warns of pairs whose beams or trusses meet while their law ties, pulls or changes: contact of edges does
 /// not know it.

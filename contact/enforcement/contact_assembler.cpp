@@ -76,9 +76,9 @@ void ContactAssembler::add(const ContactPoint& point) {
 
 void ContactAssembler::note_penetration(const ContactPoint& point, double thickness) {
   PairStep& pair = pairs_[point.pair];
-  if (point.force <= 0.0 || !(-point.gap > pair.penetration)) return;
-  pair.penetration = -point.gap;
-  pair.penetration_share = -point.gap / thickness;
+  if (point.force <= 0.0 || !(-point.open_gap() > pair.penetration)) return;
+  pair.penetration = -point.open_gap();
+  pair.penetration_share = -point.open_gap() / thickness;
 }
 
 void ContactAssembler::add_moment(const ContactPointSide& side, const Eigen::Vector3d& arm,

@@ -90,7 +90,7 @@ void ContactForce::update_candidates(const Motion& motion) {
 /// Adds a contact point whose forces are known to all sums.
 void ContactForce::add_to_sums(const ContactPoint& point) {
   assembler_.add(point);
-  if (point.gap < 0.0) assembler_.note_penetration(point, thinner_side(point));
+  if (point.open_gap() < 0.0) assembler_.note_penetration(point, thinner_side(point));
   const double ramped = rules_.gap_offsets().ramped_depth(point);
   if (ramped > 0.0) assembler_.note_ramp(point, ramped);
   depths_.note(kinematics_, point);
@@ -131,7 +131,8 @@ double ContactForce::largest_eigenvalue() {
   slips_.assign(rules_.rules().size(), 0);
   for (std::size_t i = 0; i < slips_.size(); ++i) {
     const PairRule& rule = rules_.rules()[i];
-    slips_[i] = rule.friction > 0.0 || rule.interface_law != nullptr || rule.far ? 1 : 0;
+    const bool has_law = rule.interface_law != nullptr && !rule.interface_law->only_presses();
+    slips_[i] = rule.friction > 0.0 || has_law || rule.far ? 1 : 0;
   }
   const auto node_rates = mobility_.find_rates(kinematics_, points_, constraint_forces_, slips_);
   std::vector<double>& of_surface = surface_rates_;

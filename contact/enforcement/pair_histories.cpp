@@ -67,8 +67,9 @@ std::span<const double> PairHistories::update_available_energy(const PairRules& 
   available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < available_.size(); ++i) {
     const PairRule& rule = rules.rules()[i];
-    const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr && !rule.far &&
-                           !rule.model.is_variant();
+    const bool only_pushes = rule.interface_law == nullptr || rule.interface_law->only_presses();
+    const bool is_simple =
+        rule.law == ContactLaw::sliding && only_pushes && !rule.far && !rule.model.is_variant();
     // What a ramp puts in is known after the forces only.
     const bool is_ramped = rules.gap_offsets().ramp_progress(static_cast<std::uint32_t>(i)) > 0.0;
     if (!is_simple || rule.is_balanced || is_ramped) continue;

@@ -34,7 +34,7 @@ struct PointWork {
   /// What it takes too much in this half step and the next one, having met the other side in the step, or
   /// gives too much, because it will part in one like it: its force F = k d works along a step's way w and
   /// not along the depth d < w alone that it is in touch, F w > k d^2 / 2 + F w / 2. Where the first and the
-  /// last step of a hit fall is chance [energy].
+  /// last step of a hit fall is chance; what pulls as well neither meets nor parts [energy].
   double excess = 0.0;
   double way = 0.0, depth = 0.0;  ///< in the step, of the spring [length]
   double growth = 0.0;            ///< of the way in the next step, by these forces [length]
@@ -47,7 +47,7 @@ struct PointWork {
         normal(contact_point.tangential.isZero(0.0)
                    ? taken
                    : work.work_behind(kinematics, without_friction(contact_point))) {
-    if (!(contact_point.force > 0.0)) return;
+    if (contact_point.pulls || !(contact_point.force > 0.0)) return;
     way = 2.0 * std::abs(normal) / contact_point.force;
     depth = -contact_point.gap;
     growth = std::max(0.0, acceleration) * work.step() * work.step();

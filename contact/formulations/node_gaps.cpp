@@ -38,6 +38,8 @@ class NodeGaps {
     const ContactFace& face = contact_mesh_.faces[face_index];
     const OptionalIndex pair = rules_.find(node.surface, face.surface);
     if (!pair || !rules_[*pair].is_active) return;
+    const SurfacePair& of = *rules_[*pair].pair;
+    if (!search_.takes_part(of, node) || !search_.takes_part(of, face)) return;
     const MovingFace moving = kinematics_.face(face_index);
     const auto point = project_sphere(moving.x, moving.is_triangle, kinematics_.x(node.node), node.radius);
     if (!point || point->beyond > beside_face * kinematics_.bound(face_index).radius()) return;

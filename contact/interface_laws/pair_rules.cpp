@@ -28,6 +28,7 @@ void PairRule::take(const InterfaceLaw& taken) {
   law = taken.law;
   friction = taken.friction;
   activation_distance = taken.activation_distance();
+  begin_gap = taken.pressure ? taken.pressure->begin_gap() : 0.0;
   interface_law = taken.is_simple() ? nullptr : &taken;
 }
 
@@ -38,9 +39,10 @@ bool PairRule::may_act_apart() const {
 }
 
 double PairRule::slip_limit(const ContactPoint& point, double dt) const {
-  if (interface_law == nullptr) return friction * point.force;
+  if (interface_law == nullptr) return friction * std::max(point.force, 0.0);
   const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;
-  return interface_law->slip_limit(point.force, point.area, dt > 0.0 ? along.norm() / dt : 0.0);
+  return interface_law->slip_limit(std::max(point.force, 0.0), point.area,
+                                   dt > 0.0 ? along.norm() / dt : 0.0);
 }
 
 void PairRules::set_laws(std::vector<PairInterfaceLaw> laws) {
@@ -48,6 +50,9 @@ void PairRules::set_laws(std::vector<PairInterfaceLaw> laws) {
     PairRule& rule = rules_[i];
     rule.model = std::move(laws[i]);
     rule.take(*rule.model.law);
+    rule.model.visit_models([&](const InterfaceLaw& law) {
+      if (law.pressure) largest_begin_gap_ = std::max(largest_begin_gap_, law.pressure->begin_gap());
+    });
     if (!rule.model.far) continue;
     rule.far = static_cast<std::uint32_t>(far_rules_.size());
     far_rules_.push_back(rule);
@@ -98,7 +103,8 @@ bool PairRules::has_friction() const {
 double PairRules::max_activation_distance(std::uint32_t pair) const {
   double activation_distance = 0.0;
   rules_[pair].model.visit_models([&](const InterfaceLaw& law) {
-    activation_distance = std::max(activation_distance, law.activation_distance());
+    activation_distance = std::max(
+        {activation_distance, law.activation_distance(), law.pressure ? law.pressure->begin_gap() : 0.0});
   });
   return activation_distance;
 }

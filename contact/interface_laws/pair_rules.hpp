@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct PairRule {
   ContactLaw law = ContactLaw::sliding;
   double friction = 0.0;  ///< Coulomb's coefficient; more than 0 wherever points that touch have friction [1]
   double activation_distance = 0.0;             ///< gaps up to this one feel the law [length]
+  double begin_gap = 0.0;                       ///< at which the pressure begins [length]
   const InterfaceLaw* interface_law = nullptr;  ///< of models that are more than the above
   OptionalIndex far;                            ///< of HYBRID pairs: rule of what was far at the start
   bool is_active = true;                        ///< now
@@ -90,8 +92,10 @@ class PairRules {
     if (point.first.is_node()) return of_node(point.pair, point.first_entity);
     return of_faces(point.pair, point.first_entity, point.second_entity);
   }
-  /// The largest activation distance that a pair's models may ever have [length].
+  /// The largest gap that a pair's models may ever act over, or begin to press at [length].
   double max_activation_distance(std::uint32_t pair) const;
+  /// How far apart on the mesh the sides of any pair may touch, at most [length].
+  double largest_reach() const { return gap_offsets_.largest_reach() + largest_begin_gap_; }
   std::span<const PairRule> rules() const { return rules_; }
   const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
   /// Position of the pair of two surfaces in either order; nothing if they do not meet.
@@ -99,6 +103,10 @@ class PairRules {
     return table_[surface * n_surfaces_ + other];
   }
   bool has_friction() const;
+  /// Whether what has touched may not part in some pair.
+  bool may_hold() const {
+    return std::ranges::any_of(rules_, [](const PairRule& rule) { return !rule.pair->separates; });
+  }
   /// What is taken off the gaps of the mesh.
   const GapOffsets& gap_offsets() const { return gap_offsets_; }
   GapOffsets& gap_offsets() { return gap_offsets_; }
@@ -112,6 +120,7 @@ class PairRules {
 
   std::vector<PairRule> rules_, far_rules_;
   PairSet close_faces_, close_nodes_, close_edges_;
+  double largest_begin_gap_ = 0.0;  // of all models [length]
   GapOffsets gap_offsets_;
   std::vector<OptionalIndex> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;

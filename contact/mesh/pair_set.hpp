@@ -18,6 +18,7 @@ class PairSet {
   bool has(std::uint32_t a, std::uint32_t b) const { return keys_.contains(key(a, b)); }
   /// Returns whether the pair is new.
   bool add(std::uint32_t a, std::uint32_t b) { return keys_.insert(key(a, b)).second; }
+  void clear() { keys_.clear(); }
   void remove(std::uint32_t a, std::uint32_t b) { keys_.erase(key(a, b)); }
   /// Goes over to other numbers; pairs of which one is removed are left out.
   ///   first, second  as ContactRemap has the numbers; empty: they stay

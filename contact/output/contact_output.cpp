@@ -233,8 +233,8 @@ void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const Contac
     NodeContact& node = nodes_[force_.contact_mesh().first_alike[side.nodes[k]]];
     const bool is_first_place = node.interaction == 0.0;
     node.interaction = contact_point.pair + 1.0;
-    if (is_first_place || contact_point.gap < node.gap) {
-      node.gap = contact_point.gap;
+    if (is_first_place || contact_point.open_gap() < node.gap) {
+      node.gap = contact_point.open_gap();
       node.tangential_gap = contact_point.elastic_slip.norm();
     }
     if (!contact_point.touches()) continue;

@@ -9,6 +9,7 @@
 #include "contact/geometry/point_in_solid.hpp"
 #include "contact/mesh/bodies.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "contact/search/shell_sides.hpp"
 #include "core/base/threads.hpp"
 
 namespace contactsim {
@@ -201,7 +202,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   for (const std::uint32_t index : faces_of_body.of(inside.body)) {
     const ContactFace& face = contact_mesh().faces[index];
     const OptionalIndex pair = rules_.find(node.surface, face.surface);
-    if (!pair) continue;
+    if (!pair || !takes_part(*rules_[*pair].pair, face, contact_mesh(), mesh_)) continue;
     const bool is_lofted = contact_mesh().is_lofted(face);
     if (is_lofted && rules_[*pair].law == ContactLaw::tied) continue;
     FaceCorners x;
@@ -224,7 +225,10 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
   const double own_half_thickness =
       own.half_thickness > 0.0 ? own.half_thickness : std::numeric_limits<double>::infinity();
-  const double half_thickness = std::min(own_half_thickness, parts_.of_face[best->face].half_thickness);
+  // One side of a shell alone is met through all of its thickness.
+  const double reach = rules_[best->pair].pair->is_polar() ? 2.0 : 1.0;
+  const double half_thickness =
+      reach * std::min(own_half_thickness, parts_.of_face[best->face].half_thickness);
   const bool is_lofted = contact_mesh().is_lofted(contact_mesh().faces[best->face]);
   best->is_deep = best->depth > (is_lofted ? 1.0 + smallest_share : 1.0) * half_thickness;
   if (is_lofted && !best->is_deep) return std::nullopt;

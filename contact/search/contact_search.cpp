@@ -252,7 +252,9 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   const OptionalIndex pair = rules_.find(a.surface, b.surface);
   if (!pair) return false;
-  if (rules_[*pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  const SurfacePair& of = *rules_[*pair].pair;
+  if (of.formulation != ConstraintFormulation::face_face) return false;
+  if (!(takes_part(of, a) && takes_part(of, b))) return false;
   if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
   if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
@@ -271,6 +273,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   const bool is_sphere = node.radius > 0.0f;
   if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
   if (!is_sphere && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  if (!(takes_part(of, node) && takes_part(of, face))) return false;
   if (are_of_one_rigid_body({&node.node, 1}, face.corners)) return false;
   return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
 }

@@ -10,6 +10,7 @@
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "contact/search/shell_sides.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -60,6 +61,11 @@ class ContactSearch {
 
   /// How far beyond touch what a contact node may meet is looked for [length].
   double margin_of(std::uint32_t node) const { return node_margin_[node]; }
+  /// Whether a face or a surface node takes part in a pair by its side of a shell.
+  template <class Item>
+  bool takes_part(const SurfacePair& pair, const Item& item) const {
+    return !pair.is_polar() || contactsim::takes_part(pair, item, contact_mesh_, mesh_);
+  }
   std::uint64_t n_searches() const { return n_searches_; }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }

@@ -33,6 +33,8 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   fill(own.overlap_normal_tolerance, defaults.overlap_normal_tolerance);
   fill(own.overlap_tangential_tolerance, defaults.overlap_tangential_tolerance);
   fill(own.capture_tolerance, defaults.capture_tolerance);
+  fill(own.separation, defaults.separation);
+  fill(own.sides, defaults.sides);
   fill(own.tracking_distance, defaults.tracking_distance);
   own.gap = with_defaults(own.gap, defaults.gap);
   fill(own.gap_closure, defaults.gap_closure);

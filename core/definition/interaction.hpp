@@ -44,6 +44,9 @@ struct GapClosureTolerance {
   bool operator==(const GapClosureTolerance&) const = default;
 };
 
+/// Which side of shells other surfaces meet: the top is the one that the normal looks out of.
+enum class ShellSides : std::uint8_t { both, top, bottom };
+
 /// The settings of a pair of surfaces. One that is absent in an INTERACTION comes from INTERACTION DEFAULTS;
 /// one absent there too is the program's.
 struct PairSettings {
@@ -57,6 +60,8 @@ struct PairSettings {
       overlap_normal_tolerance;  ///< deepest overlap that is removed at the start, >= 0 [length]
   std::optional<double> overlap_tangential_tolerance;  ///< the same beyond a face's edge, >= 0 [length]
   std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
+  std::optional<bool> separation;                      ///< whether what has touched may part; program: yes
+  std::optional<ShellSides> sides;          ///< of SIDE A's shells, without sides of all; program: both
   std::optional<double> tracking_distance;  ///< gaps up to it are told in the output, >= 0 [length]
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;     ///< program: none is closed

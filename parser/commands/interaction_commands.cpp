@@ -17,6 +17,43 @@ void read_penalty_stiffness(Arguments& arguments, PairSettings& pair) {
 
 const Choice one_start{"", "says twice what overlaps and gaps of the start count as"};
 
+/// SEPARATION = ON or OFF; OptiStruct's YES and NO.
+void read_separation(Arguments& arguments, PairSettings& pair) {
+  static const Choices choices({"on", "off", "yes", "no"});
+  pair.separation = arguments.choice(choices) % 2 == 0;
+}
+
+/// SIDES, with the words of OptiStruct's MORIENT and of Abaqus' POLARITY for the same. OPENGAP pushes from
+/// the side that is faced, as both sides do.
+void read_sides(Arguments& arguments, PairSettings& pair) {
+  static const Choices choices(
+      {"both", "top", "bottom", "opengap", "norm", "revnorm", "two sided", "spos", "sneg"});
+  if (!arguments.at_end() && arguments.is_next("overlap"))
+    arguments.fail_here("OVERLAP goes by where the sides are at the start; name the side",
+                        "TOP is the side that the normal of the shell looks out of, BOTTOM the other");
+  pair.sides = static_cast<ShellSides>(arguments.choice(choices) % 3);
+}
+
+/// How the sides may part, and which sides of shells there are.
+std::vector<Row<PairSettings>> side_rows() {
+  using P = PairSettings;
+  return {
+      row<P>(
+          "separation", "= {ON|OFF}", read_separation,
+          "OFF: what has touched once does not part any more, but slides freely: a gap pulls, up to NORMAL "
+          "TOLERANCE, else half of the thinner element; friction is of what presses. Of faces and nodes, "
+          "not of edges and lines; contactsim's own line",
+          "ON"),
+      row<P>(
+          "sides", "= {BOTH|TOP|BOTTOM}", read_sides,
+          "Which side of the shells of SIDE A, or of all where the interaction has SURFACES, the other "
+          "surface meets: TOP is the one that the normal looks out of; rims take part in BOTH alone, edges "
+          "always; contactsim's own line",
+          "BOTH")
+          .or_spelled("morient"),
+  };
+}
+
 /// What contact takes off the gaps of the mesh.
 std::vector<Row<GapSettings>> gap_rows() {
   using G = GapSettings;
@@ -124,7 +161,8 @@ std::vector<Row<PairSettings>> meeting_rows() {
 
 /// The lines that pairs and their defaults share.
 std::vector<Row<PairSettings>> pair_rows() {
-  return joined<PairSettings>({meeting_rows(), adjustment_rows(), lift_all(gap_rows(), &PairSettings::gap)});
+  return joined<PairSettings>(
+      {meeting_rows(), side_rows(), adjustment_rows(), lift_all(gap_rows(), &PairSettings::gap)});
 }
 
 Row<InteractionDefaults> exclusion_row() {

@@ -32,6 +32,19 @@ void take_off(double offset, const MovingFace& second, MovingFace& first) {
   if (plane) first.x.colwise() -= offset * plane->normal;
 }
 
+/// A part of an overlap as a contact of both faces, by its mean gap.
+FaceFaceContact contact_of(const OverlapShare& share, const MovingFace& first, const MovingFace& second) {
+  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
+  FaceFaceContact contact;
+  contact.normal = share.normal;
+  contact.weights_1 = share.weights_1;
+  contact.weights_2 = share.weights_2;
+  contact.area = share.area;
+  contact.gap = share.normal.dot((first.x.colwise() - origin) * share.weights_1 -
+                                 (second.x.colwise() - origin) * share.weights_2);
+  return contact;
+}
+
 }  // namespace
 
 void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
@@ -117,15 +130,16 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   if (rule.is_balanced != context.balances) return;
   const bool did_touch = history_.has_touched(candidate.position);
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
+  const double held = rule.pair->held_gap(thinner(candidate));
   const GapOffsets& offsets = context.rules.gap_offsets();
-  const double reach = std::max(activation_distance, margin) + offsets.reach(candidate.pair);
+  const double reach = std::max({activation_distance, margin, held}) + offsets.reach(candidate.pair) +
+                       std::max(0.0, rule.begin_gap);
   if (!may_touch(a, b, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
 
-  PairPenalty penalty =
-      make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
-                        &contact_mesh_.faces[candidate.second].penalty_properties, *rule.pair);
+  PairPenalty penalty = make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
+                                          &contact_mesh_.faces[candidate.second].penalty_properties, rule);
   // What came in by itself may be as deep as its speed brought it; what has touched has no depth at which it
   // ends; what slides on from another partner may be as deep as it was there.
   const double before = history_.depth_before(candidate.first, candidate.second);
@@ -134,16 +148,19 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
                                  : std::max(penalty.depth, 1.5 * closed);
   MovingFace first = context.kinematics.face(candidate.first);
   const MovingFace second = context.kinematics.face(candidate.second);
-  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), second, first);
+  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second) + rule.begin_gap, second,
+           first);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
-    return add_balanced_points(
-        context, candidate, first, second,
-        {context.coming_dt, margin, activation_distance, depth, flat_share * thinner(candidate)}, did_touch,
-        points);
+    return add_balanced_points(context, candidate, first, second,
+                               {context.coming_dt, std::max(margin, held),
+                                std::max(activation_distance, held), depth, flat_share * thinner(candidate)},
+                               did_touch, points);
   }
   penalty.closing = closed;
-  add_penalty_points(context, candidate, {first, second, penalty, activation_distance, did_touch}, points);
+  const PenaltyPush push{first, second, penalty, activation_distance, did_touch};
+  if (held > 0.0) return add_spring_points(context, candidate, push, points);
+  add_penalty_points(context, candidate, push, points);
 }
 
 void FaceFaceContacts::add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
@@ -182,14 +199,44 @@ void FaceFaceContacts::add_penalty_point(const ContactStepContext& context, cons
   }
   ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
   contact_point.damped = contact.damped_power * context.dt;
-  if (!contact_point.touches()) return;
+  add_friction_to(context, candidate, push, apart, contact_point);
+}
+
+void FaceFaceContacts::add_friction_to(const ContactStepContext& context, const Candidate& candidate,
+                                       const PenaltyPush& push, const Eigen::Vector3d& apart,
+                                       ContactPoint& point) const {
   const PairRule& rule = candidate.rule;
-  if (!(rule.friction > 0.0)) return;
-  contact_point.slip = apart * context.dt;
-  contact_point.elastic_slip = push.did_touch ? history_.elastic_slip(candidate.position)
-                                              : history_.mean_slip(candidate.first, candidate.second);
-  add_friction(push.penalty.stiffness * contact.area, rule.slip_limit(contact_point, context.dt),
-               contact_point);
+  if (!point.touches() || !(rule.friction > 0.0)) return;
+  point.slip = apart * context.dt;
+  point.elastic_slip = push.did_touch ? history_.elastic_slip(candidate.position)
+                                      : history_.mean_slip(candidate.first, candidate.second);
+  add_friction(push.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
+}
+
+void FaceFaceContacts::add_spring_points(const ContactStepContext& context, const Candidate& candidate,
+                                         const PenaltyPush& push, std::vector<ContactPoint>& points) const {
+  const double held = candidate.rule.pair->held_gap(thinner(candidate));
+  const double near = std::max(push.activation_distance, held);
+  const FaceFaceConstraints found = find_face_face_constraints(
+      push.first, push.second, {0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
+  for (const OverlapShare& share : found.all()) {
+    const FaceFaceContact contact = contact_of(share, push.first, push.second);
+    const Eigen::Vector3d apart =
+        velocity_at(push.first, share.weights_1) - velocity_at(push.second, share.weights_2);
+    ContactPoint point = make_contact_point(candidate, contact);
+    point.part = share.part;
+    point.pulls = history_.is_held(point);
+    if (contact.gap > (point.pulls ? held : push.activation_distance)) continue;
+    if (contact.gap < 0.0 && !push.did_touch && !point.pulls) {
+      if (!met_in_front(context, candidate, contact, -apart.dot(contact.normal) * context.dt)) continue;
+      if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
+    }
+    push_node(
+        {push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0, apart},
+        point);
+    add_friction_to(context, candidate, push, apart, point);
+    points.push_back(point);
+  }
 }
 
 double FaceFaceContacts::thinner(const Candidate& candidate) const {
@@ -202,25 +249,23 @@ void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, co
                                            const ConstraintActivation& activation, bool did_touch,
                                            std::vector<ContactPoint>& points) const {
   const FaceFaceConstraints found = find_face_face_constraints(first, second, activation);
-  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
-  for (const OverlapShare& point : found.all()) {
-    FaceFaceContact contact;
-    contact.normal = point.normal;
-    contact.weights_1 = point.weights_1;
-    contact.weights_2 = point.weights_2;
-    contact.area = point.area;
-    contact.gap = point.normal.dot((first.x.colwise() - origin) * point.weights_1 -
-                                   (second.x.colwise() - origin) * point.weights_2);
-    const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
-    const double closing = -apart.dot(point.normal) * context.coming_dt;
-    if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;
-    if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
-      continue;
-    ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
-    contact_point.stiffness = 0.0;
-    contact_point.is_balanced = true;
-    contact_point.part = point.part;
-    contact_point.closing = closing;
+  const double held = candidate.rule.pair->held_gap(thinner(candidate));
+  for (const OverlapShare& share : found.all()) {
+    const FaceFaceContact contact = contact_of(share, first, second);
+    const Eigen::Vector3d apart = velocity_at(first, share.weights_1) - velocity_at(second, share.weights_2);
+    const double closing = -apart.dot(share.normal) * context.coming_dt;
+    ContactPoint point = make_contact_point(candidate, contact);
+    point.stiffness = 0.0;
+    point.is_balanced = true;
+    point.part = share.part;
+    point.closing = closing;
+    point.pulls = held > 0.0 && contact.gap <= held && history_.is_held(point);
+    if (!point.pulls) {
+      if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;
+      if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
+        continue;
+    }
+    points.push_back(point);
   }
 }
 
@@ -239,6 +284,7 @@ ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,
   contact_point.force = contact.force;
   contact_point.area = contact.area;
   contact_point.gap = contact.gap;
+  contact_point.begin_gap = candidate.rule.begin_gap;
   contact_point.deepest = contact.deepest;
   contact_point.beyond_spring = contact.beyond_spring;
   contact_point.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
@@ -276,7 +322,9 @@ bool FaceFaceContacts::met_in_front(const ContactStepContext& context, const Can
   // Before the first step nobody knows: what is wider than deep is pushed out.
   if (context.dt == 0.0) return contact.gap * contact.gap <= contact.area;
   const double thickness = thinner(candidate);
-  if (contact.gap + closed > -shallow_depth * thickness) return true;
+  // What comes up behind the one side of a shell that takes part leaves through it.
+  const bool may_leave = candidate.rule.pair->is_polar() && !(closed > 0.0);
+  if (contact.gap + closed > -shallow_depth * thickness && !may_leave) return true;
   // One that slides on from another partner may be about as deep as it was there, but not behind a far wall.
   const double before = history_.depth_before(candidate.first, candidate.second);
   return before > 0.0 && -contact.gap < depth_of_known(slide_depth * thickness, before, closed);

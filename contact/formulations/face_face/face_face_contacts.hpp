@@ -14,7 +14,7 @@ namespace contactsim {
 class FaceFaceContacts {
  public:
   explicit FaceFaceContacts(const FormulationSetup& setup)
-      : contact_mesh_(setup.contact_mesh), history_(setup.rules.has_friction()) {}
+      : contact_mesh_(setup.contact_mesh), history_(setup.rules.has_friction(), setup.rules.may_hold()) {}
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates, with what is remembered of pairs that were candidates before.
@@ -65,6 +65,9 @@ class FaceFaceContacts {
   void add_penalty_point(const ContactStepContext& context, const Candidate& candidate,
                          const PenaltyPush& push, const FaceFaceContact& contact,
                          std::vector<ContactPoint>& points) const;
+  /// The same where what has touched may not part, each by the mean gap of its part of the overlap.
+  void add_spring_points(const ContactStepContext& context, const Candidate& candidate,
+                         const PenaltyPush& push, std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by momentum balance.
   void add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
                            const MovingFace& first, const MovingFace& second,
@@ -82,6 +85,10 @@ class FaceFaceContacts {
   ///   closed  by which the gap has shrunk in the step [length]
   bool met_in_front(const ContactStepContext& context, const Candidate& candidate,
                     const FaceFaceContact& contact, double closed) const;
+  /// Adds the friction of a penalty's contact point.
+  ///   apart  velocity of the first side against the second [length/time]
+  void add_friction_to(const ContactStepContext& context, const Candidate& candidate, const PenaltyPush& push,
+                       const Eigen::Vector3d& apart, ContactPoint& point) const;
 
   const ContactMesh& contact_mesh_;
   PairLists candidates_;

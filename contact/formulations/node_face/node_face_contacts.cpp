@@ -42,6 +42,7 @@ struct NodeFaceContacts::NearFace {
   double share = 1.0;     ///< of the node's area, where it projects inside several faces alike [1]
   double distance = 0.0;  ///< of the node, the middle of a sphere, from the face [length]
   double near = 0.0;      ///< gaps up to it may close soon [length]
+  bool pulls = false;     ///< it has touched and may not part
 };
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
@@ -154,13 +155,18 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   const double margin = context.balances ? closed_share * std::min(face.penalty_properties.thickness,
                                                                    node.penalty_properties.thickness)
                                          : 0.0;
-  const double activation_distance = std::max(
+  const double from_afar = std::max(
       {rule.activation_distance, margin, context.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
+  const double held = node_history.face_histories.empty()
+                          ? 0.0
+                          : rule.pair->held_gap(std::min(face.penalty_properties.thickness,
+                                                         node.penalty_properties.thickness));
+  const double activation_distance = std::max(from_afar, held);
   near_face.near = std::max(near, margin);
   const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
   const double deepest = std::max(
       {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
-  const double offset = context.rules.gap_offsets().of_node(near_face.pair, row);
+  const double offset = context.rules.gap_offsets().of_node(near_face.pair, row) + rule.begin_gap;
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.warp() - bound.height_of(x));
@@ -176,10 +182,13 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   near_face.point = *point;
   near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
   near_face.point.gap -= offset;
-  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, *rule.pair);
+  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
   const bool is_known = node_history.knows(near_face.point.normal);
   near_face.penalty.depth = is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed);
-  if (near_face.point.gap > activation_distance || -near_face.point.gap > near_face.penalty.depth) return;
+  near_face.pulls = near_face.point.gap <= held && held > 0.0 &&
+                    node_history.touched(near_face.pair, near_face.point.normal);
+  if ((near_face.point.gap > from_afar && !near_face.pulls) || -near_face.point.gap > near_face.penalty.depth)
+    return;
   if (!comes_from_outside(context, node, moving, near_face, node_history.depth(near_face.point.normal)))
     return;
   if (!is_facing(context, node, near_face.point.normal) || !projects_inside(context, face_index, near_face))
@@ -199,6 +208,8 @@ bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, con
   const Eigen::Vector4d weights = corner_weights(near_face.point.xi, near_face.point.eta, face.is_triangle);
   const double approach =
       (face.v * weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
+  // What comes up behind the one side of a shell that takes part leaves through it.
+  if (context.rules[near_face.pair].pair->is_polar() && !(approach > 0.0) && depth == 0.0) return false;
   // Beyond the edge of a face it may be outside the body: there it has to come from in front. A spring that
   // holds the node already does not end there, for its force would come and go with all of its depth.
   const bool is_beyond =
@@ -321,6 +332,8 @@ ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& cont
                           corner_weights(near_face.point.xi, near_face.point.eta, face.is_triangle())};
   contact_point.normal = near_face.point.normal;
   contact_point.gap = near_face.point.gap;
+  contact_point.pulls = near_face.pulls;
+  contact_point.begin_gap = context.rules.of_node(near_face.pair, row).begin_gap;
   push_node(make_push(context, row, near_face, contact_point), contact_point);
   return contact_point;
 }

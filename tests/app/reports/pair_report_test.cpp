@@ -88,6 +88,18 @@ TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defa
   CHECK_THAT(text, Contains("      1 pair of general or self contact with nothing in reach\n"));
 }
 
+TEST_CASE("the pair table says what may not part and which sides of shells there are", "[app][pairs]") {
+  ContactModel model = three_pairs();
+  CHECK_THAT(format_pairs(model, three_summaries(), {}), !Contains("Sides of interactions"));
+  model.pairs[2].separates = false;
+  CHECK_THAT(squeezed(format_pairs(model, three_summaries(), {})),
+             Contains("\nSides of interactions\ninteraction line separation first second\n"
+                      "tie 12 off both both\n"));
+  model.pairs[0].sides = {ShellSides::top, ShellSides::bottom};
+  CHECK_THAT(squeezed(format_pairs(model, three_summaries(), {})),
+             Contains("general contact 7 on top bottom\ntie 12 off both both\n"));
+}
+
 TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
   ContactModel model = three_pairs();
   model.pairs.assign(1500, model.pairs[0]);

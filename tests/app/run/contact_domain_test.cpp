@@ -193,6 +193,25 @@ TEST_CASE("a point mass of a contact node set is pushed back by a held plate", "
   }
 }
 
+TEST_CASE("what has touched and may not part pulls, through a restart too", "[app][domain]") {
+  const std::string store = "begin restart data\nat step 0 increment = 2\n";
+  Setup setup{.region = falling + store + "end\n",
+              .contact = defaults(any_form() + general + "separation = off\n"),
+              .end_time = "0.4"};
+  const Domain run(two_cubes(), setup);
+  REQUIRE(run.run({"a.i"}).exit_code == 0);
+  CHECK(std::ranges::min(run.column(4)) < -10.0);
+  const std::string straight = run.read("a.csv");
+  setup.region = falling + store + "restart time = 0.2\nend\n";
+  run.write_deck(setup);
+  const auto [code, out, err] = run.run({"a.i"});
+  INFO(err);
+  REQUIRE(code == 0);
+  const std::string whole = run.read("a.csv-s0002"), rest = whole.substr(whole.find('\n') + 1);
+  REQUIRE(rest.size() > 100);
+  CHECK(rest == straight.substr(straight.size() - rest.size()));
+}
+
 TEST_CASE("turns of interactions give the same bits for any threads", "[app][domain]") {
   // Pressed in t1, with friction of one and then of the other.
   const std::string contact = defaults(any_form() + general) + interaction("friction coefficient = 0.1\n") +

@@ -111,6 +111,19 @@ TEST_CASE("an overlap of the start stays ignored when a far element dies", "[con
   CHECK(bodies.force_on(1).z() == Approx(1e4 * 0.005 * 0.64).epsilon(0.01));
 }
 
+TEST_CASE("what may not part stays held when a far element dies", "[contact][death][separation]") {
+  const std::string formulation = GENERATE(as<std::string>{}, "", "constraint formulation = node_face\n");
+  DyingBodies bodies("penalty stiffness = 1e4\nseparation = off\n" + formulation);
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, 0.0011});
+  for (int i = 0; i < 10; ++i) bodies.step(1.0);
+  CHECK(bodies.force_on(1).z() == Approx(-1e4 * 0.001 * 0.64).epsilon(0.01));
+  bodies.kill({{0}, {35}});
+  bodies.set_velocity(1, {0, 0, 0.0001});
+  for (int i = 0; i < 10; ++i) bodies.step(1.0);
+  CHECK(bodies.force_on(1).z() == Approx(-1e4 * 0.002 * 0.64).epsilon(0.01));
+}
+
 TEST_CASE("contact passes to what a death exposes, also where first partners are kept", "[contact][death]") {
   DyingBodies bodies(
       GENERATE(as<std::string>{}, "", "interaction behavior = infinitesimal_sliding\n",

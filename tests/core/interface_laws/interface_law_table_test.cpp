@@ -38,7 +38,7 @@ FrictionLaw whole_law(const InterfaceLawRow& row) {
 
 std::optional<InterfaceLaw> make(const FrictionLaw& law) {
   const FunctionDefinition function =
-      table_function(FunctionType::piecewise_linear, {{0.0, 0.0}, {0.5, 10.0}, {1.0, 0.0}});
+      table_function(FunctionType::piecewise_linear, {{0.0, 0.0}, {0.5, 10.0}, {1.0, 15.0}});
   Diagnostics diagnostics;
   auto made = row_of(law).make({law.values, {&function, 1}, diagnostics});
   CHECK(diagnostics.empty());
@@ -93,6 +93,7 @@ TEST_CASE("every interface law does what its row says", "[core][interface_laws][
     CHECK(law->holds() == row.holds_at_start);
     CHECK(row.slides() == !row.holds_at_start);
     CHECK_FALSE((law->bond_law && law->weld));
+    CHECK(law->pressure.has_value() == row.has_pressure);
     CHECK((law->law == ContactLaw::welded) == law->weld.has_value());
     CHECK(std::isfinite(law->slip_limit(1.0, 1.0, 1.0)));
     CHECK((!law->limit || law->friction > 0.0));  // 0 would leave friction out
