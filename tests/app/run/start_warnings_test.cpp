@@ -133,6 +133,27 @@ TEST_CASE("lines about gaps that do nothing are told", "[app][gaps]") {
   CHECK_THAT(sound, !Contains("clearance-") && !Contains("gap-without-effect"));
 }
 
+TEST_CASE("lines about separation, sides and stiffness that do nothing are told", "[app][sides]") {
+  const auto told = [](const std::string& lines, const std::string& models = "") {
+    return warnings_of(block_on_block(), models +
+                                             "contact surface low contains block_1\n"
+                                             "contact surface high contains block_2\n"
+                                             "begin interaction\nsurfaces = low high\n" +
+                                             lines + "end\n");
+  };
+  CHECK_THAT(told("sides = top\n"),
+             Contains("no shell has the side that it names") && Contains("[sides-without-shells]"));
+  CHECK_THAT(told("friction model = tied\nseparation = off\n"), Contains("[separation-without-effect]"));
+  const std::string soft =
+      "begin exponential pressure model soft\npressure at zero gap = 1\nclearance at zero pressure = 0.001\n";
+  CHECK_THAT(told("friction model = soft\npenalty stiffness = 1e6\n", soft + "end\n"),
+             Contains("PENALTY STIFFNESS has no effect beside the law 'exponential pressure'"));
+  CHECK_THAT(
+      told("friction model = soft\npenalty stiffness = 1e6\n", soft + "friction coefficient = 0.1\nend\n"),
+      !Contains("PENALTY STIFFNESS"));
+  CHECK_THAT(told("separation = off\n"), !Contains("without-effect"));
+}
+
 TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][ties]") {
   using contactsim::test::CandidateSide;
   const auto sides = [](double overhang) {
