@@ -14,6 +14,7 @@
 #include "core/base/pluralize.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 #include "io/exodus/surface_writer.hpp"
 #include "io/files/write_text.hpp"
 
@@ -145,12 +146,15 @@ void RunContact::warn_of_penetration(Diagnostics& warnings) const {
   for (std::size_t i = 0; i < histories.size(); ++i) {
     if (!(histories[i].deepest_share > worrying)) continue;
     const SurfacePair& pair = contact_.pairs[i];
-    const bool is_penalty = pair.enforcement == Enforcement::penalty;
+    const bool is_penalty = pair.enforcement == Enforcement::penalty,
+               is_soft = row_of(*pair.law).has_pressure;
     warnings.add_warning(
         "contact-penetration", pair.location,
         fmt::format("{} have penetrated each other by {:.3g}, {:.0f} % of the thickness behind them",
                     names_of(contact_, i), histories[i].deepest, 100.0 * histories[i].deepest_share),
-        is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through" : "");
+        is_soft      ? "the pressure of its friction model lets them"
+        : is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through"
+                     : "");
   }
 }
 

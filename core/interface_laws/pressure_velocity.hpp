@@ -41,18 +41,18 @@ inline InterfaceLawRow pressure_velocity() {
                                   "How fast the coefficient falls with the slip rate [time/length]")
               .otherwise(0.0),
           parameter::positive("reference pressure",
-                              "Pressure that the sum of pressure and offset is measured by; without it the "
-                              "coefficients are those of Coulomb's law [force/length^2]"),
+                              "Pressure that the sum of pressure and offset is measured by; at 1, with the "
+                              "defaults of the rest, the coefficients are Coulomb's [force/length^2]")
+              .otherwise(1.0),
           parameter::non_negative("offset pressure", "Added to the pressure [force/length^2]").otherwise(0.0),
           parameter::real("pressure exponent", "Power of the relative pressure [1]").otherwise(1.0),
       }};
   row.make = [](const InterfaceLawInput& input) -> std::optional<InterfaceLaw> {
     const auto real = [&](const char* phrase) { return input.values.real(phrase); };
-    const double reference = input.values.find_real("reference pressure").value_or(1.0);
     InterfaceLaw law;
     law.friction = 1.0;
     law.limit = PressureVelocityFriction{real("static coefficient"), real("dynamic coefficient"),
-                                         real("velocity decay"),     reference,
+                                         real("velocity decay"),     real("reference pressure"),
                                          real("offset pressure"),    real("pressure exponent")};
     return law;
   };

@@ -116,6 +116,18 @@ TEST_CASE("laws are described in words", "[core][interface_laws]") {
     CHECK(describe_law(friction_law(name)) == name);
 }
 
+TEST_CASE("static and dynamic coefficients need no reference pressure", "[core][interface_laws]") {
+  const auto law = make(friction_law(
+      "pv dependent", {{"static coefficient", 0.5}, {"dynamic coefficient", 0.2}, {"velocity decay", 3.0}}));
+  REQUIRE(law);
+  // Coulomb's law by the slip rate, whatever the area.
+  for (const double area : {0.01, 1.0, 7.0}) {
+    CHECK(law->slip_limit(10.0, area, 0.0) == Approx(5.0));
+    CHECK(law->slip_limit(10.0, area, 1e3) == Approx(2.0));
+    CHECK(law->slip_limit(10.0, area, 0.5) == Approx(10.0 * (0.2 + 0.3 * std::exp(-1.5))));
+  }
+}
+
 TEST_CASE("what may follow a failed weld slides", "[core][interface_laws]") {
   std::set<std::string> sliding;
   for (const InterfaceLawRow& row : interface_law_rows()) {
