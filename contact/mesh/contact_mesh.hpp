@@ -30,7 +30,8 @@ struct PenaltyProperties {
 /// it and get less (limit_stiffness); where others do, contact is nearly rigid.
 inline constexpr double penalty_over_element = 10.0;
 
-/// One face of a contact surface.
+/// One face of a contact surface, or a facet of one whose midside nodes move it: the facets of a face follow
+/// each other and have the same side.
 struct ContactFace {
   std::array<std::uint32_t, 4>
       corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
@@ -85,7 +86,7 @@ struct ContactMesh {
   std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh; of lofts what they hang on
   LoftPoints loft;                         ///< the last of the contact nodes
   std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
-  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
+  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them, facet by facet
   std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
   std::vector<ContactEdge> edges;          ///< round ones by surface, then sharp ones
   std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces

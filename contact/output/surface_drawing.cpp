@@ -52,11 +52,12 @@ class SurfaceDrawing {
     const ContactSurface& surface = model_.surfaces.surfaces[index];
     FacetBlock& block = drawing_.blocks[index];
     for (const ElementSide face : surface.faces) {
-      Facet facet{};
-      const auto nodes = mesh_.side_nodes(face);
-      std::transform(nodes.begin(), nodes.end(), facet.begin(),
-                     [&](NodeIndex node) { return point_of(node); });
-      block.facets.push_back(facet);
+      for (const auto& nodes : mesh_.side_facets(face)) {
+        Facet facet{};
+        std::transform(nodes.begin(), nodes.end(), facet.begin(),
+                       [&](NodeIndex node) { return point_of(node); });
+        block.facets.push_back(facet);
+      }
     }
     for (const NodeIndex node : surface.nodes) block.points.push_back(point_of(node));
     for (const std::uint32_t plane : surface.analytic_planes) draw_plane(model_.planes[plane], block);
