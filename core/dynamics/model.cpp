@@ -13,7 +13,7 @@ namespace contactsim {
 
 namespace {
 
-/// An element gives each of its nodes an equal share of what it has.
+/// An element gives each of its nodes its share of what it has.
 ///   element_values  [n_batches]
 void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> element_values,
                 Eigen::Matrix3Xd& sums) {
@@ -21,8 +21,10 @@ void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes
   for (std::uint32_t element = 0; element < source.n_elements; ++element) {
     const double element_value = element_values[element / n_lanes](element % n_lanes);
     const auto nodes = source.element_nodes(element);
-    for (const NodeIndex node : nodes)
-      sums.col(node.value).array() += element_value / static_cast<double>(nodes.size());
+    const auto& shares = block.element->mass_shares;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      sums.col(nodes[i].value).array() +=
+          shares.empty() ? element_value / static_cast<double>(nodes.size()) : element_value * shares[i];
   }
 }
 
