@@ -88,6 +88,10 @@ class MeshMaker:
         rows = [(0, 1, 3, 4), (1, 2, 3, 6), (1, 4, 5, 6), (3, 4, 6, 7), (1, 3, 4, 6)]
         return self._add(name, "TETRA4", [[corners[i] for i in row] for row in rows])
 
+    def joint(self, name, lower, upper):
+        """A HEX8 cell without thickness between the top of one cell and the bottom of another, given by their nodes."""
+        return self._add(name, "HEX8", [[*lower[4:], *upper[:4]]])
+
     def split_hexes(self, n_nodes=10):
         """Makes six tetrahedra of each HEX8 cell, of four nodes or with midside nodes in ten; before side sets are made.
 

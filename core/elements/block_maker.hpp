@@ -36,6 +36,7 @@ class BlockMaker {
   Made make_lines(std::uint32_t index, const BlockParameters& parameters);
   Made make_solids(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters);
+  Made make_cohesive(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters, const ShellSection& section,
                    const ElementFormulation* element);
   const ShellSection* find_shell_section(std::uint32_t index, const SectionDefinition* section);

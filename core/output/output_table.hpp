@@ -37,6 +37,7 @@ struct OutputRow {
   int list_size = 1;               ///< number of components of a list
   bool is_of_shells = false;       ///< only shells have it, of element variables
   bool is_always_written = false;  ///< every results file has it, of globals
+  bool is_of_cohesive = false;     ///< only cohesive elements have it, of element variables
 
   int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };

@@ -48,10 +48,14 @@ void OutputVariables::add_rows(std::span<const OutputRow> rows) {
     OutputVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
                             row.is_at_points,      /*in_blocks*/ {}, row.fill};
     if (row.location == FieldLocation::element) {
-      for (const ModelBlock& block : model_.blocks)
-        variable.in_blocks.push_back(!row.is_of_shells || !block.thickness.empty() ? 1 : 0);
+      for (const ModelBlock& block : model_.blocks) {
+        const bool has_it = (!row.is_of_shells || !block.thickness.empty()) &&
+                            (!row.is_of_cohesive || !block.cohesive.area.empty());
+        variable.in_blocks.push_back(has_it ? 1 : 0);
+      }
     }
-    if (row.is_of_shells && std::ranges::count(variable.in_blocks, 1) == 0) continue;
+    const bool is_of_some = row.is_of_shells || row.is_of_cohesive;
+    if (is_of_some && std::ranges::count(variable.in_blocks, 1) == 0) continue;
     add(std::move(variable));
   }
 }

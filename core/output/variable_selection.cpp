@@ -30,6 +30,7 @@ std::string hint_at(const OutputVariables& variables, const std::string& name,
   }
   for (const OutputRow& row : element_output_rows()) {
     if (row.is_of_shells && name == row.name) return "shells have it";
+    if (row.is_of_cohesive && name == row.name) return "cohesive elements have it";
   }
   std::vector<std::string> known;
   for (const FieldLocation location : locations) {

@@ -19,8 +19,8 @@ struct SubTet {
 // psi_i = (lambda_i - b) / (a - b) with the barycentric coordinate lambda_i, a = (5 + 3 sqrt(5)) / 20 and
 // b = (5 - sqrt(5)) / 20, the places of the four-point rule of degree two: psi_i psi_j has the integral V/4
 // delta_ij where all edges are straight. Midside nodes: 4 of edge 01, 5: 12, 6: 20, 7: 03, 8: 13, 9: 23.
-constexpr double b = 0.1381966011250105, slope = 1.0 / 0.4472135954999579;
-constexpr double psi(double lambda) { return (lambda - b) * slope; }
+constexpr double at_others = 0.1381966011250105, slope = 1.0 / 0.4472135954999579;
+constexpr double psi(double lambda) { return (lambda - at_others) * slope; }
 
 constexpr SubTet at_corner(std::uint8_t corner, std::array<std::uint8_t, 4> nodes) {
   return {nodes, corner, psi(0.625), psi(0.125)};
@@ -122,13 +122,13 @@ Projection::Projection(const NodeVectors<n_nodes>& x) {
   bool is_first = true;
   for (const SubTet& tet : sub_tets) {
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::array<Lanes, 4> gradient = tet_component(all[(i + 1) % 3], all[(i + 2) % 3], tet.nodes);
+      const std::array<Lanes, 4> of_tet = tet_component(all[(i + 1) % 3], all[(i + 2) % 3], tet.nodes);
       for (std::size_t a = 0; a < 4; ++a) {
-        common[i][tet.nodes[a]] += tet.other * gradient[a];
-        own[tet.point][i][tet.nodes[a]] += (tet.own - tet.other) * gradient[a];
+        common[i][tet.nodes[a]] += tet.other * of_tet[a];
+        own[tet.point][i][tet.nodes[a]] += (tet.own - tet.other) * of_tet[a];
       }
       if (i > 0) continue;
-      const Lanes sub = sub_volume(all[0], tet, gradient);
+      const Lanes sub = sub_volume(all[0], tet, of_tet);
       min_volume = is_first ? sub : Lanes(min_volume.min(sub));
       is_first = false;
       whole_volume += sub;

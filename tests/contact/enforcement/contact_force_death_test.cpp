@@ -16,12 +16,13 @@ using namespace contactsim::test;
 namespace {
 
 /// A plate of 6 x 3 x 2 cells under a cube of one cell that lies on its middle.
-MeshBuilder cube_on_plate(double depth = 0.01) {
+MeshBuilder cube_on_plate(double depth = 0.01, bool is_of_tets = false) {
   MeshBuilder builder;
-  builder.add_hexes({.id = 1, .cells = {6, 3, 2}, .size = {6, 3, 2}});
-  builder.add_hexes(
-      {.id = 2, .origin = {2.1, 1.1, 2.0 - depth}, .size = {0.8, 0.8, 0.8}, .share_nodes = false});
-  return builder;
+  const test::Box plate{.id = 1, .cells = {6, 3, 2}, .size = {6, 3, 2}};
+  const test::Box cube{
+      .id = 2, .origin = {2.1, 1.1, 2.0 - depth}, .size = {0.8, 0.8, 0.8}, .share_nodes = false};
+  if (is_of_tets) return builder.add_ten_node_tets(plate).add_ten_node_tets(cube);
+  return builder.add_hexes(plate).add_hexes(cube);
 }
 
 const std::string surfaces =
@@ -79,6 +80,28 @@ TEST_CASE("friction goes on without a jump when a far element dies", "[contact][
   const auto untouched = make(), dying = make();
   dying->kill({{0}, {35}});  // corners of the plate
   REQUIRE(dying->n_free_rows() == 2);
+  for (int i = 0; i < 5; ++i) {
+    untouched->step(0.1);
+    dying->step(0.1);
+    CHECK(dying->forces == untouched->forces);
+  }
+  CHECK(dying->force_on(1).x() < 0.0);
+}
+
+TEST_CASE("friction on six-node faces goes on without a jump when a far element dies", "[contact][death]") {
+  const std::string node_face = GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
+  const auto make = [&] {
+    auto bodies = std::make_unique<DyingBodies>(
+        cube_on_plate(0.01, true), general_contact("friction model = rough\n" + node_face, surfaces), false);
+    bodies->ask();
+    bodies->set_velocity(1, {1e-3, 0, 0});
+    for (int i = 0; i < 5; ++i) bodies->step(0.1);
+    return bodies;
+  };
+  const auto untouched = make(), dying = make();
+  const std::size_t n_faces = dying->contact.contact_mesh().faces.size();
+  dying->kill({{0}, {215}});
+  CHECK(dying->contact.contact_mesh().faces.size() != n_faces);
   for (int i = 0; i < 5; ++i) {
     untouched->step(0.1);
     dying->step(0.1);

@@ -177,6 +177,25 @@ TEST_CASE("ten-node tetrahedra are composite, by default, by a solid and by a to
         "block_1: there is no TETRA10 with the formulation selective_deviatoric\n");
 }
 
+TEST_CASE("midside nodes that one side of a face has alone are told", "[core][model]") {
+  test::MeshBuilder builder;
+  builder.add_ten_node_tets({.id = 1, .size = {1, 1, 1}});
+  SimulationDefinition definition = definition_for("block_1");
+  auto& parameters = definition.finite_element_models[0].block_parameters;
+  parameters.push_back(parameters[0]);
+  parameters[1].names = {named("block_2")};
+  SECTION("alike") {
+    builder.add_ten_node_tets({.id = 2, .origin = {0, 0, 1}});
+    CHECK(errors_of(definition, builder.build()).empty());
+  }
+  SECTION("unlike") {
+    builder.add_tets({.id = 2, .origin = {0, 0, 1}}, 6);
+    CHECK(errors_of(definition, builder.build()) ==
+          "2 faces of six nodes lie on faces that have no or other midside nodes, the first of element 4 on "
+          "element 7\n");
+  }
+}
+
 TEST_CASE("options of a solid section that are not supported are told", "[core][model]") {
   const Mesh hexes = test::MeshBuilder().add_hexes({}).build();
   SimulationDefinition definition = definition_for("block_1");
