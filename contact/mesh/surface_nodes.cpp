@@ -12,12 +12,12 @@ namespace contactsim {
 
 namespace {
 
-using Corners = std::array<NodeIndex, 4>;
+using FacetNodes = std::array<NodeIndex, 4>;
 
-std::size_t n_corners(const Corners& corners) { return corners[2] == corners[3] ? 3 : 4; }
+std::size_t n_corners(const FacetNodes& corners) { return corners[2] == corners[3] ? 3 : 4; }
 
 /// Of the area of a facet [length^2].
-double corner_share(const Mesh& mesh, const Corners& corners) {
+double corner_share(const Mesh& mesh, const FacetNodes& corners) {
   return area_vector(mesh.coordinates(), corners).norm() / static_cast<double>(n_corners(corners));
 }
 
@@ -31,7 +31,7 @@ void add_share(double area, double thickness, ElementSide side, SurfaceNode& nod
 /// The share of an eroded node in the face that it stands for: of its facets there, together [length^2].
 double share_of(const Mesh& mesh, const ErodedNode& free) {
   double share = 0.0;
-  for (const Corners& corners : mesh.side_facets(free.side)) {
+  for (const FacetNodes& corners : mesh.side_facets(free.side)) {
     if (std::ranges::find(corners, free.node) != corners.end()) share += corner_share(mesh, corners);
   }
   return share;
@@ -71,7 +71,7 @@ std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace>
   }
   std::vector<std::uint32_t> nodes;
   for (const ContactFace& face : faces) {
-    Corners corners;
+    FacetNodes corners;
     for (std::size_t k = 0; k < 4; ++k) corners[k] = {mesh_nodes[face.corners[k]]};
     const double share = corner_share(numbers_.mesh(), corners);
     for (std::size_t k = 0; k < n_corners(corners); ++k) {
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nod
   const auto is_wanted = [&](NodeIndex node) { return is_in[node.value] != 0; };
   std::vector<ElementSide> inside;
   std::ranges::copy_if(skin.exterior, std::back_inserter(inside), [&](ElementSide side) {
-    return std::ranges::all_of(mesh.side_facets(side), [&](const Corners& corners) {
+    return std::ranges::all_of(mesh.side_facets(side), [&](const FacetNodes& corners) {
       return std::ranges::all_of(corners, is_wanted);
     });
   });
