@@ -15,7 +15,7 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
   std::string text;
   const auto areas = tied_areas(force, contact);
   const auto& surfaces = contact.surfaces.surfaces;
-  for (std::size_t i = 0; i < areas.size(); ++i) {
+  for (const PairIndex i : indices(areas)) {
     const SurfacePair& pair = contact.pairs[i];
     if (!row_of(*pair.law).holds_at_start) continue;
     text += fmt::format("  {}: {} to {}, {} over an area of {:.6g}\n", describe_law(*pair.law),

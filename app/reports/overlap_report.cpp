@@ -17,7 +17,7 @@ std::string format_start_overlaps(std::span<const StartOverlap> overlaps, const 
                                                               "deep", "deepest overlap", "at node");
   for (const StartOverlap& overlap : overlaps) {
     const SurfacePair& pair = model.pairs[overlap.pair];
-    text += fmt::format(row, overlap.pair + 1, model.surfaces.surfaces[pair.first].name,
+    text += fmt::format(row, overlap.pair.value + 1, model.surfaces.surfaces[pair.first].name,
                         model.surfaces.surfaces[pair.second].name, overlap.n_nodes, overlap.n_faces,
                         overlap.n_deep, fmt::format("{:.6g}", overlap.deepest), mesh.node_id(overlap.node));
   }
@@ -36,7 +36,7 @@ std::string format_closures(const OverlapRemoved& removed, const ContactModel& m
     if (!pair.closes_gaps()) continue;
     const std::string node = moves.n_nodes > 0 ? fmt::to_string(mesh.node_id(moves.largest_node)) : "-";
     text +=
-        fmt::format(closure_format, moves.pair + 1, model.surfaces.surfaces[pair.first].name,
+        fmt::format(closure_format, moves.pair.value + 1, model.surfaces.surfaces[pair.first].name,
                     model.surfaces.surfaces[pair.second].name, moves.n_nodes,
                     fmt::format("{:.6g}", moves.widest), fmt::format("{:.6g}", moves.largest),
                     fmt::format("{:.6g}", moves.mean_square), node, fmt::format("{:.6g}", moves.left_open));
@@ -70,7 +70,7 @@ std::string format_overlap(const OverlapRemoved& removed, const ContactModel& mo
     if (!overlaps(moves)) continue;
     const SurfacePair& pair = model.pairs[moves.pair];
     const std::string node = moves.n_nodes > 0 ? fmt::to_string(mesh.node_id(moves.largest_node)) : "-";
-    text += fmt::format(row, moves.pair + 1, model.surfaces.surfaces[pair.first].name,
+    text += fmt::format(row, moves.pair.value + 1, model.surfaces.surfaces[pair.first].name,
                         model.surfaces.surfaces[pair.second].name, moves.n_nodes,
                         fmt::format("{:.6g}", moves.deepest), fmt::format("{:.6g}", moves.largest), node,
                         fmt::format("{:.6g}", moves.left));

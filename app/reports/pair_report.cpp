@@ -42,11 +42,11 @@ std::string formulation_of(const SurfacePair& pair) {
 }
 
 /// Writes the rows of the pairs that are chosen, up to max_rows; the others are counted.
-std::string format_chosen(const ContactModel& model, const std::function<bool(std::size_t)>& is_chosen,
-                          const std::function<std::string(std::size_t)>& format_row) {
+std::string format_chosen(const ContactModel& model, const std::function<bool(PairIndex)>& is_chosen,
+                          const std::function<std::string(PairIndex)>& format_row) {
   std::string text;
   std::size_t n_rows = 0, n_more = 0;
-  for (std::size_t i = 0; i < model.pairs.size(); ++i) {
+  for (const PairIndex i : indices(model.pairs)) {
     if (!is_chosen(i)) continue;
     if (n_rows < max_rows) {
       text += format_row(i);
@@ -60,10 +60,10 @@ std::string format_chosen(const ContactModel& model, const std::function<bool(st
 }
 
 std::string format_start(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const InitialGap> starts, std::size_t i) {
+                         IndexedSpan<PairIndex, const InitialGap> starts, PairIndex i) {
   const SurfacePair& pair = model.pairs[i];
   const SurfaceSummary &a = summaries[pair.first], &b = summaries[pair.second];
-  return fmt::format(start_format, i + 1, model.surfaces.surfaces[pair.first].name,
+  return fmt::format(start_format, i.value + 1, model.surfaces.surfaces[pair.first].name,
                      model.surfaces.surfaces[pair.second].name, pair.interaction, pair.location.line,
                      describe_law(*pair.law), formulation_of(pair), n_faces(a), n_faces(b), a.nodes, b.nodes,
                      starts.empty() ? "-" : number(starts[i].smallest_gap),
@@ -119,9 +119,9 @@ std::string format_gaps(const ContactModel& model) {
          fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;
 }
 
-std::string format_history(const ContactModel& model, const PairHistory& history, std::size_t i) {
+std::string format_history(const ContactModel& model, const PairHistory& history, PairIndex i) {
   const SurfacePair& pair = model.pairs[i];
-  return fmt::format(history_format, i + 1, model.surfaces.surfaces[pair.first].name,
+  return fmt::format(history_format, i.value + 1, model.surfaces.surfaces[pair.first].name,
                      model.surfaces.surfaces[pair.second].name, number(history.contact_time),
                      number(history.peak_force), number(history.impulse.x()), number(history.impulse.y()),
                      number(history.impulse.z()), number(history.work + history.impact),
@@ -132,20 +132,20 @@ std::string format_history(const ContactModel& model, const PairHistory& history
 }  // namespace
 
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const InitialGap> starts) {
+                         IndexedSpan<PairIndex, const InitialGap> starts) {
   assert(starts.empty() || starts.size() == model.pairs.size());
   if (model.pairs.empty()) return "";
-  const auto is_far = [&](std::size_t i) {
+  const auto is_far = [&](PairIndex i) {
     return !starts.empty() && starts[i].n_in_reach == 0 && model.pairs[i].is_from_defaults;
   };
   std::string text = "\nContact pairs\n" + fmt::format(start_format, "no", "first", "second", "interaction",
                                                        "line", "law", "formulation", "faces", "faces",
                                                        "nodes", "nodes", "smallest gap", "in reach");
   text += format_chosen(
-      model, [&](std::size_t i) { return !is_far(i); },
-      [&](std::size_t i) { return format_start(model, summaries, starts, i); });
+      model, [&](PairIndex i) { return !is_far(i); },
+      [&](PairIndex i) { return format_start(model, summaries, starts, i); });
   std::size_t n_far = 0;
-  for (std::size_t i = 0; i < model.pairs.size(); ++i) n_far += is_far(i) ? 1 : 0;
+  for (const PairIndex i : indices(model.pairs)) n_far += is_far(i) ? 1 : 0;
   if (n_far > 0) {
     text +=
         fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
@@ -153,17 +153,18 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
   return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model);
 }
 
-std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories) {
+std::string format_pair_histories(const ContactModel& model,
+                                  IndexedSpan<PairIndex, const PairHistory> histories) {
   assert(histories.size() == model.pairs.size());
   if (model.pairs.empty()) return "";
   const std::string rows = format_chosen(
-      model, [&](std::size_t i) { return histories[i].has_touched(); },
-      [&](std::size_t i) { return format_history(model, histories[i], i); });
+      model, [&](PairIndex i) { return histories[i].has_touched(); },
+      [&](PairIndex i) { return format_history(model, histories[i], i); });
   const std::string idle = format_chosen(
-      model, [&](std::size_t i) { return !histories[i].has_touched(); },
-      [&](std::size_t i) {
+      model, [&](PairIndex i) { return !histories[i].has_touched(); },
+      [&](PairIndex i) {
         const SurfacePair& pair = model.pairs[i];
-        return fmt::format("{:>4}  {:<28} {:<28} {:<22} {:>6}\n", i + 1,
+        return fmt::format("{:>4}  {:<28} {:<28} {:<22} {:>6}\n", i.value + 1,
                            model.surfaces.surfaces[pair.first].name,
                            model.surfaces.surfaces[pair.second].name, pair.interaction, pair.location.line);
       });

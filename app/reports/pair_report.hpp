@@ -19,10 +19,11 @@ namespace contactsim {
 ///   summaries  [n_surfaces]
 ///   starts     [n_pairs] of model.pairs, or empty when they are not known: "-" stands in their place
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         std::span<const InitialGap> starts);
+                         IndexedSpan<PairIndex, const InitialGap> starts);
 
 /// The pair table after a run, and the pairs that never touched. "" without pairs.
 ///   histories  [n_pairs] of model.pairs
-std::string format_pair_histories(const ContactModel& model, std::span<const PairHistory> histories);
+std::string format_pair_histories(const ContactModel& model,
+                                  IndexedSpan<PairIndex, const PairHistory> histories);
 
 }  // namespace contactsim

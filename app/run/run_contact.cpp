@@ -35,15 +35,9 @@ double made_by_contact(const ContactForce& force, const Energies& energies) {
 }
 
 /// The pair that has made the most energy; the first without any pairs.
-std::size_t find_culprit(std::span<const PairHistory> histories) {
+PairIndex find_culprit(IndexedSpan<PairIndex, const PairHistory> histories) {
   const auto most = std::ranges::max_element(histories, {}, &PairHistory::made);
-  return static_cast<std::size_t>(most - histories.begin());
-}
-
-std::string names_of(const ContactModel& contact, std::size_t pair) {
-  const auto& surfaces = contact.surfaces.surfaces;
-  return fmt::format("'{}' and '{}'", surfaces[contact.pairs[pair].first].name,
-                     surfaces[contact.pairs[pair].second].name);
+  return index_of(histories, most);
 }
 
 }  // namespace
@@ -111,8 +105,8 @@ void RunContact::add_suffix(const std::string& suffix) {
   }
 }
 
-bool RunContact::came_out_of_overlap(std::size_t pair) const {
-  return force_.rules().rules()[pair].is_balanced &&
+bool RunContact::came_out_of_overlap(PairIndex pair) const {
+  return force_.rules()[pair].is_balanced &&
          std::ranges::any_of(input_.overlaps,
                              [&](const StartOverlap& overlap) { return overlap.pair == pair; });
 }
@@ -120,7 +114,7 @@ bool RunContact::came_out_of_overlap(std::size_t pair) const {
 double RunContact::given_out_by_overlaps() const {
   double sum = 0.0;
   const auto histories = force_.histories();
-  for (std::size_t i = 0; i < histories.size(); ++i) {
+  for (const PairIndex i : indices(histories)) {
     if (came_out_of_overlap(i)) sum += std::max(0.0, histories[i].made());
   }
   return sum;
@@ -129,7 +123,7 @@ double RunContact::given_out_by_overlaps() const {
 void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings) const {
   const double made = made_by_contact(force_, energies) - given_out_by_overlaps();
   if (made <= worrying_energy_share * energies.largest || contact_.pairs.empty()) return;
-  const std::size_t culprit = find_culprit(force_.histories());
+  const PairIndex culprit = find_culprit(force_.histories());
   warnings.add_warning(
       "contact-energy", contact_.pairs[culprit].location,
       fmt::format("contact has given out {:.3g} of energy that nothing put in ({:.2g} % of the "
@@ -142,7 +136,7 @@ void RunContact::warn_of_energy(const Energies& energies, Diagnostics& warnings)
 void RunContact::warn_of_penetration(Diagnostics& warnings) const {
   constexpr double worrying = 0.1;  // of the thickness
   const auto histories = force_.histories();
-  for (std::size_t i = 0; i < histories.size(); ++i) {
+  for (const PairIndex i : indices(histories)) {
     if (!(histories[i].deepest_share > worrying)) continue;
     const SurfacePair& pair = contact_.pairs[i];
     const bool is_penalty = pair.enforcement == Enforcement::penalty;
@@ -156,7 +150,7 @@ void RunContact::warn_of_penetration(Diagnostics& warnings) const {
 
 void RunContact::warn_of_lost(Diagnostics& warnings) const {
   const auto histories = force_.histories();
-  for (std::size_t i = 0; i < histories.size(); ++i) {
+  for (const PairIndex i : indices(histories)) {
     const PairHistory& history = histories[i];
     if (history.n_lost == 0) continue;
     const SurfacePair& pair = contact_.pairs[i];
@@ -184,7 +178,7 @@ void RunContact::stop_at_runaway(const State& state) {
   const bool runs_away = made > std::max(put_in, negligible);
   n_runaway_steps_ = runs_away ? n_runaway_steps_ + 1 : 0;
   if (n_runaway_steps_ < longest_runaway || contact_.pairs.empty()) return;
-  const std::size_t culprit = find_culprit(force_.histories());
+  const PairIndex culprit = find_culprit(force_.histories());
   if (came_out_of_overlap(culprit)) return;
   throw SolveError(
       state.time, fmt::format("contact between {} runs away: it has given out {:.3g} of energy from nowhere, "
@@ -198,7 +192,7 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_idle_settings(contact_, warnings);
   warn_of_gaps(force_, contact_, warnings);
   warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
-  std::vector<double> stored;
+  IndexedVector<PairIndex, double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
   warn_of_overlaps(input_, input_.overlaps, stored, warnings);
 }

@@ -64,7 +64,7 @@ class RunContact {
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   void warn_of_lost(Diagnostics& warnings) const;
   void warn_of_penetration(Diagnostics& warnings) const;
-  bool came_out_of_overlap(std::size_t pair) const;
+  bool came_out_of_overlap(PairIndex pair) const;
 
   const RunInput& input_;
   const Model& model_;

@@ -53,12 +53,6 @@ std::vector<std::uint8_t> find_held_nodes(const RunInput& input) {
   return is_held;
 }
 
-std::string names_of(const ContactModel& model, std::uint32_t pair) {
-  const auto& surfaces = model.surfaces.surfaces;
-  return fmt::format("'{}' and '{}'", surfaces[model.pairs[pair].first].name,
-                     surfaces[model.pairs[pair].second].name);
-}
-
 void warn_of_rest(const OverlapRemoved& removed, const ContactModel& model, Diagnostics& warnings) {
   for (const OverlapMoves& moves : removed.moves) {
     if (moves.left <= worrying_remainder * moves.deepest) continue;
@@ -125,8 +119,14 @@ std::string describe(const StartOverlap& overlap, const ContactModel& model, con
 
 }  // namespace
 
+std::string names_of(const ContactModel& model, PairIndex pair) {
+  const auto& surfaces = model.surfaces.surfaces;
+  return fmt::format("'{}' and '{}'", surfaces[model.pairs[pair].first].name,
+                     surfaces[model.pairs[pair].second].name);
+}
+
 void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
-                      std::span<const double> stored, Diagnostics& warnings) {
+                      IndexedSpan<PairIndex, const double> stored, Diagnostics& warnings) {
   if (input.contact == nullptr || input.region.contact->overlap_removal.is_on()) return;
   for (const StartOverlap& overlap : overlaps) {
     const SurfacePair& pair = input.contact->pairs[overlap.pair];

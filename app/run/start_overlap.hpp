@@ -20,10 +20,13 @@ std::optional<OverlapRemoved> remove_initial_overlap(const RunInput& input);
 /// Throws SolveError naming pair and element when elements would be turned inside out.
 std::optional<Mesh> move_nodes(const RunInput& input, OverlapRemoved removed, Diagnostics& warnings);
 
+/// The names of the surfaces of a pair.
+std::string names_of(const ContactModel& model, PairIndex pair);
+
 /// Warns of every pair that overlaps at the start, unless it is tied or overlap removal has been asked for:
 /// "overlap-at-start", with the deck line that would remove it.
-///   stored  [n_pairs] that contact holds in it [energy]; empty when that is not known
+///   stored  that contact holds in it [energy]; empty when that is not known
 void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
-                      std::span<const double> stored, Diagnostics& warnings);
+                      IndexedSpan<PairIndex, const double> stored, Diagnostics& warnings);
 
 }  // namespace contactsim

@@ -24,7 +24,7 @@ struct TiedSide {
 };
 
 /// Counts what ties of a pair hold of one of its surfaces: of NODE_FACE its nodes, else its faces.
-TiedSide count_tied(const ContactForce& force, std::uint32_t pair_index, const SurfacePair& pair,
+TiedSide count_tied(const ContactForce& force, PairIndex pair_index, const SurfacePair& pair,
                     std::uint32_t surface) {
   const ContactMesh& contact_mesh = force.contact_mesh();
   std::set<std::uint32_t> tied_faces, tied_nodes;
@@ -72,8 +72,8 @@ std::string names_of(const SurfacePair& pair, const ContactModel& contact) {
 
 }  // namespace
 
-std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact) {
-  std::vector<TiedArea> areas(contact.pairs.size());
+IndexedVector<PairIndex, TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact) {
+  IndexedVector<PairIndex, TiedArea> areas(contact.pairs.size());
   force.visit_constraints([&](const InterfaceConstraint& tie) {
     ++areas[tie.pair].n_ties;
     areas[tie.pair].area += tie.area;
@@ -83,7 +83,7 @@ std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& 
 
 void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
   const auto areas = tied_areas(force, contact);
-  for (std::size_t i = 0; i < areas.size(); ++i) {
+  for (const PairIndex i : indices(areas)) {
     const SurfacePair& pair = contact.pairs[i];
     if (!row_of(*pair.law).holds_at_start || areas[i].n_ties > 0) continue;
     warnings.add_warning("tie-empty", pair.location,
@@ -95,7 +95,7 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
 void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact,
                           const ContactDefinition& definition, const Mesh& mesh, Diagnostics& warnings) {
   const auto areas = tied_areas(force, contact);
-  for (std::uint32_t i = 0; i < areas.size(); ++i) {
+  for (const PairIndex i : indices(areas)) {
     const SurfacePair& pair = contact.pairs[i];
     if (!row_of(*pair.law).holds_at_start || areas[i].n_ties == 0) continue;
     std::optional<TiedSide> least;  // untied; a side that is tied as a whole is as the deck wants it
@@ -140,7 +140,7 @@ void warn_of_gaps(const ContactForce& force, const ContactModel& contact, Diagno
     if (reported.insert(id + to_string(pair.location)).second)
       warnings.add_warning(id, pair.location, text, hint);
   };
-  for (std::uint32_t i = 0; i < contact.pairs.size(); ++i) {
+  for (const PairIndex i : indices(contact.pairs)) {
     const SurfacePair& pair = contact.pairs[i];
     if (pair.gap == GapSettings{}) continue;
     if (force.rules()[i].only_ties()) {
@@ -169,7 +169,7 @@ void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagn
   for (const ContactEdge& edge : force.contact_mesh().edges) {
     if (!edge.is_particle() && !edge.is_sharp()) has_edges[edge.surface] = 1;
   }
-  for (std::uint32_t i = 0; i < contact.pairs.size(); ++i) {
+  for (const PairIndex i : indices(contact.pairs)) {
     const SurfacePair& pair = contact.pairs[i];
     if (has_edges[pair.first] == 0 || has_edges[pair.second] == 0) continue;
     bool only_pushes = true, ties = false;

@@ -16,7 +16,7 @@ struct TiedArea {
 };
 
 /// The ties of each pair [n_pairs].
-std::vector<TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact);
+IndexedVector<PairIndex, TiedArea> tied_areas(const ContactForce& force, const ContactModel& contact);
 
 /// Warns of tied pairs that tie nothing.
 void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings);

@@ -73,11 +73,11 @@ class ContactAssembler {
   std::span<const NodeVector> nodes() const { return nodes_; }
   /// [n_contact_nodes] of the forces about the nodes, empty without moments [force length]
   std::span<const Eigen::Vector3d> moments() const { return moments_; }
-  std::span<const PairStep> pairs() const { return pairs_; }
+  IndexedSpan<PairIndex, const PairStep> pairs() const { return pairs_; }
   /// [n_contact_nodes], empty without friction
   std::span<const NodeFriction> friction() const { return friction_; }
-  /// [n_pairs] the work that forces have taken from the bodies since the start [energy]
-  std::span<const double> taken() const { return work_.taken(); }
+  /// The work that forces have taken from the bodies since the start [energy]
+  IndexedSpan<PairIndex, const double> taken() const { return work_.taken(); }
   const PairWork& work() const { return work_; }
   double dissipated() const { return dissipated_; }
   double damped() const { return damped_; }
@@ -92,7 +92,7 @@ class ContactAssembler {
   bool has_friction_, has_moments_;
   std::vector<NodeVector> nodes_;
   std::vector<Eigen::Vector3d> moments_;
-  std::vector<PairStep> pairs_;
+  IndexedVector<PairIndex, PairStep> pairs_;
   std::vector<NodeFriction> friction_;
   std::vector<NodeVector> slips_;  // of the step, times area, and area
   double dissipated_ = 0.0, damped_ = 0.0;

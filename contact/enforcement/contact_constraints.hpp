@@ -69,9 +69,9 @@ class ContactConstraints {
     NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
-    std::uint32_t point = 0;  // in points_
-    OptionalIndex grip;       // of a point with friction
-    OptionalIndex light;      // its row among those with light carriers
+    std::uint32_t point = 0;             // in points_
+    OptionalIndex<std::uint32_t> grip;   // of a point with friction
+    OptionalIndex<std::uint32_t> light;  // its row among those with light carriers
   };
   /// Contact points between the same entities, which have the same carriers.
   struct Group {

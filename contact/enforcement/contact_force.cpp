@@ -128,8 +128,8 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
 double ContactForce::largest_eigenvalue() {
   if (points_.empty() && constraint_forces_.empty()) return 0.0;
   slips_.assign(rules_.rules().size(), 0);
-  for (std::size_t i = 0; i < slips_.size(); ++i) {
-    const PairRule& rule = rules_.rules()[i];
+  for (const PairIndex i : indices(slips_)) {
+    const PairRule& rule = rules_[i];
     slips_[i] = rule.friction > 0.0 || rule.interface_law != nullptr || rule.far ? 1 : 0;
   }
   const auto node_rates = mobility_.find_rates(kinematics_, points_, constraint_forces_, slips_);
@@ -140,7 +140,7 @@ double ContactForce::largest_eigenvalue() {
     rate = std::max(rate, node_rates[node.node]);
   }
   double largest = 0.0;
-  for (std::size_t i = 0; i < setup_.contact.pairs.size(); ++i) {
+  for (const PairIndex i : indices(setup_.contact.pairs)) {
     const SurfacePair& pair = setup_.contact.pairs[i];
     if (assembler_.pairs()[i].is_near)
       largest = std::max(largest, of_surface[pair.first] + of_surface[pair.second]);

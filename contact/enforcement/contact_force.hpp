@@ -49,8 +49,8 @@ class ContactForce final : public ForceTerm {
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
   const PairRules& rules() const { return rules_; }
   const ContactSearch& search() const { return detection_.search(); }
-  std::span<const PairHistory> histories() const { return histories_.all(); }
-  std::span<const PairStep> pair_steps() const { return assembler_.pairs(); }
+  IndexedSpan<PairIndex, const PairHistory> histories() const { return histories_.all(); }
+  IndexedSpan<PairIndex, const PairStep> pair_steps() const { return assembler_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return assembler_.friction(); }
   const ContactStep& step_share() const { return step_share_; }
   /// What balancing the last step came to.
@@ -108,7 +108,7 @@ class ContactForce final : public ForceTerm {
   ContactKinematics kinematics_;
   ContactMobility mobility_;
   std::vector<double> element_stiffness_;  // of faces, surface nodes, edges before any limit [force/length^3]
-  std::vector<std::uint8_t> slips_;        // [n_pairs] has springs along the surface
+  IndexedVector<PairIndex, std::uint8_t> slips_;  // has springs along the surface
   PenetrationDepths depths_;
   ContactDetection detection_;
   ContactAssembler assembler_;

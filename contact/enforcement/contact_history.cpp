@@ -64,10 +64,10 @@ void ContactHistory::end() {
 void ContactHistory::remap(const ContactRemap& remap) {
   std::vector<KnownPoint> kept;
   for (KnownPoint known : entries_) {
-    const OptionalIndex first = (known.kind == 0   ? remap.faces
-                                 : known.kind == 2 ? remap.edges
-                                                   : remap.rows)[known.first];
-    const OptionalIndex second =
+    const OptionalIndex<std::uint32_t> first = (known.kind == 0   ? remap.faces
+                                                : known.kind == 2 ? remap.edges
+                                                                  : remap.rows)[known.first];
+    const OptionalIndex<std::uint32_t> second =
         known.kind == 3 ? known.second : (known.kind == 2 ? remap.edges : remap.faces)[known.second];
     if (!first || !second) continue;
     known.first = *first;

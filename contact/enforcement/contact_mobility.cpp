@@ -75,7 +75,7 @@ std::size_t ContactMobility::carrier(const ContactMesh& contact_mesh, std::uint3
 std::span<const double> ContactMobility::find_rates(const ContactKinematics& kinematics,
                                                     std::span<const ContactPoint> points,
                                                     std::span<const ConstraintForces> held,
-                                                    std::span<const std::uint8_t> slips) {
+                                                    IndexedSpan<PairIndex, const std::uint8_t> slips) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   carrier_rates_.assign(contact_mesh.n_nodes() + model_.rigid.bodies.size(), 0.0);
   const auto add = [&](std::uint32_t node, double stiffness, const Eigen::Vector3d* normal) {

@@ -46,7 +46,7 @@ class ContactMobility {
   std::span<const double> find_rates(const ContactKinematics& kinematics,
                                      std::span<const ContactPoint> points,
                                      std::span<const ConstraintForces> held,
-                                     std::span<const std::uint8_t> slips);
+                                     IndexedSpan<PairIndex, const std::uint8_t> slips);
 
  private:
   double body_mobility(const ContactKinematics& kinematics, std::uint32_t node,

@@ -82,7 +82,7 @@ class LightCarriers {
   void find_step();
   double go(const Answer& answer);
 
-  std::vector<OptionalIndex> index_;                                  // [n_carriers] among the light ones
+  std::vector<OptionalIndex<std::uint32_t>> index_;                   // [n_carriers] among the light ones
   std::vector<RigidMatrix> mobility_, mass_, free_, preconditioner_;  // [n_light]
   std::vector<Row> rows_;
   std::vector<LightShare> shares_;

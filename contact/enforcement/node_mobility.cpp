@@ -129,7 +129,7 @@ std::uint32_t NodeMobility::use_node(std::uint32_t node) {
 
 /// Has a node of a lofted shell turn with the nodes around.
 void NodeMobility::use_ring(std::uint32_t carrier, std::uint32_t mesh_node) {
-  const OptionalIndex spin = kinematics_->spins().find(mesh_node);
+  const OptionalIndex<std::uint32_t> spin = kinematics_->spins().find(mesh_node);
   if (!spin || carriers_[carrier].ring) return;
   carriers_[carrier].ring = static_cast<std::uint32_t>(rings_.size());
   carriers_[carrier].turn_bound = 1.0;

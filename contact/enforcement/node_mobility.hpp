@@ -92,11 +92,12 @@ class NodeMobility {
   };
   /// A carrier of the step.
   struct Carrier {
-    std::uint32_t body = 0;   // contact node, the first one with each node of the mesh, or rigid body
-    OptionalIndex general;    // position in generals_; none of a plain one
+    std::uint32_t body = 0;  // contact node, the first one with each node of the mesh, or rigid body
+    OptionalIndex<std::uint32_t> general;  // position in generals_; none of a plain one
     double mobility = 0.0;    // the largest change of velocity per force, of a plain one any [time/mass]
     double turn_bound = 0.0;  // see turn_bound()
-    OptionalIndex ring;       // position in rings_, of one that turns with the mid surface around it
+    OptionalIndex<std::uint32_t>
+        ring;  // position in rings_, of one that turns with the mid surface around it
   };
   /// A node of a lofted shell and the carriers around it.
   struct Ring {
@@ -122,10 +123,10 @@ class NodeMobility {
   const RigidNodes* rigid_ = nullptr;
   const State* state_ = nullptr;
   // Bodies: contact nodes, then rigid bodies.
-  std::vector<OptionalIndex> general_;       // [n_bodies] position in generals_
-  std::vector<double> inverse_mass_;         // [n_bodies] of plain ones, 0 of held ones [1/mass]
-  std::vector<OptionalIndex> carrier_;       // [n_bodies] among those of the step
-  std::vector<OptionalIndex> contact_node_;  // [n_nodes of the mesh] the first one with it
+  std::vector<OptionalIndex<std::uint32_t>> general_;  // [n_bodies] position in generals_
+  std::vector<double> inverse_mass_;                   // [n_bodies] of plain ones, 0 of held ones [1/mass]
+  std::vector<OptionalIndex<std::uint32_t>> carrier_;  // [n_bodies] among those of the step
+  std::vector<OptionalIndex<std::uint32_t>> contact_node_;  // [n_nodes of the mesh] the first one with it
   std::vector<General> generals_;
   std::vector<std::uint32_t> mesh_nodes_;  // of the step
   std::vector<Carrier> carriers_;          // of the step

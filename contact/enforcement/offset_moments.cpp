@@ -25,7 +25,7 @@ void OffsetMoments::add_forces(Eigen::Matrix3Xd& forces) {
   const LoftSpins& spins = kinematics_.spins();
   of_spins_.assign(spins.size(), Eigen::Vector3d::Zero());
   visit([&](std::uint32_t node, const Eigen::Vector3d& moment) {
-    if (const OptionalIndex spin = spins.find(node)) of_spins_[*spin] += moment;
+    if (const OptionalIndex<std::uint32_t> spin = spins.find(node)) of_spins_[*spin] += moment;
   });
   for (std::size_t i = 0; i < spins.size(); ++i) {
     if (of_spins_[i].isZero(0.0)) continue;
@@ -40,7 +40,7 @@ void OffsetMoments::set(const Model& model, Eigen::Matrix3Xd& moments) const {
   moments.setZero();
   const LoftSpins& spins = kinematics_.spins();
   visit([&](std::uint32_t node, const Eigen::Vector3d& moment) {
-    const OptionalIndex spin = spins.find(node);
+    const OptionalIndex<std::uint32_t> spin = spins.find(node);
     if (!(model.inertia(0, node) > minimum_nodal_mass)) return;
     moments.col(node) += spin ? spins.own_share(*spin, moment) : moment;
   });

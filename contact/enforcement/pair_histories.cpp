@@ -9,21 +9,19 @@
 namespace contactsim {
 
 void PairHistories::begin(const ContactAssembler& assembler) {
-  for (std::size_t i = 0; i < histories_.size(); ++i)
-    histories_[i].stored_at_start = assembler.pairs()[i].stored;
+  for (const PairIndex i : indices(histories_)) histories_[i].stored_at_start = assembler.pairs()[i].stored;
 }
 
 double PairHistories::add(const ContactAssembler& assembler, const GapOffsets& offsets, double dt) {
   const auto steps = assembler.pairs();
   double supplied = 0.0;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
+  for (const PairIndex i : indices(steps)) {
     const PairStep& step = steps[i];
     PairHistory& history = histories_[i];
     history.work += step.stored - stored_[i] + step.dissipated + step.damped;
     history.impact += step.impact;
     stored_[i] = step.stored;
-    const double ramped =
-        0.5 * (ramp_energy_[i] + step.ramp_energy) * offsets.ramp_progress(static_cast<std::uint32_t>(i));
+    const double ramped = 0.5 * (ramp_energy_[i] + step.ramp_energy) * offsets.ramp_progress(i);
     history.ramped += ramped;
     supplied += ramped;
     ramp_energy_[i] = step.ramp_energy;
@@ -62,15 +60,15 @@ void PairHistories::forget_stored(std::span<const ContactPoint> points,
   for (const ConstraintForces& held : constraints) stored_[held.constraint.pair] += held.forces.stored;
 }
 
-std::span<const double> PairHistories::update_available_energy(const PairRules& rules,
-                                                               const ContactAssembler& assembler) {
+IndexedSpan<PairIndex, const double> PairHistories::update_available_energy(
+    const PairRules& rules, const ContactAssembler& assembler) {
   available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
-  for (std::size_t i = 0; i < available_.size(); ++i) {
-    const PairRule& rule = rules.rules()[i];
+  for (const PairIndex i : indices(available_)) {
+    const PairRule& rule = rules[i];
     const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr && !rule.far &&
                            !rule.model.is_variant();
     // What a ramp puts in is known after the forces only.
-    const bool is_ramped = rules.gap_offsets().ramp_progress(static_cast<std::uint32_t>(i)) > 0.0;
+    const bool is_ramped = rules.gap_offsets().ramp_progress(i) > 0.0;
     if (!is_simple || rule.is_balanced || is_ramped) continue;
     const double lost = histories_[i].work - stored_[i];
     available_[i] = histories_[i].stored_at_start + histories_[i].ramped + assembler.taken()[i] - lost;

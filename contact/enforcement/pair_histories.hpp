@@ -18,7 +18,7 @@ class PairHistories {
   explicit PairHistories(std::size_t n_pairs)
       : histories_(n_pairs), min_energy_(n_pairs, 0.0), stored_(n_pairs, 0.0), ramp_energy_(n_pairs, 0.0) {}
 
-  std::span<const PairHistory> all() const { return histories_; }
+  IndexedSpan<PairIndex, const PairHistory> all() const { return histories_; }
 
   /// Takes what the pairs store before the first step.
   void begin(const ContactAssembler& assembler);
@@ -35,19 +35,20 @@ class PairHistories {
   void forget_stored(std::span<const ContactPoint> points, std::span<const ConstraintForces> constraints);
 
   /// What each pair had at the start and has taken, without what it has lost. Laws that pull, ties and what
-  /// decays keep books of their own. [n_pairs], NaN of pairs without a limit [energy]
-  std::span<const double> update_available_energy(const PairRules& rules, const ContactAssembler& assembler);
-  /// The least of it so far [n_pairs], <= 0 [energy]
-  std::span<const double> min_energy() const { return min_energy_; }
+  /// decays keep books of their own. NaN of pairs without a limit [energy]
+  IndexedSpan<PairIndex, const double> update_available_energy(const PairRules& rules,
+                                                               const ContactAssembler& assembler);
+  /// The least of it so far, <= 0 [energy]
+  IndexedSpan<PairIndex, const double> min_energy() const { return min_energy_; }
 
   void archive(StateArchive& saved);
 
  private:
-  std::vector<PairHistory> histories_;
-  std::vector<double> available_;    // scratch, [n_pairs] [energy]
-  std::vector<double> min_energy_;   // [n_pairs] [energy]
-  std::vector<double> stored_;       // [n_pairs] of the last step [energy]
-  std::vector<double> ramp_energy_;  // [n_pairs] PairStep::ramp_energy of the last step
+  IndexedVector<PairIndex, PairHistory> histories_;
+  IndexedVector<PairIndex, double> available_;    // scratch [energy]
+  IndexedVector<PairIndex, double> min_energy_;   // [energy]
+  IndexedVector<PairIndex, double> stored_;       // of the last step [energy]
+  IndexedVector<PairIndex, double> ramp_energy_;  // PairStep::ramp_energy of the last step
 };
 
 }  // namespace contactsim

@@ -44,7 +44,7 @@ void PairWork::begin_step(const ContactKinematics& kinematics, double dt) {
   half_ = 0.5 * dt;
   for (const NodeForce& f : forces_) taken_[f.pair] -= half_ * power(kinematics, f.node, f.force, f.moment);
   forces_.clear();
-  for (std::size_t pair = 0; pair < taken_.size(); ++pair) taken_[pair] += std::exchange(coming_[pair], 0.0);
+  for (const PairIndex pair : indices(taken_)) taken_[pair] += std::exchange(coming_[pair], 0.0);
 }
 
 void PairWork::add(const ContactKinematics& kinematics, const NodeForce& f) {
@@ -84,7 +84,7 @@ void PairWork::archive(StateArchive& saved) {
   saved.fixed("contact/pairs/taken", std::span(taken_));
   saved.fixed("contact/pairs/coming", std::span(coming_));
   saved.rows("contact/pairs/forces", forces_,
-             [](NodeForce& f, RowNumbers& row) { row(f.pair, f.node, f.force, f.moment); });
+             [](NodeForce& f, RowNumbers& row) { row(f.pair.value, f.node, f.force, f.moment); });
 }
 
 }  // namespace contactsim

@@ -31,22 +31,24 @@ class PairWork {
   /// The contact nodes have other numbers from now on: forces of the step before are over.
   void forget_forces() { forces_.clear(); }
 
-  /// [n_pairs] taken from the bodies since the start, < 0 given to them [energy]
-  std::span<const double> taken() const { return taken_; }
+  /// Taken from the bodies since the start, < 0 given to them [energy]
+  IndexedSpan<PairIndex, const double> taken() const { return taken_; }
   void archive(StateArchive& saved);
 
  private:
   /// A force on a contact node, with its moment about the node.
   struct NodeForce {
-    std::uint32_t pair = 0, node = 0;
+    PairIndex pair;
+    std::uint32_t node = 0;
     Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [force]
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [force length]
   };
   void add(const ContactKinematics& kinematics, const NodeForce& force);
 
-  std::vector<double> taken_, coming_;  // until now; in the half step to come, as far as forces know it
-  std::vector<NodeForce> forces_;       // of the last step, whose work is not known before its second half
-  double half_ = 0.0;                   // of the step [time]
+  IndexedVector<PairIndex, double> taken_,
+      coming_;                     // until now; in the half step to come, as far as forces know it
+  std::vector<NodeForce> forces_;  // of the last step, whose work is not known before its second half
+  double half_ = 0.0;              // of the step [time]
 };
 
 }  // namespace contactsim

@@ -24,7 +24,7 @@ class PointCarriers {
   struct Terms {
     std::array<std::uint32_t, max_terms> carriers{};
     std::uint32_t n_terms = 0;
-    OptionalIndex first_arm;                        ///< of the carriers; none where all are plain
+    OptionalIndex<std::uint32_t> first_arm;         ///< of the carriers; none where all are plain
     std::array<std::uint8_t, max_terms> corners{};  ///< of both sides, of plain carriers
   };
   /// Along which forces of a point its carriers turn.

@@ -90,9 +90,9 @@ struct PairEnergy {
 }  // namespace
 
 void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& work,
-                           std::span<const double> energy, std::span<const double> least,
-                           std::span<ContactPoint> points) {
-  std::vector<PairEnergy> pairs(energy.size());
+                           IndexedSpan<PairIndex, const double> energy,
+                           IndexedSpan<PairIndex, const double> least, std::span<ContactPoint> points) {
+  IndexedVector<PairIndex, PairEnergy> pairs(energy.size());
   std::vector<PointWork> works(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactPoint& point = points[i];

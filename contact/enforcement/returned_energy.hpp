@@ -16,13 +16,13 @@ namespace contactsim {
 /// leaves the pair no energy, wherever its steps fall. Source: time-domain
 /// passivity control, Hannaford and Ryu, IEEE Trans. Robot. Autom. 18 (2002) 1-10; energy that contact makes:
 /// Armero and Petocz, Comput. Methods Appl. Mech. Eng. 158 (1998) 269-300.
-///   energy  [n_pairs] at the end of the half step before these forces: had at the start and taken, without
+///   energy  at the end of the half step before these forces: had at the start and taken, without
 ///           what is lost; < 0 given out from nowhere; NaN: no limit [energy]
-///   least   [n_pairs] the least of it so far, <= 0: it is no debt, for paying it back would let through what
+///   least   the least of it so far, <= 0: it is no debt, for paying it back would let through what
 ///           presses on [energy]
 ///   points  of the step, not yet added to the work
 void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& work,
-                           std::span<const double> energy, std::span<const double> least,
-                           std::span<ContactPoint> points);
+                           IndexedSpan<PairIndex, const double> energy,
+                           IndexedSpan<PairIndex, const double> least, std::span<ContactPoint> points);
 
 }  // namespace contactsim

@@ -47,9 +47,9 @@ class TieConstraints {
     std::uint32_t point = 0;  // of the tie
     std::uint32_t first_term = 0, n_terms = 0;
     Eigen::Vector3d start =
-        Eigen::Vector3d::Zero();  // distance at the end of the step without forces [length]
-    double softness = 0.0;        // as of contact points [length/force]
-    OptionalIndex light;          // its row among those with light carriers
+        Eigen::Vector3d::Zero();         // distance at the end of the step without forces [length]
+    double softness = 0.0;               // as of contact points [length/force]
+    OptionalIndex<std::uint32_t> light;  // its row among those with light carriers
     Eigen::Vector3d force = Eigen::Vector3d::Zero(), ahead = Eigen::Vector3d::Zero();  // [force]
   };
   /// Corners of a tie, and the axes that turn with the second side.

@@ -25,7 +25,7 @@ inline double depth_of_known(double depth, double before, double closed) {
 
 /// A contact that has ended though its sides did not part: one of them has got past the other.
 struct LostContact {
-  std::uint32_t pair = 0;  ///< position in the list of surface pairs
+  PairIndex pair;
   std::uint32_t node = 0;  ///< contact node of one of the sides
   double depth = 0.0;      ///< penetration in the step before [length]
 };

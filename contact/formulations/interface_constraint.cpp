@@ -93,8 +93,9 @@ CornerVectors corners_of(const ContactStepContext& context, const InterfaceConst
 }
 
 bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint) {
-  const OptionalIndex first = (constraint.is_node ? remap.rows : remap.faces)[constraint.first_entity];
-  const OptionalIndex second = remap.faces[constraint.second_entity];
+  const OptionalIndex<std::uint32_t> first =
+      (constraint.is_node ? remap.rows : remap.faces)[constraint.first_entity];
+  const OptionalIndex<std::uint32_t> second = remap.faces[constraint.second_entity];
   if (!first || !second) return false;
   constraint.first_entity = *first;
   constraint.second_entity = *second;
@@ -103,7 +104,7 @@ bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint)
 }
 
 void visit_constraint(InterfaceConstraint& constraint, RowNumbers& row) {
-  row(constraint.pair, constraint.is_swapped, constraint.first_entity, constraint.second_entity,
+  row(constraint.pair.value, constraint.is_swapped, constraint.first_entity, constraint.second_entity,
       constraint.is_node, constraint.nodes, constraint.springs, constraint.area, constraint.share);
 }
 

@@ -17,7 +17,7 @@ using CornerVectors = Eigen::Matrix<double, 3, 8>;
 
 /// A face, or a node, that something holds to a face.
 struct InterfaceConstraint {
-  std::uint32_t pair = 0;
+  PairIndex pair;
   bool is_swapped = false;                            ///< the first side is of the pair's second surface
   std::uint32_t first_entity = 0, second_entity = 0;  ///< face or surface node; face
   bool is_node = false;                               ///< the first side is a node

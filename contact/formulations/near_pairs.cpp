@@ -114,10 +114,10 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
   double nearest = std::numeric_limits<double>::infinity();
   bool faces_best = false;
   for (const std::uint32_t face : node_faces.of(row)) {
-    const OptionalIndex found =
+    const OptionalIndex<PairIndex> found =
         context.rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
     if (!found) continue;
-    const std::uint32_t pair = *found;
+    const PairIndex pair = *found;
     if (!context.rules[pair].is_active || !holds(context.rules.of_node(pair, row))) continue;
     const double tolerance =
         tolerance_of(*context.rules[pair].pair, context.kinematics.bound(face), size_share);
@@ -145,10 +145,10 @@ std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const P
   std::vector<NearPair> near_pairs;
   for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
     for (const std::uint32_t second : face_partners.of(first)) {
-      const OptionalIndex found =
+      const OptionalIndex<PairIndex> found =
           context.rules.find(contact_mesh.faces[first].surface, contact_mesh.faces[second].surface);
       if (!found || !context.rules[*found].is_active) continue;
-      const std::uint32_t pair = *found;
+      const PairIndex pair = *found;
       if (!holds(context.rules.of_faces(pair, first, second))) continue;
       const double tolerance =
           tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);

@@ -26,7 +26,7 @@ using HoldsPair = std::function<bool(const PairRule&)>;
 struct NearPair {
   std::uint32_t first = 0;   ///< face, or surface node
   std::uint32_t second = 0;  ///< face
-  std::uint32_t pair = 0;
+  PairIndex pair;
   bool is_node = false;
   double tolerance = 0.0;  ///< of the gap either way [length]
   double share = 1.0;      ///< of nodes as share_of_node() [1]

@@ -36,7 +36,7 @@ class NodeGaps {
   void add(std::uint32_t row, std::uint32_t face_index, double offset) {
     const SurfaceNode& node = contact_mesh_.surface_nodes[row];
     const ContactFace& face = contact_mesh_.faces[face_index];
-    const OptionalIndex pair = rules_.find(node.surface, face.surface);
+    const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
     if (!pair || !rules_[*pair].is_active) return;
     const MovingFace moving = kinematics_.face(face_index);
     const auto point = project_sphere(moving.x, moving.is_triangle, kinematics_.x(node.node), node.radius);
@@ -87,7 +87,7 @@ std::vector<double> find_node_gaps(const ContactKinematics& kinematics, const Me
   NodeGaps gaps(kinematics, rules, search);
   const auto add_corners = [&](std::uint32_t of, std::uint32_t before) {
     const ContactFace& face = contact_mesh.faces[of];
-    const std::uint32_t pair = *rules.find(face.surface, contact_mesh.faces[before].surface);
+    const PairIndex pair = *rules.find(face.surface, contact_mesh.faces[before].surface);
     const double offset = rules.gap_offsets().of_faces(pair, of, before);
     for (const std::uint32_t corner : face.corners) {
       const auto row = contact_mesh.find_row(corner, face.surface);
@@ -102,7 +102,7 @@ std::vector<double> find_node_gaps(const ContactKinematics& kinematics, const Me
   }
   for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
     for (const std::uint32_t face : node_faces.of(row)) {
-      const std::uint32_t pair =
+      const PairIndex pair =
           *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
       gaps.add(row, face, rules.gap_offsets().of_node(pair, row));
     }

@@ -19,7 +19,7 @@ void deepen(double depth, PenaltyProperties& penalty_properties) {
 }
 
 template <class Item>
-void transfer_of(std::span<const OptionalIndex> positions, std::span<const Item> before,
+void transfer_of(std::span<const OptionalIndex<std::uint32_t>> positions, std::span<const Item> before,
                  std::span<Item> after) {
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (positions[i])

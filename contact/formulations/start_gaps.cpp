@@ -53,7 +53,7 @@ std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, cons
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   std::optional<StartGap> nearest;
   for (const std::uint32_t face : faces) {
-    const std::uint32_t pair =
+    const PairIndex pair =
         *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
     const auto gap = gap_of_node(kinematics, *rules[pair].pair, row, face);
     if (!gap || (nearest && std::abs(*gap) >= std::abs(nearest->mean))) continue;

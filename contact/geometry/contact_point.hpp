@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/base/contact_indices.hpp"
+
 namespace contactsim {
 
 /// One side of a contact point: up to four contact nodes and their shares in the force.
@@ -19,7 +21,7 @@ struct ContactPointSide {
 
 /// One point where two sides meet in a step: a pair of faces, a node and a face, two edges, a tied point.
 struct ContactPoint {
-  std::uint32_t pair = 0;           ///< position in the list of surface pairs
+  PairIndex pair;
   std::uint32_t first_entity = 0;   ///< face, surface node or edge
   std::uint32_t second_entity = 0;  ///< face or edge
   bool is_of_edges = false;

@@ -23,10 +23,11 @@ void add(const StartGap& more, StartGap& gap) {
 }
 
 /// The gaps of what is still there, by its new numbers.
-std::vector<StartGap> kept(std::span<const OptionalIndex> positions, std::span<const StartGap> gaps) {
+std::vector<StartGap> kept(std::span<const OptionalIndex<std::uint32_t>> positions,
+                           std::span<const StartGap> gaps) {
   std::vector<StartGap> after;
   for (StartGap gap : gaps) {
-    const OptionalIndex now = positions[gap.entity];
+    const OptionalIndex<std::uint32_t> now = positions[gap.entity];
     if (!now) continue;
     gap.entity = *now;
     after.push_back(gap);
@@ -53,7 +54,7 @@ void StartGaps::set(std::vector<StartGap> gaps) {
 }
 
 std::array<const StartGap*, 2> StartGaps::find_both(std::uint32_t first, std::uint32_t second,
-                                                    std::uint32_t pair) const {
+                                                    PairIndex pair) const {
   const StartGap* a = find(first, pair);
   const StartGap* b = first == second ? a : find(second, pair);
   return {a != nullptr ? a : b, b != nullptr ? b : a};
@@ -77,7 +78,7 @@ double GapOffsets::offset_for(const Rule& rule, const StartGap& gap) {
   return rule.offset - rule.overlap_share * overlap_of(rule, gap);
 }
 
-double GapOffsets::of(const StartGaps& gaps, std::uint32_t pair, std::uint32_t first,
+double GapOffsets::of(const StartGaps& gaps, PairIndex pair, std::uint32_t first,
                       std::uint32_t second) const {
   const Rule& rule = rules_[pair];
   if (!rule.settings.needs_start()) return rule.offset;
@@ -120,7 +121,7 @@ void GapOffsets::set_gaps(FoundStartGaps found) {
   set_reach();
 }
 
-StartGapSummary GapOffsets::summarize_start(std::uint32_t pair) const {
+StartGapSummary GapOffsets::summarize_start(PairIndex pair) const {
   StartGapSummary summary;
   for (const StartGaps* gaps : {&faces_, &nodes_, &edges_}) {
     for (const StartGap& gap : gaps->all()) {
@@ -152,7 +153,7 @@ void GapOffsets::archive(StateArchive& saved) {
   if (!needs_start()) return;
   saved.numbers("contact/start_gaps/time", start_time_);
   const auto visit = [](StartGap& gap, RowNumbers& row) {
-    row(gap.entity, gap.pair, gap.mean, gap.smallest, gap.area);
+    row(gap.entity, gap.pair.value, gap.mean, gap.smallest, gap.area);
   };
   for (const auto& [name, gaps] :
        {std::pair("faces", &faces_), std::pair("nodes", &nodes_), std::pair("edges", &edges_)}) {

@@ -17,7 +17,8 @@ class StateArchive;
 
 /// The gap between a face, surface node or edge and the other side of a pair at the start.
 struct StartGap {
-  std::uint32_t entity = 0, pair = 0;
+  std::uint32_t entity = 0;
+  PairIndex pair;
   double mean = 0.0;      ///< over the area in which the sides face each other [length]
   double smallest = 0.0;  ///< < 0 overlaps [length]
   double area = 0.0;      ///< of which the mean is; of a node its own; of edges any [length^2]
@@ -39,7 +40,7 @@ struct FoundStartGaps {
 class StartGaps {
  public:
   /// Null when nothing was near.
-  const StartGap* find(std::uint32_t entity, std::uint32_t pair) const {
+  const StartGap* find(std::uint32_t entity, PairIndex pair) const {
     if (entity + std::size_t{1} >= begin_.size()) return nullptr;
     for (std::uint32_t k = begin_[entity]; k < begin_[entity + 1]; ++k) {
       if (gaps_[k].pair == pair) return &gaps_[k];
@@ -47,8 +48,7 @@ class StartGaps {
     return nullptr;
   }
   /// The same of two, the one that is known for one that is not; both null when neither is.
-  std::array<const StartGap*, 2> find_both(std::uint32_t first, std::uint32_t second,
-                                           std::uint32_t pair) const;
+  std::array<const StartGap*, 2> find_both(std::uint32_t first, std::uint32_t second, PairIndex pair) const;
   std::span<const StartGap> all() const { return gaps_; }
   /// Takes these instead, in any order; those of one entity and pair become one.
   void set(std::vector<StartGap> gaps);
@@ -71,29 +71,29 @@ class GapOffsets {
   explicit GapOffsets(std::span<const SurfacePair> pairs);
 
   /// What is taken off the gap of two faces, of a surface node, or of two edges, now [length].
-  double of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  double of_faces(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
     return of(faces_, pair, first, second);
   }
-  double of_node(std::uint32_t pair, std::uint32_t row) const { return of(nodes_, pair, row, row); }
-  double of_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  double of_node(PairIndex pair, std::uint32_t row) const { return of(nodes_, pair, row, row); }
+  double of_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
     return of(edges_, pair, first, second);
   }
   /// How far apart on the mesh the sides of a pair may touch, at most [length].
-  double reach(std::uint32_t pair) const { return rules_[pair].reach; }
+  double reach(PairIndex pair) const { return rules_[pair].reach; }
   /// The same of all pairs [length].
   double largest_reach() const { return largest_reach_; }
 
   /// Whether the gaps of a pair, or of any, have to be known at the start.
-  bool needs_start(std::uint32_t pair) const { return rules_[pair].settings.needs_start(); }
+  bool needs_start(PairIndex pair) const { return rules_[pair].settings.needs_start(); }
   bool needs_start() const;
-  StartGapSummary summarize_start(std::uint32_t pair) const;
+  StartGapSummary summarize_start(PairIndex pair) const;
   /// Takes the gaps of the start, on the mesh as it is. Ramps begin at this time.
   void set_start(FoundStartGaps found, double time);
 
   /// Sets how much of the overlaps counts at a time.
   void activate(double time);
   /// The share of its overlaps that has come in since the time before [1].
-  double ramp_progress(std::uint32_t pair) const { return rules_[pair].progress; }
+  double ramp_progress(PairIndex pair) const { return rules_[pair].progress; }
   /// The overlap of the start at a contact point, if it comes in by a ramp; else 0 [length].
   double ramped_depth(const ContactPoint& point) const;
   /// Goes over to other faces, nodes and edges: what is new has no gap of the start.
@@ -108,7 +108,7 @@ class GapOffsets {
     double progress = 0.0;       // [1]
     double reach = 0.0;          // [length]
   };
-  double of(const StartGaps& gaps, std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
+  double of(const StartGaps& gaps, PairIndex pair, std::uint32_t first, std::uint32_t second) const;
   static double offset_for(const Rule& rule, const StartGap& gap);
   static double overlap_of(const Rule& rule, const StartGap& gap) {
     return std::max(rule.offset - gap.smallest, 0.0);
@@ -116,7 +116,7 @@ class GapOffsets {
   void set_gaps(FoundStartGaps found);
   void set_reach();
 
-  std::vector<Rule> rules_;     // [n_pairs]
+  IndexedVector<PairIndex, Rule> rules_;
   double start_time_ = 0.0;     // of ramps [time]
   double largest_reach_ = 0.0;  // [length]
   StartGaps faces_, nodes_, edges_;

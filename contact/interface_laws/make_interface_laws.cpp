@@ -104,10 +104,10 @@ PairInterfaceLaw make_pair_law(const FrictionLaw& law, const LawScope& scope,
 
 }  // namespace
 
-std::vector<PairInterfaceLaw> make_pair_laws(std::span<const SurfacePair> pairs, const LawScope& scope,
-                                             Diagnostics& diagnostics) {
+IndexedVector<PairIndex, PairInterfaceLaw> make_pair_laws(std::span<const SurfacePair> pairs,
+                                                          const LawScope& scope, Diagnostics& diagnostics) {
   std::map<std::string, PairInterfaceLaw> known;  // of the interactions, which give all their pairs one law
-  std::vector<PairInterfaceLaw> laws;
+  IndexedVector<PairIndex, PairInterfaceLaw> laws;
   for (const SurfacePair& pair : pairs) {
     const auto [place, is_new] = known.try_emplace(to_string(pair.location) + pair.interaction);
     if (is_new) {

@@ -21,7 +21,7 @@ struct LawScope {
 /// they must be or do not soften where they must; a FAILED MODEL that holds; a HYBRID or TIME VARIANT model
 /// that selects one of these; a capacity, reference pressure or critical gap that is missing.
 ///   diagnostics  gets each error once for an interaction
-std::vector<PairInterfaceLaw> make_pair_laws(std::span<const SurfacePair> pairs, const LawScope& scope,
-                                             Diagnostics& diagnostics);
+IndexedVector<PairIndex, PairInterfaceLaw> make_pair_laws(std::span<const SurfacePair> pairs,
+                                                          const LawScope& scope, Diagnostics& diagnostics);
 
 }  // namespace contactsim

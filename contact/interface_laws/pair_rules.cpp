@@ -8,18 +8,17 @@
 
 namespace contactsim {
 
-PairRules::PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times,
-                     std::size_t n_surfaces)
+PairRules::PairRules(const SurfacePairs& pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces)
     : gap_offsets_(pairs), table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
-  for (std::uint32_t i = 0; i < pairs.size(); ++i) {
+  for (const PairIndex i : indices(pairs)) {
     PairRule rule;
     rule.pair = &pairs[i];
     rule.is_balanced = pairs[i].enforcement == Enforcement::momentum_balance;
     rule.law = row_of(*pairs[i].law).holding;
-    rule.times = std::move(times[i]);
+    rule.times = std::move(times[i.value]);
     rules_.push_back(std::move(rule));
     // Of two that take turns the interaction comes first; activate() tells whose turn it is.
-    OptionalIndex& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
+    OptionalIndex<PairIndex>& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
     if (!entry) entry = table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
   }
 }
@@ -43,8 +42,8 @@ double PairRule::slip_limit(const ContactPoint& point, double dt) const {
   return interface_law->slip_limit(point.force, point.area, dt > 0.0 ? along.norm() / dt : 0.0);
 }
 
-void PairRules::set_laws(std::vector<PairInterfaceLaw> laws) {
-  for (std::size_t i = 0; i < laws.size(); ++i) {
+void PairRules::set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws) {
+  for (const PairIndex i : indices(laws)) {
     PairRule& rule = rules_[i];
     rule.model = std::move(laws[i]);
     rule.take(*rule.model.law);
@@ -71,10 +70,10 @@ void PairRules::activate(double time, bool is_on) {
     rule.take(*law);
   }
   // Of two pairs of the same surfaces the one whose periods these are has its turn; both begin anew.
-  for (std::uint32_t i = 0; i < rules_.size(); ++i) {
+  for (const PairIndex i : indices(rules_)) {
     const SurfacePair& pair = *rules_[i].pair;
     if (!rules_[i].is_active || (pair.periods.active.empty() && pair.periods.inactive.empty())) continue;
-    OptionalIndex& entry = table_[pair.first * n_surfaces_ + pair.second];
+    OptionalIndex<PairIndex>& entry = table_[pair.first * n_surfaces_ + pair.second];
     if (entry == i) continue;
     rules_[i].has_changed = rules_[*entry].has_changed = true;
     entry = table_[pair.second * n_surfaces_ + pair.first] = i;
@@ -95,7 +94,7 @@ bool PairRules::has_friction() const {
   return has;
 }
 
-double PairRules::max_activation_distance(std::uint32_t pair) const {
+double PairRules::max_activation_distance(PairIndex pair) const {
   double activation_distance = 0.0;
   rules_[pair].model.visit_models([&](const InterfaceLaw& law) {
     activation_distance = std::max(activation_distance, law.activation_distance());
@@ -117,14 +116,16 @@ void PairRules::remap(const ContactRemap& remap) {
   gap_offsets_.remap(remap);
 }
 
-bool PairRules::are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
-  return close_faces_.has(pair, first) && close_faces_.has(pair, second);
+bool PairRules::are_close(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
+  return close_faces_.has(pair.value, first) && close_faces_.has(pair.value, second);
 }
 
-bool PairRules::are_close_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
-  return close_edges_.has(pair, first) && close_edges_.has(pair, second);
+bool PairRules::are_close_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
+  return close_edges_.has(pair.value, first) && close_edges_.has(pair.value, second);
 }
 
-bool PairRules::is_close(std::uint32_t pair, std::uint32_t row) const { return close_nodes_.has(pair, row); }
+bool PairRules::is_close(PairIndex pair, std::uint32_t row) const {
+  return close_nodes_.has(pair.value, row);
+}
 
 }  // namespace contactsim

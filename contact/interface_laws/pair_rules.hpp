@@ -24,7 +24,7 @@ struct PairRule {
   double friction = 0.0;  ///< Coulomb's coefficient; more than 0 wherever points that touch have friction [1]
   double activation_distance = 0.0;             ///< gaps up to this one feel the law [length]
   const InterfaceLaw* interface_law = nullptr;  ///< of models that are more than the above
-  OptionalIndex far;                            ///< of HYBRID pairs: rule of what was far at the start
+  OptionalIndex<std::uint32_t> far;             ///< of HYBRID pairs: rule of what was far at the start
   bool is_active = true;                        ///< now
   bool is_balanced = false;                     ///< enforced by momentum balance
   bool has_changed = false;                     ///< has another model than before, by its period
@@ -53,11 +53,11 @@ class PairRules {
   PairRules() = default;
   /// The pairs must outlive this.
   ///   times  [n_pairs] at which each is active
-  PairRules(std::span<const SurfacePair> pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces);
+  PairRules(const SurfacePairs& pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces);
 
   /// Gives all pairs their models; before, those that never fail only tie and glue.
-  ///   laws  [n_pairs] none of them null
-  void set_laws(std::vector<PairInterfaceLaw> laws);
+  ///   laws  none of them null
+  void set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws);
   /// Says which pairs act now, and by which model.
   ///   is_on  whether any does
   void activate(double time, bool is_on);
@@ -67,20 +67,20 @@ class PairRules {
   void remap(const ContactRemap& remap);
   /// Remembers that a face, a surface node or an edge of a HYBRID pair was close to the other side at the
   /// start.
-  void mark_close_face(std::uint32_t pair, std::uint32_t face) { close_faces_.add(pair, face); }
-  void mark_close_node(std::uint32_t pair, std::uint32_t row) { close_nodes_.add(pair, row); }
-  void mark_close_edge(std::uint32_t pair, std::uint32_t edge) { close_edges_.add(pair, edge); }
+  void mark_close_face(PairIndex pair, std::uint32_t face) { close_faces_.add(pair.value, face); }
+  void mark_close_node(PairIndex pair, std::uint32_t row) { close_nodes_.add(pair.value, row); }
+  void mark_close_edge(PairIndex pair, std::uint32_t edge) { close_edges_.add(pair.value, edge); }
   /// The rule of two faces of a pair, of a surface node, or of two edges: for HYBRID that of both close, or
   /// not.
-  const PairRule& of_faces(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  const PairRule& of_faces(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
     const PairRule& rule = rules_[pair];
     return !rule.far || are_close(pair, first, second) ? rule : far_rules_[*rule.far];
   }
-  const PairRule& of_node(std::uint32_t pair, std::uint32_t row) const {
+  const PairRule& of_node(PairIndex pair, std::uint32_t row) const {
     const PairRule& rule = rules_[pair];
     return !rule.far || is_close(pair, row) ? rule : far_rules_[*rule.far];
   }
-  const PairRule& of_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const {
+  const PairRule& of_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
     const PairRule& rule = rules_[pair];
     return !rule.far || are_close_edges(pair, first, second) ? rule : far_rules_[*rule.far];
   }
@@ -91,11 +91,11 @@ class PairRules {
     return of_faces(point.pair, point.first_entity, point.second_entity);
   }
   /// The largest activation distance that a pair's models may ever have [length].
-  double max_activation_distance(std::uint32_t pair) const;
-  std::span<const PairRule> rules() const { return rules_; }
-  const PairRule& operator[](std::uint32_t pair) const { return rules_[pair]; }
-  /// Position of the pair of two surfaces in either order; nothing if they do not meet.
-  OptionalIndex find(std::uint32_t surface, std::uint32_t other) const {
+  double max_activation_distance(PairIndex pair) const;
+  IndexedSpan<PairIndex, const PairRule> rules() const { return rules_; }
+  const PairRule& operator[](PairIndex pair) const { return rules_[pair]; }
+  /// The pair of two surfaces in either order; nothing if they do not meet.
+  OptionalIndex<PairIndex> find(std::uint32_t surface, std::uint32_t other) const {
     return table_[surface * n_surfaces_ + other];
   }
   bool has_friction() const;
@@ -106,14 +106,15 @@ class PairRules {
   void archive(StateArchive& saved);
 
  private:
-  bool are_close(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
-  bool are_close_edges(std::uint32_t pair, std::uint32_t first, std::uint32_t second) const;
-  bool is_close(std::uint32_t pair, std::uint32_t row) const;
+  bool are_close(PairIndex pair, std::uint32_t first, std::uint32_t second) const;
+  bool are_close_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const;
+  bool is_close(PairIndex pair, std::uint32_t row) const;
 
-  std::vector<PairRule> rules_, far_rules_;
+  IndexedVector<PairIndex, PairRule> rules_;
+  std::vector<PairRule> far_rules_;
   PairSet close_faces_, close_nodes_, close_edges_;
   GapOffsets gap_offsets_;
-  std::vector<OptionalIndex> table_;  // [n_surfaces x n_surfaces]
+  std::vector<OptionalIndex<PairIndex>> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };
 

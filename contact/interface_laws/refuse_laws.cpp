@@ -21,10 +21,10 @@ bool holds(const PairInterfaceLaw& law) {
 
 }  // namespace
 
-void refuse_laws(std::span<const SurfacePair> pairs, std::span<const ContactSurface> surfaces,
-                 const LawScope& scope, Diagnostics& diagnostics) {
-  const std::vector<PairInterfaceLaw> laws = make_pair_laws(pairs, scope, diagnostics);
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
+void refuse_laws(const SurfacePairs& pairs, std::span<const ContactSurface> surfaces, const LawScope& scope,
+                 Diagnostics& diagnostics) {
+  const auto laws = make_pair_laws(pairs, scope, diagnostics);
+  for (const PairIndex i : indices(pairs)) {
     const SurfacePair& pair = pairs[i];
     const ContactSurface &first = surfaces[pair.first], &second = surfaces[pair.second];
     if (first.analytic_planes.empty() && second.analytic_planes.empty()) continue;

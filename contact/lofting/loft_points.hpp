@@ -24,7 +24,7 @@ class LoftPoints {
 
   std::size_t size() const { return offsets_.size(); }
   /// The point of a vertex of a brick; nothing for one that no shell offsets.
-  OptionalIndex of_vertex(std::uint32_t vertex) const { return point_of_vertex_[vertex]; }
+  OptionalIndex<std::uint32_t> of_vertex(std::uint32_t vertex) const { return point_of_vertex_[vertex]; }
   /// The node of the mesh that a point hangs on, its distance from it and the shell's thickness [length].
   std::uint32_t node(std::size_t point) const { return nodes_[point]; }
   double distance(std::size_t point) const { return std::abs(offsets_[point].height); }
@@ -40,11 +40,11 @@ class LoftPoints {
                     Eigen::Matrix3Xd& offsets) const;
 
  private:
-  std::vector<OptionalIndex> point_of_vertex_;             // [n_vertices]
-  std::vector<std::uint32_t> nodes_;                       // [n_points]
-  std::vector<LoftOffset> offsets_;                        // [n_points]
-  std::vector<TurnedShell> offset_shells_;                 // of the arms
-  std::vector<std::array<std::uint32_t, 4>> shell_nodes_;  // [n_shells]; a triangle repeats its last
+  std::vector<OptionalIndex<std::uint32_t>> point_of_vertex_;  // [n_vertices]
+  std::vector<std::uint32_t> nodes_;                           // [n_points]
+  std::vector<LoftOffset> offsets_;                            // [n_points]
+  std::vector<TurnedShell> offset_shells_;                     // of the arms
+  std::vector<std::array<std::uint32_t, 4>> shell_nodes_;      // [n_shells]; a triangle repeats its last
 };
 
 }  // namespace contactsim

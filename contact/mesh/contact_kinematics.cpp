@@ -78,7 +78,7 @@ void ContactKinematics::remap(const ContactRemap& remap, const Motion& motion) {
   contact_mesh_.loft.find_offsets(motion.coordinates, shell_areas_, offsets_);
   const std::size_t first_before = remap.nodes.size() - static_cast<std::size_t>(before.cols());
   for (Eigen::Index i = 0; i < before.cols(); ++i) {
-    const OptionalIndex after = remap.nodes[first_before + static_cast<std::size_t>(i)];
+    const OptionalIndex<std::uint32_t> after = remap.nodes[first_before + static_cast<std::size_t>(i)];
     if (after)
       offsets_.col(static_cast<Eigen::Index>(*after - contact_mesh_.n_mesh_points())) = before.col(i);
   }
@@ -105,7 +105,7 @@ void ContactKinematics::turn_offsets(const Motion& motion) {
 #pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.loft.size()))
   for (Eigen::Index i = 0; i < offsets_.cols(); ++i) {
     const std::uint32_t node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
-    const OptionalIndex spin = spins_.find(node);
+    const OptionalIndex<std::uint32_t> spin = spins_.find(node);
     const Eigen::Vector3d turn = motion.dt * own_of(node), offset = offsets_.col(i);
     if (spin) {
       offsets_.col(i) = turns_[*spin] * offset;

@@ -24,7 +24,7 @@ struct ContactModel {
   std::vector<std::uint32_t> surface_of_sphere;   ///< [n_loft_spheres]
   std::vector<std::uint32_t> surface_of_capsule;  ///< [n_loft_capsules]
   std::vector<AnalyticPlane> planes;              ///< those of the region
-  std::vector<SurfacePair> pairs;                 ///< sorted by their surfaces
+  SurfacePairs pairs;                             ///< sorted by their surfaces
 };
 
 /// Resolves the surfaces of a region's contact definition, pairs them and builds their lofts.

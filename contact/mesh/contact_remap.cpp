@@ -14,13 +14,13 @@ namespace {
 ///   begin, end  of both in their arrays
 template <class Key>
 void match(std::span<const Key> before, std::span<const Key> after, std::uint32_t first_after,
-           std::vector<OptionalIndex>& positions) {
+           std::vector<OptionalIndex<std::uint32_t>>& positions) {
   std::size_t j = 0;
   for (const Key& key : before) {
     while (j < after.size() && after[j] < key) ++j;
     const bool is_there = j < after.size() && after[j] == key;
     // Facets of one side have the same key, and are as many before and after.
-    OptionalIndex& position = positions.emplace_back();
+    OptionalIndex<std::uint32_t>& position = positions.emplace_back();
     if (is_there) position = first_after + static_cast<std::uint32_t>(j++);
   }
 }
@@ -52,7 +52,7 @@ void match_nodes(const ContactMesh& before, const ContactMesh& after, ContactRem
     if (!remap.faces[f] || !before.is_lofted(before.faces[f])) continue;
     const ContactFace& face = after.faces[*remap.faces[f]];
     for (std::size_t k = 0; k < 4; ++k) {
-      OptionalIndex& position = remap.nodes[before.faces[f].corners[k]];
+      OptionalIndex<std::uint32_t>& position = remap.nodes[before.faces[f].corners[k]];
       if (!position) position = face.corners[k];
     }
   }
@@ -68,8 +68,8 @@ void match_rows(const ContactMesh& before, const ContactMesh& after, ContactRema
     known.emplace_hint(known.end(), RowKey(row.surface, row.node, row.radius > 0.0f), i);
   }
   for (const SurfaceNode& row : before.surface_nodes) {
-    OptionalIndex& position = remap.rows.emplace_back();
-    const OptionalIndex node = remap.nodes[row.node];
+    OptionalIndex<std::uint32_t>& position = remap.rows.emplace_back();
+    const OptionalIndex<std::uint32_t> node = remap.nodes[row.node];
     if (!node) continue;
     const auto found = known.find({row.surface, *node, row.radius > 0.0f});
     if (found != known.end()) position = found->second;
@@ -86,8 +86,9 @@ void match_edges(const ContactMesh& before, const ContactMesh& after, ContactRem
     known[{edge.surface, edge.nodes[0], edge.nodes[1], edge.radius}] = i;
   }
   for (const ContactEdge& edge : before.edges) {
-    OptionalIndex& position = remap.edges.emplace_back();
-    const OptionalIndex first = remap.nodes[edge.nodes[0]], second = remap.nodes[edge.nodes[1]];
+    OptionalIndex<std::uint32_t>& position = remap.edges.emplace_back();
+    const OptionalIndex<std::uint32_t> first = remap.nodes[edge.nodes[0]],
+                                       second = remap.nodes[edge.nodes[1]];
     if (!first || !second) continue;
     const auto found = known.find({edge.surface, *first, *second, edge.radius});
     if (found != known.end()) position = found->second;
@@ -112,8 +113,8 @@ ContactRemap make_contact_remap(const ContactMesh& before, const ContactMesh& af
   return remap;
 }
 
-PairLists transferred(const PairLists& lists, std::span<const OptionalIndex> rows,
-                      std::span<const OptionalIndex> partners, std::size_t n_rows_after,
+PairLists transferred(const PairLists& lists, std::span<const OptionalIndex<std::uint32_t>> rows,
+                      std::span<const OptionalIndex<std::uint32_t>> partners, std::size_t n_rows_after,
                       std::vector<std::size_t>& before) {
   std::vector<std::optional<std::size_t>> old_rows(n_rows_after);
   for (std::size_t row = 0; row < lists.n_rows(); ++row) {
@@ -124,7 +125,7 @@ PairLists transferred(const PairLists& lists, std::span<const OptionalIndex> row
   for (const std::optional<std::size_t> row : old_rows) {
     const std::size_t end = row ? lists.begin[*row + 1] : 0;
     for (std::size_t k = row ? lists.begin[*row] : 0; k < end; ++k) {
-      const OptionalIndex partner = partners[lists.partners[k]];
+      const OptionalIndex<std::uint32_t> partner = partners[lists.partners[k]];
       if (!partner) continue;
       after.partners.push_back(*partner);
       before.push_back(k);

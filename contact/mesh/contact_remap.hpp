@@ -15,7 +15,8 @@ namespace contactsim {
 /// are, an edge when its nodes are and what it is of. Faces that are still there keep their order; nodes and
 /// rows do too, but for those of lofts.
 struct ContactRemap {
-  std::vector<OptionalIndex> faces, rows, nodes, edges;  ///< [n before] position after, none of what is gone
+  std::vector<OptionalIndex<std::uint32_t>> faces, rows, nodes,
+      edges;  ///< [n before] position after, none of what is gone
   std::size_t n_faces_after = 0, n_rows_after = 0, n_nodes_after = 0, n_edges_after = 0;
 };
 
@@ -26,7 +27,7 @@ ContactRemap make_contact_remap(const ContactMesh& before, const ContactMesh& af
 /// in use, because it is empty, stays so.
 ///   positions  [n before] of ContactRemap
 template <class T>
-void transfer(std::span<const OptionalIndex> positions, std::size_t n_after, const T& fresh,
+void transfer(std::span<const OptionalIndex<std::uint32_t>> positions, std::size_t n_after, const T& fresh,
               std::vector<T>& values) {
   if (values.empty()) return;
   std::vector<T> transferred(n_after, fresh);
@@ -39,8 +40,8 @@ void transfer(std::span<const OptionalIndex> positions, std::size_t n_after, con
 /// Lists with the rows and partners that are still there.
 ///   rows, partners  [n before] of ContactRemap; those of the partners ascend
 ///   before          gets which pair each one was; [n_pairs after]
-PairLists transferred(const PairLists& lists, std::span<const OptionalIndex> rows,
-                      std::span<const OptionalIndex> partners, std::size_t n_rows_after,
+PairLists transferred(const PairLists& lists, std::span<const OptionalIndex<std::uint32_t>> rows,
+                      std::span<const OptionalIndex<std::uint32_t>> partners, std::size_t n_rows_after,
                       std::vector<std::size_t>& before);
 
 }  // namespace contactsim

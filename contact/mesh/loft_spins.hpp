@@ -40,8 +40,8 @@ class LoftSpins {
   /// The node of the mesh with a spin.
   std::uint32_t node(std::size_t i) const { return nodes_[i]; }
   /// Position of a node of the mesh among those with a spin; nothing without one.
-  OptionalIndex find(std::uint32_t mesh_node) const {
-    return index_.empty() ? OptionalIndex() : index_[mesh_node];
+  OptionalIndex<std::uint32_t> find(std::uint32_t mesh_node) const {
+    return index_.empty() ? OptionalIndex<std::uint32_t>() : index_[mesh_node];
   }
   /// The nodes of the mesh around a node.
   std::span<const std::uint32_t> neighbours(std::size_t i) const {
@@ -89,7 +89,7 @@ class LoftSpins {
 
  private:
   std::vector<std::uint32_t> nodes_, first_, neighbours_;
-  std::vector<OptionalIndex> index_;
+  std::vector<OptionalIndex<std::uint32_t>> index_;
   std::vector<Eigen::Matrix3d> free_;        // [size()] projection on rotations that are free [1]
   std::vector<Eigen::Matrix3d> flexible_;    // [size()] (sum |r|^2 I - r r^T)^-1 [1/length^2]
   std::vector<double> own_bounds_, bounds_;  // [size()] [n_neighbours] see bound() [1/length]

@@ -7,10 +7,12 @@
 
 namespace contactsim {
 
-void PairSet::remap(std::span<const OptionalIndex> first, std::span<const OptionalIndex> second) {
+void PairSet::remap(std::span<const OptionalIndex<std::uint32_t>> first,
+                    std::span<const OptionalIndex<std::uint32_t>> second) {
   std::set<std::uint64_t> after;
   for (const std::uint64_t known : keys_) {
-    OptionalIndex a = static_cast<std::uint32_t>(known >> 32), b = static_cast<std::uint32_t>(known);
+    OptionalIndex<std::uint32_t> a = static_cast<std::uint32_t>(known >> 32),
+                                 b = static_cast<std::uint32_t>(known);
     if (!first.empty()) a = first[*a];
     if (!second.empty()) b = second[*b];
     if (a && b) after.insert(key(*a, *b));

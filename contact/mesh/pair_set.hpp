@@ -21,7 +21,8 @@ class PairSet {
   void remove(std::uint32_t a, std::uint32_t b) { keys_.erase(key(a, b)); }
   /// Goes over to other numbers; pairs of which one is removed are left out.
   ///   first, second  as ContactRemap has the numbers; empty: they stay
-  void remap(std::span<const OptionalIndex> first, std::span<const OptionalIndex> second);
+  void remap(std::span<const OptionalIndex<std::uint32_t>> first,
+             std::span<const OptionalIndex<std::uint32_t>> second);
   void archive(const std::string& name, StateArchive& saved);
 
  private:

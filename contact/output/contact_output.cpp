@@ -56,7 +56,7 @@ ContactTotal opposite(ContactTotal total) {
 
 /// The pair that a pair adds to in the totals: of those that take turns by their periods the first one that
 /// an interaction names.
-std::size_t find_total(std::span<const SurfacePair> pairs, std::size_t index) {
+PairIndex find_total(const SurfacePairs& pairs, PairIndex index) {
   const SurfacePair& pair = pairs[index];
   const bool takes_turns = !pair.periods.active.empty() || !pair.periods.inactive.empty();
   if (!takes_turns) return index;
@@ -65,7 +65,7 @@ std::size_t find_total(std::span<const SurfacePair> pairs, std::size_t index) {
            std::minmax(other.first, other.second) == std::minmax(pair.first, pair.second);
   };
   const auto found = std::ranges::find_if(pairs, is_it);
-  return found == pairs.end() ? index : static_cast<std::size_t>(found - pairs.begin());
+  return found == pairs.end() ? index : index_of(pairs, found);
 }
 
 }  // namespace
@@ -101,7 +101,7 @@ std::vector<OutputVariable> ContactOutput::variables() {
         const std::size_t node = range.first + i;
         NodeContact at_rest;
         at_rest.status = rest_status_[node];
-        const OptionalIndex own = contact_node_[node];
+        const OptionalIndex<std::uint32_t> own = contact_node_[node];
         row.fill(own ? nodes_[*own] : at_rest, values.data() + i * size);
       }
     };
@@ -110,12 +110,15 @@ std::vector<OutputVariable> ContactOutput::variables() {
   for (const ContactTotalRow& row : contact_total_rows()) {
     const auto& surfaces = contact_.surfaces.surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
-      made.push_back(make_total(row, surfaces[i].name, false, i));
-    for (std::size_t i = 0; i < contact_.pairs.size(); ++i) {
+      made.push_back(make_total(
+          row, surfaces[i].name, [ this, i ]() -> const auto& { return surfaces_[i]; }));
+    for (const PairIndex i : indices(contact_.pairs)) {
       // What stands in for a pair outside its periods adds to its totals.
       if (find_total(contact_.pairs, i) != i) continue;
       const SurfacePair& pair = contact_.pairs[i];
-      made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, true, i));
+      made.push_back(make_total(
+          row, surfaces[pair.first].name + "_" + surfaces[pair.second].name,
+          [ this, i ]() -> const auto& { return pairs_[i]; }));
     }
   }
   OutputVariable deepest{
@@ -128,8 +131,8 @@ std::vector<OutputVariable> ContactOutput::variables() {
   return made;
 }
 
-OutputVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
-                                         std::size_t index) {
+OutputVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name,
+                                         std::function<const ContactTotal&()> total) {
   OutputVariable variable{fold(std::string(row.name) + "_" + name),
                           FieldLocation::global,
                           row.shape,
@@ -137,10 +140,10 @@ OutputVariable ContactOutput::make_total(const ContactTotalRow& row, const std::
                           false,
                           {},
                           {}};
-  variable.fill = [this, &row, is_pair, index](const OutputContext& context, const EntityRange&,
-                                               std::span<double> values) {
+  variable.fill = [this, &row, total = std::move(total)](const OutputContext& context, const EntityRange&,
+                                                         std::span<double> values) {
     evaluate(context.state);
-    row.fill(is_pair ? pairs_[index] : surfaces_[index], values.data());
+    row.fill(total(), values.data());
   };
   return variable;
 }
@@ -166,7 +169,7 @@ void ContactOutput::evaluate(const State& state) {
   std::fill(surfaces_.begin(), surfaces_.end(), ContactTotal{});
   std::fill(pairs_.begin(), pairs_.end(), ContactTotal{});
   const auto histories = force_.histories();
-  for (std::size_t i = 0; i < histories.size(); ++i) {
+  for (const PairIndex i : indices(histories)) {
     const SurfacePair& pair = contact_.pairs[i];
     ContactTotal* const of_pair = &pairs_[find_total(contact_.pairs, i)];
     const auto add_history = [&](ContactTotal& total) {
@@ -198,10 +201,10 @@ void ContactOutput::evaluate_gaps(const State& state) {
   }
 }
 
-void ContactOutput::add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first) {
+void ContactOutput::add_to_totals(PairIndex pair, bool is_swapped, const ContactTotal& on_first) {
   const ContactTotal on_second = opposite(on_first);
   const SurfacePair& of = contact_.pairs[pair];
-  const std::size_t total = find_total(contact_.pairs, pair);
+  const PairIndex total = find_total(contact_.pairs, pair);
   const bool is_turned = contact_.pairs[total].first != of.first;
   add(is_swapped != is_turned ? on_second : on_first, pairs_[total]);
   add(on_first, surfaces_[is_swapped ? of.second : of.first]);
@@ -232,7 +235,7 @@ void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const Contac
     if (weight == 0.0) continue;
     NodeContact& node = nodes_[force_.contact_mesh().first_alike[side.nodes[k]]];
     const bool is_first_place = node.interaction == 0.0;
-    node.interaction = contact_point.pair + 1.0;
+    node.interaction = contact_point.pair.value + 1.0;
     if (is_first_place || contact_point.gap < node.gap) {
       node.gap = contact_point.gap;
       node.tangential_gap = contact_point.elastic_slip.norm();
@@ -259,7 +262,7 @@ void ContactOutput::add_tie(const InterfaceConstraint& tie, const CornerForces& 
     NodeContact& node = nodes_[force_.contact_mesh().first_alike[tie.nodes[k]]];
     const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
     node.status = node.slip_status = 1.0;
-    node.interaction = tie.pair + 1.0;
+    node.interaction = tie.pair.value + 1.0;
     node.normal += normal;
     node.tangential += force - normal;
     const bool is_repeated = same != tie.nodes.begin() + static_cast<int>(k);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <mutex>
 #include <span>
 #include <string>
@@ -97,22 +98,23 @@ class ContactOutput {
   void evaluate_gaps(const State& state);
   void add_place(const ContactPoint& contact_point);
   void add_tie(const InterfaceConstraint& tie, const CornerForces& forces);
-  void add_to_totals(std::uint32_t pair, bool is_swapped, const ContactTotal& on_first);
+  void add_to_totals(PairIndex pair, bool is_swapped, const ContactTotal& on_first);
   void add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side, double sign);
   /// The share of each corner of a tie's side in its area.
   static double tie_share(const InterfaceConstraint& tie, bool is_first);
-  OutputVariable make_total(const ContactTotalRow& row, const std::string& name, bool is_pair,
-                            std::size_t index);
+  OutputVariable make_total(const ContactTotalRow& row, const std::string& name,
+                            std::function<const ContactTotal&()> total);
 
   ContactForce& force_;
   const ContactModel& contact_;
   const Model& model_;
   std::mutex lock_;
-  std::int64_t step_ = -1, gaps_step_ = -1;  // of what is known, and of gaps
-  std::vector<double> rest_status_;          // [n_nodes] of nodes that touch nothing
-  std::vector<OptionalIndex> contact_node_;  // [n_nodes] position among the contact nodes
-  std::vector<NodeContact> nodes_;           // [n_contact_nodes]
-  std::vector<ContactTotal> surfaces_, pairs_;
+  std::int64_t step_ = -1, gaps_step_ = -1;                 // of what is known, and of gaps
+  std::vector<double> rest_status_;                         // [n_nodes] of nodes that touch nothing
+  std::vector<OptionalIndex<std::uint32_t>> contact_node_;  // [n_nodes] position among the contact nodes
+  std::vector<NodeContact> nodes_;                          // [n_contact_nodes]
+  std::vector<ContactTotal> surfaces_;
+  IndexedVector<PairIndex, ContactTotal> pairs_;
 };
 
 }  // namespace contactsim

@@ -43,7 +43,7 @@ class SurfaceDrawing {
   }
 
   std::uint32_t point_of(NodeIndex node) {
-    OptionalIndex& point = point_of_node_[node.value];
+    OptionalIndex<std::uint32_t>& point = point_of_node_[node.value];
     if (!point) point = add_point(mesh_.coordinates().col(node.value));
     return *point;
   }
@@ -113,7 +113,7 @@ class SurfaceDrawing {
   const Mesh& mesh_;
   FacetMesh drawing_;
   std::vector<Eigen::Vector3d> points_;
-  std::vector<OptionalIndex> point_of_node_;  ///< [n_nodes]
+  std::vector<OptionalIndex<std::uint32_t>> point_of_node_;  ///< [n_nodes]
 };
 
 }  // namespace

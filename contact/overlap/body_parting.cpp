@@ -65,7 +65,7 @@ std::vector<BodyMove> BodyParting::find_moves(const Eigen::Matrix3Xd& coordinate
                                               const ContactKinematics& kinematics,
                                               std::span<const std::uint8_t> is_held) const {
   const std::vector<DeepOverlap> overlaps = find_deep(coordinates, kinematics);
-  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, Parting> partings;
+  std::map<std::tuple<PairIndex, std::uint32_t, std::uint32_t>, Parting> partings;
   for (const DeepOverlap& overlap : overlaps) {
     const double most = model_.pairs[overlap.pair].overlap_normal_tolerance.value_or(overlap.depth);
     if (overlap.depth > most) continue;

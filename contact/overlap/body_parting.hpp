@@ -14,7 +14,7 @@ inline constexpr std::uint8_t held_fully = 1, held_in_part = 2;
 
 /// A body on its way out of another one.
 struct BodyMove {
-  std::uint32_t pair = 0;                         ///< of surfaces that overlap
+  PairIndex pair;                                 ///< of surfaces that overlap
   std::uint32_t body = 0;                         ///< its first node
   Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< [length]
   double depth = 0.0;                             ///< of the deepest node [length]

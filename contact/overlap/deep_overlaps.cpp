@@ -43,7 +43,7 @@ DeepOverlaps::DeepOverlaps(const ContactModel& model, const Mesh& mesh, const Ov
       number_of_body_(mesh.n_nodes()) {
   for (const ContactFace& face : contact_mesh().faces) {
     if (!contact_mesh().is_lofted(face) && !is_solid(mesh, face.side)) continue;
-    OptionalIndex& number = number_of_body_[body_of(face)];
+    OptionalIndex<std::uint32_t>& number = number_of_body_[body_of(face)];
     if (number) continue;
     number = 0;
     thick_bodies_.push_back(body_of(face));
@@ -84,7 +84,7 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
   Volume volume;
   // Most bodies of a mesh have nothing near: they cost no corners.
   const auto may_be_near = [&](std::uint32_t body) {
-    const OptionalIndex number = number_of_body_[body];
+    const OptionalIndex<std::uint32_t> number = number_of_body_[body];
     return number && boxes[*number].lo[0] <= boxes[*number].hi[0];
   };
   const auto add_if_near = [&](std::size_t n_corners) {
@@ -131,7 +131,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   };
   std::vector<Box> body_boxes(thick_bodies_.size(), empty_box());
   const auto extend = [&](std::uint32_t mesh_node, const Eigen::Vector3d& x) {
-    const OptionalIndex number = number_of_body_[bodies_[mesh_node]];
+    const OptionalIndex<std::uint32_t> number = number_of_body_[bodies_[mesh_node]];
     if (number) add(x, body_boxes[*number]);
   };
   for (std::uint32_t i = 0; i < mesh_.n_nodes(); ++i) extend(i, coordinates.col(i));
@@ -200,7 +200,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   double least = std::numeric_limits<double>::infinity();
   for (const std::uint32_t index : faces_of_body.of(inside.body)) {
     const ContactFace& face = contact_mesh().faces[index];
-    const OptionalIndex pair = rules_.find(node.surface, face.surface);
+    const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
     if (!pair) continue;
     const bool is_lofted = contact_mesh().is_lofted(face);
     if (is_lofted && rules_[*pair].law == ContactLaw::tied) continue;
@@ -237,7 +237,7 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
   if (inside.empty()) return {};
   const PairLists faces_of_body = list_by_row(thick_bodies_.size(), [&](const auto& take) {
     for (std::uint32_t i = 0; i < contact_mesh().faces.size(); ++i) {
-      const OptionalIndex number = number_of_body_[body_of(contact_mesh().faces[i])];
+      const OptionalIndex<std::uint32_t> number = number_of_body_[body_of(contact_mesh().faces[i])];
       if (number) take(*number, i);
     }
   });

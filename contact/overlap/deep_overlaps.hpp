@@ -16,7 +16,7 @@ namespace contactsim {
 
 /// A node of a contact surface that lies inside the solids, or the lofted shells, of another body.
 struct DeepOverlap {
-  std::uint32_t pair = 0;
+  PairIndex pair;
   std::uint32_t row = 0;                             ///< surface node
   std::uint32_t face = 0;                            ///< through which its way out leads
   double depth = 0.0;                                ///< along the face's normal, > 0 [length]
@@ -76,9 +76,10 @@ class DeepOverlaps {
   const Mesh& mesh_;
   const OverlapParts& parts_;
   PairRules rules_;
-  std::vector<std::uint32_t> bodies_;          // [n_nodes]
-  std::vector<std::uint32_t> thick_bodies_;    // with contact faces of solids or lofts, ascending
-  std::vector<OptionalIndex> number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
+  std::vector<std::uint32_t> bodies_;        // [n_nodes]
+  std::vector<std::uint32_t> thick_bodies_;  // with contact faces of solids or lofts, ascending
+  std::vector<OptionalIndex<std::uint32_t>>
+      number_of_body_;  // [n_nodes] by first node: position in thick_bodies_
   /// Of each lofted shell, first the corners of the top, then below each of them that of the bottom.
   std::vector<std::array<std::uint32_t, 8>> lofts_;
 };

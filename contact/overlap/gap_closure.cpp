@@ -39,7 +39,7 @@ GapClosure::GapClosure(const ContactModel& model, const Mesh& mesh, const Overla
                        const OverlapSearch& search, const OverlapDetection& detection,
                        const ShiftedPoints& points)
     : model_(model), parts_(parts), detection_(detection), points_(points) {
-  for (std::uint32_t p = 0; p < model.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model.pairs)) {
     const SurfacePair& pair = model.pairs[p];
     if (pair.adjusted_node_set) {
       add_set(p, mesh, *pair.adjusted_node_set);
@@ -59,7 +59,7 @@ void GapClosure::add(ClosingNode node) {
   if (find_gap(node)) nodes_.push_back(std::move(node));
 }
 
-void GapClosure::add_near(std::uint32_t pair, const OverlapSites& sites, double tolerance) {
+void GapClosure::add_near(PairIndex pair, const OverlapSites& sites, double tolerance) {
   const std::span<const OverlapCandidate> faces = sites.faces;
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].entity == faces[begin].entity) ++end;
@@ -73,7 +73,7 @@ void GapClosure::add_near(std::uint32_t pair, const OverlapSites& sites, double 
 }
 
 /// A few nodes at any distance: every face is looked at.
-void GapClosure::add_set(std::uint32_t index, const Mesh& mesh, std::uint32_t set) {
+void GapClosure::add_set(PairIndex index, const Mesh& mesh, std::uint32_t set) {
   constexpr double far = std::numeric_limits<float>::max();
   const SurfacePair& pair = model_.pairs[index];
   const ContactMesh& contact_mesh = parts_.contact_mesh;
@@ -116,7 +116,7 @@ std::optional<Overlap> GapClosure::find_gap(const ClosingNode& node) const {
 
 bool GapClosure::pass(bool is_last, SideMover& mover) const {
   struct Way {
-    std::uint32_t pair;
+    PairIndex pair;
     Overlap gap;
   };
   std::vector<Way> ways;
@@ -135,7 +135,7 @@ bool GapClosure::pass(bool is_last, SideMover& mover) const {
   return has_moved;
 }
 
-double GapClosure::widest(std::uint32_t pair) const {
+double GapClosure::widest(PairIndex pair) const {
   double widest = 0.0;
   for (const ClosingNode& node : nodes_) {
     if (node.pair != pair) continue;

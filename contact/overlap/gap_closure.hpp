@@ -28,18 +28,18 @@ class GapClosure {
   /// Returns whether anything was moved.
   bool pass(bool is_last, SideMover& mover) const;
   /// How wide the widest gap of a pair is that is to be closed, now [length].
-  double widest(std::uint32_t pair) const;
+  double widest(PairIndex pair) const;
 
  private:
   /// A node that is to go, and what it may go to.
   struct ClosingNode {
-    std::uint32_t pair = 0;
+    PairIndex pair;
     double reach = 0.0;  ///< [length]
     std::vector<OverlapCandidate> faces, planes;
   };
 
-  void add_near(std::uint32_t pair, const OverlapSites& sites, double tolerance);
-  void add_set(std::uint32_t pair, const Mesh& mesh, std::uint32_t set);
+  void add_near(PairIndex pair, const OverlapSites& sites, double tolerance);
+  void add_set(PairIndex pair, const Mesh& mesh, std::uint32_t set);
   void add(ClosingNode node);
   bool may_go(const SurfacePair& pair, std::uint32_t row) const;
   std::optional<Overlap> find_gap(const ClosingNode& node) const;

@@ -22,10 +22,9 @@ void note(std::optional<double> gap, InitialGap& start) {
 }
 
 /// Gaps to planes.
-void add_planes(const ContactModel& model, const ContactKinematics& kinematics,
-                std::vector<InitialGap>& starts) {
+void add_planes(const ContactModel& model, const ContactKinematics& kinematics, InitialGaps& starts) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
-  for (std::size_t i = 0; i < model.pairs.size(); ++i) {
+  for (const PairIndex i : indices(model.pairs)) {
     const SurfacePair& pair = model.pairs[i];
     const auto add = [&](std::uint32_t with_plane, std::uint32_t other) {
       for (const std::uint32_t plane : model.surfaces.surfaces[with_plane].analytic_planes) {
@@ -43,9 +42,8 @@ void add_planes(const ContactModel& model, const ContactKinematics& kinematics,
 
 }  // namespace
 
-std::vector<InitialGap> find_initial_gaps(const ContactModel& model, const Mesh& mesh,
-                                          const DashOptions& dash) {
-  std::vector<InitialGap> starts(model.pairs.size());
+InitialGaps find_initial_gaps(const ContactModel& model, const Mesh& mesh, const DashOptions& dash) {
+  InitialGaps starts(model.pairs.size());
   const ContactMesh contact_mesh = make_contact_mesh(model, mesh);
   const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()),
                         model.surfaces.surfaces.size());
@@ -60,7 +58,7 @@ std::vector<InitialGap> find_initial_gaps(const ContactModel& model, const Mesh&
   search.find_node_faces(kinematics, motion, {}, node_faces);
   for (std::uint32_t a = 0; a < face_partners.n_rows(); ++a) {
     for (const std::uint32_t b : face_partners.of(a)) {
-      const std::uint32_t pair = *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
+      const PairIndex pair = *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
       const auto gap = find_start_gap(kinematics, *rules[pair].pair, a, b);
       note(gap ? std::optional(gap->smallest) : std::nullopt, starts[pair]);
     }

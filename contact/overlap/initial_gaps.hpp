@@ -16,10 +16,10 @@ struct InitialGap {
   std::uint64_t n_in_reach = 0;  ///< pairs of a node or face and a face that the search found
 };
 
+using InitialGaps = IndexedVector<PairIndex, InitialGap>;
+
 /// How near the surfaces of each pair are on the mesh as it was read: one global search and the gap of every
 /// candidate that projects inside the other side.
-/// Returns [n_pairs] of the model.
-std::vector<InitialGap> find_initial_gaps(const ContactModel& model, const Mesh& mesh,
-                                          const DashOptions& dash);
+InitialGaps find_initial_gaps(const ContactModel& model, const Mesh& mesh, const DashOptions& dash);
 
 }  // namespace contactsim

@@ -74,14 +74,14 @@ std::optional<Overlap> find_crossing(const ContactKinematics& kinematics, const 
 
 }  // namespace
 
-void OverlapDetection::visit_all(std::uint32_t pair, const Visit& visit) const {
+void OverlapDetection::visit_all(PairIndex pair, const Visit& visit) const {
   visit_nodes(pair, OverlapKind::meshed, visit);
   visit_nodes(pair, OverlapKind::lofted, visit);
   visit_edges(pair, visit);
   visit_rims(pair, visit);
 }
 
-void OverlapDetection::visit_nodes(std::uint32_t index, OverlapKind kind, const Visit& visit) const {
+void OverlapDetection::visit_nodes(PairIndex index, OverlapKind kind, const Visit& visit) const {
   const SurfacePair& pair = model_.pairs[index];
   const bool is_lofted = kind == OverlapKind::lofted;
   const OverlapSites& sites = is_lofted ? sites_[index].lofted : sites_[index].meshed;
@@ -98,7 +98,7 @@ void OverlapDetection::visit_nodes(std::uint32_t index, OverlapKind kind, const 
   }
 }
 
-void OverlapDetection::visit_edges(std::uint32_t pair, const Visit& visit) const {
+void OverlapDetection::visit_edges(PairIndex pair, const Visit& visit) const {
   for (const OverlapCandidate& candidate : sites_[pair].edges) {
     const ContactEdge& first = parts_.contact_mesh.edges[candidate.entity];
     const ContactEdge& second = parts_.contact_mesh.edges[candidate.partner];
@@ -111,7 +111,7 @@ void OverlapDetection::visit_edges(std::uint32_t pair, const Visit& visit) const
   }
 }
 
-void OverlapDetection::visit_rims(std::uint32_t pair, const Visit& visit) const {
+void OverlapDetection::visit_rims(PairIndex pair, const Visit& visit) const {
   for (const OverlapCandidate& candidate : sites_[pair].rims) {
     const double half_thickness = std::min(parts_.of_face[candidate.entity].half_thickness,
                                            parts_.of_face[candidate.partner].half_thickness);

@@ -47,9 +47,9 @@ class OverlapDetection {
         tolerance_(tolerance) {}
 
   /// All of the below.
-  void visit_all(std::uint32_t pair, const Visit& visit) const;
+  void visit_all(PairIndex pair, const Visit& visit) const;
   /// Nodes behind faces, then behind planes, in their order.
-  void visit_nodes(std::uint32_t pair, OverlapKind kind, const Visit& visit) const;
+  void visit_nodes(PairIndex pair, OverlapKind kind, const Visit& visit) const;
   /// The way of a node onto the nearest of some faces that it is in front of, as an overlap of negative
   /// depth; nothing when it is behind one, or no nearer than the reach.
   std::optional<Overlap> find_before_faces(const SurfacePair& pair, std::span<const OverlapCandidate> of_node,
@@ -57,9 +57,9 @@ class OverlapDetection {
   /// The same before a plane.
   std::optional<Overlap> find_before_plane(const OverlapCandidate& candidate, double reach) const;
   /// Capsules, spheres and sharp edges in each other, as they stood when the points were renewed.
-  void visit_edges(std::uint32_t pair, const Visit& visit) const;
+  void visit_edges(PairIndex pair, const Visit& visit) const;
   /// Edges of faces that cross with none of their nodes in between, as they stood then.
-  void visit_rims(std::uint32_t pair, const Visit& visit) const;
+  void visit_rims(PairIndex pair, const Visit& visit) const;
 
  private:
   /// The way out of several faces is the shortest one; in front of the nearest face a node is outside.
@@ -85,7 +85,7 @@ class OverlapDetection {
 
   const ContactModel& model_;
   const OverlapParts& parts_;
-  const std::vector<PairSites>& sites_;
+  const IndexedVector<PairIndex, PairSites>& sites_;
   const AdjacentFaces& adjacent_;
   const ShiftedPoints& points_;
   double tolerance_ = 0.0;

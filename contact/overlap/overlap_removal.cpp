@@ -49,22 +49,22 @@ class OverlapRemover {
 
  private:
   /// Whether overlap of a pair is removed: of those that close gaps always.
-  bool parts(std::uint32_t pair) const { return is_all_parted_ || model_.pairs[pair].closes_gaps(); }
+  bool parts(PairIndex pair) const { return is_all_parted_ || model_.pairs[pair].closes_gaps(); }
   /// Whether a node goes out: of pairs that close gaps those of SIDE B, or of the node set.
-  bool may_go(std::uint32_t pair, const Overlap& overlap) const;
+  bool may_go(PairIndex pair, const Overlap& overlap) const;
   /// Moves whole bodies out of what they lie deep in.
   void part_bodies();
   void renew_lofts() {
     points_.renew();
     search_.renew_lofts(points_.renewed());
   }
-  bool pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_last);
-  bool pass_lofts(std::uint32_t pair, bool is_last);
-  void note(std::uint32_t pair, const Overlap& overlap) {
+  bool pass_nodes(PairIndex pair, OverlapKind kind, bool is_last);
+  bool pass_lofts(PairIndex pair, bool is_last);
+  void note(PairIndex pair, const Overlap& overlap) {
     deepest_of_pass_ = std::max(deepest_of_pass_, overlap.depth);
     deepest_[pair] = std::max(deepest_[pair], overlap.depth);
   }
-  OverlapMoves moves_of(std::uint32_t pair) const;
+  OverlapMoves moves_of(PairIndex pair) const;
   void find_squeezed(OverlapRemoved& removed) const;
 
   const ContactModel& model_;
@@ -78,11 +78,11 @@ class OverlapRemover {
   SideMover mover_;
   std::span<const std::uint8_t> is_held_;
   bool is_all_parted_ = true;
-  std::int64_t n_parted_ = 0;     ///< passes that moved bodies
-  double deepest_of_pass_ = 0.0;  ///< found so far [length]
-  std::vector<double> deepest_;   ///< [n_pairs] found so far [length]
+  std::int64_t n_parted_ = 0;                 ///< passes that moved bodies
+  double deepest_of_pass_ = 0.0;              ///< found so far [length]
+  IndexedVector<PairIndex, double> deepest_;  ///< found so far [length]
   std::optional<GapClosure> closure_;
-  std::vector<double> widest_;  ///< [n_pairs] gap that is closed [length]
+  IndexedVector<PairIndex, double> widest_;  ///< gap that is closed [length]
 };
 
 void OverlapRemover::part_bodies() {
@@ -98,7 +98,7 @@ void OverlapRemover::part_bodies() {
   }
 }
 
-bool OverlapRemover::may_go(std::uint32_t index, const Overlap& overlap) const {
+bool OverlapRemover::may_go(PairIndex index, const Overlap& overlap) const {
   const SurfacePair& pair = model_.pairs[index];
   if (!pair.closes_gaps()) return true;
   const std::uint32_t node = overlap.first.nodes[0];
@@ -109,7 +109,7 @@ bool OverlapRemover::may_go(std::uint32_t index, const Overlap& overlap) const {
   return !pair.side_b || parts_.contact_mesh.find_row(node, *pair.side_b).has_value();
 }
 
-bool OverlapRemover::pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_last) {
+bool OverlapRemover::pass_nodes(PairIndex pair, OverlapKind kind, bool is_last) {
   bool has_moved = false;
   if (is_last) {
     // One node at a time, or both sides would go the whole way.
@@ -134,7 +134,7 @@ bool OverlapRemover::pass_nodes(std::uint32_t pair, OverlapKind kind, bool is_la
   return has_moved;
 }
 
-bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
+bool OverlapRemover::pass_lofts(PairIndex pair, bool is_last) {
   if (!search_.sites()[pair].has_lofts()) return false;
   points_.renew();
   deepest_of_pass_ = 0.0;
@@ -158,7 +158,7 @@ bool OverlapRemover::pass_lofts(std::uint32_t pair, bool is_last) {
 bool OverlapRemover::pass(std::int64_t n_before) {
   bool has_moved = false;
   if (n_before > 0) renew_lofts();
-  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model_.pairs)) {
     if (!parts(p)) continue;
     if (n_before < settings_.iterations)
       has_moved |= pass_nodes(p, OverlapKind::meshed, n_before + 1 == settings_.iterations);
@@ -171,22 +171,22 @@ bool OverlapRemover::pass(std::int64_t n_before) {
 void OverlapRemover::close_gaps() {
   points_.renew();
   closure_.emplace(model_, mesh_, parts_, search_, detection_, points_);
-  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) widest_.push_back(closure_->widest(p));
+  for (const PairIndex p : indices(model_.pairs)) widest_.push_back(closure_->widest(p));
   for (std::int64_t i = 0; i < settings_.iterations; ++i) {
     if (!closure_->pass(i + 1 == settings_.iterations, mover_)) return;
     points_.renew();
   }
 }
 
-OverlapMoves OverlapRemover::moves_of(std::uint32_t pair) const {
+OverlapMoves OverlapRemover::moves_of(PairIndex pair) const {
   OverlapMoves moves;
   moves.pair = pair;
   moves.n_nodes = static_cast<std::uint32_t>(mover_.moved(pair).size());
   double squares = 0.0;
   for (const auto& [node, way] : mover_.moved(pair)) {
     squares += way.squaredNorm();
-    const auto has_moved = [&, moved = node](std::uint32_t p) { return mover_.moved(p).contains(moved); };
-    for (std::uint32_t p = 0; p < pair; ++p) {
+    const auto has_moved = [&, moved = node](PairIndex p) { return mover_.moved(p).contains(moved); };
+    for (const PairIndex p : IndexRange(PairIndex{0}, pair)) {
       if (!has_moved(p)) continue;
       ++moves.n_again;
       break;
@@ -203,7 +203,7 @@ OverlapMoves OverlapRemover::moves_of(std::uint32_t pair) const {
 void OverlapRemover::find_squeezed(OverlapRemoved& removed) const {
   std::set<ElementIndex> touched;
   const NodeElements elements(mesh_);
-  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model_.pairs)) {
     for (const auto& [node, way] : mover_.moved(p)) {
       for (const ElementIndex element : elements.of({node})) touched.insert(element);
     }
@@ -223,10 +223,10 @@ void OverlapRemover::find_squeezed(OverlapRemoved& removed) const {
 OverlapRemoved OverlapRemover::take() {
   OverlapRemoved removed;
   renew_lofts();
-  std::vector<double> left(model_.pairs.size(), 0.0);
+  IndexedVector<PairIndex, double> left(model_.pairs.size(), 0.0);
   for (const DeepOverlap& deep : bodies_.find_deep(points_.coordinates(), points_.renewed()))
     left[deep.pair] = std::max(left[deep.pair], deep.depth);
-  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model_.pairs)) {
     if (!parts(p)) continue;
     OverlapMoves moves = moves_of(p);
     moves.left = left[p];

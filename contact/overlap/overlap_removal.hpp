@@ -15,7 +15,7 @@ namespace contactsim {
 
 /// What overlap removal did to a pair of surfaces.
 struct OverlapMoves {
-  std::uint32_t pair = 0;     ///< position in ContactModel::pairs
+  PairIndex pair;
   std::uint32_t n_nodes = 0;  ///< that were moved
   double deepest = 0.0;       ///< overlap that was found [length]
   double largest = 0.0;       ///< move of a node [length]
@@ -31,7 +31,7 @@ struct OverlapMoves {
 /// An element that overlap removal would turn inside out, and the pair that moves its nodes farthest.
 struct TurnedElement {
   ElementIndex element;
-  std::uint32_t pair = 0;  ///< position in ContactModel::pairs
+  PairIndex pair;
 };
 
 /// Coordinates without overlap, and how they came about.

@@ -93,7 +93,7 @@ void OverlapSearch::add_planes() {
       }
     }
   };
-  for (std::uint32_t p = 0; p < model_.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model_.pairs)) {
     const SurfacePair& pair = model_.pairs[p];
     add(pair.first, pair.second, sites_[p]);
     if (pair.first != pair.second) add(pair.second, pair.first, sites_[p]);

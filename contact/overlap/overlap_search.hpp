@@ -56,7 +56,7 @@ class OverlapSearch {
   /// thin ones far.
   void renew_lofts(const ContactKinematics& kinematics);
 
-  const std::vector<PairSites>& sites() const { return sites_; }  ///< [n_pairs]
+  const IndexedVector<PairIndex, PairSites>& sites() const { return sites_; }
   const AdjacentFaces& joined() const { return adjacent_; }
 
  private:
@@ -87,7 +87,7 @@ class OverlapSearch {
   Eigen::Matrix3Xd searched_at_;  // of the contact nodes, if there are lofts [length]
   BroadPhase nodes_, faces_;
   std::optional<ContactSearch> edges_;  // where there are edges
-  std::vector<PairSites> sites_;
+  IndexedVector<PairIndex, PairSites> sites_;
 };
 
 }  // namespace contactsim

@@ -34,7 +34,7 @@ double SideMover::mobility(const ContactPointSide& side) const {
   return sum;
 }
 
-double SideMover::share_of_first(std::uint32_t pair, const Overlap& overlap) const {
+double SideMover::share_of_first(PairIndex pair, const Overlap& overlap) const {
   const bool is_face = overlap.second.weights != Eigen::Vector4d::Zero();
   const bool has_two_sides = model_.surfaces.surfaces[model_.pairs[pair].second].kind == SurfaceKind::face;
   const bool is_all_held =
@@ -45,7 +45,7 @@ double SideMover::share_of_first(std::uint32_t pair, const Overlap& overlap) con
              : 1.0;
 }
 
-void SideMover::move(std::uint32_t pair, const ContactPointSide& side, const Eigen::Vector3d& way) {
+void SideMover::move(PairIndex pair, const ContactPointSide& side, const Eigen::Vector3d& way) {
   const double sum = mobility(side);
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
@@ -57,7 +57,7 @@ void SideMover::move(std::uint32_t pair, const ContactPointSide& side, const Eig
   }
 }
 
-bool SideMover::resolve(std::uint32_t pair, const Overlap& overlap, double way) {
+bool SideMover::resolve(PairIndex pair, const Overlap& overlap, double way) {
   const bool can_first = can_move(overlap.first);
   const bool can_second = overlap.mover != OverlapMover::first && can_move(overlap.second);
   const bool is_shared = overlap.mover == OverlapMover::both && can_first && can_second;
@@ -67,17 +67,17 @@ bool SideMover::resolve(std::uint32_t pair, const Overlap& overlap, double way) 
   return can_first || can_second;
 }
 
-bool SideMover::resolve_rest(std::uint32_t pair, const Overlap& overlap, double share) {
+bool SideMover::resolve_rest(PairIndex pair, const Overlap& overlap, double share) {
   Eigen::Vector3d gone = points_.way_of(overlap.first);
   if (overlap.mover != OverlapMover::first) gone -= points_.way_of(overlap.second);
   const double rest = share * overlap.depth - gone.dot(overlap.normal);
   return rest > remaining_share * overlap.depth && resolve(pair, overlap, rest);
 }
 
-std::uint32_t SideMover::culprit_of(std::span<const NodeIndex> element_nodes) const {
-  std::uint32_t culprit = 0;
+PairIndex SideMover::culprit_of(std::span<const NodeIndex> element_nodes) const {
+  PairIndex culprit;
   double farthest = 0.0;
-  for (std::uint32_t p = 0; p < moved_.size(); ++p) {
+  for (const PairIndex p : indices(moved_)) {
     for (const NodeIndex node : element_nodes) {
       const auto found = moved_[p].find(node.value);
       if (found == moved_[p].end() || found->second.norm() <= farthest) continue;
@@ -88,7 +88,7 @@ std::uint32_t SideMover::culprit_of(std::span<const NodeIndex> element_nodes) co
   return culprit;
 }
 
-void SideMover::move(std::uint32_t pair, NodeIndex node, const Eigen::Vector3d& way) {
+void SideMover::move(PairIndex pair, NodeIndex node, const Eigen::Vector3d& way) {
   points_.shift(node, way);
   moved_[pair].try_emplace(node.value, Eigen::Vector3d::Zero()).first->second += way;
 }

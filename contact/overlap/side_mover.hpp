@@ -23,22 +23,22 @@ class SideMover {
         moved_(model.pairs.size()) {}
 
   /// Moves what moves out of an overlap by a way along its normal. Returns whether anything did.
-  bool resolve(std::uint32_t pair, const Overlap& overlap, double way);
+  bool resolve(PairIndex pair, const Overlap& overlap, double way);
   /// The same by a share of the depth, less what the sides have gone since the points were renewed.
-  bool resolve_rest(std::uint32_t pair, const Overlap& overlap, double share);
+  bool resolve_rest(PairIndex pair, const Overlap& overlap, double share);
   /// Moves a node of the mesh.
-  void move(std::uint32_t pair, NodeIndex node, const Eigen::Vector3d& way);
+  void move(PairIndex pair, NodeIndex node, const Eigen::Vector3d& way);
   /// Half the way when the nodes of the other side, which go on their own account, can move [1].
-  double share_of_first(std::uint32_t pair, const Overlap& overlap) const;
+  double share_of_first(PairIndex pair, const Overlap& overlap) const;
 
   /// How far nodes have gone for a pair, by node of the mesh [length].
-  const std::map<std::uint32_t, Eigen::Vector3d>& moved(std::uint32_t pair) const { return moved_[pair]; }
+  const std::map<std::uint32_t, Eigen::Vector3d>& moved(PairIndex pair) const { return moved_[pair]; }
   /// The pair that has moved the nodes of an element farthest.
-  std::uint32_t culprit_of(std::span<const NodeIndex> element_nodes) const;
+  PairIndex culprit_of(std::span<const NodeIndex> element_nodes) const;
 
  private:
   /// Moves a side by moving its free nodes, those more that have more of it.
-  void move(std::uint32_t pair, const ContactPointSide& side, const Eigen::Vector3d& way);
+  void move(PairIndex pair, const ContactPointSide& side, const Eigen::Vector3d& way);
   /// The sum of the squares of the free nodes' weights [1].
   double mobility(const ContactPointSide& side) const;
   bool can_move(const ContactPointSide& side) const;
@@ -48,7 +48,7 @@ class SideMover {
   const ContactMesh& contact_mesh_;
   std::span<const std::uint8_t> is_held_;
   ShiftedPoints& points_;
-  std::vector<std::map<std::uint32_t, Eigen::Vector3d>> moved_;  // [n_pairs]
+  IndexedVector<PairIndex, std::map<std::uint32_t, Eigen::Vector3d>> moved_;
 };
 
 }  // namespace contactsim

@@ -47,7 +47,7 @@ class PairGatherer {
     found_.other = NodeIndex{faces_.mesh_nodes[corners[0]]};
     found_.size = size_of(corners);
   }
-  std::optional<StartOverlap> take(std::uint32_t pair) {
+  std::optional<StartOverlap> take(PairIndex pair) {
     if (found_.deepest == 0.0) return std::nullopt;
     found_.pair = pair;
     found_.n_nodes = static_cast<std::uint32_t>(nodes_.size());
@@ -83,9 +83,10 @@ std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const M
   OverlapSearch search(model, definition, mesh, parts);
   search.find(points.renewed());
   const OverlapDetection places(model, parts, search, points, 0.0);
-  std::vector<PairGatherer> gatherers(model.pairs.size(), PairGatherer(parts.contact_mesh, points.renewed()));
+  IndexedVector<PairIndex, PairGatherer> gatherers(model.pairs.size(),
+                                                   PairGatherer(parts.contact_mesh, points.renewed()));
   std::set<std::uint32_t> told;  // contact nodes behind faces
-  for (std::uint32_t p = 0; p < model.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model.pairs)) {
     places.visit_all(p, [&](const Overlap& overlap) {
       gatherers[p].add(overlap);
       if (overlap.first.is_node()) told.insert(overlap.first.nodes[0]);
@@ -97,7 +98,7 @@ std::vector<StartOverlap> find_start_overlaps(const ContactModel& model, const M
     gatherers[overlap.pair].add(overlap);
   }
   std::vector<StartOverlap> found;
-  for (std::uint32_t p = 0; p < model.pairs.size(); ++p) {
+  for (const PairIndex p : indices(model.pairs)) {
     if (const auto overlap = gatherers[p].take(p)) found.push_back(*overlap);
   }
   return found;

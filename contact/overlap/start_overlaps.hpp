@@ -12,7 +12,7 @@ namespace contactsim {
 
 /// How the surfaces of a pair lie in each other at the start.
 struct StartOverlap {
-  std::uint32_t pair = 0;     ///< position in ContactModel::pairs
+  PairIndex pair;
   std::uint32_t n_nodes = 0;  ///< of the mesh that lie behind the other side, or whose edges do
   std::uint32_t n_faces = 0;  ///< and edges that these lie behind
   std::uint32_t n_deep = 0;   ///< nodes deeper than half the thinner element: contact takes no notice of them

@@ -250,7 +250,7 @@ Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t i
 
 bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
-  const OptionalIndex pair = rules_.find(a.surface, b.surface);
+  const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair) return false;
   if (rules_[*pair].pair->formulation != ConstraintFormulation::face_face) return false;
   if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
@@ -263,7 +263,7 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
 bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[index];
-  const OptionalIndex pair = rules_.find(node.surface, face.surface);
+  const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
   if (!pair) return false;
   const SurfacePair& of = *rules_[*pair].pair;
   if (rules_[*pair].only_ties() && n_searches_ > 0) return false;
@@ -277,7 +277,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
 
 bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
-  const OptionalIndex pair = rules_.find(a.surface, b.surface);
+  const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair || rules_[*pair].only_ties()) return false;
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;

@@ -11,7 +11,7 @@ namespace {
 /// Marks what was not there before besides what is marked already.
 ///   positions  [n before] of ContactRemap
 ///   is_new     [n before], or empty when nothing was; gets [n_after]
-void mark_new(std::span<const OptionalIndex> positions, std::size_t n_after,
+void mark_new(std::span<const OptionalIndex<std::uint32_t>> positions, std::size_t n_after,
               std::vector<std::uint8_t>& is_new) {
   is_new.resize(positions.size(), 0);
   std::vector<std::uint8_t> marks(n_after, 1);
@@ -44,7 +44,7 @@ void ContactSearch::set_surface_margins() {
   const ContactMesh& contact_mesh = contact_mesh_;
   const std::size_t n_surfaces = contact_mesh.first_face.size() - 1;
   activation_distance_.assign(n_surfaces, 0.0);
-  for (std::uint32_t i = 0; i < rules_.rules().size(); ++i) {
+  for (const PairIndex i : indices(rules_.rules())) {
     const SurfacePair& pair = *rules_[i].pair;
     // Ties reach as far as the deck says.
     const double given = std::max({pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0),

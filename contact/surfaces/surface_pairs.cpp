@@ -71,7 +71,7 @@ class PairMaker {
   /// Adds contact.interactions[index].
   void add_interaction(std::size_t index);
   void add_exclusion(const SurfaceExclusion& exclusion);
-  std::vector<SurfacePair> take();
+  SurfacePairs take();
 
  private:
   SurfacePair pair_of(std::size_t index) const;
@@ -182,8 +182,8 @@ void PairMaker::add_exclusion(const SurfaceExclusion& exclusion) {
   }
 }
 
-std::vector<SurfacePair> PairMaker::take() {
-  std::vector<SurfacePair> pairs;
+SurfacePairs PairMaker::take() {
+  SurfacePairs pairs;
   for (auto& [key, layers] : layers_) {
     if (!layers.is_empty()) {
       for (const std::size_t exclusion : layers.exclusions()) exclusions_[exclusion].has_effect = true;
@@ -201,8 +201,8 @@ std::vector<SurfacePair> PairMaker::take() {
 
 }  // namespace
 
-std::vector<SurfacePair> make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
-                                            Diagnostics& diagnostics) {
+SurfacePairs make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
+                                Diagnostics& diagnostics) {
   PairMaker maker(contact, surfaces, diagnostics);
   if (contact.interaction_defaults) {
     maker.add_defaults(*contact.interaction_defaults);
@@ -210,7 +210,7 @@ std::vector<SurfacePair> make_surface_pairs(const ContactDefinition& contact, co
       maker.add_exclusion(exclusion);
   }
   for (std::size_t i = 0; i < contact.interactions.size(); ++i) maker.add_interaction(i);
-  std::vector<SurfacePair> pairs = maker.take();
+  SurfacePairs pairs = maker.take();
   if (pairs.empty() && !diagnostics.has_errors()) {
     diagnostics.add_warning("contact-without-pairs", contact.name.location,
                             "no two contact surfaces meet, so that nothing can touch",

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "contact/surfaces/contact_surface.hpp"
+#include "core/base/contact_indices.hpp"
 #include "core/base/diagnostics.hpp"
+#include "core/base/indexed_vector.hpp"
 #include "core/base/optional_index.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/definition/interaction.hpp"
@@ -41,8 +43,9 @@ struct SurfacePair {
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;  ///< nodes this near are moved onto the other side
   std::optional<DeckName> adjusted_nodes;          ///< node set of nodes that are, at any distance
-  OptionalIndex adjusted_node_set;                 ///< of the mesh, with that name
-  OptionalIndex side_b;  ///< surface that SIDE B names, or that gives the nodes; its nodes are moved then
+  OptionalIndex<std::uint32_t> adjusted_node_set;  ///< of the mesh, with that name
+  OptionalIndex<std::uint32_t>
+      side_b;  ///< surface that SIDE B names, or that gives the nodes; its nodes are moved then
   Enforcement enforcement = Enforcement::penalty;
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]
   std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
@@ -56,6 +59,8 @@ struct SurfacePair {
   double node_share() const { return is_one_sided ? 1.0 : 0.5; }
 };
 
+using SurfacePairs = IndexedVector<PairIndex, SurfacePair>;
+
 /// The pairs that a contact definition asks for, sorted by (first, second); those of the same surfaces take
 /// turns by their periods. General contact pairs every surface with every other, self contact with itself. A
 /// named interaction overrides both for its pairs, a later one an earlier one, and one with NO_INTERACTION
@@ -66,7 +71,7 @@ struct SurfacePair {
 ///                "contact-without-pairs" when nothing meets at all, "interaction-overridden" and
 ///                "exclusion-without-effect"
 /// Source: Sierra/SM 5.22, 8.6.
-std::vector<SurfacePair> make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
-                                            Diagnostics& diagnostics);
+SurfacePairs make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
+                                Diagnostics& diagnostics);
 
 }  // namespace contactsim

@@ -268,7 +268,7 @@ void impact_step(benchmark::State& bench) {
   bench.counters["searches"] = static_cast<double>(force.search().n_searches());
   bench.counters["passes"] = n_passes / static_cast<double>(bench.iterations());
   bench.counters["points"] = static_cast<double>(force.points().size());
-  bench.counters["touching"] = force.pair_steps()[0].area / (64.0 * 64.0);
+  bench.counters["touching"] = force.pair_steps()[{0}].area / (64.0 * 64.0);
   bench.SetItemsProcessed(static_cast<std::int64_t>(bench.iterations()) * mesh.n_elements());
 }
 

@@ -155,7 +155,7 @@ void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size
     const ContactEdge& first = contact_mesh_.edges[row];
     for (const std::uint32_t partner : candidates_.of(row)) {
       const ContactEdge& second = contact_mesh_.edges[partner];
-      const std::uint32_t pair = *context.rules.find(first.surface, second.surface);
+      const PairIndex pair = *context.rules.find(first.surface, second.surface);
       if (!context.rules[pair].far) continue;
       const SurfacePair& of = *context.rules[pair].pair;
       const double automatic = size_share * std::min(size_of(first), size_of(second));
@@ -178,7 +178,7 @@ void EdgeEdgeContacts::add_start_gaps(const ContactStepContext& context, FoundSt
     const ContactEdge& first = contact_mesh_.edges[row];
     for (const std::uint32_t partner : candidates_.of(row)) {
       const ContactEdge& second = contact_mesh_.edges[partner];
-      const std::uint32_t pair = *context.rules.find(first.surface, second.surface);
+      const PairIndex pair = *context.rules.find(first.surface, second.surface);
       if (!context.rules.gap_offsets().needs_start(pair)) continue;
       const EdgePairPoint nearest =
           nearest_points(segment_of(context.kinematics, first), segment_of(context.kinematics, second));
@@ -190,7 +190,7 @@ void EdgeEdgeContacts::add_start_gaps(const ContactStepContext& context, FoundSt
   }
 }
 
-bool EdgeEdgeContacts::are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
+bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pair, std::uint32_t first,
                                 std::uint32_t second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   for (const std::uint32_t of_a : *a.faces) {
@@ -212,7 +212,8 @@ void EdgeEdgeContacts::remap(const ContactRemap& remap) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, ElasticSlips> kept;
   for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
-      const OptionalIndex first = remap.edges[row], second = remap.edges[candidates_.partners[k]];
+      const OptionalIndex<std::uint32_t> first = remap.edges[row],
+                                         second = remap.edges[candidates_.partners[k]];
       // Of edges that have changed their order the slip would be seen from the other side.
       if (first && second && *first < *second) kept[{*first, *second}] = slips_now_[k];
     }
@@ -251,7 +252,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
   if (are_sharp && before == 0.0 &&
       !may_cross(context.kinematics, first, second, context.ahead(), offsets.largest_reach()))
     return;
-  const std::uint32_t pair = *context.rules.find(first.surface, second.surface);
+  const PairIndex pair = *context.rules.find(first.surface, second.surface);
   const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
   if (rule.is_balanced != context.balances) return;
   const EdgePairPoints pair_points(segment_of(context.kinematics, first),

@@ -55,7 +55,7 @@ class EdgeEdgeContacts {
   void detect_one(const ContactStepContext& context, std::uint32_t first, std::size_t candidate,
                   std::vector<ContactPoint>& points) const;
   /// Whether ties hold faces or nodes of two sharp edges together.
-  bool are_held(const ContactStepContext& context, std::uint32_t pair, std::uint32_t first,
+  bool are_held(const ContactStepContext& context, PairIndex pair, std::uint32_t first,
                 std::uint32_t second) const;
   /// Whether a point of an edge is its own: at a node that several have, only the edge that is nearest there
   /// has it, the first of them if they are alike.

@@ -67,7 +67,7 @@ void FaceFaceContacts::mark_close(const ContactStepContext& context, double size
 void FaceFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
   for (std::uint32_t first = 0; first < candidates_.n_rows(); ++first) {
     for (const std::uint32_t second : candidates_.of(first)) {
-      const std::uint32_t pair =
+      const PairIndex pair =
           *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
       if (!context.rules.gap_offsets().needs_start(pair)) continue;
       auto gap = find_start_gap(context.kinematics, *context.rules[pair].pair, first, second);
@@ -98,7 +98,7 @@ void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows r
     const auto first = static_cast<std::uint32_t>(row);
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
       const std::uint32_t second = candidates_.partners[k];
-      const std::uint32_t pair =
+      const PairIndex pair =
           *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
       const Candidate candidate{first, second, pair, k, context.rules.of_faces(pair, first, second)};
       detect_one(context, candidate, points);

@@ -46,7 +46,8 @@ class FaceFaceContacts {
 
  private:
   struct Candidate {
-    std::uint32_t first, second, pair;
+    std::uint32_t first, second;
+    PairIndex pair;
     std::size_t position;  ///< in candidates_
     const PairRule& rule;
   };

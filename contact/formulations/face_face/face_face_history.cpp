@@ -54,7 +54,7 @@ void FaceFaceHistory::remap(const ContactRemap& remap, std::span<const std::size
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_before_);
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_now_);
   // Contacts that deaths end are not lost.
-  for (std::vector<OptionalIndex>* partners : {&partner_before_, &partner_now_})
+  for (std::vector<OptionalIndex<std::uint32_t>>* partners : {&partner_before_, &partner_now_})
     partners->assign(depth_now_.size(), std::nullopt);
 }
 

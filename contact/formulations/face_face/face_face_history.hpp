@@ -64,7 +64,8 @@ class FaceFaceHistory {
   std::vector<Eigen::Vector4d> means_, next_means_;
   // [n_faces] penetration, 0 where nothing touches, in the last step and in this one [length]
   std::vector<float> depth_before_, depth_now_;
-  std::vector<OptionalIndex> partner_before_, partner_now_;  // [n_faces] by which each is deepest
+  std::vector<OptionalIndex<std::uint32_t>> partner_before_,
+      partner_now_;  // [n_faces] by which each is deepest
 };
 
 }  // namespace contactsim

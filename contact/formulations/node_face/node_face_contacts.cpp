@@ -36,7 +36,8 @@ bool has_corner(const ContactFace& face, std::uint32_t node) {
 
 /// A face that a node may touch.
 struct NodeFaceContacts::NearFace {
-  std::uint32_t face = 0, pair = 0;
+  std::uint32_t face = 0;
+  PairIndex pair;
   ClosestPoint point;
   PairPenalty penalty;
   double share = 1.0;     ///< of the node's area, where it projects inside several faces alike [1]

@@ -91,7 +91,7 @@ void NodeFaceHistory::remap(const ContactRemap& remap) {
   std::vector<std::vector<FaceHistory>> chunks(remap.n_rows_after / rows_per_chunk + 1);
   for (const std::vector<FaceHistory>& chunk : chunks_) {
     for (FaceHistory face_history : chunk) {
-      const OptionalIndex row = remap.rows[face_history.row];
+      const OptionalIndex<std::uint32_t> row = remap.rows[face_history.row];
       if (!row) continue;
       face_history.row = *row;
       face_history.is_deep = 0;  // what deaths end is not lost
@@ -108,7 +108,7 @@ void NodeFaceHistory::archive(StateArchive& saved) {
   for (const std::vector<FaceHistory>& chunk : chunks_) all.insert(all.end(), chunk.begin(), chunk.end());
   saved.rows("contact/node_pairs/face_histories", all, [](FaceHistory& face_history, RowNumbers& row) {
     row(face_history.row, face_history.is_balanced, face_history.normal, face_history.elastic_slip,
-        face_history.depth, face_history.is_deep, face_history.pair);
+        face_history.depth, face_history.is_deep, face_history.pair.value);
   });
   if (!saved.restores()) return;
   for (std::vector<FaceHistory>& chunk : chunks_) chunk.clear();

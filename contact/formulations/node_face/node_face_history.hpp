@@ -21,7 +21,7 @@ struct FaceHistory {
   Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();  ///< [length]
   float depth = 0.0f;                                      ///< [length]
   std::uint8_t is_deep = 0;                                ///< deeper than what parts in a step
-  std::uint32_t pair = 0;
+  PairIndex pair;
 };
 
 /// What is known of one node: the faces that it touched. A face that looks the same way as one of them counts

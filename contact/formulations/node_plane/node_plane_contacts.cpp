@@ -23,7 +23,7 @@ bool has_friction(const PairRule& rule, const ContactPoint& point) {
 }  // namespace
 
 void NodePlaneContacts::add_pairs() {
-  for (std::uint32_t i = 0; i < setup_.rules.rules().size(); ++i) {
+  for (const PairIndex i : indices(setup_.rules.rules())) {
     const SurfacePair& pair = *setup_.rules[i].pair;
     for (const auto& [with_plane, other] :
          {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
@@ -34,7 +34,7 @@ void NodePlaneContacts::add_pairs() {
   }
 }
 
-void NodePlaneContacts::add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t index) {
+void NodePlaneContacts::add_pairs(std::uint32_t surface, PairIndex pair, std::uint32_t index) {
   const ContactMesh& contact_mesh = setup_.contact_mesh;
   const AnalyticPlane& plane = setup_.contact.planes[index];
   for (std::uint32_t node = contact_mesh.first_node[surface]; node < contact_mesh.first_node[surface + 1];
@@ -46,12 +46,12 @@ void NodePlaneContacts::add_pairs(std::uint32_t surface, std::uint32_t pair, std
 void NodePlaneContacts::remap(const ContactRemap& remap) {
   const std::vector<NodePlanePair> before = std::exchange(node_plane_pairs_, {});
   add_pairs();
-  using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>;  // pair, plane, node
+  using Key = std::tuple<PairIndex, std::uint32_t, std::uint32_t>;  // pair, plane, node
   std::map<Key, NodePlanePair*> known;
   for (NodePlanePair& pair_of_node : node_plane_pairs_)
     known[{pair_of_node.pair, pair_of_node.plane, pair_of_node.node}] = &pair_of_node;
   for (const NodePlanePair& old : before) {
-    const OptionalIndex node = remap.rows[old.node];
+    const OptionalIndex<std::uint32_t> node = remap.rows[old.node];
     if (!node) continue;
     const auto found = known.find({old.pair, old.plane, *node});
     if (found != known.end()) found->second->elastic_slip = old.elastic_slip;

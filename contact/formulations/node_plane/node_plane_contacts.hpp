@@ -34,13 +34,13 @@ class NodePlaneContacts {
   /// A node and a plane.
   struct NodePlanePair {
     std::uint32_t node;  ///< surface node
-    std::uint32_t pair;
+    PairIndex pair;
     std::uint32_t plane;  ///< of the region
     Eigen::Vector3d normal, origin;
     Eigen::Vector3d elastic_slip;  ///< slip that the tangential spring holds [length]
   };
   void add_pairs();
-  void add_pairs(std::uint32_t surface, std::uint32_t pair, std::uint32_t plane);
+  void add_pairs(std::uint32_t surface, PairIndex pair, std::uint32_t plane);
   double gap_of(const ContactKinematics& kinematics, const NodePlanePair& candidate) const;
   void detect_one(const ContactStepContext& context, const NodePlanePair& candidate, const PairRule& rule,
                   std::vector<ContactPoint>& points) const;

@@ -20,7 +20,7 @@ void visit_tie(Tie& tie, RowNumbers& row) {
 }
 
 void release(const Tie& tie, ConstrainedPairs& constrained) {
-  constrained.remove(tie.is_node, tie.first_entity, tie.is_node ? tie.pair : tie.second_entity);
+  constrained.remove(tie.is_node, tie.first_entity, tie.is_node ? tie.pair.value : tie.second_entity);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ void TiedContacts::find_candidates(const ContactStepContext& context, const Near
   };
   for (const Tie& tie : make_ties(context, near.face_partners, near.node_faces, near.size_share, ties_pair)) {
     if (rule_of(context, tie).law == ContactLaw::welded)
-      constrained.add(tie.is_node, tie.first_entity, tie.is_node ? tie.pair : tie.second_entity);
+      constrained.add(tie.is_node, tie.first_entity, tie.is_node ? tie.pair.value : tie.second_entity);
     ties_.push_back(tie);
   }
 }

@@ -24,10 +24,10 @@ ContactModel three_pairs() {
   ContactModel model;
   for (const char* name : {"lid", "box", "dust"}) model.surfaces.surfaces.emplace_back().name = name;
   model.pairs = {make_pair(0, 1), make_pair(0, 2), make_pair(1, 2)};
-  model.pairs[0].law = test::share(test::coulomb(0.3));
-  model.pairs[1].formulation = ConstraintFormulation::node_face;
-  model.pairs[1].is_one_sided = true;
-  SurfacePair& named = model.pairs[2];
+  model.pairs[{0}].law = test::share(test::coulomb(0.3));
+  model.pairs[{1}].formulation = ConstraintFormulation::node_face;
+  model.pairs[{1}].is_one_sided = true;
+  SurfacePair& named = model.pairs[{2}];
   named.interaction = "tie";
   named.location.line = 12;
   named.is_from_defaults = false;
@@ -80,7 +80,7 @@ TEST_CASE("the pair table says how surfaces meet, before they are searched", "[a
 }
 
 TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defaults", "[app][pairs]") {
-  const std::vector<InitialGap> starts{{-0.125, 40}, {}, {}};
+  const InitialGaps starts{{-0.125, 40}, {}, {}};
   const std::string text = format_pairs(three_pairs(), three_summaries(), starts);
   CHECK_THAT(text, Contains("        -0.125        40\n"));
   CHECK_THAT(text, !Contains("lid                          dust"));
@@ -90,7 +90,7 @@ TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defa
 
 TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
   ContactModel model = three_pairs();
-  model.pairs.assign(1500, model.pairs[0]);
+  model.pairs.assign(1500, model.pairs[{0}]);
   const std::string text = format_pairs(model, three_summaries(), {});
   CHECK_THAT(text, Contains("\n1000  lid"));
   CHECK_THAT(text, !Contains("\n1001  lid"));
@@ -98,8 +98,8 @@ TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
 }
 
 TEST_CASE("after a run the table tells what pairs did, and which never touched", "[app][pairs]") {
-  std::vector<PairHistory> histories(3);
-  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
+  IndexedVector<PairIndex, PairHistory> histories(3);
+  histories[{0}] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
   CHECK(squeezed(format_pair_histories(three_pairs(), histories)) ==
         "\nContact of pairs in the run\n"
         "no first second contact time peak force impulse x impulse y impulse z work friction work made "
@@ -111,7 +111,7 @@ TEST_CASE("after a run the table tells what pairs did, and which never touched",
 }
 
 TEST_CASE("a run in which nothing touched lists no contact", "[app][pairs]") {
-  CHECK(format_pair_histories(three_pairs(), std::vector<PairHistory>(3))
+  CHECK(format_pair_histories(three_pairs(), IndexedVector<PairIndex, PairHistory>(3))
             .starts_with("\nPairs that never touched\n"));
 }
 

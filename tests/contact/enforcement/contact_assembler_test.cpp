@@ -14,7 +14,7 @@ namespace {
 /// A force of 10 along z at the middle of an edge of the first side and at a corner of the second.
 ContactPoint sample_record() {
   ContactPoint point;
-  point.pair = 1;
+  point.pair = {1};
   point.first = {{0, 1, 2, 3}, Vector4d(0.5, 0.5, 0.0, 0.0)};
   point.second = {{4, 5, 6, 6}, Vector4d(1.0, 0.0, 0.0, 0.0)};
   point.normal = Vector3d::UnitZ();
@@ -51,24 +51,24 @@ TEST_CASE("a pair gets the force on its first surface, area and energies", "[con
   ContactAssembler sums(7, 2, false);
   sums.begin_step();
   sums.add(sample_record());
-  const PairStep& pair = sums.pairs()[1];
+  const PairStep& pair = sums.pairs()[{1}];
   CHECK(pair.force == Vector3d(3.0, 0.0, 10.0));
   CHECK(pair.area == 2.0);
   CHECK(pair.stored == Approx(0.5 * (3.0 * 0.2 + 10.0 * 0.5)));
   CHECK(pair.dissipated == 0.3);
   CHECK(pair.damped == 0.7);
   CHECK((pair.touches && pair.is_near));
-  CHECK(!sums.pairs()[0].touches);
+  CHECK(!sums.pairs()[{0}].touches);
   CHECK(sums.dissipated() == 0.3);
   CHECK(sums.damped() == 0.7);
   ContactPoint swapped = sample_record();
   swapped.is_swapped = true;
   sums.add(swapped);
-  CHECK(sums.pairs()[1].force.norm() == 0.0);
-  CHECK(sums.pairs()[1].area == 4.0);
+  CHECK(sums.pairs()[{1}].force.norm() == 0.0);
+  CHECK(sums.pairs()[{1}].area == 4.0);
   sums.begin_step();
   CHECK(sums.dissipated() == 0.0);
-  CHECK(!sums.pairs()[1].touches);
+  CHECK(!sums.pairs()[{1}].touches);
 }
 
 TEST_CASE("a place that does not touch yet gives its stiffness only", "[contact][contact_assembler]") {
@@ -81,9 +81,9 @@ TEST_CASE("a place that does not touch yet gives its stiffness only", "[contact]
   sums.add(point);
   sums.end_step();
   CHECK(sums.nodes()[0] == Eigen::Vector4d(0.0, 0.0, 0.0, 10.0));
-  CHECK(sums.pairs()[1].is_near);
-  CHECK(!sums.pairs()[1].touches);
-  CHECK(sums.pairs()[1].area == 0.0);
+  CHECK(sums.pairs()[{1}].is_near);
+  CHECK(!sums.pairs()[{1}].touches);
+  CHECK(sums.pairs()[{1}].area == 0.0);
   CHECK(sums.friction()[0].slip_length == 0.0);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("slips of nodes are means by area, added up as vectors and by length",
 TEST_CASE("a tie gives its forces, its springs and what they hold", "[contact][contact_assembler]") {
   ContactAssembler sums(9, 2, false);
   Tie tie;
-  tie.pair = 1;
+  tie.pair = {1};
   tie.nodes = {0, 1, 2, 3, 4, 5, 6, 7};
   tie.area = 3.0;
   for (int k = 0; k < 8; ++k) tie.springs[k] = 1.0 + k;
@@ -135,11 +135,11 @@ TEST_CASE("a tie gives its forces, its springs and what they hold", "[contact][c
   sums.add(tie, forces);
   CHECK(sums.nodes()[3] == Eigen::Vector4d(0.0, 2.0, 0.0, 4.0));
   CHECK(sums.nodes()[7] == Eigen::Vector4d(0.0, -2.0, 0.0, 8.0));
-  CHECK(sums.pairs()[1].force == Vector3d(0.0, 8.0, 0.0));
-  CHECK(sums.pairs()[1].area == 3.0);
-  CHECK(sums.pairs()[1].stored == 0.25);
-  CHECK(sums.pairs()[1].touches);
+  CHECK(sums.pairs()[{1}].force == Vector3d(0.0, 8.0, 0.0));
+  CHECK(sums.pairs()[{1}].area == 3.0);
+  CHECK(sums.pairs()[{1}].stored == 0.25);
+  CHECK(sums.pairs()[{1}].touches);
   tie.is_swapped = true;
   sums.add(tie, forces);
-  CHECK(sums.pairs()[1].force.norm() == 0.0);
+  CHECK(sums.pairs()[{1}].force.norm() == 0.0);
 }

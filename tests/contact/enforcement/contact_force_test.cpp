@@ -52,7 +52,7 @@ TEST_CASE("contact adds no net force and no net moment to bodies with warped fac
   CHECK(bodies.net_moment().norm() < moment_share * bodies.force_size());
   CHECK((bodies.force_on(0) + bodies.force_on(1)).norm() < 1e-13 * bodies.force_size());
   CHECK(bodies.force_on(1).z() > 0.5 * bodies.force_size() / 2.0);
-  CHECK((bodies.contact.pair_steps()[0].force - bodies.force_on(0)).norm() < 1e-10);
+  CHECK((bodies.contact.pair_steps()[{0}].force - bodies.force_on(0)).norm() < 1e-10);
 }
 
 TEST_CASE("friction and damping add no net force", "[contact][contact_force]") {
@@ -178,7 +178,7 @@ TEST_CASE("a bounce off a penalty spring is that of the spring", "[contact][cont
   CHECK(deepest == Approx(1.0 / frequency).epsilon(1e-3));
   CHECK(largest == Approx(frequency).epsilon(1e-3));
   CHECK(contact_time == Approx(EIGEN_PI / frequency).epsilon(1e-2));
-  const PairHistory& history = bodies.contact.histories()[0];
+  const PairHistory& history = bodies.contact.histories()[{0}];
   CHECK(history.contact_time == Approx(contact_time));
   CHECK(history.peak_force == Approx(largest));
   CHECK(history.impulse.z() == Approx(2.0).epsilon(1e-3));

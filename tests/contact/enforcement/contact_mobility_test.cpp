@@ -86,7 +86,7 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
   point.first = {{8, 9, 10, 11}, {0.25, 0.25, 0.25, 0.25}, 0.0};
   point.second = {{4, 5, 6, 7}, {0.5, 0.5, 0.0, 0.0}, 0.0};
   const std::vector<ContactPoint> points{point, point};
-  const std::vector<std::uint8_t> slips{0};
+  const IndexedVector<PairIndex, std::uint8_t> slips{0};
   const auto rates = mobility.find_rates(cubes.parts.kinematics, points, {}, slips);
   CHECK(rates[4] == Approx(2 * 0.5 * 3.0 * 2.0));
   CHECK(rates[6] == 0.0);

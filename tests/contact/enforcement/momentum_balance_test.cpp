@@ -115,7 +115,7 @@ TEST_CASE("a block whose sides lean out goes on standing on what it touches", "[
   b.add_block(2, "", Shape::hex8, nodes);
   ClosingBlocks blocks(b, formulation);
   const Eigen::Matrix3Xd first = blocks.forces_at({0, 0, -1.0});
-  REQUIRE(blocks.bodies.contact.pair_steps()[0].force.norm() > 0.0);
+  REQUIRE(blocks.bodies.contact.pair_steps()[{0}].force.norm() > 0.0);
   for (int step = 0; step < 4; ++step) {
     const Eigen::Matrix3Xd next = blocks.forces_at({0, 0, -1.0});
     CHECK((next - first).norm() < 1e-3 * first.norm());

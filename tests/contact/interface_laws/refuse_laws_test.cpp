@@ -26,7 +26,7 @@ TEST_CASE("nothing is held to a plane", "[contact][friction]") {
   surfaces[0].analytic_planes = {0};
   const auto refused = [&](const FrictionLaw& law) {
     Diagnostics found;
-    refuse_laws(std::vector<SurfacePair>{pair_with(law, 3)}, surfaces, {}, found);
+    refuse_laws(SurfacePairs{pair_with(law, 3)}, surfaces, {}, found);
     return messages(found);
   };
   CHECK(refused(coulomb(0.1)).empty());

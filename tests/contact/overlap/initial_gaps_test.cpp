@@ -25,7 +25,7 @@ InitialGap start_of(double gap, const std::string& lines = "") {
   REQUIRE(model.messages.empty());
   const auto starts = find_initial_gaps(model, mesh, {});
   REQUIRE(starts.size() == 1);
-  return starts[0];
+  return starts[{0}];
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ TEST_CASE("gaps to a plane are those of all nodes", "[contact][initial_gaps]") {
   REQUIRE(model.messages.empty());
   const auto starts = find_initial_gaps(model, mesh, {});
   REQUIRE(starts.size() == 3);
-  CHECK(starts[0].smallest_gap == Approx(1.5));
-  CHECK(starts[0].n_in_reach == 8);
-  CHECK(starts[1].smallest_gap == Approx(2.5 - 2.05));
-  CHECK(starts[2].smallest_gap == Approx(0.05));
+  CHECK(starts[{0}].smallest_gap == Approx(1.5));
+  CHECK(starts[{0}].n_in_reach == 8);
+  CHECK(starts[{1}].smallest_gap == Approx(2.5 - 2.05));
+  CHECK(starts[{2}].smallest_gap == Approx(0.05));
 }

@@ -142,6 +142,6 @@ TEST_CASE("removal that would turn elements inside out names them and the pair",
   is_held.back() = held_in_part;
   const OverlapRemoved removed = remove(mesh, is_held, more);
   REQUIRE(!removed.turned.empty());
-  CHECK(removed.turned[0].pair < 2);
+  CHECK(removed.turned[0].pair < PairIndex{2});
   CHECK(mesh.block_of(removed.turned[0].element) == 1);
 }

@@ -16,7 +16,7 @@ namespace {
 
 /// Pairs and what was reported on the way.
 struct Paired {
-  std::vector<SurfacePair> pairs;
+  SurfacePairs pairs;
   std::string text;      ///< one line per pair: "a b friction 0.3 face_face (general contact)"
   std::string messages;  ///< in machine form
 };
@@ -176,9 +176,9 @@ TEST_CASE("an exclusion with periods leaves the others to interactions", "[conta
     CHECK(paired.messages == "");
     CHECK(paired.text == "a b friction 0.2 face_face (rub)\n");
     REQUIRE(paired.pairs.size() == 1);
-    CHECK(paired.pairs[0].periods.active.empty());
-    REQUIRE(paired.pairs[0].periods.inactive.size() == 2);
-    CHECK(paired.pairs[0].periods.inactive[1].text == "p2");
+    CHECK(paired.pairs[{0}].periods.active.empty());
+    REQUIRE(paired.pairs[{0}].periods.inactive.size() == 2);
+    CHECK(paired.pairs[{0}].periods.inactive[1].text == "p2");
   }
 }
 
@@ -194,10 +194,10 @@ TEST_CASE("outside the periods of an interaction its pairs go on as an earlier o
         "a b friction 0.5 face_face (rub)\n"
         "a b frictionless face_face (general contact)\n");
   REQUIRE(paired.pairs.size() == 3);
-  CHECK(paired.pairs[0].periods.active.at(0).text == "p1");
-  CHECK(paired.pairs[1].periods.inactive.size() == 2);
-  CHECK(paired.pairs[2].periods.active.size() == 1);
-  CHECK(paired.pairs[2].periods.active.at(0).text == "p3");
+  CHECK(paired.pairs[{0}].periods.active.at(0).text == "p1");
+  CHECK(paired.pairs[{1}].periods.inactive.size() == 2);
+  CHECK(paired.pairs[{2}].periods.active.size() == 1);
+  CHECK(paired.pairs[{2}].periods.active.at(0).text == "p3");
 }
 
 TEST_CASE("the defaults exclude pairs, surfaces from themselves and from everything", "[contact][pairs]") {
@@ -262,14 +262,14 @@ TEST_CASE("outside the periods of an interaction its pairs go on as the defaults
                              " active periods = p1\nend\n");
   CHECK(timed.text == "a b friction 0.5 face_face (i)\na b frictionless face_face (general contact)\n");
   REQUIRE(timed.pairs.size() == 2);
-  CHECK(timed.pairs[0].periods.active.at(0).text == "p1");
-  CHECK(timed.pairs[1].periods.inactive.at(0).text == "p1");
+  CHECK(timed.pairs[{0}].periods.active.at(0).text == "p1");
+  CHECK(timed.pairs[{1}].periods.inactive.at(0).text == "p1");
   const auto off = pair_up(defaults +
                            "begin interaction i\n surfaces = a b\n"
                            " interaction behavior = no_interaction\n inactive periods = p2\nend\n");
   CHECK(off.text == "a b frictionless face_face (general contact)\n");
   REQUIRE(off.pairs.size() == 1);
-  CHECK(off.pairs[0].periods.active.at(0).text == "p2");
+  CHECK(off.pairs[{0}].periods.active.at(0).text == "p2");
 }
 
 TEST_CASE("of two interactions that name one pair the later wins, with a warning", "[contact][pairs]") {
@@ -360,11 +360,11 @@ TEST_CASE("settings come from the interaction, the defaults, the shared blocks, 
           "[contact][pairs]") {
   const Paired program = pair_up("begin interaction\n surfaces = a b\nend\n");
   REQUIRE(program.pairs.size() == 1);
-  CHECK_FALSE(program.pairs[0].normal_tolerance);
-  CHECK_FALSE(program.pairs[0].penalty_stiffness);
-  CHECK(program.pairs[0].penalty_scale == 1.0);
-  CHECK(program.pairs[0].damping_fraction == 0.0);
-  CHECK(program.pairs[0].behavior == InteractionBehavior::sliding);
+  CHECK_FALSE(program.pairs[{0}].normal_tolerance);
+  CHECK_FALSE(program.pairs[{0}].penalty_stiffness);
+  CHECK(program.pairs[{0}].penalty_scale == 1.0);
+  CHECK(program.pairs[{0}].damping_fraction == 0.0);
+  CHECK(program.pairs[{0}].behavior == InteractionBehavior::sliding);
   const Paired paired = pair_up(
       "begin search options\n search tolerance = user_defined\n normal tolerance = 1\n tangential tolerance "
       "= 2\n"
@@ -377,7 +377,7 @@ TEST_CASE("settings come from the interaction, the defaults, the shared blocks, 
       " active periods = p1\nend\n"
       "begin interaction\n surfaces = a c\n penalty stiffness = auto\nend\n");
   REQUIRE(paired.pairs.size() == 2);
-  const SurfacePair& pair = paired.pairs[0];
+  const SurfacePair& pair = paired.pairs[{0}];
   CHECK(pair.normal_tolerance == 1.0);
   CHECK(pair.tangential_tolerance == 20.0);
   CHECK(pair.capture_tolerance == 30.0);
@@ -390,8 +390,8 @@ TEST_CASE("settings come from the interaction, the defaults, the shared blocks, 
   CHECK_FALSE(pair.is_from_defaults);
   REQUIRE(pair.periods.active.size() == 1);
   CHECK(pair.periods.active[0].text == "p1");
-  CHECK_FALSE(paired.pairs[1].penalty_stiffness);
-  CHECK(paired.pairs[1].damping_fraction == 0.1);
+  CHECK_FALSE(paired.pairs[{1}].penalty_stiffness);
+  CHECK(paired.pairs[{1}].damping_fraction == 0.1);
 }
 
 TEST_CASE("tolerances of an automatic search are not taken", "[contact][pairs]") {

@@ -9,20 +9,20 @@
 using namespace contactsim;
 
 TEST_CASE("a position is absent until it is given", "[core][optional_index]") {
-  OptionalIndex index;
+  OptionalIndex<std::uint32_t> index;
   CHECK(!index);
   CHECK(index == std::nullopt);
   index = 0;
   CHECK(index.has_value());
   CHECK(*index == 0);
   CHECK(index == 0u);
-  CHECK(index != OptionalIndex(1));
+  CHECK(index != OptionalIndex<std::uint32_t>(1));
   index = std::nullopt;
   CHECK(!index.has_value());
 }
 
 TEST_CASE("a restart brings positions back, absent ones too", "[core][optional_index]") {
-  std::vector<OptionalIndex> positions{3, std::nullopt, 0}, restored;
+  std::vector<OptionalIndex<std::uint32_t>> positions{3, std::nullopt, 0}, restored;
   StateArchive saving;
   saving.list("positions", positions);
   const SavedState saved = saving.take();
