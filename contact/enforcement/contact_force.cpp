@@ -44,6 +44,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       contact_mesh_(make_faces({})),
       times_(make_active_times(setup.definition.periods, setup.time_stepping_blocks)),
       rules_(make_rules(setup)),
+      turns_(make_turns()),
       kinematics_(contact_mesh_),
       mobility_(setup.model),
       detection_(setup_, contact_mesh_, rules_),
@@ -222,7 +223,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
 }
 
 double ContactForce::end_step(double time, double dt) {
-  assembler_.end_step();
+  assembler_.end_step(turns_);
   const double supplied = histories_.add(assembler_, rules_.gap_offsets(), dt);
   std::vector<LostContact> lost;
   detection_.find_lost(lost);

@@ -62,6 +62,12 @@ ContactMesh ContactForce::make_faces(std::span<const ErodedNode> eroded_nodes) c
   return contact_mesh;
 }
 
+/// Of the surfaces as the mesh has them, which the slips of their nodes follow.
+SurfaceTurns ContactForce::make_turns() const {
+  if (!rules_.has_friction()) return {};
+  return SurfaceTurns(kinematics_of_mesh(contact_mesh_, *setup_.model.mesh));
+}
+
 /// The mid surfaces of lofted shells, which turn the points of lofts.
 LoftSpins ContactForce::make_spins() const {
   return {contact_mesh_.loft, static_cast<std::size_t>(setup_.model.mesh->coordinates().cols()),
@@ -109,6 +115,7 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
   left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
                before.mesh_nodes.end());
   transfer_start_depths(remap, before, contact_mesh_);
+  turns_ = make_turns();
   this->remap(remap);
   kinematics_.turn_by(make_spins());
   kinematics_.hold(mobility_.free_directions());
