@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "app/run/energy_watch.hpp"
 #include "app/run/start_overlap.hpp"
@@ -54,17 +55,22 @@ RunContact::RunContact(const RunInput& input, const Model& model)
 
 void RunContact::add_to(OutputSettings& settings) {
   settings.variables = output_.variables();
-  for (const ContactSurface& surface : contact_.surfaces.surfaces) {
-    if (surface.faces.empty()) continue;
-    // A mesh that was written as results has such names already.
+  settings.other_names = contact_output_names();
+  std::set<std::string> given;
+  // A mesh that was written as results has such names already.
+  const auto free_name = [&](const std::string& surface) {
     const auto is_taken = [&](const std::string& name) {
-      return mesh_.find(EntityKind::side_set, name).has_value() ||
-             std::ranges::any_of(settings.side_sets,
-                                 [&](const SideSet& set) { return fold(set.name) == fold(name); });
+      return mesh_.find(EntityKind::side_set, name) || mesh_.find(EntityKind::node_set, name) ||
+             given.contains(fold(name));
     };
-    std::string name = "contact_" + surface.name;
-    for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface.name, i);
-    settings.side_sets.push_back({0, name, surface.faces, {}});
+    std::string name = "contact_" + surface;
+    for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface, i);
+    given.insert(fold(name));
+    return name;
+  };
+  for (const ContactSurface& surface : contact_.surfaces.surfaces) {
+    if (!surface.faces.empty()) settings.side_sets.push_back({0, free_name(surface.name), surface.faces, {}});
+    if (!surface.nodes.empty()) settings.node_sets.push_back({0, free_name(surface.name), surface.nodes, {}});
   }
 }
 
@@ -95,7 +101,7 @@ std::vector<SurfaceChange> RunContact::update_for_deaths(const State& state,
 
 void RunContact::write_debug_files() {
   if (!debug_.facets.empty())
-    write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_), "contact facets");
+    write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_, force_.contact_mesh()), "contact facets");
   if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_));
 }
 

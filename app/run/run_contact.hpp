@@ -37,7 +37,8 @@ class RunContact {
                                                std::span<const std::uint8_t> alive);
   std::size_t n_eroded_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
 
-  /// Adds the contact variables and a side set contact_<surface> per surface.
+  /// Adds the contact variables and a side set contact_<surface> per surface, of surfaces of nodes a node
+  /// set; a number follows where the mesh has a set of the name.
   void add_to(OutputSettings& settings);
 
   /// The files that BEGIN DEBUG asks for, and writing them with the last state. Throws FileError.

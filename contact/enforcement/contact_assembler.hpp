@@ -102,9 +102,10 @@ class ContactAssembler {
   std::vector<Eigen::Vector3d> moments_;
   IndexedVector<PairIndex, PairStep> pairs_;
   std::vector<NodeFriction> friction_;
-  std::vector<NodeVector> slips_;        // of the step, times area, and area
-  std::vector<OptionalIndex<std::uint32_t>> met_;       // of the step: a node of the other side that a node met
-  std::vector<OptionalIndex<std::uint32_t>> partners_;  // the last of them, whose surface turns slips of nodes without faces
+  std::vector<NodeVector> slips_;                  // of the step, times area, and area
+  std::vector<OptionalIndex<std::uint32_t>> met_;  // of the step: a node of the other side that a node met
+  std::vector<OptionalIndex<std::uint32_t>>
+      partners_;  // the last of them, whose surface turns slips of nodes without faces
   double dissipated_ = 0.0, damped_ = 0.0;
   const ContactKinematics* kinematics_ = nullptr;  // null where work is not counted
   PairWork work_;

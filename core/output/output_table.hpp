@@ -41,6 +41,9 @@ struct OutputRow {
   int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };
 
+/// The dimension at the end of a line of help, "[force/length^2]"; "" without one.
+std::string_view dimension_of(std::string_view help);
+
 /// The variables that every run has. What materials remember and what the deck makes comes on top.
 std::span<const OutputRow> global_output_rows();
 std::span<const OutputRow> nodal_output_rows();
