@@ -16,13 +16,16 @@ TEST_CASE("a contact definition may have a name and periods", "[parser][contact]
 TEST_CASE("a second contact definition in a region is refused at its place", "[parser][contact]") {
   const std::string deck =
       "begin contact definition one\nend\nbegin contact definition two\n contact surface t contains b\nend\n";
+  const std::string hint =
+      "; the first stands at a.i:1:26; one definition names the surfaces of all periods, and ACTIVE PERIODS "
+      "in "
+      "its interactions, with INTERACTION BEHAVIOR = NO_INTERACTION too, says which pairs meet when";
   CHECK(bound_region(deck).messages ==
-        "a.i:3:26: error: a second CONTACT DEFINITION in one region is not supported; the first stands at "
-        "a.i:1:26\n");
+        "a.i:3:26: error: a second CONTACT DEFINITION in one region is not supported" + hint + "\n");
   const BoundRegion lenient = bound_region(deck, true);
   CHECK(lenient.messages ==
-        "a.i:3:26: warning: a second CONTACT DEFINITION in one region is not supported, passed "
-        "over; the first stands at a.i:1:26 [deck-refused]\n");
+        "a.i:3:26: warning: a second CONTACT DEFINITION in one region is not supported, passed over" + hint +
+            " [deck-refused]\n");
   CHECK(lenient.region.contact->name.text == "one");
   CHECK(lenient.region.contact->surface_commands.empty());
 }
