@@ -88,6 +88,50 @@ class MeshMaker:
         rows = [(0, 1, 3, 4), (1, 2, 3, 6), (1, 4, 5, 6), (3, 4, 6, 7), (1, 3, 4, 6)]
         return self._add(name, "TETRA4", [[corners[i] for i in row] for row in rows])
 
+    def joint(self, name, lower, upper):
+        """A HEX8 cell without thickness between the top of one cell and the bottom of another, given by their nodes."""
+        return self._add(name, "HEX8", [[*lower[4:], *upper[:4]]])
+
+    def split_hexes(self, n_nodes=10):
+        """Makes six tetrahedra of each HEX8 cell, of four nodes or with midside nodes in ten; before side sets are made.
+
+        Each cell is cut from its node of the smallest number, its other faces from theirs: cells fit together.
+        """
+        for number, (name, kind, rows, attribute) in enumerate(self.blocks):
+            if kind == "HEX8":
+                tets = [tet for row in rows for tet in self._tets_of(row)]
+                self.blocks[number] = (name, f"TETRA{n_nodes}", tets, attribute)
+        if n_nodes == 10:
+            self._add_midside_nodes()
+
+    @staticmethod
+    def _tets_of(row):
+        faces = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (0, 4, 7, 3), (0, 3, 2, 1), (4, 5, 6, 7)]
+        apex, tets = min(row), []
+        for face in ([row[i] for i in face] for face in faces):
+            if apex not in face:
+                k = face.index(min(face))
+                a, b, c, d = face[k:] + face[:k]
+                tets += [[a, c, b, apex], [a, d, c, apex]]  # bases look at the apex
+        return tets
+
+    def _add_midside_nodes(self):
+        middles = {}
+        for _, kind, rows, _ in self.blocks:
+            for row in rows if kind == "TETRA10" else []:
+                for i, j in [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)]:
+                    edge = tuple(sorted((row[i], row[j])))
+                    if edge not in middles:
+                        middles[edge] = self._middle(*edge)
+                    row.append(middles[edge])
+
+    def _middle(self, first, second):
+        """A node halfway between two, as bricks are given."""
+        given = tuple((a + b) / 2 for a, b in zip(self.given[first - 1], self.given[second - 1]))
+        self.points.append(self.place(*given))
+        self.given.append(given)
+        return len(self.points)
+
     def _add(self, name, kind, rows, attribute=None):
         """Cells of the last block's name and kind join it."""
         first = sum(len(rows) for _, _, rows, _ in self.blocks) + 1
@@ -102,8 +146,8 @@ class MeshMaker:
         self.side_sets.append((name, sides))
 
     def node_set(self, name, is_in):
-        """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds."""
-        self.node_sets.append((name, [n for n, given in enumerate(self.given, 1) if is_in(*given)]))
+        """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds when the mesh is written."""
+        self.node_sets.append((name, is_in))
 
     def transform(self, matrix):
         """Maps all coordinates linearly; a mirrored mesh gets its hexes turned, so that volumes stay positive."""
@@ -162,6 +206,8 @@ class MeshMaker:
             return
         self._write_names(file, "ns", "num_node_sets", [s[0] for s in self.node_sets])
         for number, (_, nodes) in enumerate(self.node_sets, 1):
+            if callable(nodes):
+                nodes = [n for n, given in enumerate(self.given, 1) if nodes(*given)]
             file.createDimension(f"num_nod_ns{number}", len(nodes))
             file.createVariable(f"node_ns{number}", "i4", (f"num_nod_ns{number}",))[:] = nodes
 

@@ -8,55 +8,26 @@
 #include <set>
 
 #include "core/base/names.hpp"
+#include "core/base/wrap_text.hpp"
 #include "parser/command_tree.hpp"
 
 namespace contactsim {
 
 namespace {
 
-constexpr std::size_t line_width = 100;
 constexpr std::size_t help_column = 56;
 constexpr std::size_t n_nearest = 5;
-
-/// The parts of a text that stay on one line: its words, cut behind each '|' of a choice too. A part that
-/// follows a blank begins with it.
-std::vector<std::string> unbroken_parts(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    const bool begins_part = c == ' ' || parts.back().ends_with('|');
-    if (begins_part && !parts.back().empty()) parts.emplace_back();
-    parts.back() += c;
-  }
-  return parts;
-}
-
-/// A text on lines of the given width that begins at a column; later lines begin at `indent`.
-std::string wrapped(const std::string& text, std::size_t first_column, std::size_t indent) {
-  std::string out;
-  std::size_t at = first_column;
-  for (const std::string& part : unbroken_parts(text)) {
-    const bool breaks = !out.empty() && at + part.size() > line_width;
-    const std::string shown = breaks && part.starts_with(' ') ? part.substr(1) : part;
-    if (breaks) {
-      out += '\n' + std::string(indent, ' ');
-      at = indent;
-    }
-    out += shown;
-    at += shown.size();
-  }
-  return out + '\n';
-}
 
 /// Left column, then help from help_column on, or on the next line when the left column is too long.
 ///   indent  of both
 std::string two_columns(std::size_t indent, const std::string& left, const std::string& help) {
   std::string text = std::string(indent, ' ') + left;
   if (text.size() + 2 > help_column) {
-    text = std::string(indent, ' ') + wrapped(left, indent, indent + 4) + std::string(help_column, ' ');
+    text = std::string(indent, ' ') + wrap_text(left, indent, indent + 4) + std::string(help_column, ' ');
   } else {
     text += std::string(help_column - text.size(), ' ');
   }
-  return text + wrapped(help, help_column, help_column);
+  return text + wrap_text(help, help_column, help_column);
 }
 
 /// A row's help as a sentence begins; as a hint of a message it may begin in lower case.
@@ -151,11 +122,11 @@ std::string choice_text(const TreeRow& entry) {
 /// What a matching row says; `places` are the blocks in which it stands.
 std::string row_entry(const TreeRow& entry, const std::vector<std::string>& places) {
   const RowText& row = *entry.row;
-  std::string text = wrapped(deck_form_of(row), 0, 6);
+  std::string text = wrap_text(deck_form_of(row), 0, 6);
   const auto add = [&](const std::string& label, const std::string& value) {
-    if (!value.empty()) text += fmt::format("  {:<11}{}", label, wrapped(value, 13, 13));
+    if (!value.empty()) text += fmt::format("  {:<11}{}", label, wrap_text(value, 13, 13));
   };
-  text += "  " + wrapped(help_of(row), 2, 2);
+  text += "  " + wrap_text(help_of(row), 2, 2);
   for (const std::string& spelling : row.spellings) add("also", spelling);
   for (const NameKind kind : row.references) {
     const NameKindText& names = text_of(kind);

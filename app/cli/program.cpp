@@ -11,6 +11,7 @@
 #include "app/cli/options.hpp"
 #include "app/cli/run_deck.hpp"
 #include "app/manual/explain_variables.hpp"
+#include "app/manual/foreign_keywords.hpp"
 #include "app/reports/log.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
@@ -56,10 +57,14 @@ void check_deck_is_a_file(const std::string& deck) {
   if (std::filesystem::is_directory(status)) throw FileError(deck, "this is a directory, not a deck");
 }
 
-/// The deck language, and output variables of the same name.
+/// The deck language, and output variables of the same name; else what other programs call it.
 Explanation explain_all(std::span<const std::string> words) {
   Explanation explanation = explain(words);
   const std::string variables = words.empty() ? "" : explain_variables(words);
+  if (!explanation.is_found && variables.empty()) {
+    const std::string foreign = explain_foreign_keywords(words);
+    return foreign.empty() ? explanation : Explanation{foreign, true};
+  }
   if (variables.empty()) return explanation;
   if (!explanation.is_found) return {variables, true};
   explanation.text += "\n" + variables;

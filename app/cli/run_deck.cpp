@@ -16,6 +16,7 @@
 #include "app/run/simulation.hpp"
 #include "app/run/start_overlap.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/elements/cohesive_section.hpp"
 #include "parser/deck.hpp"
 
 namespace contactsim {
@@ -167,7 +168,7 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings) {
 
   const auto [procedure, region] = choose_region(definition, warnings);
   check_mesh_is_kept(options, run_mesh_path(options, definition, region));
-  Mesh mesh = read_run_mesh(options, definition, region, warnings);
+  Mesh mesh = with_cohesive_blocks(definition, region, read_run_mesh(options, definition, region, warnings));
   log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
 
   ResolvedContact contact;

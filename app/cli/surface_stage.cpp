@@ -7,6 +7,7 @@
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_drawing.hpp"
 #include "contact/overlap/initial_gaps.hpp"
+#include "core/definition/contact.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/element_checks.hpp"
 #include "io/exodus/exodus_reader.hpp"
@@ -32,8 +33,10 @@ std::vector<std::uint32_t> blocks_in_contact(const ContactModel& model, const Me
 }
 
 /// Writes the files that are asked for. One that cannot be written does not keep the others from it.
-ExitCode write_surface_files(const Options& options, const ContactModel& model,
-                             std::span<const SurfaceSummary> summaries, const Mesh& mesh, Log& log) {
+///   contact  null without a contact definition
+ExitCode write_surface_files(const Options& options, const ContactDefinition* contact,
+                             const ContactModel& model, std::span<const SurfaceSummary> summaries,
+                             const Mesh& mesh, Log& log) {
   ExitCode code = ExitCode::done;
   const auto write = [&](const std::optional<std::string>& path, const auto& write_file) {
     if (!path) return;
@@ -47,7 +50,9 @@ ExitCode write_surface_files(const Options& options, const ContactModel& model,
     write_text(path, format_surfaces_csv(model, list_facets(model, mesh)));
   });
   write(options.surfaces_exodus, [&](const std::string& path) {
-    write_facet_mesh(path, draw_surfaces(model, mesh), "contact surfaces");
+    const std::vector<SurfaceOptions> none;
+    write_facet_mesh(path, draw_surfaces(model, mesh, contact != nullptr ? contact->surface_options : none),
+                     "contact surfaces");
   });
   return code;
 }
@@ -65,17 +70,18 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
                                 const Region& region, const Mesh& mesh, Log& log, Diagnostics& warnings) {
   if (!region.contact) {
     log.write("\nThe deck has no contact definition.\n");
-    return {std::nullopt, write_surface_files(options, {}, {}, mesh, log)};
+    return {std::nullopt, write_surface_files(options, nullptr, {}, {}, mesh, log)};
   }
   ContactModel model = make_contact_model(definition, region, mesh, warnings);
   if (warnings.has_errors()) throw DeckError(warnings);
   check_elements(mesh, blocks_in_contact(model, mesh));
   const auto summaries = summarize(model, mesh);
   const auto starts = find_initial_gaps(model, mesh, region.contact->dash);
-  log.write(format_surface_tables(model, summaries) + format_passed_over(model, mesh) +
-            format_pairs(model, summaries, starts));
+  log.write(
+      format_surface_tables(model, summaries) + format_passed_over(model, mesh) +
+      format_pairs(model, summaries, starts, find_automatic_lengths(model, mesh, region.contact->dash)));
   add_surface_warnings(model.surfaces, warnings);
-  const ExitCode code = write_surface_files(options, model, summaries, mesh, log);
+  const ExitCode code = write_surface_files(options, &*region.contact, model, summaries, mesh, log);
   return {std::move(model), code};
 }
 

@@ -30,6 +30,14 @@ struct Listing {
     for (const OutputRow& row : rows) add(to_string(row.location), row.name, row.n_components(), row.help);
   }
 
+  void add(std::span<const OutputGroup> groups) {
+    for (const OutputGroup& group : groups) {
+      if (group.name.find(wanted) == std::string_view::npos) continue;
+      text += fmt::format("  {:<8} {:<34} {}: all of {}\n", to_string(group.location), group.name, group.help,
+                          fmt::join(group.members, ", "));
+    }
+  }
+
   /// What materials keep; laws that mean the same by a variable share its line.
   void add(std::span<const LawKind* const> laws) {
     std::set<std::pair<std::string_view, std::string_view>> known;
@@ -49,12 +57,14 @@ std::string explain_variables(std::span<const std::string> words) {
   if (listing.wanted == "output_variables") listing.wanted.clear();
   listing.add(global_output_rows());
   for (const ContactTotalRow& row : contact_total_rows()) {
-    for (const char* of : {"_<surface>", "_<first>_<second>"})
+    const char* of_sides = row.is_of_pairs ? "_<surface>" : "_<surface or side set>";
+    for (const char* of : {of_sides, "_<first>_<second>"})
       listing.add("global", std::string(row.name) + of, component_count(row.shape), row.help);
   }
   listing.add(nodal_output_rows());
   for (const ContactNodeRow& row : contact_node_rows())
-    listing.add("nodal", row.name, component_count(row.shape), row.help);
+    listing.add("nodal", row.name, row.n_components(), row.help);
+  listing.add(contact_output_names().groups);
   listing.add(element_output_rows());
   listing.add(material_laws());
   return listing.text.empty() ? ""

@@ -11,8 +11,41 @@
 
 namespace contactsim {
 
-std::string format_contact_start(const ContactForce& force, const ContactModel& contact) {
+namespace {
+
+/// The nodes before the other side that no tie reaches, by their ids; "" of none.
+std::string format_untied(const UntiedPart& part, const ContactModel& contact, const Mesh& mesh) {
+  constexpr std::size_t max_nodes = 20;
+  if (part.nodes.empty() || part.tied == 0.0) return "";
+  std::string ids;
+  for (const NodeIndex node : std::span(part.nodes).first(std::min(max_nodes, part.nodes.size())))
+    ids += fmt::format(" {}", mesh.node_id(node));
+  if (part.nodes.size() > max_nodes) ids += fmt::format(" and {} more", part.nodes.size() - max_nodes);
+  return fmt::format("    {} of {} before the other side, gaps up to {:.4g}, not tied:{}\n",
+                     pluralize(part.nodes.size(), "node"), contact.surfaces.surfaces[part.surface].name,
+                     part.widest_gap, ids);
+}
+
+/// The SEARCH DISTANCE of each pair that has one.
+std::string format_reach(const ContactForce& force, const ContactModel& contact) {
   std::string text;
+  const StartReach& reach = force.rules().start_reach();
+  for (const PairIndex i : indices(contact.pairs)) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (!pair.search_distance) continue;
+    text +=
+        fmt::format("  search distance {:.6g}: {} to {}, {}\n", reach.distance(i),
+                    contact.surfaces.surfaces[pair.first].name, contact.surfaces.surfaces[pair.second].name,
+                    reach.has_any(i) ? "what is as near now" : "nothing is as near");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string format_contact_start(const ContactForce& force, const ContactModel& contact,
+                                 IndexedSpan<PairIndex, const UntiedPart> untied, const Mesh& mesh) {
+  std::string text = format_reach(force, contact);
   const auto areas = tied_areas(force, contact);
   const auto& surfaces = contact.surfaces.surfaces;
   for (const PairIndex i : indices(areas)) {
@@ -20,7 +53,8 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
     if (!row_of(*pair.law).holds_at_start) continue;
     text += fmt::format("  {}: {} to {}, {} over an area of {:.6g}\n", describe_law(*pair.law),
                         surfaces[pair.first].name, surfaces[pair.second].name,
-                        pluralize(areas[i].n_ties, "tie"), areas[i].area);
+                        pluralize(areas[i].n_ties, "tie"), areas[i].area) +
+            format_untied(untied[i], contact, mesh);
   }
   const auto& faces = force.contact_mesh().faces;
   if (faces.empty()) return text;
@@ -44,6 +78,9 @@ std::string format_contact(const ContactForce& contact) {
                       pluralize(search.n_searches(), "global search", "global searches"),
                       faces.builds + nodes.builds, faces.refits + nodes.refits,
                       static_cast<double>(faces.candidates + nodes.candidates), contact.n_candidates());
+  if (const std::size_t n_faces = contact.contact_mesh().faces.size(); n_faces > 0)
+    text +=
+        fmt::format("  contact takes {} bytes, {} per face\n", contact.bytes(), contact.bytes() / n_faces);
   text += fmt::format("  contact lowers the stable time step by {:.3g} % at most",
                       100.0 * contact.step_share().share);
   return text + "\n";

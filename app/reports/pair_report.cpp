@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "core/base/pluralize.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -22,7 +25,7 @@ constexpr std::size_t max_rows = 1000;
 constexpr const char* start_format =
     "{:>4}  {:<28} {:<28} {:<22} {:>6}  {:<16} {:<19} {:>9} {:>9} {:>9} {:>9} {:>13} {:>9}\n";
 constexpr const char* settings_format =
-    "      {:<22} {:>6}  {:<13} {:<16} {:>11} {:>11} {:>11} {:>11} {:>11} {:>9} {:>11} {:>9}\n";
+    "      {:<22} {:>6}  {:<13} {:<16} {:>20} {:>20} {:>20} {:>11} {:>20} {:>9} {:>11} {:>9}\n";
 constexpr const char* history_format =
     "{:>4}  {:<28} {:<28} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13} {:>13}\n";
 
@@ -70,32 +73,89 @@ std::string format_start(const ContactModel& model, std::span<const SurfaceSumma
                      starts.empty() ? "-" : fmt::to_string(starts[i].n_in_reach));
 }
 
-/// Calls write(pair) for the first pair of every interaction, in order.
-template <class Write>
-void for_each_interaction(const ContactModel& model, const Write& write) {
-  std::set<std::pair<std::string, std::string>> reported;
-  for (const SurfacePair& pair : model.pairs) {
-    if (reported.insert({pair.interaction, to_string(pair.location)}).second) write(pair);
-  }
-}
+/// An interaction, by its first pair.
+struct InteractionRow {
+  const SurfacePair* pair;
+  AutomaticLengths lengths;  ///< of all of its pairs
+  bool holds = false;        ///< the law of some of them goes by a capture tolerance
+};
 
 /// Every interaction that has a pair, once, in the order of its first pair.
-std::string format_settings(const ContactModel& model) {
+std::vector<InteractionRow> list_interactions(const ContactModel& model,
+                                              IndexedSpan<PairIndex, const AutomaticLengths> lengths) {
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  std::vector<InteractionRow> rows;
+  for (const PairIndex i : indices(model.pairs)) {
+    const SurfacePair& pair = model.pairs[i];
+    const auto [found, is_new] = known.try_emplace({pair.interaction, to_string(pair.location)}, rows.size());
+    if (is_new) rows.push_back({&pair, {}});
+    InteractionRow& listed = rows[found->second];
+    if (!lengths.empty()) listed.lengths.add(lengths[i]);
+    const InterfaceLawRow& law = row_of(*pair.law);
+    listed.holds = listed.holds || law.holds_at_start || law.select != nullptr;
+  }
+  return rows;
+}
+
+/// A length that is given, or "auto" and what it comes to.
+///   factor  on the range [1]
+std::string length_or_auto(const std::optional<double>& given, const LengthRange& range,
+                           double factor = 1.0) {
+  if (given) return number(*given);
+  if (!range.exists()) return "auto";
+  const std::string least = fmt::format("{:.3g}", factor * range.least),
+                    most = fmt::format("{:.3g}", factor * range.most);
+  return least == most ? "auto " + least : fmt::format("auto {}..{}", least, most);
+}
+
+std::string format_settings(const std::vector<InteractionRow>& rows) {
   std::string text = fmt::format(settings_format, "", "", "", "", "normal", "tangential", "overlap",
                                  "overlap", "capture", "penalty", "penalty", "damping");
   text += fmt::format(settings_format, "interaction", "line", "behavior", "enforcement", "tolerance",
                       "tolerance", "normal", "tangential", "tolerance", "scale", "stiffness", "fraction");
-  for_each_interaction(model, [&](const SurfacePair& pair) {
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
     const bool is_fixed = pair.behavior == InteractionBehavior::infinitesimal_sliding;
+    // Faces on faces reach beyond no edge.
+    const LengthRange beyond =
+        pair.formulation == ConstraintFormulation::node_face ? listed.lengths.tangential : LengthRange{};
+    const auto capture = pair.capture_tolerance ? pair.capture_tolerance : pair.normal_tolerance;
     text += fmt::format(
         settings_format, pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
         pair.enforcement == Enforcement::penalty ? "penalty" : "momentum_balance",
-        number_or(pair.normal_tolerance, "auto"), number_or(pair.tangential_tolerance, "auto"),
-        number_or(pair.overlap_normal_tolerance, "auto"),
-        number_or(pair.overlap_tangential_tolerance, "auto"), number_or(pair.capture_tolerance, "0"),
-        number(pair.penalty_scale), number_or(pair.penalty_stiffness, "auto"), number(pair.damping_fraction));
-  });
-  return text + "      tolerances and overlaps are lengths, auto: from the size of each face\n";
+        length_or_auto(pair.normal_tolerance, listed.lengths.normal),
+        length_or_auto(pair.tangential_tolerance, beyond),
+        length_or_auto(pair.overlap_normal_tolerance, listed.lengths.overlap_normal),
+        number_or(pair.overlap_tangential_tolerance, "auto"),
+        listed.holds ? length_or_auto(capture, listed.lengths.capture) : "-", number(pair.penalty_scale),
+        number_or(pair.penalty_stiffness, "auto"), number(pair.damping_fraction));
+  }
+  return text +
+         "      tolerances and overlaps are lengths, auto: from the size of each face, the smallest and the "
+         "largest\n";
+}
+
+/// Every interaction with a line that says how far its sides reach, once.
+std::string format_reach(const std::vector<InteractionRow>& rows) {
+  constexpr const char* reach_format = "      {:<22} {:>6}  {:>15} {:>17} {:>15}  {}\n";
+  constexpr double search_edges = 2.0, closure_edges = 0.05;
+  std::string text;
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
+    if (!pair.search_distance && !pair.tracking_distance && !pair.closes_gaps()) continue;
+    text += fmt::format(
+        reach_format, pair.interaction, pair.location.line,
+        pair.search_distance ? length_or_auto(pair.search_distance->given, listed.lengths.edge, search_edges)
+                             : "all",
+        length_or_auto(pair.tracking_distance, listed.lengths.normal),
+        pair.gap_closure ? length_or_auto(pair.gap_closure->given, listed.lengths.edge, closure_edges) : "-",
+        pair.adjusted_nodes ? pair.adjusted_nodes->text : "-");
+  }
+  if (text.empty()) return "";
+  return "\nReach of interactions\n" +
+         fmt::format(reach_format, "interaction", "line", "search distance", "tracking distance",
+                     "gap closure", "adjusted nodes") +
+         text;
 }
 
 /// What the gaps of the start count as.
@@ -106,17 +166,89 @@ std::string describe_start(const GapSettings& gap) {
 }
 
 /// Every interaction whose gaps are not those of the mesh, once.
-std::string format_gaps(const ContactModel& model) {
+std::string format_gaps(const std::vector<InteractionRow>& rows) {
   constexpr const char* gaps_format = "      {:<22} {:>6}  {:>11}  {}\n";
   std::string text;
-  for_each_interaction(model, [&](const SurfacePair& pair) {
-    if (pair.gap == GapSettings{}) return;
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
+    if (pair.gap == GapSettings{}) continue;
     text += fmt::format(gaps_format, pair.interaction, pair.location.line,
                         number(pair.gap.contact_offset.value_or(0.0)), describe_start(pair.gap));
-  });
+  }
   if (text.empty()) return "";
   return "\nGaps of interactions\n" +
          fmt::format(gaps_format, "interaction", "line", "offset", "at the start") + text;
+}
+
+constexpr const char* smoothings_format = "      {:<22} {:<28} {:<15} {:>9} {:>11} {:>11}  {}\n";
+
+std::string describe_place(const RoundShape& shape) {
+  const auto vector = [](Eigen::Vector3d v) {
+    v = (v.array().abs() > 1e-9 * v.norm()).select(v, 0.0);  // round-off tells nothing
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
+  };
+  switch (shape.kind) {
+    case RoundShape::Kind::spherical:
+      return "about " + vector(shape.origin);
+    case RoundShape::Kind::circumferential:
+      return "axis " + vector(shape.axis) + " through " + vector(shape.origin);
+    default:
+      return fmt::format("axis {} through {}, circle of {:.6g}", vector(shape.axis), vector(shape.origin),
+                         shape.arc_radius);
+  }
+}
+
+std::string format_shapes(const SmoothingShapes& smoothing, const std::string& surface,
+                          const SurfaceShapes& shapes) {
+  static constexpr std::array kinds{"circumferential", "spherical", "toroidal"};
+  const auto kind_of = [](const RoundShape& shape) { return kinds[static_cast<std::size_t>(shape.kind)]; };
+  std::string text;
+  for (const RoundShape& shape : shapes.given)
+    text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(shape), "-", "of nodes", "-",
+                        describe_place(shape));
+  for (const FittedShape& fitted : shapes.fitted)
+    text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(fitted.shape), fitted.n_faces,
+                        number(fitted.radius), number(fitted.residual), describe_place(fitted.shape));
+  if (shapes.n_unfitted > 0)
+    text +=
+        fmt::format(smoothings_format, smoothing.name, surface, "none", "-", "-", "-",
+                    fmt::format("{} not round{}", pluralize(shapes.n_unfitted, "part"),
+                                std::isfinite(shapes.least_residual)
+                                    ? fmt::format(", by {:.3g} of the radius at least", shapes.least_residual)
+                                    : ""));
+  if (shapes.n_flat > 0 && shapes.fitted.empty())
+    text += fmt::format(smoothings_format, smoothing.name, surface, "flat", "-", "-", "-",
+                        pluralize(shapes.n_flat, "flat part"));
+  return text;
+}
+
+/// The round shapes of surfaces: those of the deck, and what AUTO has found.
+std::string format_smoothings(const ContactModel& model) {
+  std::string text;
+  for (const SmoothingShapes& smoothing : model.smoothings) {
+    for (std::size_t i = 0; i < smoothing.surfaces.size(); ++i)
+      text += format_shapes(smoothing, model.surfaces.surfaces[i].name, smoothing.surfaces[i]);
+  }
+  if (text.empty()) return "";
+  return "\nRound shapes of surfaces\n" +
+         fmt::format(smoothings_format, "smoothing", "surface", "shape", "faces", "radius", "residual",
+                     "where") +
+         text;
+}
+
+/// Every interaction whose sides may not part, or of whose shells one side takes part alone, once.
+std::string format_sides(const std::vector<InteractionRow>& rows) {
+  constexpr const char* sides_format = "      {:<22} {:>6}  {:>10}  {:<7} {:<7}\n";
+  std::string text;
+  for (const InteractionRow& listed : rows) {
+    const SurfacePair& pair = *listed.pair;
+    if (pair.separates && !pair.is_polar()) continue;
+    text += fmt::format(sides_format, pair.interaction, pair.location.line, pair.separates ? "on" : "off",
+                        name_of(pair.sides[0]), name_of(pair.sides[1]));
+  }
+  if (text.empty()) return "";
+  return "\nSides of interactions\n" +
+         fmt::format(sides_format, "interaction", "line", "separation", "first", "second") + text;
 }
 
 std::string format_history(const ContactModel& model, const PairHistory& history, PairIndex i) {
@@ -131,8 +263,14 @@ std::string format_history(const ContactModel& model, const PairHistory& history
 
 }  // namespace
 
+std::string_view name_of(ShellSides sides) {
+  constexpr std::array<std::string_view, 3> names{"both", "top", "bottom"};
+  return names[static_cast<std::size_t>(sides)];
+}
+
 std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                         IndexedSpan<PairIndex, const InitialGap> starts) {
+                         IndexedSpan<PairIndex, const InitialGap> starts,
+                         IndexedSpan<PairIndex, const AutomaticLengths> lengths) {
   assert(starts.empty() || starts.size() == model.pairs.size());
   if (model.pairs.empty()) return "";
   const auto is_far = [&](PairIndex i) {
@@ -150,7 +288,9 @@ std::string format_pairs(const ContactModel& model, std::span<const SurfaceSumma
     text +=
         fmt::format("      {} of general or self contact with nothing in reach\n", pluralize(n_far, "pair"));
   }
-  return text + "\nSettings of interactions\n" + format_settings(model) + format_gaps(model);
+  const auto rows = list_interactions(model, lengths);
+  return text + "\nSettings of interactions\n" + format_settings(rows) + format_reach(rows) +
+         format_gaps(rows) + format_sides(rows) + format_smoothings(model);
 }
 
 std::string format_pair_histories(const ContactModel& model,

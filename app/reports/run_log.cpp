@@ -33,7 +33,7 @@ void RunLog::look(RunEvent event, const Simulation& run) {
 void RunLog::write_start(const Simulation& run, bool is_resumed) {
   if (!is_resumed) log_.write(format_model(run.model(), run.start_report()));
   if (!is_resumed && run.contact_force() != nullptr)
-    log_.write(format_contact_start(*run.contact_force(), *run.contact_model()));
+    log_.write(format_contact_start(*run.contact_force(), *run.contact_model(), run.untied(), run.mesh()));
   log_.write(format_paths(run.output_paths()) + step_heading());
   progress_.emplace(run.control().start_time(), run.control().termination_time());
 }

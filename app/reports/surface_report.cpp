@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/reports/pair_report.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
@@ -122,12 +123,25 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
             {"penalty_scale", pair.penalty_scale},
             {"penalty_stiffness", to_json(pair.penalty_stiffness)},
             {"damping_fraction", pair.damping_fraction}};
+  if (pair.search_distance || pair.tracking_distance || pair.closes_gaps()) {
+    const auto or_auto = [](const auto& line) {
+      return !line ? Json(nullptr) : line->given ? Json(*line->given) : Json("auto");
+    };
+    json["reach"] = {
+        {"search_distance", or_auto(pair.search_distance)},
+        {"tracking_distance", to_json(pair.tracking_distance)},
+        {"gap_closure_tolerance", or_auto(pair.gap_closure)},
+        {"adjust_node_set", pair.adjusted_nodes ? Json(pair.adjusted_nodes->text) : Json(nullptr)}};
+  }
+  if (!pair.separates) json["separation"] = false;
+  if (pair.is_polar()) json["sides"] = {name_of(pair.sides[0]), name_of(pair.sides[1])};
   if (pair.gap != GapSettings{}) {
     json["gap"] = {{"contact_offset", to_json(pair.gap.contact_offset)},
                    {"initial_clearance", to_json(pair.gap.initial_clearance)},
                    {"ignore_initial_overlap", pair.gap.ignore_initial_overlap.value_or(false)},
                    {"overlap_ramp_time", to_json(pair.gap.overlap_ramp_time)}};
   }
+  if (pair.smoothing) json["smoothing"] = model.smoothings[*pair.smoothing].name;
   return json;
 }
 

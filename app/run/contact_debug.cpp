@@ -46,8 +46,8 @@ std::string format_places_csv(const ContactForce& force, const ContactModel& con
                    surfaces[place.is_swapped ? pair.first : pair.second].name,
                    is_node ? "," : face_of(place.first_entity, place.is_of_edges),
                    is_node ? fmt::to_string(node) : "",
-                   is_rigid ? "," : face_of(place.second_entity, place.is_of_edges), place.gap, place.area,
-                   place.force, place.tangential[0], place.tangential[1], place.tangential[2]);
+                   is_rigid ? "," : face_of(place.second_entity, place.is_of_edges), place.open_gap(),
+                   place.area, place.force, place.tangential[0], place.tangential[1], place.tangential[2]);
   }
   return fmt::to_string(text);
 }

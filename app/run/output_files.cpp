@@ -43,6 +43,7 @@ OutputWriters::AppendLine open_heartbeat(const OutputFileSettings& settings, con
   HeartbeatStyle style = heartbeat_style(file.form);
   std::error_code ignored;
   const bool continues = file.form.appends && std::filesystem::file_size(file.path, ignored) > 0 && !ignored;
+  if (file.form.has_units && !style.is_spyhis && !continues) style.units = file.dimensions;
   if (continues && !style.is_spyhis) style.has_legend = false;
   TextSink sink = file.path.empty() ? settings.log : make_file_sink(file.path, file.form.appends);
   const auto writer =

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
 #include "app/run/energy_watch.hpp"
+#include "app/run/smoothing_warnings.hpp"
 #include "app/run/start_overlap.hpp"
 #include "app/run/start_warnings.hpp"
 #include "contact/output/surface_drawing.hpp"
@@ -14,6 +16,7 @@
 #include "core/base/pluralize.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/state_motion.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
 #include "io/exodus/surface_writer.hpp"
 #include "io/files/write_text.hpp"
 
@@ -40,6 +43,13 @@ PairIndex find_culprit(IndexedSpan<PairIndex, const PairHistory> histories) {
   return index_of(histories, most);
 }
 
+/// The nodes of all parts, ascending.
+std::vector<NodeIndex> untied_nodes(std::span<const UntiedPart> parts) {
+  std::set<NodeIndex> nodes;
+  for (const UntiedPart& part : parts) nodes.insert(part.nodes.begin(), part.nodes.end());
+  return {nodes.begin(), nodes.end()};
+}
+
 }  // namespace
 
 RunContact::RunContact(const RunInput& input, const Model& model)
@@ -47,6 +57,7 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       model_(model),
       mesh_(input.mesh),
       contact_(*input.contact),
+      untied_(find_untied_parts(contact_, mesh_, input.region.contact->dash)),
       force_(ContactSetup{*input.region.contact, contact_, model,
                           input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
       output_(force_, contact_, model),
@@ -54,18 +65,25 @@ RunContact::RunContact(const RunInput& input, const Model& model)
 
 void RunContact::add_to(OutputSettings& settings) {
   settings.variables = output_.variables();
-  for (const ContactSurface& surface : contact_.surfaces.surfaces) {
-    if (surface.faces.empty()) continue;
-    // A mesh that was written as results has such names already.
+  settings.other_names = contact_output_names();
+  std::set<std::string> given;
+  // A mesh that was written as results has such names already.
+  const auto free_name = [&](const std::string& surface) {
     const auto is_taken = [&](const std::string& name) {
-      return mesh_.find(EntityKind::side_set, name).has_value() ||
-             std::ranges::any_of(settings.side_sets,
-                                 [&](const SideSet& set) { return fold(set.name) == fold(name); });
+      return mesh_.find(EntityKind::side_set, name) || mesh_.find(EntityKind::node_set, name) ||
+             given.contains(fold(name));
     };
-    std::string name = "contact_" + surface.name;
-    for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface.name, i);
-    settings.side_sets.push_back({0, name, surface.faces, {}});
+    std::string name = "contact_" + surface;
+    for (int i = 2; is_taken(name); ++i) name = fmt::format("contact_{}_{}", surface, i);
+    given.insert(fold(name));
+    return name;
+  };
+  for (const ContactSurface& surface : contact_.surfaces.surfaces) {
+    if (!surface.faces.empty()) settings.side_sets.push_back({0, free_name(surface.name), surface.faces, {}});
+    if (!surface.nodes.empty()) settings.node_sets.push_back({0, free_name(surface.name), surface.nodes, {}});
   }
+  if (std::vector<NodeIndex> nodes = untied_nodes(untied_); !nodes.empty())
+    settings.node_sets.push_back({0, free_name("untied"), std::move(nodes), {}});
 }
 
 void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes,
@@ -95,7 +113,7 @@ std::vector<SurfaceChange> RunContact::update_for_deaths(const State& state,
 
 void RunContact::write_debug_files() {
   if (!debug_.facets.empty())
-    write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_), "contact facets");
+    write_facet_mesh(debug_.facets, draw_surfaces(contact_, mesh_, force_.contact_mesh()), "contact facets");
   if (!debug_.places.empty()) write_text(debug_.places, format_places_csv(force_, contact_, mesh_));
 }
 
@@ -139,12 +157,15 @@ void RunContact::warn_of_penetration(Diagnostics& warnings) const {
   for (const PairIndex i : indices(histories)) {
     if (!(histories[i].deepest_share > worrying)) continue;
     const SurfacePair& pair = contact_.pairs[i];
-    const bool is_penalty = pair.enforcement == Enforcement::penalty;
+    const bool is_penalty = pair.enforcement == Enforcement::penalty,
+               is_soft = row_of(*pair.law).has_pressure;
     warnings.add_warning(
         "contact-penetration", pair.location,
         fmt::format("{} have penetrated each other by {:.3g}, {:.0f} % of the thickness behind them",
                     names_of(contact_, i), histories[i].deepest, 100.0 * histories[i].deepest_share),
-        is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through" : "");
+        is_soft      ? "the pressure of its friction model lets them"
+        : is_penalty ? "ENFORCEMENT = MOMENTUM_BALANCE lets nothing through"
+                     : "");
   }
 }
 
@@ -163,6 +184,32 @@ void RunContact::warn_of_lost(Diagnostics& warnings) const {
             "the other ({} in the run)",
             name(pair.first), name(pair.second), history.lost_time, mesh_.node_id(node), history.lost_depth,
             pluralize(history.n_lost, "place")));
+  }
+}
+
+void RunContact::warn_of_small_sliding(Diagnostics& warnings) const {
+  constexpr double worth_telling = 0.5;  // of a face
+  const auto histories = force_.histories();
+  const auto id = [&](std::uint32_t node) { return mesh_.node_id(NodeIndex{node}); };
+  for (const PairIndex i : indices(histories)) {
+    const PairHistory& history = histories[i];
+    const SurfacePair& pair = contact_.pairs[i];
+    if (history.slid_share > worth_telling)
+      warnings.add_warning(
+          "slid-off-partner", pair.location,
+          fmt::format(
+              "{} have slid off their faces of the start, at node {} by {:.2g} of a face; the plane of "
+              "that face goes on there",
+              names_of(contact_, i), id(history.slid_node), history.slid_share),
+          "INTERACTION BEHAVIOR = SLIDING follows the surface");
+    if (history.n_released > 0)
+      warnings.add_warning(
+          "start-face-lost", pair.location,
+          fmt::format(
+              "{}: {} lost their faces of the start to element death, the first at node {}; they slide "
+              "since",
+              names_of(contact_, i), pluralize(history.n_released, "place"), id(history.released_node)),
+          "");
   }
 }
 
@@ -190,8 +237,11 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   warn_of_empty_ties(force_, contact_, warnings);
   warn_of_edges(force_, contact_, warnings);
   warn_of_idle_settings(contact_, warnings);
+  warn_of_reach(force_, contact_, *input_.region.contact, warnings);
   warn_of_gaps(force_, contact_, warnings);
-  warn_of_partial_ties(force_, contact_, *input_.region.contact, mesh_, warnings);
+  warn_of_smoothings(force_, contact_, mesh_, warnings);
+  warn_of_sides(force_, contact_, mesh_, warnings);
+  warn_of_partial_ties(force_, {contact_, *input_.region.contact, mesh_, untied_}, warnings);
   IndexedVector<PairIndex, double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
   warn_of_overlaps(input_, input_.overlaps, stored, warnings);
@@ -202,6 +252,8 @@ void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {
     warn_of_energy(state.energies, warnings);
   warn_of_lost(warnings);
   warn_of_penetration(warnings);
+  warn_of_strain(force_, contact_, mesh_, state, warnings);
+  warn_of_small_sliding(warnings);
 }
 
 }  // namespace contactsim

@@ -10,6 +10,7 @@
 #include "app/run/run_input.hpp"
 #include "contact/mesh/eroded_nodes.hpp"
 #include "contact/output/contact_output.hpp"
+#include "contact/overlap/untied_parts.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "core/output/output_plan.hpp"
 
@@ -37,7 +38,12 @@ class RunContact {
                                                std::span<const std::uint8_t> alive);
   std::size_t n_eroded_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
 
-  /// Adds the contact variables and a side set contact_<surface> per surface.
+  /// What of each pair is too far apart to be held.
+  IndexedSpan<PairIndex, const UntiedPart> untied() const { return untied_; }
+
+  /// Adds the contact variables, a side set contact_<surface> per surface, of surfaces of nodes a node set,
+  /// and the node set contact_untied of nodes that no tie reaches; a number follows where the mesh has a set
+  /// of the name.
   void add_to(OutputSettings& settings);
 
   /// The files that BEGIN DEBUG asks for, and writing them with the last state. Throws FileError.
@@ -51,8 +57,8 @@ class RunContact {
   /// without effect.
   void warn_of_start(Diagnostics& warnings) const;
   /// To be called at the end: warns of energy that nothing had put into contact, and names the pair; of pairs
-  /// whose contact ended though it was deep; and of those that have penetrated by more than a tenth of their
-  /// thickness.
+  /// whose contact ended though it was deep; of those that have penetrated by more than a tenth of their
+  /// thickness; and of those that have slid off their faces of the start, or lost them to deaths.
   void warn_of_end(const State& state, Diagnostics& warnings) const;
   /// What pairs without springs gave out to come out of overlaps of the mesh [energy].
   double given_out_by_overlaps() const;
@@ -64,12 +70,14 @@ class RunContact {
   void warn_of_energy(const Energies& energies, Diagnostics& warnings) const;
   void warn_of_lost(Diagnostics& warnings) const;
   void warn_of_penetration(Diagnostics& warnings) const;
+  void warn_of_small_sliding(Diagnostics& warnings) const;
   bool came_out_of_overlap(PairIndex pair) const;
 
   const RunInput& input_;
   const Model& model_;
   const Mesh& mesh_;
   ContactModel contact_;  // of the living elements
+  UntiedParts untied_;    // of the start
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;

@@ -155,6 +155,10 @@ const ContactModel* Simulation::contact_model() const {
   return parts_->contact ? &parts_->contact->model() : nullptr;
 }
 
+IndexedSpan<PairIndex, const UntiedPart> Simulation::untied() const {
+  return parts_->contact ? parts_->contact->untied() : IndexedSpan<PairIndex, const UntiedPart>();
+}
+
 double Simulation::given_out_by_overlaps() const {
   return parts_->contact ? parts_->contact->given_out_by_overlaps() : 0.0;
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ class ContactForce;
 class RunDeath;
 class RunRestart;
 class Simulation;
+struct UntiedPart;
 
 /// What observers are told of.
 enum class RunEvent : std::uint8_t {
@@ -87,7 +89,9 @@ class Simulation {
   const TimeStepControl& control() const;
   const ContactForce* contact_force() const;  ///< null without contact
   const ContactModel* contact_model() const;  ///< of the living elements; null without contact
-  const RunDeath* deaths() const;             ///< null when nothing can die
+  IndexedSpan<PairIndex, const UntiedPart> untied()
+      const;                       ///< of each pair at the start; empty without contact
+  const RunDeath* deaths() const;  ///< null when nothing can die
   const RunRestart& restart() const;
   std::vector<std::string> output_paths() const;
 

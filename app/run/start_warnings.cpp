@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
+#include "core/base/pluralize.hpp"
 #include "core/definition/contact.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
 
@@ -86,43 +89,122 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
   for (const PairIndex i : indices(areas)) {
     const SurfacePair& pair = contact.pairs[i];
     if (!row_of(*pair.law).holds_at_start || areas[i].n_ties > 0) continue;
+    if (!force.rules()[i].is_active) {
+      warnings.add_warning("tie-empty", pair.location,
+                           fmt::format("{}: ties are made at the start, when this interaction is not active",
+                                       names_of(pair, contact)),
+                           "a TIME VARIANT MODEL ties in later periods");
+      continue;
+    }
     warnings.add_warning("tie-empty", pair.location,
                          fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
                          "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
   }
 }
 
-void warn_of_partial_ties(const ContactForce& force, const ContactModel& contact,
-                          const ContactDefinition& definition, const Mesh& mesh, Diagnostics& warnings) {
-  const auto areas = tied_areas(force, contact);
+namespace {
+
+/// The side of sets of a pair of which most is free; nothing when a side is tied as a whole, as the deck
+/// wants it, or none is of sets.
+std::optional<std::pair<std::uint32_t, TiedSide>> find_free_side(const ContactForce& force,
+                                                                 const TiedContact& tied, PairIndex i) {
+  const SurfacePair& pair = tied.contact.pairs[i];
+  std::optional<std::pair<std::uint32_t, TiedSide>> least;
+  for (const std::uint32_t surface : {pair.second, pair.first}) {
+    const bool gives_ties = surface == pair.second || !pair.is_one_sided;
+    if (!gives_ties || !is_of_sets(tied.contact.surfaces.surfaces[surface], tied.definition, tied.mesh))
+      continue;
+    const TiedSide side = count_tied(force, i, pair, surface);
+    if (!side.is_partial()) return std::nullopt;
+    if (!least || least->second.n_all - least->second.n_tied > side.n_all - side.n_tied)
+      least = std::pair(surface, side);
+  }
+  return least;
+}
+
+}  // namespace
+
+void warn_of_partial_ties(const ContactForce& force, const TiedContact& tied, Diagnostics& warnings) {
+  const auto areas = tied_areas(force, tied.contact);
+  const auto& surfaces = tied.contact.surfaces.surfaces;
+  constexpr const char* hint = "CAPTURE TOLERANCE says how far ties reach";
   for (const PairIndex i : indices(areas)) {
-    const SurfacePair& pair = contact.pairs[i];
+    const SurfacePair& pair = tied.contact.pairs[i];
     if (!row_of(*pair.law).holds_at_start || areas[i].n_ties == 0) continue;
-    std::optional<TiedSide> least;  // untied; a side that is tied as a whole is as the deck wants it
-    bool is_whole = false;
-    std::uint32_t of = pair.first;
-    for (const std::uint32_t surface : {pair.second, pair.first}) {
-      const bool gives_ties = surface == pair.second || !pair.is_one_sided;
-      if (!gives_ties || !is_of_sets(contact.surfaces.surfaces[surface], definition, mesh)) continue;
-      const TiedSide side = count_tied(force, i, pair, surface);
-      is_whole |= !side.is_partial();
-      if (least && least->n_all - least->n_tied <= side.n_all - side.n_tied) continue;
-      least = side;
-      of = surface;
+    const UntiedPart& part = tied.untied[i];
+    if (part.is_partial()) {
+      warnings.add_warning(
+          "tie-partial", pair.location,
+          fmt::format("{}: {:.4g} of the area of {:.4g} of '{}' before the other side is tied; {} not, over "
+                      "gaps up to {:.3g}",
+                      names_of(pair, tied.contact), part.tied, part.tied + part.untied,
+                      surfaces[part.surface].name, pluralize(part.nodes.size(), "node is", "nodes are"),
+                      part.widest_gap),
+          hint);
+      continue;
     }
-    if (is_whole || !least) continue;
-    warnings.add_warning(
-        "tie-partial", pair.location,
-        fmt::format("{}: {} of the {} {} of '{}' are not tied", names_of(pair, contact),
-                    least->n_all - least->n_tied, least->n_all, least->has_nodes ? "nodes" : "faces",
-                    contact.surfaces.surfaces[of].name),
-        "CAPTURE TOLERANCE says how far ties reach");
+    const auto free = find_free_side(force, tied, i);
+    if (!free) continue;
+    const TiedSide& side = free->second;
+    warnings.add_warning("tie-partial", pair.location,
+                         fmt::format("{}: {} of the {} {} of '{}' are not tied", names_of(pair, tied.contact),
+                                     side.n_all - side.n_tied, side.n_all, side.has_nodes ? "nodes" : "faces",
+                                     surfaces[free->first].name),
+                         hint);
+  }
+}
+
+namespace {
+
+bool has_friction(const FrictionLaw& law) { return law.values.real("friction coefficient") > 0.0; }
+
+/// Whether a surface has sides of shells, by lofts or by side sets.
+bool has_shells(const ContactForce& force, const Mesh& mesh, std::uint32_t surface) {
+  const ContactMesh& contact_mesh = force.contact_mesh();
+  const auto faces = std::span(contact_mesh.faces)
+                         .subspan(contact_mesh.first_face[surface],
+                                  contact_mesh.first_face[surface + 1] - contact_mesh.first_face[surface]);
+  return std::ranges::any_of(faces, [&](const ContactFace& face) {
+    return topology(mesh.blocks()[mesh.block_of(face.side.element())].shape).family == Family::shell;
+  });
+}
+
+}  // namespace
+
+void warn_of_sides(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
+                   Diagnostics& warnings) {
+  std::set<std::string> reported;
+  for (const PairIndex i : indices(contact.pairs)) {
+    const SurfacePair& pair = contact.pairs[i];
+    const auto warn = [&](const char* id, const char* text, const char* hint) {
+      if (reported.insert(id + to_string(pair.location)).second)
+        warnings.add_warning(id, pair.location, fmt::format("{}: {}", names_of(pair, contact), text), hint);
+    };
+    if (!pair.separates && force.rules()[i].only_ties())
+      warn("separation-without-effect", "SEPARATION = OFF has no effect on ties, which do not part",
+           "it is for what touches and slides");
+    const bool is_polar_without_shells =
+        (pair.sides[0] != ShellSides::both || pair.sides[1] != ShellSides::both) &&
+        !(pair.sides[0] != ShellSides::both && has_shells(force, mesh, pair.first)) &&
+        !(pair.sides[1] != ShellSides::both && has_shells(force, mesh, pair.second));
+    if (is_polar_without_shells && !pair.is_from_defaults)
+      warn("sides-without-shells", "SIDES has no effect: no shell has the side that it names",
+           "with SIDE A and SIDE B it is of SIDE A");
   }
 }
 
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
   std::set<std::string> reported;
   for (const SurfacePair& pair : contact.pairs) {
+    if (row_of(*pair.law).has_pressure && !has_friction(*pair.law) &&
+        (pair.penalty_stiffness || pair.penalty_scale != 1.0)) {
+      if (!reported.insert(to_string(pair.location)).second) continue;
+      warnings.add_warning("penalty-without-effect", pair.location,
+                           fmt::format("{} has no effect beside the law '{}', which presses by itself",
+                                       pair.penalty_stiffness ? "PENALTY STIFFNESS" : "PENALTY SCALE",
+                                       describe_law(*pair.law)),
+                           "with friction it would be the spring along the surface");
+    }
     if (pair.enforcement == Enforcement::penalty) continue;
     if (pair.penalty_scale == 1.0 && pair.damping_fraction == 0.0) continue;
     if (!reported.insert(to_string(pair.location)).second) continue;
@@ -131,6 +213,111 @@ void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
                          fmt::format("{} has no effect where momentum is balanced",
                                      is_scale ? "PENALTY SCALE" : "CONTACT DAMPING FRACTION"),
                          "ENFORCEMENT = PENALTY pushes by elastic penalties");
+  }
+}
+
+namespace {
+
+/// Whether something in a pair goes by its capture tolerance.
+bool captures(const ContactForce& force, const SurfacePair& pair, PairIndex index) {
+  const PairRule& rule = force.rules()[index];
+  bool holds = row_of(*pair.law).holds_at_start || rule.far;
+  rule.model.visit_models([&](const InterfaceLaw& law) {
+    holds = holds || law.bond_law || law.law == ContactLaw::tied || law.law == ContactLaw::welded;
+  });
+  return holds;
+}
+
+/// The first pair of each interaction of which none goes by its capture tolerance.
+std::vector<const SurfacePair*> find_idle_captures(const ContactForce& force, const ContactModel& contact) {
+  std::map<std::string, std::pair<const SurfacePair*, bool>> by_place;
+  for (const PairIndex i : indices(contact.pairs)) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (!pair.capture_tolerance) continue;
+    auto& found = by_place.try_emplace(to_string(pair.location), &pair, false).first->second;
+    found.second = found.second || captures(force, pair, i);
+  }
+  std::vector<const SurfacePair*> idle;
+  for (const auto& [place, found] : by_place) {
+    if (!found.second) idle.push_back(found.first);
+  }
+  return idle;
+}
+
+/// Whether faces of a pair, or nodes and faces, meet the partners of the start alone.
+bool keeps_partners(const ContactForce& force, const ContactModel& contact, PairIndex index) {
+  const SurfacePair& pair = contact.pairs[index];
+  if (pair.behavior != InteractionBehavior::infinitesimal_sliding || force.rules()[index].only_ties())
+    return false;
+  const auto& first_face = force.contact_mesh().first_face;
+  const auto has_faces = [&](std::uint32_t surface) { return first_face[surface] < first_face[surface + 1]; };
+  const auto has_plane = [&](std::uint32_t surface) {
+    return !contact.surfaces.surfaces[surface].analytic_planes.empty();
+  };
+  return (has_faces(pair.first) || has_faces(pair.second)) && !has_plane(pair.first) &&
+         !has_plane(pair.second);
+}
+
+/// Whether the nodes that keep their faces are those of the larger side.
+bool slides_by_larger_side(const ContactForce& force, const SurfacePair& pair) {
+  if (pair.behavior != InteractionBehavior::infinitesimal_sliding || !pair.is_one_sided) return false;
+  const ContactMesh& contact_mesh = force.contact_mesh();
+  const auto area = [&](std::uint32_t surface) {
+    double sum = 0.0;
+    for (std::uint32_t row = contact_mesh.first_node[surface]; row < contact_mesh.first_node[surface + 1];
+         ++row)
+      sum += contact_mesh.surface_nodes[row].area;
+    return sum;
+  };
+  const bool has_faces = contact_mesh.first_face[pair.first] < contact_mesh.first_face[pair.first + 1];
+  return has_faces && area(pair.second) > area(pair.first);
+}
+
+}  // namespace
+
+void warn_of_reach(const ContactForce& force, const ContactModel& contact,
+                   const ContactDefinition& definition, Diagnostics& warnings) {
+  const bool is_shared = definition.search.tolerance == SearchOptions::Tolerance::user_defined &&
+                         definition.search.capture_tolerance;
+  const bool any_captures = [&] {
+    for (const PairIndex i : indices(contact.pairs)) {
+      if (captures(force, contact.pairs[i], i)) return true;
+    }
+    return false;
+  }();
+  for (const SurfacePair* pair : find_idle_captures(force, contact)) {
+    // One of SEARCH OPTIONS is for those that hold.
+    const bool is_of_all = is_shared && pair->capture_tolerance == definition.search.capture_tolerance;
+    if (is_of_all && any_captures) continue;
+    warnings.add_warning(
+        "capture-without-effect", pair->location,
+        fmt::format("CAPTURE TOLERANCE has no effect: the law '{}' holds nothing at the start",
+                    describe_law(*pair->law)),
+        "GAP CLOSURE TOLERANCE moves nodes onto the other side");
+  }
+  for (const PairIndex i : indices(contact.pairs)) {
+    const SurfacePair& pair = contact.pairs[i];
+    if (pair.is_from_defaults) continue;
+    if (slides_by_larger_side(force, pair))
+      warnings.add_warning(
+          "small-sliding-sides", pair.location,
+          fmt::format("{}: the nodes of SIDE B keep their faces under INFINITESIMAL_SLIDING, "
+                      "and SIDE B is the larger: what slides over it leaves its nodes behind",
+                      names_of(pair, contact)),
+          "name the side that slides SIDE B");
+    if (pair.search_distance && !force.rules().start_reach().has_any(i)) {
+      warnings.add_warning("search-distance-empty", pair.location,
+                           fmt::format("{}: nothing is within the SEARCH DISTANCE of {:.4g}, so that they "
+                                       "never meet",
+                                       names_of(pair, contact), force.rules().start_reach().distance(i)),
+                           "the pair table has the smallest gap");
+    } else if (keeps_partners(force, contact, i) && !force.search().has_first_partners(i)) {
+      warnings.add_warning("no-start-partner", pair.location,
+                           fmt::format("{}: nothing stands before the other side at the start, so that they "
+                                       "never meet under INFINITESIMAL_SLIDING",
+                                       names_of(pair, contact)),
+                           "SEARCH DISTANCE says how far apart partners may be");
+    }
   }
 }
 

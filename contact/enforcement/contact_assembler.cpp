@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/state_archive.hpp"
+#include "core/base/threads.hpp"
 
 namespace contactsim {
 
@@ -16,6 +17,8 @@ ContactAssembler::ContactAssembler(std::size_t n_nodes, std::size_t n_pairs, boo
       pairs_(n_pairs),
       friction_(has_friction ? n_nodes : 0),
       slips_(has_friction ? n_nodes : 0, NodeVector::Zero()),
+      met_(has_friction ? n_nodes : 0),
+      partners_(has_friction ? n_nodes : 0),
       work_(n_pairs) {}
 
 void ContactAssembler::archive(StateArchive& saved) {
@@ -23,6 +26,7 @@ void ContactAssembler::archive(StateArchive& saved) {
   saved.fixed_rows("contact/nodes/friction", friction_, [](NodeFriction& node, RowNumbers& row) {
     row(node.slip, node.slip_length, node.energy, node.last_slip);
   });
+  saved.list("contact/nodes/slip_partners", partners_);
 }
 
 void ContactAssembler::remap(const ContactRemap& remap) {
@@ -30,10 +34,16 @@ void ContactAssembler::remap(const ContactRemap& remap) {
   transfer(remap.nodes, remap.n_nodes_after, NodeVector(NodeVector::Zero()), nodes_);
   transfer(remap.nodes, remap.n_nodes_after, NodeFriction{}, friction_);
   transfer(remap.nodes, remap.n_nodes_after, NodeVector(NodeVector::Zero()), slips_);
+  for (OptionalIndex<std::uint32_t>& partner : partners_) {
+    if (partner) partner = remap.nodes[*partner];
+  }
+  transfer(remap.nodes, remap.n_nodes_after, OptionalIndex<std::uint32_t>(), partners_);
   nodes_.resize(remap.n_nodes_after, NodeVector::Zero());
   moments_.assign(has_moments_ ? remap.n_nodes_after : 0, Eigen::Vector3d::Zero());
   friction_.resize(has_friction_ ? remap.n_nodes_after : 0);
   slips_.resize(has_friction_ ? remap.n_nodes_after : 0, NodeVector::Zero());
+  met_.assign(has_friction_ ? remap.n_nodes_after : 0, OptionalIndex<std::uint32_t>());
+  partners_.resize(has_friction_ ? remap.n_nodes_after : 0);
 }
 
 void ContactAssembler::begin_step() {
@@ -41,6 +51,7 @@ void ContactAssembler::begin_step() {
   std::fill(nodes_.begin(), nodes_.end(), NodeVector::Zero());
   std::fill(moments_.begin(), moments_.end(), Eigen::Vector3d::Zero());
   std::fill(slips_.begin(), slips_.end(), NodeVector::Zero());
+  std::fill(met_.begin(), met_.end(), OptionalIndex<std::uint32_t>());
   std::fill(pairs_.begin(), pairs_.end(), PairStep{});
 }
 
@@ -70,15 +81,15 @@ void ContactAssembler::add(const ContactPoint& point) {
   if (!point.is_balanced) dissipated_ += point.dissipated;
   damped_ += point.damped;
   if (friction_.empty()) return;
-  add_slip(point.first, point.slip, point);
-  add_slip(point.second, -point.slip, point);
+  add_slip(point.first, point.second, point.slip, point);
+  add_slip(point.second, point.first, -point.slip, point);
 }
 
 void ContactAssembler::note_penetration(const ContactPoint& point, double thickness) {
   PairStep& pair = pairs_[point.pair];
-  if (point.force <= 0.0 || !(-point.gap > pair.penetration)) return;
-  pair.penetration = -point.gap;
-  pair.penetration_share = -point.gap / thickness;
+  if (point.force <= 0.0 || !(-point.open_gap() > pair.penetration)) return;
+  pair.penetration = -point.open_gap();
+  pair.penetration_share = -point.open_gap() / thickness;
 }
 
 void ContactAssembler::add_moment(const ContactPointSide& side, const Eigen::Vector3d& arm,
@@ -88,10 +99,16 @@ void ContactAssembler::add_moment(const ContactPointSide& side, const Eigen::Vec
     moments_[side.nodes[k]] += side.weights[static_cast<Eigen::Index>(k)] * arm.cross(force);
 }
 
-void ContactAssembler::add_slip(const ContactPointSide& side, const Eigen::Vector3d& slip,
-                                const ContactPoint& point) {
+void ContactAssembler::add_slip(const ContactPointSide& side, const ContactPointSide& other,
+                                const Eigen::Vector3d& slip, const ContactPoint& point) {
   NodeVector share;
   share << point.area * slip, point.area;
+  const bool is_rigid = other.weights.isZero(0.0);
+  if (side.is_node() && !is_rigid) {
+    Eigen::Index nearest = 0;
+    other.weights.maxCoeff(&nearest);
+    met_[side.nodes[0]] = other.nodes[static_cast<std::size_t>(nearest)];
+  }
   for (std::size_t k = 0; k < 4; ++k) {
     const double weight = side.weights[static_cast<Eigen::Index>(k)];
     slips_[side.nodes[k]] += weight * share;
@@ -116,13 +133,45 @@ void ContactAssembler::add(const InterfaceConstraint& constraint, const CornerFo
   pair.touches = pair.is_near = true;
 }
 
-void ContactAssembler::end_step() {
+namespace {
+
+/// The turn of the surface that a node's slip follows: its own, or without faces that of what it met last.
+Eigen::Matrix3d turn_of(const ContactKinematics& now, const SurfaceTurns& turns, std::uint32_t node,
+                        OptionalIndex<std::uint32_t> partner) {
+  const bool has_own = turns.has_faces(node) || !partner;
+  return turns.turn(now, has_own ? node : *partner);
+}
+
+}  // namespace
+
+Eigen::Vector3d ContactAssembler::slip_now(const ContactKinematics& now, const SurfaceTurns& turns,
+                                           std::uint32_t node) const {
+  const Eigen::Vector3d& slip = friction_[node].slip;
+  if (slip.isZero(0.0)) return slip;
+  return turn_of(now, turns, node, partners_[node]) * slip;
+}
+
+/// A node without faces that has come to another part of a surface turns with that from now on.
+void ContactAssembler::follow_partner(std::uint32_t node, const SurfaceTurns& turns) {
+  if (!met_[node] || met_[node] == partners_[node] || turns.has_faces(node)) return;
+  const Eigen::Vector3d now = slip_now(*kinematics_, turns, node);
+  partners_[node] = met_[node];
+  friction_[node].slip = turn_of(*kinematics_, turns, node, partners_[node]).transpose() * now;
+}
+
+void ContactAssembler::end_step(const SurfaceTurns& turns) {
+#pragma omp parallel for schedule(static) num_threads(threads_for(friction_.size()))
   for (std::size_t i = 0; i < friction_.size(); ++i) {
+    NodeFriction& node = friction_[i];
+    const auto index = static_cast<std::uint32_t>(i);
     const double area = slips_[i][3];
-    friction_[i].last_slip =
-        area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
-    friction_[i].slip += friction_[i].last_slip;
-    friction_[i].slip_length += friction_[i].last_slip.norm();
+    node.last_slip = area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
+    if (kinematics_ != nullptr) follow_partner(index, turns);
+    if (node.last_slip.isZero(0.0)) continue;
+    node.slip_length += node.last_slip.norm();
+    node.slip += kinematics_ == nullptr
+                     ? node.last_slip
+                     : turn_of(*kinematics_, turns, index, partners_[i]).transpose() * node.last_slip;
   }
 }
 

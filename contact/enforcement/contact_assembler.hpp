@@ -9,6 +9,8 @@
 #include "contact/geometry/contact_point.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/mesh/contact_remap.hpp"
+#include "contact/mesh/surface_turns.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/elements/gather.hpp"
 
 namespace contactsim {
@@ -33,7 +35,8 @@ struct PairStep {
 
 /// What friction has done at a contact node since the start.
 struct NodeFriction {
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< along the other side, added up as vectors [length]
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< along the other side, added up as vectors that turn
+                                                   ///< with the surface, as it lay at the start [length]
   double slip_length = 0.0;                        ///< the same added up by length [length]
   double energy = 0.0;                             ///< the node's share of what was lost [energy]
   Eigen::Vector3d last_slip = Eigen::Vector3d::Zero();  ///< of the last step [length]
@@ -67,7 +70,8 @@ class ContactAssembler {
   void note_penetration(const ContactPoint& point, double thickness);
   void add(const InterfaceConstraint& constraint, const CornerForces& forces);
   /// Ends a step: slips of the nodes are added up.
-  void end_step();
+  ///   turns  of the surfaces since the start, which the slips follow
+  void end_step(const SurfaceTurns& turns = {});
 
   /// [n_contact_nodes] x y z of the force [force], and the stiffness that moves with the node [force/length]
   std::span<const NodeVector> nodes() const { return nodes_; }
@@ -76,6 +80,8 @@ class ContactAssembler {
   IndexedSpan<PairIndex, const PairStep> pairs() const { return pairs_; }
   /// [n_contact_nodes], empty without friction
   std::span<const NodeFriction> friction() const { return friction_; }
+  /// The slip of a node as its surface lies now [length].
+  Eigen::Vector3d slip_now(const ContactKinematics& now, const SurfaceTurns& turns, std::uint32_t node) const;
   /// The work that forces have taken from the bodies since the start [energy]
   IndexedSpan<PairIndex, const double> taken() const { return work_.taken(); }
   const PairWork& work() const { return work_; }
@@ -87,14 +93,19 @@ class ContactAssembler {
 
  private:
   void add_moment(const ContactPointSide& side, const Eigen::Vector3d& arm, const Eigen::Vector3d& force);
-  void add_slip(const ContactPointSide& side, const Eigen::Vector3d& slip, const ContactPoint& point);
+  void follow_partner(std::uint32_t node, const SurfaceTurns& turns);
+  void add_slip(const ContactPointSide& side, const ContactPointSide& other, const Eigen::Vector3d& slip,
+                const ContactPoint& point);
 
   bool has_friction_, has_moments_;
   std::vector<NodeVector> nodes_;
   std::vector<Eigen::Vector3d> moments_;
   IndexedVector<PairIndex, PairStep> pairs_;
   std::vector<NodeFriction> friction_;
-  std::vector<NodeVector> slips_;  // of the step, times area, and area
+  std::vector<NodeVector> slips_;                  // of the step, times area, and area
+  std::vector<OptionalIndex<std::uint32_t>> met_;  // of the step: a node of the other side that a node met
+  std::vector<OptionalIndex<std::uint32_t>>
+      partners_;  // the last of them, whose surface turns slips of nodes without faces
   double dissipated_ = 0.0, damped_ = 0.0;
   const ContactKinematics* kinematics_ = nullptr;  // null where work is not counted
   PairWork work_;

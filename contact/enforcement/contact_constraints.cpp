@@ -23,6 +23,13 @@ double left_penetration(double gap, double thickness) {
   return std::max({0.0, -(1.0 - gap_recovery) * gap, -gap - fastest_recovery * thickness});
 }
 
+/// The gap that a point may have at the end of a step, < 0 penetrates. What may not part comes back as slowly
+/// as what penetrates comes out [length].
+double left_gap(const ContactPoint& point, double thickness) {
+  return point.pulls && point.gap > 0.0 ? left_penetration(-point.gap, thickness)
+                                        : -left_penetration(point.gap, thickness);
+}
+
 Eigen::Vector3d in_plane(const Eigen::Vector3d& vector, const Eigen::Vector3d& normal) {
   return vector - normal.dot(vector) * normal;
 }
@@ -71,7 +78,7 @@ void ContactConstraints::add_friction(const ContactPoint& contact_point, const P
 void ContactConstraints::take_over(const ContactPoint& contact_point, double allowed, Row& row) {
   ContactHistory::Entry known;
   if (!history_.recall(contact_point, known)) return;
-  row.start -= std::min(known.left, allowed);
+  if (allowed > 0.0) row.start -= std::min(known.left, allowed);
   const double share = taken_over * contact_point.area;
   Eigen::Vector3d force = share * known.pressure * contact_point.normal;
   if (row.grip) {
@@ -99,8 +106,9 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
-  const double allowed = left_penetration(contact_point.gap, thickness);
+  const double allowed = -left_gap(contact_point, thickness);
   row.start = contact_point.gap - contact_point.closing + allowed;
+  row.pulls = contact_point.pulls;
   if (rule.friction > 0.0) add_friction(contact_point, rule, row);
   take_over(contact_point, allowed, row);
   if (group == &alone) {
@@ -210,7 +218,7 @@ LightAnswer ContactConstraints::answer(std::uint32_t light_point, const Eigen::V
   const double rate = dt_ * (1.0 - constraint_compliance) / row.softness;
   LightAnswer answer{force.head<3>(), (force - row.ahead).head<3>(), Eigen::Matrix3d::Zero(), rate};
   const Eigen::Vector3d normal = group.normal.head<3>();
-  if (group.normal.dot(force) > 0.0) answer.rate = rate * normal * normal.transpose();
+  if (row.pulls || group.normal.dot(force) > 0.0) answer.rate = rate * normal * normal.transpose();
   if (!row.grip) return answer;
   const Eigen::Vector3d trial = trial_traction(normal, row, changed);
   constexpr double round_off = 1e-9;
@@ -235,6 +243,7 @@ void ContactConstraints::push_forces() {
 
 double ContactConstraints::slip_limit(const Row& row, const NodeVector& changed, double normal_force) const {
   const Grip& grip = grips_[*row.grip];
+  normal_force = std::max(0.0, normal_force);
   if (grip.limit_per_force >= 0.0) return grip.limit_per_force * normal_force;
   ContactPoint contact_point = points_[row.point];
   contact_point.force = normal_force;
@@ -250,7 +259,7 @@ NodeVector ContactConstraints::next_force(const NodeVector& normal, const Row& r
                                           const NodeVector& changed) const {
   const double now = normal.dot(row.ahead), rate = (1.0 - constraint_compliance) / row.softness;
   const double gap = row.start + normal.dot(changed) + constraint_compliance * row.softness * now;
-  const double force = std::max(0.0, now - rate * gap);
+  const double force = row.pulls ? now - rate * gap : std::max(0.0, now - rate * gap);
   if (!row.grip) return force * normal;
   Eigen::Vector3d tangential = trial_traction(normal.head<3>(), row, changed);
   const double limit = slip_limit(row, changed, row.light ? std::max(0.0, now) : force),
@@ -312,7 +321,7 @@ double ContactConstraints::lost_before(const Eigen::Vector3d& force, const Conta
 }
 
 void ContactConstraints::finish(const Row& row, double force, const NodeVector& change, ContactLoss& loss) {
-  if (!(force > 0.0)) return;
+  if (!(row.pulls ? force != 0.0 : force > 0.0)) return;
   ContactPoint& point = points_[row.point];
   const Eigen::Vector3d before = dt_before_ * relative_velocity(point, true), changed = change.head<3>();
   const double impact_before = lost_before(force * point.normal, point, before, changed),
@@ -327,7 +336,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   ContactHistory::Entry entry{force / point.area};
   const double left = -(row.start + point.normal.dot(changed));
   entry.area = point.area;
-  entry.left = std::clamp(left, 0.0, max_recovery * force * row.softness);
+  entry.left = std::clamp(left, 0.0, std::max(0.0, max_recovery * force * row.softness));
   if (row.grip) {
     Grip& grip = grips_[*row.grip];
     const Eigen::Vector3d slip = grip.slip + in_plane(changed, point.normal);

@@ -21,8 +21,8 @@ struct ContactLoss {
   double friction_before = 0.0, friction_after = 0.0, impact_before = 0.0, impact_after = 0.0;
 };
 
-/// The contact points of a step as constraints: none penetrates at its end. Forces push only; friction
-/// returns to the Coulomb cone.
+/// The contact points of a step as constraints: none penetrates at its end. Forces push only, but where what
+/// has touched may not part; friction returns to the Coulomb cone.
 class ContactConstraints {
  public:
   explicit ContactConstraints(NodeMobility& mobility) : carriers_(mobility) {}
@@ -72,6 +72,7 @@ class ContactConstraints {
     std::uint32_t point = 0;             // in points_
     OptionalIndex<std::uint32_t> grip;   // of a point with friction
     OptionalIndex<std::uint32_t> light;  // its row among those with light carriers
+    bool pulls = false;                  // it has touched and may not part
   };
   /// Contact points between the same entities, which have the same carriers.
   struct Group {

@@ -22,6 +22,16 @@ void ContactDetection::find_candidates(const Motion& motion, ContactKinematics& 
   has_new_surfaces_ = false;
 }
 
+void ContactDetection::find_start_candidates(const Motion& motion, ContactKinematics& kinematics) {
+  search_.reach_for_start(true);
+  find_candidates(motion, kinematics);
+}
+
+void ContactDetection::end_start(const Motion& motion, ContactKinematics& kinematics) {
+  search_.reach_for_start(false);
+  if (search_.has_start_reach()) find_candidates(motion, kinematics);
+}
+
 std::vector<std::uint32_t> ContactDetection::faces_with_candidates() const {
   std::vector<std::uint8_t> is_watched(contact_mesh_.faces.size(), 0);
   for_each_of_points(formulations_, [&](const auto& formulation) { formulation.watch(is_watched); });
@@ -100,6 +110,8 @@ void ContactDetection::remap(const ContactRemap& remap) {
   search_.remap(remap);
   formulations_.for_each([&](auto& formulation) { formulation.remap(remap); });
   decaying_.remap(remap);
+  for (const ReleasedPartner& face : released_faces()) search_.release_face(face.entity);
+  for (const ReleasedPartner& node : released_nodes()) search_.release_row(node.entity);
   has_new_surfaces_ = true;
 }
 

@@ -44,6 +44,12 @@ class ContactDetection {
   FoundStartGaps find_start_gaps(const ContactStepContext& context) const;
   /// Takes notice of other reaches of the pairs. A search has to follow.
   void renew_reaches() { search_.renew_reaches(); }
+  /// The broad phase as find_candidates(), which reaches for what may be held at the start or from now on.
+  void find_start_candidates(const Motion& motion, ContactKinematics& kinematics);
+  /// Ends that, with a search where it makes a difference.
+  void end_start(const Motion& motion, ContactKinematics& kinematics);
+  /// A state that is restored has begun.
+  void resume() { search_.reach_for_start(false); }
   std::size_t n_candidates() const;
 
   /// Has ties and bonds hold what is near: of all pairs, or of those whose model has just changed, which lose
@@ -64,10 +70,22 @@ class ContactDetection {
   std::span<const Tie> ties() const { return formulations_.get<TiedContacts>().constraints(); }
 
   const ContactSearch& search() const { return search_; }
+  /// The memory of search, candidates and what is known of them [bytes].
+  std::size_t bytes() const {
+    return search_.bytes() + formulations_.get<FaceFaceContacts>().bytes() +
+           formulations_.get<NodeFaceContacts>().bytes();
+  }
 
   /// Goes over to other faces and nodes, which stand where those of the constructor stood already. A search
   /// has to follow.
   void remap(const ContactRemap& remap);
+  /// The faces and surface nodes that the last remap() has released from their partners of the start.
+  std::span<const ReleasedPartner> released_faces() const {
+    return formulations_.get<FaceFaceContacts>().released();
+  }
+  std::span<const ReleasedPartner> released_nodes() const {
+    return formulations_.get<NodeFaceContacts>().released();
+  }
   void archive(StateArchive& saved);
 
  private:

@@ -7,6 +7,7 @@
 
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/enforcement/returned_energy.hpp"
+#include "contact/formulations/mark_start_reach.hpp"
 #include "contact/formulations/node_gaps.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/interface_laws/make_interface_laws.hpp"
@@ -44,6 +45,7 @@ ContactForce::ContactForce(const ContactSetup& setup)
       contact_mesh_(make_faces({})),
       times_(make_active_times(setup.definition.periods, setup.time_stepping_blocks)),
       rules_(make_rules(setup)),
+      turns_(make_turns()),
       kinematics_(contact_mesh_),
       mobility_(setup.model),
       detection_(setup_, contact_mesh_, rules_),
@@ -65,21 +67,25 @@ void ContactForce::begin(const Motion& motion) {
   start_step_ = motion.stable_step;
   limit_stiffness(kinematics_);
   forget_start_depths(contact_mesh_);
-  detection_.find_candidates(motion, kinematics_);
+  mark_start_reach(setup_.contact, kinematics_, rules_);
+  detection_.find_start_candidates(motion, kinematics_);
   const ContactStepContext context{kinematics_, rules_, constrained_, motion.dt};
   detection_.mark_close(context, rules_);
   detection_.find_constraints(context, false, constrained_);
-  if (!rules_.gap_offsets().needs_start()) return;
-  rules_.gap_offsets().set_start(detection_.find_start_gaps(context), motion.time);
-  detection_.renew_reaches();
-  detection_.find_candidates(motion, kinematics_);
+  if (rules_.gap_offsets().needs_start()) {
+    rules_.gap_offsets().set_start(detection_.find_start_gaps(context), motion.time);
+    detection_.renew_reaches();
+    detection_.find_candidates(motion, kinematics_);
+  }
+  detection_.end_start(motion, kinematics_);
 }
 
 /// Searches where something has moved far enough, or models have changed.
 void ContactForce::update_candidates(const Motion& motion) {
   if (rules_.have_changed()) {
-    detection_.find_candidates(motion, kinematics_);
+    detection_.find_start_candidates(motion, kinematics_);
     detection_.find_constraints({kinematics_, rules_, constrained_, motion.dt}, true, constrained_);
+    detection_.end_start(motion, kinematics_);
   } else if (detection_.is_due(kinematics_)) {
     detection_.find_candidates(motion, kinematics_);
   } else if (has_penalty_) {
@@ -90,9 +96,11 @@ void ContactForce::update_candidates(const Motion& motion) {
 /// Adds a contact point whose forces are known to all sums.
 void ContactForce::add_to_sums(const ContactPoint& point) {
   assembler_.add(point);
-  if (point.gap < 0.0) assembler_.note_penetration(point, thinner_side(point));
+  if (point.open_gap() < 0.0) assembler_.note_penetration(point, thinner_side(point));
   const double ramped = rules_.gap_offsets().ramped_depth(point);
   if (ramped > 0.0) assembler_.note_ramp(point, ramped);
+  if (rules_[point.pair].pair->behavior == InteractionBehavior::infinitesimal_sliding)
+    histories_.note_slide(point, contact_mesh_);
   depths_.note(kinematics_, point);
 }
 
@@ -110,10 +118,11 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
   std::vector<ContactPoint> to_glue;
   if (has_penalty_) {
     to_glue = detection_.visit_points(context, [&](const ContactPoint& point) { points_.push_back(point); });
-    if (context.dt > 0.0)
-      limit_returned_energy(kinematics_, assembler_.work(),
-                            histories_.update_available_energy(rules_, assembler_), histories_.min_energy(),
-                            points_);
+    if (context.dt > 0.0) {
+      const auto energy = histories_.update_available_energy(rules_, assembler_);
+      limit_returned_energy(kinematics_, assembler_.work(), {energy, histories_.min_energy()},
+                            mobility_.find_accelerations(kinematics_, points_), points_);
+    }
     for (const ContactPoint& point : points_) add_to_sums(point);
   }
   add_constraints(context, to_glue);
@@ -130,7 +139,8 @@ double ContactForce::largest_eigenvalue() {
   slips_.assign(rules_.rules().size(), 0);
   for (const PairIndex i : indices(slips_)) {
     const PairRule& rule = rules_[i];
-    slips_[i] = rule.friction > 0.0 || rule.interface_law != nullptr || rule.far ? 1 : 0;
+    const bool has_law = rule.interface_law != nullptr && !rule.interface_law->only_presses();
+    slips_[i] = rule.friction > 0.0 || has_law || rule.far ? 1 : 0;
   }
   const auto node_rates = mobility_.find_rates(kinematics_, points_, constraint_forces_, slips_);
   std::vector<double>& of_surface = surface_rates_;
@@ -222,7 +232,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
 }
 
 double ContactForce::end_step(double time, double dt) {
-  assembler_.end_step();
+  assembler_.end_step(turns_);
   const double supplied = histories_.add(assembler_, rules_.gap_offsets(), dt);
   std::vector<LostContact> lost;
   detection_.find_lost(lost);

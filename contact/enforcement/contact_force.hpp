@@ -52,6 +52,10 @@ class ContactForce final : public ForceTerm {
   IndexedSpan<PairIndex, const PairHistory> histories() const { return histories_.all(); }
   IndexedSpan<PairIndex, const PairStep> pair_steps() const { return assembler_.pairs(); }
   std::span<const NodeFriction> node_friction() const { return assembler_.friction(); }
+  /// What a contact node has slipped as its surface lies in the motion seen last [length].
+  Eigen::Vector3d node_slip(std::uint32_t node) const {
+    return assembler_.slip_now(kinematics_, turns_, node);
+  }
   const ContactStep& step_share() const { return step_share_; }
   /// What balancing the last step came to.
   const BalanceReport& balance_report() const { return balance_report_; }
@@ -59,6 +63,11 @@ class ContactForce final : public ForceTerm {
   double stored() const;
   double stored_at_start() const { return stored_at_start_; }
   std::size_t n_candidates() const { return detection_.n_candidates(); }
+  /// The memory of the contact mesh, its motion, search, candidates and sums now [bytes].
+  std::size_t bytes() const {
+    return contact_mesh_.bytes() + kinematics_.bytes() + detection_.bytes() +
+           assembler_.nodes().size_bytes() + assembler_.friction().size_bytes() + bytes_of(points_);
+  }
 
   /// The contact points of the last step, in their order, and the interface constraints, as their forces were
   /// added: what is written is what acted.
@@ -82,6 +91,7 @@ class ContactForce final : public ForceTerm {
 
  private:
   ContactMesh make_faces(std::span<const ErodedNode> eroded_nodes) const;
+  SurfaceTurns make_turns() const;
   void begin(const Motion& motion);
   void update_candidates(const Motion& motion);
   void begin_step(const Motion& motion);
@@ -105,6 +115,7 @@ class ContactForce final : public ForceTerm {
   ActiveTimes times_;  // of all contact
   PairRules rules_;
   ConstrainedPairs constrained_;
+  SurfaceTurns turns_;  // only with friction
   ContactKinematics kinematics_;
   ContactMobility mobility_;
   std::vector<double> element_stiffness_;  // of faces, surface nodes, edges before any limit [force/length^3]

@@ -30,7 +30,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   archive_faces(saved);
   kinematics_.archive(saved);
   rules_.archive(saved);
-  if (saved.restores()) detection_.renew_reaches();
+  if (saved.restores()) detection_.resume();
   constrained_.archive(saved);
   depths_.archive(saved);
   detection_.archive(saved);

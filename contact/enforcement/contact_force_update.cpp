@@ -8,6 +8,7 @@
 #include "contact/enforcement/penalty_limits.hpp"
 #include "contact/formulations/start_depths.hpp"
 #include "contact/mesh/feature_edges.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
 #include "core/definition/contact.hpp"
 
 namespace contactsim {
@@ -58,8 +59,15 @@ ContactMesh ContactForce::make_faces(std::span<const ErodedNode> eroded_nodes) c
   choose_feature_edges(setup_.definition.surface_options, setup_.contact.surfaces.surfaces, start,
                        contact_mesh);
   measure_sharpness(start, contact_mesh);
+  add_smooth_faces(setup_.contact, start, contact_mesh);
   add_penalty_properties(setup_.model, contact_mesh);
   return contact_mesh;
+}
+
+/// Of the surfaces as the mesh has them, which the slips of their nodes follow.
+SurfaceTurns ContactForce::make_turns() const {
+  if (!rules_.has_friction()) return {};
+  return SurfaceTurns(kinematics_of_mesh(contact_mesh_, *setup_.model.mesh));
 }
 
 /// The mid surfaces of lofted shells, which turn the points of lofts.
@@ -90,6 +98,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   constrained_.remap(remap);
   depths_.remap(remap);
   detection_.remap(remap);
+  histories_.add_released(detection_.released_faces(), detection_.released_nodes(), contact_mesh_);
   keep_constraints(remap, constraint_forces_);
   assembler_.remap(remap);
   balance_.remap(remap);
@@ -109,6 +118,7 @@ void ContactForce::rebuild_surfaces(const Motion& motion, std::span<const Eroded
   left_.insert(left_.end(), before.mesh_nodes.begin() + static_cast<std::ptrdiff_t>(before.n_mesh_points()),
                before.mesh_nodes.end());
   transfer_start_depths(remap, before, contact_mesh_);
+  turns_ = make_turns();
   this->remap(remap);
   kinematics_.turn_by(make_spins());
   kinematics_.hold(mobility_.free_directions());

@@ -2,6 +2,8 @@
 #include "contact/enforcement/contact_mobility.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+
 #include "core/dynamics/model.hpp"
 #include "core/elements/minimum_nodal_mass.hpp"
 
@@ -14,6 +16,14 @@ double free_share(const Eigen::Matrix3d* projection, const Eigen::Vector3d* dire
   if (projection == nullptr) return 1.0;
   if (direction == nullptr) return projection->isZero(0.0) ? 0.0 : 1.0;
   return direction->dot(*projection * *direction);
+}
+
+/// What the corners of a side count for: their weights. A point far beyond the edges of its face has a lever:
+/// with the sum s of their sizes the corners count by s |w|, so that the bound of ContactForce holds.
+Eigen::Vector4d with_lever(const Eigen::Vector4d& weights) {
+  constexpr double hardly_beyond = 0.1;
+  if (!(weights.minCoeff() < -hardly_beyond)) return weights;
+  return weights.cwiseAbs().sum() * weights.cwiseAbs();
 }
 
 }  // namespace
@@ -85,10 +95,12 @@ std::span<const double> ContactMobility::find_rates(const ContactKinematics& kin
   for (const ContactPoint& point : points) {
     if (!(point.stiffness > 0.0)) continue;
     const Eigen::Vector3d* normal = slips[point.pair] != 0 ? nullptr : &point.normal;
+    const Eigen::Vector4d of_first = with_lever(point.first.weights),
+                          of_second = with_lever(point.second.weights);
     for (std::size_t k = 0; k < 4; ++k) {
       const auto i = static_cast<Eigen::Index>(k);
-      add(point.first.nodes[k], point.first.weights[i] * point.stiffness, normal);
-      add(point.second.nodes[k], point.second.weights[i] * point.stiffness, normal);
+      add(point.first.nodes[k], of_first[i] * point.stiffness, normal);
+      add(point.second.nodes[k], of_second[i] * point.stiffness, normal);
     }
   }
   for (const ConstraintForces& one : held) {
@@ -99,6 +111,62 @@ std::span<const double> ContactMobility::find_rates(const ContactKinematics& kin
   for (std::uint32_t node = 0; node < contact_mesh.n_nodes(); ++node)
     rates_[node] = carrier_rates_[carrier(contact_mesh, node)];
   return rates_;
+}
+
+bool ContactMobility::moves_alone(const ContactMesh& contact_mesh, std::uint32_t node) const {
+  if (is_of_body(contact_mesh, node)) return true;
+  if (!contact_mesh.faces_of_node.of(node).empty()) return false;
+  const auto row = std::ranges::find(contact_mesh.surface_nodes, node, &SurfaceNode::node);
+  if (row == contact_mesh.surface_nodes.end()) return false;
+  const Mesh& mesh = *model_.mesh;
+  const auto& block = mesh.blocks()[mesh.block_of(row->side.element())];
+  return row->is_free || topology(block.shape).family == Family::particle;
+}
+
+Eigen::Vector3d ContactMobility::acceleration(const ContactMesh& contact_mesh, std::uint32_t node) const {
+  if (!moves_alone(contact_mesh, node)) return Eigen::Vector3d::Zero();
+  const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
+  const bool is_body = is_of_body(contact_mesh, node);
+  const auto body = is_body ? static_cast<std::uint32_t>(model_.rigid.nodes.body_of[mesh_node]) : 0;
+  const Eigen::Matrix3d* free = is_body ? free_.of_body(body) : free_.of_node(mesh_node);
+  const double mass = is_body ? model_.rigid.bodies[body].mass : model_.mass(0, mesh_node);
+  const Eigen::Vector3d& force = carrier_forces_[carrier(contact_mesh, node)];
+  return free != nullptr ? Eigen::Vector3d(*free * force / mass) : Eigen::Vector3d(force / mass);
+}
+
+std::span<const double> ContactMobility::find_accelerations(const ContactKinematics& kinematics,
+                                                            std::span<const ContactPoint> points) {
+  const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  carrier_forces_.assign(contact_mesh.n_nodes() + model_.rigid.bodies.size(), Eigen::Vector3d::Zero());
+  accelerations_.assign(points.size(), 0.0);
+  const auto visit = [&](const ContactPointSide& side, const auto& take) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double weight = side.weights[static_cast<Eigen::Index>(k)];
+      if (weight != 0.0) take(side.nodes[k], weight);
+    }
+  };
+  for (const ContactPoint& point : points) {
+    if (!point.touches()) continue;
+    const Eigen::Vector3d force = point.force_on_first();
+    const auto add = [&](double sign) {
+      return [&, sign](std::uint32_t node, double weight) {
+        carrier_forces_[carrier(contact_mesh, node)] += sign * weight * force;
+      };
+    };
+    visit(point.first, add(1.0));
+    visit(point.second, add(-1.0));
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto add = [&](double sign) {
+      return [&, sign](std::uint32_t node, double weight) {
+        accelerations_[i] += sign * weight * points[i].normal.dot(acceleration(contact_mesh, node));
+      };
+    };
+    if (!points[i].touches()) continue;
+    visit(points[i].first, add(1.0));
+    visit(points[i].second, add(-1.0));
+  }
+  return accelerations_;
 }
 
 }  // namespace contactsim

@@ -47,8 +47,16 @@ class ContactMobility {
                                      std::span<const ContactPoint> points,
                                      std::span<const ConstraintForces> held,
                                      IndexedSpan<PairIndex, const std::uint8_t> slips);
+  /// The acceleration with which the forces of all points open each of them along its normal [n_points]
+  /// [length/time^2]: of what they alone move, which are rigid bodies, by their translation, and masses and
+  /// particles without elements that resist. What else resists does is not known here: 0.
+  std::span<const double> find_accelerations(const ContactKinematics& kinematics,
+                                             std::span<const ContactPoint> points);
 
  private:
+  /// Whether contact alone moves a node.
+  bool moves_alone(const ContactMesh& contact_mesh, std::uint32_t node) const;
+  Eigen::Vector3d acceleration(const ContactMesh& contact_mesh, std::uint32_t node) const;
   double body_mobility(const ContactKinematics& kinematics, std::uint32_t node,
                        const Eigen::Vector3d* normal) const;
   Eigen::Vector3d arm(const ContactKinematics& kinematics, std::uint32_t node) const;
@@ -56,8 +64,10 @@ class ContactMobility {
 
   const Model& model_;
   ModelFreeDirections free_;
-  std::vector<double> turn_mobilities_;        // [n_bodies] the largest [1/(mass length^2)]
-  std::vector<double> carrier_rates_, rates_;  // scratch
+  std::vector<double> turn_mobilities_;          // [n_bodies] the largest [1/(mass length^2)]
+  std::vector<double> carrier_rates_, rates_;    // scratch
+  std::vector<Eigen::Vector3d> carrier_forces_;  // scratch
+  std::vector<double> accelerations_;            // scratch
 };
 
 }  // namespace contactsim

@@ -51,6 +51,29 @@ void PairHistories::add_lost(std::span<const LostContact> lost, const PairRules&
   }
 }
 
+void PairHistories::note_slide(const ContactPoint& point, const ContactMesh& contact_mesh) {
+  if (!point.touches()) return;
+  PairHistory& history = histories_[point.pair];
+  const auto note = [&](const ContactPointSide& side, const ContactPointSide& other) {
+    const double beyond = -side.weights.minCoeff();
+    if (!(beyond > history.slid_share)) return;
+    history.slid_share = beyond;
+    history.slid_node = contact_mesh.mesh_nodes[other.nodes[0]];
+  };
+  note(point.second, point.first);
+  note(point.first, point.second);
+}
+
+void PairHistories::add_released(std::span<const ReleasedPartner> faces,
+                                 std::span<const ReleasedPartner> rows, const ContactMesh& contact_mesh) {
+  const auto add = [&](const ReleasedPartner& released, std::uint32_t node) {
+    PairHistory& history = histories_[released.pair];
+    if (history.n_released++ == 0) history.released_node = contact_mesh.mesh_nodes[node];
+  };
+  for (const ReleasedPartner& face : faces) add(face, contact_mesh.faces[face.entity].corners[0]);
+  for (const ReleasedPartner& row : rows) add(row, contact_mesh.surface_nodes[row.entity].node);
+}
+
 void PairHistories::forget_stored(std::span<const ContactPoint> points,
                                   std::span<const ConstraintForces> constraints) {
   std::fill(stored_.begin(), stored_.end(), 0.0);
@@ -65,8 +88,9 @@ IndexedSpan<PairIndex, const double> PairHistories::update_available_energy(
   available_.assign(histories_.size(), std::numeric_limits<double>::quiet_NaN());
   for (const PairIndex i : indices(available_)) {
     const PairRule& rule = rules[i];
-    const bool is_simple = rule.law == ContactLaw::sliding && rule.interface_law == nullptr && !rule.far &&
-                           !rule.model.is_variant();
+    const bool only_pushes = rule.interface_law == nullptr || rule.interface_law->only_presses();
+    const bool is_simple =
+        rule.law == ContactLaw::sliding && only_pushes && !rule.far && !rule.model.is_variant();
     // What a ramp puts in is known after the forces only.
     const bool is_ramped = rules.gap_offsets().ramp_progress(i) > 0.0;
     if (!is_simple || rule.is_balanced || is_ramped) continue;
@@ -81,7 +105,7 @@ void PairHistories::archive(StateArchive& saved) {
   saved.fixed_rows("contact/pairs/history", histories_, [](PairHistory& history, RowNumbers& row) {
     row(history.contact_time, history.peak_force, history.impulse, history.work, history.friction_work,
         history.impact, history.deepest, history.deepest_share, history.taken, history.stored_at_start,
-        history.ramped);
+        history.ramped, history.slid_share, history.slid_node, history.n_released, history.released_node);
   });
   saved.fixed("contact/pairs/stored", std::span(stored_));
   saved.fixed("contact/pairs/ramp_energy", std::span(ramp_energy_));

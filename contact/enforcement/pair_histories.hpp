@@ -8,6 +8,7 @@
 #include "contact/enforcement/pair_history.hpp"
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/interface_constraint.hpp"
+#include "contact/formulations/start_partners.hpp"
 #include "contact/interface_laws/pair_rules.hpp"
 
 namespace contactsim {
@@ -30,6 +31,11 @@ class PairHistories {
   /// them.
   void add_lost(std::span<const LostContact> lost, const PairRules& rules, const ContactMesh& contact_mesh,
                 double time);
+  /// Notes how far a contact point of a pair that slides infinitesimally is beyond its face of the start.
+  void note_slide(const ContactPoint& point, const ContactMesh& contact_mesh);
+  /// Adds what deaths have released from its faces of the start: faces, or surface nodes.
+  void add_released(std::span<const ReleasedPartner> faces, std::span<const ReleasedPartner> rows,
+                    const ContactMesh& contact_mesh);
   /// What springs stored that deaths have removed is not given back.
   ///   points, constraints  that are left of the last step
   void forget_stored(std::span<const ContactPoint> points, std::span<const ConstraintForces> constraints);

@@ -26,6 +26,7 @@ class PairWork {
   void add(const ContactKinematics& kinematics, const ContactPoint& point);
   void add(const ContactKinematics& kinematics, const InterfaceConstraint& constraint,
            const CornerForces& forces);
+  double step() const { return 2.0 * half_; }
   /// What add() would count for a contact point: the work along the half step behind its time [energy].
   double work_behind(const ContactKinematics& kinematics, const ContactPoint& point) const;
   /// The contact nodes have other numbers from now on: forces of the step before are over.

@@ -34,21 +34,45 @@ struct PointWork {
   /// What it takes too much in this half step and the next one, having met the other side in the step, or
   /// gives too much, because it will part in one like it: its force F = k d works along a step's way w and
   /// not along the depth d < w alone that it is in touch, F w > k d^2 / 2 + F w / 2. Where the first and the
-  /// last step of a hit fall is chance [energy].
+  /// last step of a hit fall is chance; what pulls as well neither meets nor parts [energy].
   double excess = 0.0;
+  double way = 0.0, depth = 0.0;  ///< in the step, of the spring [length]
+  double growth = 0.0;            ///< of the way in the next step, by these forces [length]
 
   PointWork() = default;
-  PointWork(const ContactKinematics& kinematics, const PairWork& work, const ContactPoint& contact_point)
+  ///   acceleration  by which these forces open the point [length/time^2]
+  PointWork(const ContactKinematics& kinematics, const PairWork& work, const ContactPoint& contact_point,
+            double acceleration)
       : taken(work.work_behind(kinematics, contact_point)),
         normal(contact_point.tangential.isZero(0.0)
                    ? taken
-                   : work.work_behind(kinematics, without_friction(contact_point))),
-        excess(std::max(0.0, std::abs(normal) + 0.5 * contact_point.force * contact_point.gap)) {}
+                   : work.work_behind(kinematics, without_friction(contact_point))) {
+    if (contact_point.pulls || !(contact_point.force > 0.0)) return;
+    way = 2.0 * std::abs(normal) / contact_point.force;
+    depth = -contact_point.gap;
+    growth = std::max(0.0, acceleration) * work.step() * work.step();
+    const double of_growth = meets() ? 0.0 : 0.5 * contact_point.force * growth;
+    excess = std::max(0.0, std::abs(normal) + of_growth + 0.5 * contact_point.force * contact_point.gap);
+  }
 
   bool meets() const { return normal > 0.0; }
   /// The factor of the force with which the work has a share of its excess less.
   double factor(double spared) const {
-    return excess > 0.0 ? 1.0 - spared * excess / (2.0 * std::abs(normal)) : 1.0;
+    if (!(excess > 0.0)) return 1.0;
+    if (growth == 0.0) return 1.0 - spared * excess / (2.0 * std::abs(normal));
+    return 1.0 - spared * (1.0 - exact_factor());
+  }
+
+ private:
+  /// The factor f with which nothing is left of the excess. A force changes the way w of the next step by
+  /// the growth a = F dt^2 / m, and the trapezoids of the steps within the hit know nothing of f: f solves
+  ///   f w - (1 - f) (w - f a) = d where sides meet,  f (w + f a) - (1 - f) w = d where they part.
+  double exact_factor() const {
+    if (meets())
+      return 2.0 * (way + depth) /
+             (2.0 * way + growth +
+              std::sqrt(std::max(0.0, 4.0 * way * way + growth * (growth - 4.0 * depth))));
+    return (way + depth) / (way + std::sqrt(way * way + growth * (way + depth)));
   }
 };
 
@@ -90,22 +114,22 @@ struct PairEnergy {
 }  // namespace
 
 void limit_returned_energy(const ContactKinematics& kinematics, const PairWork& work,
-                           IndexedSpan<PairIndex, const double> energy,
-                           IndexedSpan<PairIndex, const double> least, std::span<ContactPoint> points) {
-  IndexedVector<PairIndex, PairEnergy> pairs(energy.size());
+                           const EnergyLimits& limits, std::span<const double> accelerations,
+                           std::span<ContactPoint> points) {
+  IndexedVector<PairIndex, PairEnergy> pairs(limits.energy.size());
   std::vector<PointWork> works(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ContactPoint& point = points[i];
-    if (!point.touches() || std::isnan(energy[point.pair])) continue;
-    works[i] = PointWork(kinematics, work, point);
+    if (!point.touches() || std::isnan(limits.energy[point.pair])) continue;
+    works[i] = PointWork(kinematics, work, point, accelerations[i]);
     pairs[point.pair].add(point, works[i]);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const PairEnergy& pair = pairs[points[i].pair];
-    const double available = energy[points[i].pair];
+    const PairIndex of = points[i].pair;
+    const double available = limits.energy[of];
     const double held =
-        std::max(pair.factor(available, least[points[i].pair]), share_of_step(points[i], works[i].taken));
-    const double factor = held * works[i].factor(pair.spared(available, works[i].meets()));
+        std::max(pairs[of].factor(available, limits.least[of]), share_of_step(points[i], works[i].taken));
+    const double factor = held * works[i].factor(pairs[of].spared(available, works[i].meets()));
     if (factor < 1.0) points[i].scale_forces(factor);
   }
 }

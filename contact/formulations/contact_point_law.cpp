@@ -4,12 +4,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/interface_laws/pressure_law.hpp"
+
 namespace contactsim {
 
 double damped_stiffness(double stiffness, double fraction) {
   const double factor = fraction + std::sqrt(1.0 + fraction * fraction);
   return stiffness * factor * factor;
 }
+
+namespace {
+
+/// The force of a node's spring, or of its pressure, at a depth behind where it begins, and what it stores.
+struct NodeSpring {
+  double force = 0.0, stored = 0.0;
+};
+
+NodeSpring spring_at(const NodePenaltyInput& push, double depth) {
+  const PairPenalty& penalty = push.penalty;
+  if (penalty.pressure != nullptr && depth > 0.0)
+    return {push.area * penalty.pressure->at(depth), push.area * penalty.pressure->potential(depth)};
+  const double stiffness = penalty.stiffness * push.area;
+  return {stiffness * penalty.law.spring_depth(depth), stiffness * penalty.law.potential(depth)};
+}
+
+}  // namespace
 
 void push_node(const NodePenaltyInput& push, ContactPoint& point) {
   if (push.coming_dt > 0.0) {
@@ -21,13 +40,19 @@ void push_node(const NodePenaltyInput& push, ContactPoint& point) {
   const PairPenalty& penalty = push.penalty;
   const double speed = push.velocity.dot(point.normal), stiffness = penalty.stiffness * push.area;
   const double depth_ahead = -point.gap - std::min(0.0, speed) * push.dt;
-  point.stiffness = damped_stiffness(stiffness * penalty.law.slope(depth_ahead), push.damping_fraction);
-  if (point.gap >= 0.0) return;
-  const double spring = stiffness * penalty.law.spring_depth(-point.gap);
-  const double damper = std::max(-penalty.damping * push.area * speed, -spring);
-  point.beyond_spring = stiffness * penalty.law.potential(-point.gap) + 0.5 * spring * point.gap;
+  const double slope = penalty.pressure == nullptr ? stiffness * penalty.law.slope(depth_ahead)
+                                                   : push.area * penalty.slope_of_pressure(depth_ahead);
+  point.stiffness = damped_stiffness(slope, push.damping_fraction);
+  if (point.pulls)
+    point.stiffness = std::max(point.stiffness, damped_stiffness(stiffness, push.damping_fraction));
+  if (point.gap >= 0.0 && !point.pulls) return;
+  const NodeSpring found = spring_at(push, -point.gap);
+  const double spring = found.force;
+  const double undamped = -penalty.damping * penalty.damping_factor(-point.gap) * push.area * speed;
+  const double damper = point.pulls ? undamped : std::max(undamped, -spring);
+  point.beyond_spring = found.stored + 0.5 * spring * point.gap;
   point.area = push.area;
-  point.deepest = -point.gap;
+  point.deepest = std::max(0.0, -point.gap);
   point.force = spring + damper;
   point.damped = -damper * speed * push.dt;
   point.slip = push.velocity * push.dt;

@@ -63,9 +63,9 @@ struct NodePenaltyInput {
   Eigen::Vector3d last_velocity;  ///< the same as velocity in the step before [length/time]
 };
 
-/// Fills in stiffness, and where the node is behind the other side area, force, damping and slip. Damping
-/// never pulls: what it takes from a separating node ends with the spring's force.
-///   point  has its normal and gap
+/// Fills in stiffness, and where the node is behind the other side, or it pulls, area, force, damping and
+/// slip. Damping never pulls: what it takes from a separating node ends with the spring's force.
+///   point  has its normal and gap, and whether it pulls
 void push_node(const NodePenaltyInput& push, ContactPoint& point);
 
 }  // namespace contactsim

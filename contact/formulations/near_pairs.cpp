@@ -17,11 +17,6 @@ constexpr double side_of_radius = 1.4142135623730951;
 /// A node that stands beside a face by this share of its size is tied to it all the same.
 constexpr double beside = 0.05;
 
-double tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_share) {
-  const double automatic = size_share * side_of_radius * face.radius();
-  return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
-}
-
 /// Whether a node projects inside some face of a surface.
 bool projects_inside(const ContactStepContext& context, const PairLists& node_faces, std::uint32_t row,
                      std::uint32_t surface, double tolerance) {
@@ -32,6 +27,11 @@ bool projects_inside(const ContactStepContext& context, const PairLists& node_fa
 }
 
 }  // namespace
+
+double capture_tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_share) {
+  const double automatic = size_share * side_of_radius * face.radius();
+  return pair.capture_tolerance.value_or(pair.normal_tolerance.value_or(automatic));
+}
 
 bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, const Eigen::Vector3d& normal) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
@@ -120,7 +120,7 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
     const PairIndex pair = *found;
     if (!context.rules[pair].is_active || !holds(context.rules.of_node(pair, row))) continue;
     const double tolerance =
-        tolerance_of(*context.rules[pair].pair, context.kinematics.bound(face), size_share);
+        capture_tolerance_of(*context.rules[pair].pair, context.kinematics.bound(face), size_share);
     const auto closest = find_closest_point(context, row, face, tolerance);
     if (!closest) continue;
     const double distance = std::abs(closest->gap) + closest->beyond;
@@ -151,7 +151,7 @@ std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const P
       const PairIndex pair = *found;
       if (!holds(context.rules.of_faces(pair, first, second))) continue;
       const double tolerance =
-          tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);
+          capture_tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);
       near_pairs.push_back({first, second, pair, false, tolerance});
     }
   }

@@ -33,6 +33,14 @@ struct NearPair {
   bool is_facing = true;   ///< of a node: one of its own faces is turned towards the face
 };
 
+/// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie
+/// over each other keep touching when they spread by different strains.
+inline constexpr double automatic_beyond = 0.02;
+
+/// How far from a face something is held to it at the start: by the pair's capture tolerance, else its normal
+/// tolerance, else a share of the size that a square of the face's radius has [length].
+double capture_tolerance_of(const SurfacePair& pair, const FaceBound& face, double size_share);
+
 /// The candidates of active pairs that something holds, over a gap or an overlap: by the pair's capture
 /// tolerance, else its normal tolerance, else a share of the face's size. Of a node the nearest face that it
 /// projects inside; faces need not overlap within the tolerance yet. In the order of the candidates.

@@ -38,8 +38,12 @@ class NodeGaps {
     const ContactFace& face = contact_mesh_.faces[face_index];
     const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
     if (!pair || !rules_[*pair].is_active) return;
+    const SurfacePair& of = *rules_[*pair].pair;
+    if (!search_.takes_part(of, node) || !search_.takes_part(of, face)) return;
     const MovingFace moving = kinematics_.face(face_index);
-    const auto point = project_sphere(moving.x, moving.is_triangle, kinematics_.x(node.node), node.radius);
+    const SmoothFace* round = contact_mesh_.smooth_faces.find(rules_[*pair].pair->smoothing, face_index);
+    const auto point =
+        project_sphere(moving.x, moving.is_triangle, round, kinematics_.x(node.node), node.radius);
     if (!point || point->beyond > beside_face * kinematics_.bound(face_index).radius()) return;
     if (!is_facing(kinematics_, node, point->normal)) return;
     take(point->gap - offset, rules_[*pair], node.node);

@@ -31,6 +31,8 @@ PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyPrope
   // Of the thinner element. What is right in its middle, such as a sheet that stands on another's, is on
   // neither side of it.
   constexpr double deep = 0.5 * (1.0 - 1e-6);
+  // Where one side of a shell alone takes part, nothing comes near its other one.
+  const double share = pair.is_polar() ? 1.0 : deep;
   PairPenalty penalty;
   penalty.stiffness =
       pair.penalty_stiffness.value_or(of_sides(first, second, &PenaltyProperties::stiffness)) *
@@ -38,11 +40,20 @@ PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyPrope
   const double mass = of_sides(first, second, &PenaltyProperties::mass_per_area);
   penalty.damping = 2.0 * pair.damping_fraction * std::sqrt(penalty.stiffness * mass);
   const double thickness = second ? std::min(first.thickness, second->thickness) : first.thickness;
-  penalty.depth = pair.normal_tolerance.value_or(deep * thickness);
+  penalty.depth = pair.normal_tolerance.value_or(share * thickness);
   if (!pair.penalty_stiffness) {
     const double start_depth = std::max(first.start_depth, second ? second->start_depth : 0.0);
     penalty.law = DepthLaw(first_share * thickness, last_share * thickness, stiffest).behind(start_depth);
   }
+  return penalty;
+}
+
+PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyProperties* second,
+                              const PairRule& rule) {
+  PairPenalty penalty = make_pair_penalty(first, second, *rule.pair);
+  if (rule.interface_law == nullptr || !rule.interface_law->pressure) return penalty;
+  penalty.pressure = &*rule.interface_law->pressure;
+  if (rule.friction > 0.0) penalty.least_slope = penalty.stiffness;
   return penalty;
 }
 

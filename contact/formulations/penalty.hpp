@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/geometry/face_face.hpp"
+#include "contact/interface_laws/pair_rules.hpp"
 #include "contact/mesh/contact_mesh.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
 
@@ -18,5 +19,8 @@ namespace contactsim {
 /// Source: element penalty of LS-DYNA and Tribol, 1/(t1/K1 + t2/K2); Hallquist et al. (1985).
 PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyProperties* second,
                               const SurfacePair& pair);
+/// The same by the law that acts now, which may have a pressure of its own.
+PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyProperties* second,
+                              const PairRule& rule);
 
 }  // namespace contactsim

@@ -8,6 +8,7 @@
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/node_face.hpp"
+#include "contact/smoothing/smooth_overlap.hpp"
 
 namespace contactsim {
 
@@ -17,7 +18,9 @@ std::optional<double> gap_of_node(const ContactKinematics& kinematics, const Sur
                                   std::uint32_t row, std::uint32_t face) {
   const MovingFace moving = kinematics.face(face);
   const SurfaceNode& node = kinematics.contact_mesh().surface_nodes[row];
-  const auto point = project_sphere(moving.x, moving.is_triangle, kinematics.x(node.node), node.radius);
+  const SmoothFace* round = kinematics.contact_mesh().smooth_faces.find(pair.smoothing, face);
+  const auto point =
+      project_sphere(moving.x, moving.is_triangle, round, kinematics.x(node.node), node.radius);
   const double depth = make_pair_penalty(node.penalty_properties,
                                          &kinematics.contact_mesh().faces[face].penalty_properties, pair)
                            .depth;
@@ -26,20 +29,35 @@ std::optional<double> gap_of_node(const ContactKinematics& kinematics, const Sur
   return point->gap;
 }
 
-}  // namespace
-
-std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const SurfacePair& pair,
-                                       std::uint32_t first, std::uint32_t second) {
-  const auto found = find_face_face_points(kinematics.face(first), kinematics.face(second));
+std::optional<SmoothGap> gap_of_faces(const ContactKinematics& kinematics, const SurfacePair& pair,
+                                      std::uint32_t first, std::uint32_t second) {
+  const MovingFace a = kinematics.face(first), b = kinematics.face(second);
+  const SmoothFaces& smooth = kinematics.contact_mesh().smooth_faces;
+  const SmoothFace *round_a = smooth.find(pair.smoothing, first),
+                   *round_b = smooth.find(pair.smoothing, second);
+  if (round_a != nullptr || round_b != nullptr) {
+    const SmoothPatch patch_a(a, round_a), patch_b(b, round_b);
+    return find_smooth_gap({patch_a, patch_b});
+  }
+  const auto found = find_face_face_points(a, b);
   if (!found) return std::nullopt;
-  StartGap gap{first, 0, 0.0, std::numeric_limits<double>::infinity(), 0.0};
+  SmoothGap gap{0.0, std::numeric_limits<double>::infinity(), found->points.area};
   for (const OverlapBatch& batch : found->points.batches()) {
     const auto is_used = batch.weight > 0.0;
     gap.smallest = std::min(gap.smallest, is_used.select(batch.gap, gap.smallest).minCoeff());
     gap.mean += is_used.select(batch.weight * batch.gap, 0.0).sum();
   }
-  gap.area = found->points.area;
   gap.mean /= gap.area;
+  return gap;
+}
+
+}  // namespace
+
+std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const SurfacePair& pair,
+                                       std::uint32_t first, std::uint32_t second) {
+  const auto found = gap_of_faces(kinematics, pair, first, second);
+  if (!found) return std::nullopt;
+  const StartGap gap{first, 0, found->mean, found->smallest, found->area};
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   const double depth = make_pair_penalty(contact_mesh.faces[first].penalty_properties,
                                          &contact_mesh.faces[second].penalty_properties, pair)

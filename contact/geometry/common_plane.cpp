@@ -2,7 +2,6 @@
 #include "contact/geometry/common_plane.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace contactsim {
@@ -15,16 +14,14 @@ constexpr double no_lean = 0.985, full_lean = 0.866;
 /// A surface that turns by less than this is as good as smooth [degrees].
 constexpr double next_to_smooth = 0.1;
 
-/// What the normals of two faces count for in the common one.
-///   cosine  of the angle that the faces lean by
+}  // namespace
+
 std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, double sharpness_2) {
   const double lean = std::clamp((no_lean - cosine) / (no_lean - full_lean), 0.0, 1.0);
   const double smooth_lean = lean * lean * (3.0 - 2.0 * lean);
   const double sharper_1 = (sharpness_1 - sharpness_2) / (sharpness_1 + sharpness_2 + next_to_smooth);
   return {1.0 - smooth_lean * std::max(sharper_1, 0.0), 1.0 - smooth_lean * std::max(-sharper_1, 0.0)};
 }
-
-}  // namespace
 
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
                                              const FaceOrientation& look_2) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "contact/geometry/face_map.hpp"
@@ -37,6 +38,10 @@ struct CommonPlane {
 /// when the push is along the derivative of the gap, and of an area that goes with the leaning face.
 std::optional<CommonPlane> make_common_plane(const FaceCorners& first, const FaceOrientation& look_1,
                                              const FaceOrientation& look_2);
+
+/// What the normals of two faces count for in the common one.
+///   cosine  of the angle that the faces lean by
+std::array<double, 2> shares_of_normals(double cosine, double sharpness_1, double sharpness_2);
 
 /// A face in the coordinates of a common plane: rows across, along, normal [length].
 FaceCorners project(const FaceCorners& face, const CommonPlane& plane);

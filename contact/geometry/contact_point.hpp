@@ -29,6 +29,7 @@ struct ContactPoint {
   bool is_held_apart = false;  ///< a law acts on it whether it touches or not
   bool is_balanced = false;    ///< its force comes from the balance of momentum, not from its gap
   bool knows_work = false;     ///< work_before and work_after are those of its whole force
+  bool pulls = false;          ///< it has touched and may not part: a gap pulls
   std::uint8_t part = 0;       ///< of several contact points between the same entities
   ContactPointSide first, second;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit, from the second side to the first [1]
@@ -38,6 +39,7 @@ struct ContactPoint {
   double stiffness = 0.0;  ///< for the stable step, damping included [force/length]
   double area = 0.0;       ///< that touches [length^2]
   double gap = 0.0;        ///< < 0 when they touch [length]
+  double begin_gap = 0.0;  ///< at which the pressure begins, from where `gap` counts [length]
   double deepest = 0.0;    ///< penetration of any of its points, of the penalty only [length]
   double closing = 0.0;    ///< by which the gap would shrink in the coming step, is_balanced only [length]
   Eigen::Vector3d slip = Eigen::Vector3d::Zero();  ///< lost in the step [length]
@@ -50,7 +52,9 @@ struct ContactPoint {
 
   bool touches() const { return force != 0.0 || is_held_apart; }
   /// Whether it touches, or would at the end of the coming step without a force.
-  bool is_met() const { return touches() || (is_balanced && gap < closing); }
+  bool is_met() const { return touches() || pulls || (is_balanced && gap < closing); }
+  /// The gap of the sides, wherever their pressure begins [length].
+  double open_gap() const { return gap + begin_gap; }
   Eigen::Vector3d force_on_first() const { return force * normal + tangential; }
   /// Scales the forces, and the energies that go with them.
   void scale_forces(double factor) {

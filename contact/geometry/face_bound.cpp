@@ -26,8 +26,8 @@ Eigen::Vector3d mean(const FaceCorners& x, bool is_triangle) {
 
 }  // namespace
 
-FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangle)
-    : centre_(mean(x, is_triangle)) {
+FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangle, float height, float lean)
+    : centre_(mean(x, is_triangle)), lean_(lean) {
   const Eigen::Matrix<float, 3, 4> away = (x.colwise() - centre_).cast<float>();
   const Eigen::Vector3f p = away.col(2) - away.col(0), q = away.col(1) - away.col(3);
   radius_ = std::sqrt(away.colwise().squaredNorm().maxCoeff());
@@ -45,6 +45,7 @@ FaceBound::FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangl
     set(1, 0.25f * (p - q));
     warp_ = 0.5f * (away.col(0) + away.col(2)).norm();
   }
+  warp_ += height;
 }
 
 bool may_touch(const FaceBound& a, const FaceBound& b, double activation_distance) {
@@ -80,7 +81,7 @@ bool may_project_inside(const Eigen::Vector3d& point, const FaceBound& face, dou
     return false;
   // The closest point of a point off a warped face lies aside by as much as its normal turns.
   const float turned = face.warp() / face.radius();
-  const float slack = rough + static_cast<float>(beyond) + 2.0f * turned * std::abs(height);
+  const float slack = rough + static_cast<float>(beyond) + (2.0f * turned + face.lean()) * std::abs(height);
   for (std::size_t i = 0; i < 2; ++i) {
     const FourFloats along = face.times(face.half(i));
     if (std::abs(on_face[i]) > reach_along(along[0], along[1]) + slack * std::sqrt(along[i])) return false;

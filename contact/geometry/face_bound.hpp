@@ -17,8 +17,11 @@ class FaceBound {
  public:
   FaceBound() = default;
   /// Bounds a face; of a triangle the last corner is repeated.
-  ///   v  of the corners [length/time]
-  FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangle);
+  ///   v       of the corners [length/time]
+  ///   height  of a surface that the face stands for over it, at most, either way [length]
+  ///   lean    tangent of the angle between the normals of both, at most [1]
+  FaceBound(const FaceCorners& x, const FaceCorners& v, bool is_triangle, float height = 0.0f,
+            float lean = 0.0f);
 
   const Eigen::Vector3d& centre() const { return centre_; }  ///< mean of the corners [length]
   float radius() const { return radius_; }                   ///< of the sphere around the centre [length]
@@ -29,6 +32,7 @@ class FaceBound {
   /// The face lies within warp() of the parallelogram centre +- half(0) +- half(1) [length].
   Eigen::Vector3f half(std::size_t i) const { return vector(i); }
   float warp() const { return warp_; }
+  float lean() const { return lean_; }
 
   /// The products of a vector with half(0), half(1), normal and velocity.
   FourFloats times(const Eigen::Vector3f& w) const { return row(0) * w[0] + row(1) * w[1] + row(2) * w[2]; }
@@ -52,7 +56,7 @@ class FaceBound {
 
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   std::array<std::array<float, 4>, 3> rows_{};  // components of halves, normal, velocity
-  float warp_ = 0.0f, radius_ = 0.0f, normal_velocity_spread_ = 0.0f;
+  float warp_ = 0.0f, radius_ = 0.0f, normal_velocity_spread_ = 0.0f, lean_ = 0.0f;
 };
 
 /// Whether two faces may touch: they face each other, are not farther apart along the normal than the

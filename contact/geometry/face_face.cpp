@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/geometry/projected_pair.hpp"
+#include "core/interface_laws/pressure_law.hpp"
 
 namespace contactsim {
 
@@ -37,7 +38,7 @@ class PressureSums {
   void add(FaceFaceContact& contact) {
     contact.gap = std::numeric_limits<double>::infinity();
     for (const OverlapBatch& batch : points_.batches()) add(batch, contact);
-    contact.stiffness = penalty_.stiffness * penalty_.law.slope(penalty_.closing - contact.gap);
+    contact.stiffness = penalty_.slope(penalty_.closing - contact.gap);
     const double n = forces_1_[0];
     if (n > 0.0) {
       contact.deepest = -contact.gap;
@@ -63,10 +64,8 @@ class PressureSums {
     contact.gap = std::min(contact.gap, (batch.weight > 0.0).select(batch.gap, contact.gap).minCoeff());
     if (!touches_) return;
     const Lanes depth = (-batch.gap).max(0.0);
-    const Lanes spring_depth = penalty_.law.spring_depth(depth),
-                stiffness = penalty_.stiffness * batch.weight;
-    Lanes force = stiffness * spring_depth;
-    contact.beyond_spring += (stiffness * (penalty_.law.potential(depth) - 0.5 * spring_depth * depth)).sum();
+    Lanes force = penalty_.pressure == nullptr ? spring_force(batch, depth, contact)
+                                               : force_of_pressure(batch, depth, contact);
     if (penalty_.damping > 0.0) force += add_damping(batch, force, contact);
     contact.area += batch.weight.sum();
     work_ += (force * depth).sum();
@@ -74,11 +73,33 @@ class PressureSums {
     add_moments(force, batch.xi_2, batch.eta_2, forces_2_);
   }
 
+  Lanes spring_force(const OverlapBatch& batch, const Lanes& depth, FaceFaceContact& contact) const {
+    const Lanes spring_depth = penalty_.law.spring_depth(depth),
+                stiffness = penalty_.stiffness * batch.weight;
+    contact.beyond_spring += (stiffness * (penalty_.law.potential(depth) - 0.5 * spring_depth * depth)).sum();
+    return stiffness * spring_depth;
+  }
+
+  Lanes force_of_pressure(const OverlapBatch& batch, const Lanes& depth, FaceFaceContact& contact) const {
+    Lanes force = Lanes::Zero();
+    for (int lane = 0; lane < n_lanes; ++lane) {
+      const double area = batch.weight(lane);
+      if (!(area > 0.0)) continue;
+      force(lane) = area * penalty_.pressure->at(depth(lane));
+      contact.beyond_spring +=
+          area * penalty_.pressure->potential(depth(lane)) - 0.5 * force(lane) * depth(lane);
+    }
+    return force;
+  }
+
   /// Damping never pulls: what it takes from a separating point ends with the spring's force.
   Lanes add_damping(const OverlapBatch& batch, const Lanes& spring, FaceFaceContact& contact) const {
     const Lanes speed =
         evaluate(speed_1_, batch.xi_1, batch.eta_1) - evaluate(speed_2_, batch.xi_2, batch.eta_2);
-    const Lanes damping = (-penalty_.damping * batch.weight * speed).max(-spring);
+    Lanes undamped = -penalty_.damping * batch.weight * speed;
+    for (int lane = 0; penalty_.pressure != nullptr && lane < n_lanes; ++lane)
+      undamped(lane) *= penalty_.damping_factor(-batch.gap(lane));
+    const Lanes damping = undamped.max(-spring);
     contact.damped_power -= (damping * speed).sum();
     return damping;
   }
@@ -124,6 +145,14 @@ void find_overlap(const ProjectedPair& pair, double activation_distance, double 
 }
 
 }  // namespace
+
+double PairPenalty::slope_of_pressure(double depth_ahead) const {
+  return std::max(pressure->slope(depth_ahead), least_slope);
+}
+
+double PairPenalty::damping_factor(double at_depth) const {
+  return pressure == nullptr ? 1.0 : std::sqrt(pressure->slope(at_depth) / stiffness);
+}
 
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
                                        const PairPenalty& penalty, double activation_distance) {

@@ -11,6 +11,8 @@
 
 namespace contactsim {
 
+class PressureLaw;
+
 /// What a pair of faces, or a node and a face, resist with.
 struct PairPenalty {
   double stiffness = 0.0;  ///< per area [force/length^3]
@@ -18,6 +20,17 @@ struct PairPenalty {
   double depth = 0.0;      ///< what lies deeper is no contact but another wall [length]
   DepthLaw law;            ///< how pressure grows with depth
   double closing = 0.0;    ///< by which the gap may shrink in the coming step, for the stable step [length]
+  const PressureLaw* pressure = nullptr;  ///< in place of the above; null: none
+  double least_slope =
+      0.0;  ///< beside a pressure, for the stable step: of a spring along it [force/length^3]
+
+  /// The slope of the pressure at a depth, for the stable step [force/length^3].
+  double slope(double depth_ahead) const {
+    return pressure == nullptr ? stiffness * law.slope(depth_ahead) : slope_of_pressure(depth_ahead);
+  }
+  double slope_of_pressure(double depth_ahead) const;
+  /// Damping by the slope of the pressure at a depth, over that by the stiffness [1].
+  double damping_factor(double at_depth) const;
 };
 
 /// A face as it moves.
@@ -80,6 +93,7 @@ struct OverlapShare {
   Eigen::Vector3d normal;                ///< unit, from the second face to the first [1]
   Eigen::Vector4d weights_1, weights_2;  ///< of the corners, sum 1 each [1]
   std::uint8_t part;                     ///< of the overlap
+  double rise;  ///< by which the gap is wider than that of the weighted corners [length]
 };
 
 /// The contact points of two faces. Left without values: most of it is never used.

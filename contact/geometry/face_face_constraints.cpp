@@ -40,8 +40,12 @@ OverlapShare share_of(const ProjectedPair& pair, const OverlapPoints& points, co
     add_moments(f, batch.xi_1, batch.eta_1, on_first);
     add_moments(f, batch.xi_2, batch.eta_2, on_second);
   }
-  return {on_first[0], pair.plane.normal, corner_shares(on_first, pair.map_1.is_triangle) / on_first[0],
-          corner_shares(on_second, pair.map_2.is_triangle) / on_first[0], whole_overlap};
+  return {on_first[0],
+          pair.plane.normal,
+          corner_shares(on_first, pair.map_1.is_triangle) / on_first[0],
+          corner_shares(on_second, pair.map_2.is_triangle) / on_first[0],
+          whole_overlap,
+          0.0};
 }
 
 /// The points of two faces whose heights over the plane are, or count as, linear between their corners.

@@ -40,7 +40,8 @@ bool find_closest_point(const FaceMap& map, const Eigen::Vector3d& point, double
   return true;
 }
 
-/// Moves coordinates into the face; returns the edge that they were furthest beyond, -1 for none.
+}  // namespace
+
 int move_inside(bool is_triangle, double& xi, double& eta) {
   const double x = xi, y = eta;
   if (is_triangle) {
@@ -61,8 +62,6 @@ int move_inside(bool is_triangle, double& xi, double& eta) {
   eta = std::clamp(eta, -1.0, 1.0);
   return *most > 0.0 ? static_cast<int>(most - beyond.begin()) : -1;
 }
-
-}  // namespace
 
 std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_triangle,
                                               const Eigen::Vector3d& point) {

@@ -33,4 +33,7 @@ std::optional<ClosestPoint> project_onto_face(const FaceCorners& x, bool is_tria
 std::optional<ClosestPoint> project_sphere(const FaceCorners& x, bool is_triangle,
                                            const Eigen::Vector3d& centre, double radius);
 
+/// Moves coordinates into the face; returns the edge that they were furthest beyond, -1 for none.
+int move_inside(bool is_triangle, double& xi, double& eta);
+
 }  // namespace contactsim

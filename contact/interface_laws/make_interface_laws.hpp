@@ -19,7 +19,7 @@ struct LawScope {
 
 /// The friction models of pairs, ready for the loops. Errors: functions that are not piecewise linear where
 /// they must be or do not soften where they must; a FAILED MODEL that holds; a HYBRID or TIME VARIANT model
-/// that selects one of these; a capacity, reference pressure or critical gap that is missing.
+/// that selects one of these; a capacity or critical gap that is missing; a pressure that falls.
 ///   diagnostics  gets each error once for an interaction
 IndexedVector<PairIndex, PairInterfaceLaw> make_pair_laws(std::span<const SurfacePair> pairs,
                                                           const LawScope& scope, Diagnostics& diagnostics);

@@ -9,7 +9,7 @@
 namespace contactsim {
 
 PairRules::PairRules(const SurfacePairs& pairs, std::vector<ActiveTimes> times, std::size_t n_surfaces)
-    : gap_offsets_(pairs), table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
+    : gap_offsets_(pairs), start_reach_(pairs), table_(n_surfaces * n_surfaces), n_surfaces_(n_surfaces) {
   for (const PairIndex i : indices(pairs)) {
     PairRule rule;
     rule.pair = &pairs[i];
@@ -27,6 +27,7 @@ void PairRule::take(const InterfaceLaw& taken) {
   law = taken.law;
   friction = taken.friction;
   activation_distance = taken.activation_distance();
+  begin_gap = taken.pressure ? taken.pressure->begin_gap() : 0.0;
   interface_law = taken.is_simple() ? nullptr : &taken;
 }
 
@@ -37,9 +38,10 @@ bool PairRule::may_act_apart() const {
 }
 
 double PairRule::slip_limit(const ContactPoint& point, double dt) const {
-  if (interface_law == nullptr) return friction * point.force;
+  if (interface_law == nullptr) return friction * std::max(point.force, 0.0);
   const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;
-  return interface_law->slip_limit(point.force, point.area, dt > 0.0 ? along.norm() / dt : 0.0);
+  return interface_law->slip_limit(std::max(point.force, 0.0), point.area,
+                                   dt > 0.0 ? along.norm() / dt : 0.0);
 }
 
 void PairRules::set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws) {
@@ -47,6 +49,9 @@ void PairRules::set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws) {
     PairRule& rule = rules_[i];
     rule.model = std::move(laws[i]);
     rule.take(*rule.model.law);
+    rule.model.visit_models([&](const InterfaceLaw& law) {
+      if (law.pressure) largest_begin_gap_ = std::max(largest_begin_gap_, law.pressure->begin_gap());
+    });
     if (!rule.model.far) continue;
     rule.far = static_cast<std::uint32_t>(far_rules_.size());
     far_rules_.push_back(rule);
@@ -97,7 +102,8 @@ bool PairRules::has_friction() const {
 double PairRules::max_activation_distance(PairIndex pair) const {
   double activation_distance = 0.0;
   rules_[pair].model.visit_models([&](const InterfaceLaw& law) {
-    activation_distance = std::max(activation_distance, law.activation_distance());
+    activation_distance = std::max(
+        {activation_distance, law.activation_distance(), law.pressure ? law.pressure->begin_gap() : 0.0});
   });
   return activation_distance;
 }
@@ -107,6 +113,7 @@ void PairRules::archive(StateArchive& saved) {
   close_nodes_.archive("contact/close_nodes", saved);
   close_edges_.archive("contact/close_edges", saved);
   gap_offsets_.archive(saved);
+  start_reach_.archive(saved);
 }
 
 void PairRules::remap(const ContactRemap& remap) {
@@ -114,6 +121,7 @@ void PairRules::remap(const ContactRemap& remap) {
   close_nodes_.remap({}, remap.rows);
   close_edges_.remap({}, remap.edges);
   gap_offsets_.remap(remap);
+  start_reach_.remap(remap);
 }
 
 bool PairRules::are_close(PairIndex pair, std::uint32_t first, std::uint32_t second) const {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "contact/geometry/contact_point.hpp"
 #include "contact/interface_laws/gap_offsets.hpp"
 #include "contact/interface_laws/pair_interface_law.hpp"
+#include "contact/interface_laws/start_reach.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_set.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
@@ -23,6 +25,7 @@ struct PairRule {
   ContactLaw law = ContactLaw::sliding;
   double friction = 0.0;  ///< Coulomb's coefficient; more than 0 wherever points that touch have friction [1]
   double activation_distance = 0.0;             ///< gaps up to this one feel the law [length]
+  double begin_gap = 0.0;                       ///< at which the pressure begins [length]
   const InterfaceLaw* interface_law = nullptr;  ///< of models that are more than the above
   OptionalIndex<std::uint32_t> far;             ///< of HYBRID pairs: rule of what was far at the start
   bool is_active = true;                        ///< now
@@ -90,8 +93,10 @@ class PairRules {
     if (point.first.is_node()) return of_node(point.pair, point.first_entity);
     return of_faces(point.pair, point.first_entity, point.second_entity);
   }
-  /// The largest activation distance that a pair's models may ever have [length].
+  /// The largest gap that a pair's models may ever act over, or begin to press at [length].
   double max_activation_distance(PairIndex pair) const;
+  /// How far apart on the mesh the sides of any pair may touch, at most [length].
+  double largest_reach() const { return gap_offsets_.largest_reach() + largest_begin_gap_; }
   IndexedSpan<PairIndex, const PairRule> rules() const { return rules_; }
   const PairRule& operator[](PairIndex pair) const { return rules_[pair]; }
   /// The pair of two surfaces in either order; nothing if they do not meet.
@@ -99,9 +104,16 @@ class PairRules {
     return table_[surface * n_surfaces_ + other];
   }
   bool has_friction() const;
+  /// Whether what has touched may not part in some pair.
+  bool may_hold() const {
+    return std::ranges::any_of(rules_, [](const PairRule& rule) { return !rule.pair->separates; });
+  }
   /// What is taken off the gaps of the mesh.
   const GapOffsets& gap_offsets() const { return gap_offsets_; }
   GapOffsets& gap_offsets() { return gap_offsets_; }
+  /// What is looked at of pairs with a SEARCH DISTANCE.
+  const StartReach& start_reach() const { return start_reach_; }
+  StartReach& start_reach() { return start_reach_; }
   /// Saves or restores what is close at the start, and its gaps; then activate() has to be called.
   void archive(StateArchive& saved);
 
@@ -113,7 +125,9 @@ class PairRules {
   IndexedVector<PairIndex, PairRule> rules_;
   std::vector<PairRule> far_rules_;
   PairSet close_faces_, close_nodes_, close_edges_;
+  double largest_begin_gap_ = 0.0;  // of all models [length]
   GapOffsets gap_offsets_;
+  StartReach start_reach_;
   std::vector<OptionalIndex<PairIndex>> table_;  // [n_surfaces x n_surfaces]
   std::size_t n_surfaces_ = 0;
 };

@@ -37,6 +37,7 @@ class LoftBuilder {
         loft_.spheres.push_back({element, mesh_.element_nodes(element)[0], size.radius});
         return;
       case Family::solid:
+      case Family::cohesive:
       case Family::none:
         return;
     }

@@ -166,7 +166,8 @@ FaceCorners ContactKinematics::velocities(const ContactFace& face) const {
 
 void ContactKinematics::set_bound(std::size_t index) {
   const ContactFace& face = contact_mesh_.faces[index];
-  bounds_[index] = FaceBound(corners(face), velocities(face), face.is_triangle());
+  const SmoothFaces::Extent extent = contact_mesh_.smooth_faces.extent(static_cast<std::uint32_t>(index));
+  bounds_[index] = FaceBound(corners(face), velocities(face), face.is_triangle(), extent.height, extent.lean);
 }
 
 MovingFace ContactKinematics::face(std::uint32_t index) const {
@@ -179,13 +180,20 @@ Eigen::Vector3d ContactKinematics::corner_area(std::uint32_t index) const {
   return area(face) / (face.is_triangle() ? 3.0 : 4.0);
 }
 
-double ContactKinematics::area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const {
+double ContactKinematics::area_against(const SurfaceNode& node, const Eigen::Vector3d& normal,
+                                       OptionalIndex<std::uint32_t> smoothing) const {
   constexpr double min_share = 0.01;
   double area = 0.0;
   bool has_faces = false;
   for (const std::uint32_t face : contact_mesh_.faces_of_node.of(node.node)) {
     if (contact_mesh_.faces[face].surface != node.surface) continue;
-    area += std::max(0.0, -corner_area(face).dot(normal));
+    const Eigen::Vector3d own = corner_area(face);
+    const double against = -own.dot(normal);
+    const SmoothFace* round = contact_mesh_.smooth_faces.find(smoothing, face);
+    // The round surface leans on its face at the corner: seen along its own normal it has all of its area.
+    area += round == nullptr
+                ? std::max(0.0, against)
+                : round->area_ratio() * std::clamp(against * std::hypot(1.0, round->lean()), 0.0, own.norm());
     has_faces = true;
   }
   return has_faces ? std::max(area, min_share * node.area) : node.area;

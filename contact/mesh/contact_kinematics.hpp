@@ -48,6 +48,12 @@ class ContactKinematics {
   /// The faces that may touch something for now.
   void watch(std::vector<std::uint32_t> faces) { watched_ = std::move(faces); }
 
+  /// The memory of positions and bounds [bytes].
+  std::size_t bytes() const {
+    return sizeof(double) * static_cast<std::size_t>(x_.size() + offsets_.size() + loft_velocity_.size()) +
+           bytes_of(bounds_) + bytes_of(watched_);
+  }
+
   const ContactMesh& contact_mesh() const { return contact_mesh_; }
   auto x(std::uint32_t node) const { return x_.col(node); }
   Eigen::Map<const Eigen::Vector3d> v(std::uint32_t node) const {
@@ -58,7 +64,7 @@ class ContactKinematics {
   }
   /// In the step before, whatever is foreseen [length/time].
   Eigen::Vector3d last_v(std::uint32_t node) const {
-    const Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
+    Eigen::Vector3d velocity = last_velocity_->col(contact_mesh_.mesh_nodes[node]);
     const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
     if (node < n_mesh_points || last_turning_ == nullptr) return velocity;
     return velocity + last_turning(node).cross(offsets_.col(static_cast<Eigen::Index>(node - n_mesh_points)));
@@ -82,6 +88,7 @@ class ContactKinematics {
   const Eigen::Matrix3Xd& offsets() const { return offsets_; }
   const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
   MovingFace face(std::uint32_t face) const;
+  FaceCorners face_corners(std::uint32_t face) const { return corners(contact_mesh_.faces[face]); }
   /// The same with the velocities of the step before, whatever is foreseen.
   MovingFace last_face(std::uint32_t face) const;
   /// The area vector of a face, and the share of it that each corner has [length^2].
@@ -90,8 +97,10 @@ class ContactKinematics {
   /// How much of its surface a node has as seen against a normal: the sides of an edge do not count for what
   /// its top touches. At least a hundredth of its share of the area at the start, which is that of nodes
   /// without faces.
-  ///   normal  unit, towards the node [1]
-  double area_against(const SurfaceNode& node, const Eigen::Vector3d& normal) const;
+  ///   normal     unit, towards the node [1]
+  ///   smoothing  by which faces stand for round surfaces, whose areas count then
+  double area_against(const SurfaceNode& node, const Eigen::Vector3d& normal,
+                      OptionalIndex<std::uint32_t> smoothing = {}) const;
 
  private:
   FaceCorners corners(const ContactFace& face) const;

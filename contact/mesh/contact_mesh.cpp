@@ -24,7 +24,9 @@ std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh
   for (const ErodedNode& free : eroded_nodes) is_used[free.node.value] = 1;
   for (const ContactSurface& surface : contact.surfaces.surfaces) {
     for (const ElementSide face : surface.faces) {
-      for (const NodeIndex node : mesh.side_nodes(face)) is_used[node.value] = 1;
+      for (const auto& facet : mesh.side_facets(face)) {
+        for (const NodeIndex node : facet) is_used[node.value] = 1;
+      }
     }
     for (const NodeIndex node : surface.nodes) is_used[node.value] = 1;
   }
@@ -49,21 +51,33 @@ PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_
   });
 }
 
-/// Numbers a surface's faces, with the thickness behind them.
+/// Where the facets of each face of a surface begin, and their number at the end.
+std::vector<std::size_t> first_facets(const ContactSurface& surface, const Mesh& mesh) {
+  std::vector<std::size_t> first(1, 0);
+  first.reserve(surface.faces.size() + 1);
+  for (const ElementSide side : surface.faces) first.push_back(first.back() + mesh.side_facets(side).n);
+  return first;
+}
+
+/// Numbers the facets of a surface's faces, with the thickness behind them.
 void add_faces(const ContactSurface& surface, std::uint32_t position, const ContactNumbers& numbers,
                ContactMesh& made) {
+  const std::vector<std::size_t> places = first_facets(surface, numbers.mesh());
   const std::size_t first = made.faces.size();
-  made.faces.resize(first + surface.faces.size());
+  made.faces.resize(first + places.back());
   const auto n = static_cast<std::int64_t>(surface.faces.size());
 #pragma omp parallel for schedule(static) num_threads(threads_for(surface.faces.size()))
   for (std::int64_t i = 0; i < n; ++i) {
     const ElementSide side = surface.faces[static_cast<std::size_t>(i)];
-    ContactFace& face = made.faces[first + static_cast<std::size_t>(i)];
-    const auto corners = numbers.mesh().side_nodes(side);
-    for (std::size_t k = 0; k < 4; ++k) face.corners[k] = numbers[corners[k]];
-    face.surface = position;
-    face.side = side;
-    face.penalty_properties.thickness = thickness_behind(numbers.mesh(), side);
+    const double thickness = thickness_behind(numbers.mesh(), side);
+    std::size_t place = first + places[static_cast<std::size_t>(i)];
+    for (const auto& facet : numbers.mesh().side_facets(side)) {
+      ContactFace& face = made.faces[place++];
+      for (std::size_t k = 0; k < 4; ++k) face.corners[k] = numbers[facet[k]];
+      face.surface = position;
+      face.side = side;
+      face.penalty_properties.thickness = thickness;
+    }
   }
 }
 
@@ -122,7 +136,7 @@ class Materials {
 
 double thickness_behind(const Mesh& mesh, ElementSide side) {
   const Topology& shape = topology(mesh.blocks()[mesh.block_of(side.element())].shape);
-  const double area = area_vector(mesh, side).norm();
+  const double area = face_area(mesh, side);
   if (shape.family == Family::shell) return std::sqrt(area);
   return solid_volume(mesh.coordinates(), mesh.element_nodes(side.element()), shape) / area;
 }
@@ -138,6 +152,12 @@ std::optional<std::uint32_t> ContactMesh::find_row(std::uint32_t node, std::uint
   const auto found = std::ranges::lower_bound(begin, end, node, {}, &SurfaceNode::node);
   if (found == end || found->node != node) return std::nullopt;
   return static_cast<std::uint32_t>(found - surface_nodes.begin());
+}
+
+std::size_t ContactMesh::bytes() const {
+  return bytes_of(mesh_nodes) + bytes_of(first_alike) + bytes_of(faces) + bytes_of(surface_nodes) +
+         bytes_of(edges) + bytes_of(first_face) + bytes_of(first_node) + bytes_of(mass) +
+         faces_of_node.bytes();
 }
 
 bool ContactMesh::share_node(const ContactFace& a, const ContactFace& b) const {
@@ -157,11 +177,12 @@ ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
   made.first_node.push_back(0);
   const ContactNumbers numbers(mesh, std::span(made.mesh_nodes).first(made.n_mesh_points()));
   SurfaceNodes nodes(numbers);
+  const std::vector<double> radii = least_radii(contact, mesh);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
     add_faces(surfaces[s], s, numbers, made);
     nodes.add(surfaces[s], s, made);
     if (!eroded_nodes.empty()) nodes.add_free(eroded_nodes, s, surfaces[s].kind == SurfaceKind::node, made);
-    add_lofts(contact, mesh, s, made);
+    add_lofts(contact, mesh, s, radii, made);
     made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
     made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
   }

@@ -9,6 +9,7 @@
 
 #include "contact/lofting/loft_points.hpp"
 #include "contact/mesh/pair_lists.hpp"
+#include "contact/smoothing/smooth_faces.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -30,7 +31,8 @@ struct PenaltyProperties {
 /// it and get less (limit_stiffness); where others do, contact is nearly rigid.
 inline constexpr double penalty_over_element = 10.0;
 
-/// One face of a contact surface.
+/// One face of a contact surface, or a facet of one whose midside nodes move it: the facets of a face follow
+/// each other and have the same side.
 struct ContactFace {
   std::array<std::uint32_t, 4>
       corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
@@ -63,7 +65,8 @@ struct ErodedNode {
 };
 
 /// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
-/// or truss's axis, or of a particle's one node; a sharp one stands between two faces.
+/// or truss's axis, or of a particle's one node; a sharp one stands between two faces. Where rods of unlike
+/// radii meet, each of them has the least of these there, and tapers towards it.
 struct ContactEdge {
   std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
   std::uint32_t surface = 0;
@@ -73,8 +76,11 @@ struct ContactEdge {
   PenaltyProperties penalty_properties;
   std::optional<std::array<std::uint32_t, 2>> faces = {};  ///< of sharp edges
   bool is_feature = false;                                 ///< a sharp edge that meets other sharp ones
+  std::array<double, 2> less{};  ///< by which the radius is less at each end [length]
 
   bool is_sharp() const { return faces.has_value(); }
+  /// The radius at a point, by its share of the way from the first end to the second [length].
+  double radius_at(double share) const { return radius - ((1.0 - share) * less[0] + share * less[1]); }
   bool is_particle() const { return nodes[0] == nodes[1]; }
 };
 
@@ -85,13 +91,14 @@ struct ContactMesh {
   std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh; of lofts what they hang on
   LoftPoints loft;                         ///< the last of the contact nodes
   std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
-  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them
+  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them, facet by facet
   std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
   std::vector<ContactEdge> edges;          ///< round ones by surface, then sharp ones
   std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
   std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
   std::vector<double> mass;                ///< [n_contact_nodes] [mass]
   PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
+  SmoothFaces smooth_faces;                ///< that stand for round surfaces
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
   /// Position of a node of the mesh that is in contact.
@@ -101,6 +108,8 @@ struct ContactMesh {
   /// Contact nodes that are nodes of the mesh; those of lofts follow.
   std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
   bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }
+  /// The memory of its lists, without those of lofts [bytes].
+  std::size_t bytes() const;
   /// Whether two faces hang on a common node of the mesh.
   bool share_node(const ContactFace& a, const ContactFace& b) const;
 };

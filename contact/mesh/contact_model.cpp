@@ -5,6 +5,7 @@
 
 #include "contact/lofting/loft_sizes.hpp"
 #include "contact/lofting/section_sizes.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
 #include "contact/surfaces/resolve_surfaces.hpp"
 #include "contact/surfaces/surface_names.hpp"
 #include "core/definition/simulation.hpp"
@@ -88,6 +89,7 @@ ContactModel make_contact_model(const SimulationDefinition& definition, const Re
   model.pairs = make_surface_pairs(*region.contact, model.surfaces, diagnostics);
   find_adjusted_nodes(names, mesh, model.pairs, diagnostics);
   make_lofts(definition, region, mesh, model, diagnostics);
+  find_smoothings(definition, *region.contact, mesh, model, diagnostics);
   return model;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/lofting/loft.hpp"
+#include "contact/smoothing/surface_shapes.hpp"
 #include "contact/surfaces/contact_surface.hpp"
 #include "contact/surfaces/surface_pairs.hpp"
 #include "contact/surfaces/surface_request.hpp"
@@ -25,6 +26,7 @@ struct ContactModel {
   std::vector<std::uint32_t> surface_of_capsule;  ///< [n_loft_capsules]
   std::vector<AnalyticPlane> planes;              ///< those of the region
   SurfacePairs pairs;                             ///< sorted by their surfaces
+  std::vector<SmoothingShapes> smoothings;        ///< that pairs use
 };
 
 /// Resolves the surfaces of a region's contact definition, pairs them and builds their lofts.

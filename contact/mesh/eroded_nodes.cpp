@@ -23,8 +23,10 @@ void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) c
     if (topology(mesh.blocks()[mesh.block_of(element)].shape).family != Family::solid) continue;
     faces_.find_faces(element, own);
     for (const ElementSide face : own) {
-      const auto corners = mesh.side_nodes(face);
-      if (std::ranges::find(corners, node) == corners.end()) continue;
+      const auto has_node = [&](const std::array<NodeIndex, 4>& corners) {
+        return std::ranges::find(corners, node) != corners.end();
+      };
+      if (std::ranges::none_of(mesh.side_facets(face), has_node)) continue;
       const auto owner = rules_.of_face(face, true).owner;
       if (!owner || (best && *best <= *owner)) continue;
       best = owner;

@@ -32,6 +32,9 @@ constexpr double round_off = 1e-6;
 /// Width of the strip along a sharp edge that touches another one, over the size of its face.
 constexpr double strip = 0.25;
 
+/// Of the angle that a surface turns by at its border.
+constexpr double cosine_of_border = 0.0;
+
 /// An edge of a face, whichever way it runs.
 struct FaceEdge {
   std::uint32_t low, high, face;
@@ -49,17 +52,6 @@ std::vector<FaceEdge> list_edges(std::span<const ContactFace> faces) {
   }
   std::sort(edges.begin(), edges.end());
   return edges;
-}
-
-/// The face of the same surface that shares an edge with a face.
-std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, std::uint32_t face,
-                                              const std::array<std::uint32_t, 2>& edge) {
-  for (const std::uint32_t other : contact_mesh.faces_of_node.of(edge[0])) {
-    const ContactFace& candidate = contact_mesh.faces[other];
-    if (other == face || candidate.surface != contact_mesh.faces[face].surface) continue;
-    if (std::ranges::count(candidate.corners, edge[1]) > 0) return other;
-  }
-  return std::nullopt;
 }
 
 /// A face at the start: unit normal [1] and the sum of its corners [length].
@@ -156,8 +148,17 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options,
   }
 }
 
+std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, std::uint32_t face,
+                                              const std::array<std::uint32_t, 2>& edge) {
+  for (const std::uint32_t other : contact_mesh.faces_of_node.of(edge[0])) {
+    const ContactFace& candidate = contact_mesh.faces[other];
+    if (other == face || candidate.surface != contact_mesh.faces[face].surface) continue;
+    if (std::ranges::count(candidate.corners, edge[1]) > 0) return other;
+  }
+  return std::nullopt;
+}
+
 void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh) {
-  constexpr double of_border = 0.0;  // the cosine
   const auto n_faces = static_cast<std::int64_t>(contact_mesh.faces.size());
   const int n_threads = threads_for(contact_mesh.faces.size());
   std::vector<StartFace> starts(contact_mesh.faces.size());
@@ -174,10 +175,26 @@ void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh
     double least = 1.0;
     for (std::size_t k = 0; k < n; ++k) {
       const auto beyond = find_face_beyond(contact_mesh, f, {face.corners[k], face.corners[(k + 1) % n]});
-      least = std::min(least, beyond ? cosine_of_turn(starts[f], starts[*beyond]) : of_border);
+      least = std::min(least, beyond ? cosine_of_turn(starts[f], starts[*beyond]) : cosine_of_border);
     }
     face.sharpness = static_cast<float>(std::round(std::acos(least) * 180.0 / std::numbers::pi));
   }
+}
+
+double sharpness_of(const ContactKinematics& start, std::uint32_t index,
+                    const std::function<bool(std::uint32_t)>& goes_on) {
+  const ContactMesh& contact_mesh = start.contact_mesh();
+  const ContactFace& face = contact_mesh.faces[index];
+  const std::size_t n = face.is_triangle() ? 3 : 4;
+  double least = 1.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto beyond = find_face_beyond(contact_mesh, index, {face.corners[k], face.corners[(k + 1) % n]});
+    if (beyond && goes_on(*beyond)) continue;
+    const StartFace own = start_of(start, face);
+    least = std::min(
+        least, beyond ? cosine_of_turn(own, start_of(start, contact_mesh.faces[*beyond])) : cosine_of_border);
+  }
+  return std::round(std::acos(least) * 180.0 / std::numbers::pi);
 }
 
 Eigen::Vector3d point_at(const ContactKinematics& kinematics, const ContactEdge& edge, double share) {
@@ -195,7 +212,8 @@ std::optional<EdgeGap> find_edge_gap(const ContactKinematics& kinematics, const 
   }
   const double distance = apart.norm();
   if (distance == 0.0) return std::nullopt;
-  const EdgeGap found{apart / distance, distance - first.radius - second.radius};
+  const EdgeGap found{apart / distance,
+                      distance - first.radius_at(pair_point.s) - second.radius_at(pair_point.t)};
   if (first.is_sharp() && !is_between(kinematics, first, -found.normal, just_between)) return std::nullopt;
   if (second.is_sharp() && !is_between(kinematics, second, found.normal, just_between)) return std::nullopt;
   return found;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -26,6 +28,14 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options,
 /// that round-off does not matter.
 ///   start  the faces at the start
 void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh);
+
+/// The sharpness of one face, but for the edges beyond which its surface goes on with a face.
+double sharpness_of(const ContactKinematics& start, std::uint32_t face,
+                    const std::function<bool(std::uint32_t)>& goes_on);
+
+/// The face of the same surface that shares an edge with a face, by contact nodes.
+std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, std::uint32_t face,
+                                              const std::array<std::uint32_t, 2>& edge);
 
 /// How two edges stand to each other at a point.
 struct EdgeGap {

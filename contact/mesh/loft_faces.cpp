@@ -2,6 +2,7 @@
 #include "contact/mesh/loft_faces.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -39,8 +40,10 @@ void add_bricks(const ContactModel& contact, std::uint32_t position, ContactMesh
   for (const auto& [point, node] : nodes) made.surface_nodes.push_back(node);
 }
 
-/// The capsules of a surface, and spheres around their ends: a node has the smaller radius of its neighbours.
-void add_capsules(const ContactModel& contact, const Mesh& mesh, std::uint32_t position, ContactMesh& made) {
+/// The capsules of a surface, and spheres around their ends: a node has the smallest radius of its rods.
+///   radii  [n_nodes] of the mesh's nodes
+void add_capsules(const ContactModel& contact, const Mesh& mesh, std::uint32_t position,
+                  std::span<const double> radii, ContactMesh& made) {
   std::map<std::uint32_t, SurfaceNode> nodes;
   for (std::size_t i = 0; i < contact.loft.capsules.size(); ++i) {
     if (contact.surface_of_capsule[i] != position) continue;
@@ -56,10 +59,9 @@ void add_capsules(const ContactModel& contact, const Mesh& mesh, std::uint32_t p
     edge.penalty_properties.thickness = 0.5 * std::numbers::pi * rod.radius;  // section over width
     for (std::size_t k = 0; k < 2; ++k) {
       edge.nodes[k] = made.find_node(ends[k]);
-      const auto [found, is_new] = nodes.try_emplace(edge.nodes[k]);
-      SurfaceNode& node = found->second;
-      const auto radius = static_cast<float>(rod.radius);
-      node.radius = is_new ? radius : std::min(node.radius, radius);
+      edge.less[k] = rod.radius - radii[ends[k].value];
+      SurfaceNode& node = nodes[edge.nodes[k]];
+      node.radius = static_cast<float>(radii[ends[k].value]);
       node.area += rod.radius * length;
       node.node = edge.nodes[k];
       node.surface = position;
@@ -114,9 +116,21 @@ void add_loft_points(const ContactModel& contact, const Mesh& mesh, ContactMesh&
   }
 }
 
-void add_lofts(const ContactModel& contact, const Mesh& mesh, std::uint32_t surface, ContactMesh& made) {
+std::vector<double> least_radii(const ContactModel& contact, const Mesh& mesh) {
+  if (contact.loft.capsules.empty()) return {};
+  std::vector<double> radii(static_cast<std::size_t>(mesh.coordinates().cols()),
+                            std::numeric_limits<double>::infinity());
+  for (const LoftCapsule& rod : contact.loft.capsules) {
+    for (const NodeIndex end : mesh.element_nodes(rod.element).first(2))
+      radii[end.value] = std::min(radii[end.value], rod.radius);
+  }
+  return radii;
+}
+
+void add_lofts(const ContactModel& contact, const Mesh& mesh, std::uint32_t surface,
+               std::span<const double> radii, ContactMesh& made) {
   add_bricks(contact, surface, made);
-  add_capsules(contact, mesh, surface, made);
+  add_capsules(contact, mesh, surface, radii, made);
   add_spheres(contact, surface, made);
 }
 

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/bytes_of.hpp"
+
 namespace contactsim {
 
 class StateArchive;
@@ -17,6 +19,7 @@ struct PairLists {
   std::vector<std::uint32_t> partners;     ///< [n_pairs]
 
   std::size_t n_rows() const { return begin.size() - 1; }
+  std::size_t bytes() const { return bytes_of(begin) + bytes_of(partners); }
   /// The partners of one row, ascending.
   std::span<const std::uint32_t> of(std::size_t row) const {
     return std::span(partners).subspan(begin[row], begin[row + 1] - begin[row]);

@@ -16,8 +16,14 @@ class StateArchive;
 class PairSet {
  public:
   bool has(std::uint32_t a, std::uint32_t b) const { return keys_.contains(key(a, b)); }
+  /// Whether any pair begins with a number.
+  bool has_any(std::uint32_t a) const {
+    const auto first = keys_.lower_bound(key(a, 0));
+    return first != keys_.end() && *first >> 32 == a;
+  }
   /// Returns whether the pair is new.
   bool add(std::uint32_t a, std::uint32_t b) { return keys_.insert(key(a, b)).second; }
+  void clear() { keys_.clear(); }
   void remove(std::uint32_t a, std::uint32_t b) { keys_.erase(key(a, b)); }
   /// Goes over to other numbers; pairs of which one is removed are left out.
   ///   first, second  as ContactRemap has the numbers; empty: they stay

@@ -12,11 +12,29 @@ namespace contactsim {
 
 namespace {
 
-/// Adds a face's share to one of its corners.
+using FacetNodes = std::array<NodeIndex, 4>;
+
+std::size_t n_corners(const FacetNodes& corners) { return corners[2] == corners[3] ? 3 : 4; }
+
+/// Of the area of a facet [length^2].
+double corner_share(const Mesh& mesh, const FacetNodes& corners) {
+  return area_vector(mesh.coordinates(), corners).norm() / static_cast<double>(n_corners(corners));
+}
+
+/// Adds a facet's share to one of its corners.
 void add_share(double area, double thickness, ElementSide side, SurfaceNode& node) {
   node.area += area;
   node.penalty_properties.thickness += area * thickness;
   node.side = side;
+}
+
+/// The share of an eroded node in the face that it stands for: of its facets there, together [length^2].
+double share_of(const Mesh& mesh, const ErodedNode& free) {
+  double share = 0.0;
+  for (const FacetNodes& corners : mesh.side_facets(free.side)) {
+    if (std::ranges::find(corners, free.node) != corners.end()) share += corner_share(mesh, corners);
+  }
+  return share;
 }
 
 }  // namespace
@@ -29,19 +47,21 @@ ContactNumbers::ContactNumbers(const Mesh& mesh, std::span<const std::uint32_t> 
 /// Adds to the nodes of sides that are wanted their shares of area and of thickness times area.
 template <class IsWanted>
 void SurfaceNodes::add_shares(std::span<const ElementSide> sides, const IsWanted& is_wanted) {
+  const Mesh& mesh = numbers_.mesh();
   for (const ElementSide side : sides) {
-    const auto corners = numbers_.mesh().side_nodes(side);
-    const std::size_t n = corners[2] == corners[3] ? 3 : 4;
-    const double share = area_vector(numbers_.mesh(), side).norm() / static_cast<double>(n);
-    const double thickness = thickness_behind(numbers_.mesh(), side);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (is_wanted(corners[k])) add_share(share, thickness, side, of_node_[numbers_[corners[k]]]);
+    const double thickness = thickness_behind(mesh, side);
+    for (const auto& corners : mesh.side_facets(side)) {
+      const double share = corner_share(mesh, corners);
+      for (std::size_t k = 0; k < n_corners(corners); ++k) {
+        if (is_wanted(corners[k])) add_share(share, thickness, side, of_node_[numbers_[corners[k]]]);
+      }
     }
   }
 }
 
 /// Sets what the corners of faces stand for. Returns them, ascending.
-std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace> faces) {
+std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace> faces,
+                                                    std::span<const std::uint32_t> mesh_nodes) {
   constexpr std::uint32_t not_taken = ~0u;
   for (const ContactFace& face : faces) {
     for (const std::uint32_t corner : face.corners) {
@@ -51,9 +71,10 @@ std::vector<std::uint32_t> SurfaceNodes::take_faces(std::span<const ContactFace>
   }
   std::vector<std::uint32_t> nodes;
   for (const ContactFace& face : faces) {
-    const std::size_t n = face.is_triangle() ? 3 : 4;
-    const double share = area_vector(numbers_.mesh(), face.side).norm() / static_cast<double>(n);
-    for (std::size_t k = 0; k < n; ++k) {
+    FacetNodes corners;
+    for (std::size_t k = 0; k < 4; ++k) corners[k] = {mesh_nodes[face.corners[k]]};
+    const double share = corner_share(numbers_.mesh(), corners);
+    for (std::size_t k = 0; k < n_corners(corners); ++k) {
       SurfaceNode& node = of_node_[face.corners[k]];
       if (node.node == not_taken) nodes.push_back(face.corners[k]);
       node.node = face.corners[k];
@@ -92,7 +113,9 @@ std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nod
   const auto is_wanted = [&](NodeIndex node) { return is_in[node.value] != 0; };
   std::vector<ElementSide> inside;
   std::ranges::copy_if(skin.exterior, std::back_inserter(inside), [&](ElementSide side) {
-    return std::ranges::all_of(mesh.side_nodes(side), is_wanted);
+    return std::ranges::all_of(mesh.side_facets(side), [&](const FacetNodes& corners) {
+      return std::ranges::all_of(corners, is_wanted);
+    });
   });
   add_shares(inside, is_wanted);
   const auto drop_found = [&] {
@@ -108,9 +131,11 @@ std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nod
 }
 
 void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made) {
-  const auto nodes = surface.kind == SurfaceKind::node
-                         ? take_set(surface.nodes)
-                         : take_faces(std::span<const ContactFace>(made.faces).last(surface.faces.size()));
+  const auto nodes =
+      surface.kind == SurfaceKind::node
+          ? take_set(surface.nodes)
+          : take_faces(std::span<const ContactFace>(made.faces).subspan(made.first_face.back()),
+                       made.mesh_nodes);
   for (const std::uint32_t node : nodes) {
     SurfaceNode own = of_node_[node];
     if (own.area > 0.0) {
@@ -138,8 +163,7 @@ void SurfaceNodes::add_free(std::span<const ErodedNode> eroded_nodes, std::uint3
     if (is_of_nodes) {
       own.penalty_properties.thickness = std::numeric_limits<double>::quiet_NaN();
     } else {
-      const auto corners = mesh.side_nodes(free.side);
-      own.area = area_vector(mesh, free.side).norm() / (corners[2] == corners[3] ? 3.0 : 4.0);
+      own.area = share_of(mesh, free);
       own.penalty_properties.thickness = thickness_behind(mesh, free.side);
     }
     made.surface_nodes.push_back(own);

@@ -34,7 +34,7 @@ class SurfaceNodes {
   explicit SurfaceNodes(const ContactNumbers& numbers) : numbers_(numbers), of_node_(numbers.n_nodes()) {}
 
   /// Adds the nodes of a surface, those of its faces or its own.
-  ///   made  has the faces of the surface as its last
+  ///   made  has the faces of the surface as its last, first_face not yet their end
   void add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made);
 
   /// Adds free nodes of a surface, among its nodes.
@@ -45,7 +45,8 @@ class SurfaceNodes {
  private:
   template <class IsWanted>
   void add_shares(std::span<const ElementSide> sides, const IsWanted& is_wanted);
-  std::vector<std::uint32_t> take_faces(std::span<const ContactFace> faces);
+  std::vector<std::uint32_t> take_faces(std::span<const ContactFace> faces,
+                                        std::span<const std::uint32_t> mesh_nodes);
   std::vector<std::uint32_t> take_set(std::span<const NodeIndex> nodes);
   void add_elements(std::span<const std::uint8_t> is_in);
 

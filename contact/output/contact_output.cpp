@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "contact/output/side_set_totals.hpp"
 #include "core/base/names.hpp"
 #include "core/dynamics/state_motion.hpp"
 
@@ -90,9 +91,9 @@ void ContactOutput::begin() {
 std::vector<OutputVariable> ContactOutput::variables() {
   std::vector<OutputVariable> made;
   for (const ContactNodeRow& row : contact_node_rows()) {
-    const auto size = static_cast<std::size_t>(component_count(row.shape));
+    const auto size = static_cast<std::size_t>(row.n_components());
     OutputVariable variable{
-        std::string(row.name), FieldLocation::node, row.shape, component_count(row.shape), false, {}, {}};
+        std::string(row.name), FieldLocation::node, row.shape, row.n_components(), false, {}, {}};
     variable.fill = [this, &row, size](const OutputContext& context, const EntityRange& range,
                                        std::span<double> values) {
       evaluate(context.state);
@@ -105,24 +106,30 @@ std::vector<OutputVariable> ContactOutput::variables() {
         row.fill(own ? nodes_[*own] : at_rest, values.data() + i * size);
       }
     };
+    variable.dimension = dimension_of(row.help);
     made.push_back(std::move(variable));
   }
+  add_side_sets(made);
   for (const ContactTotalRow& row : contact_total_rows()) {
     const auto& surfaces = contact_.surfaces.surfaces;
-    for (std::size_t i = 0; i < surfaces.size(); ++i)
-      made.push_back(make_total(
-          row, surfaces[i].name, [ this, i ]() -> const auto& { return surfaces_[i]; }));
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+      const auto of_surface = [this, i](const State& state) -> const ContactTotal& {
+        return evaluate(state), surfaces_[i];
+      };
+      made.push_back(make_total(row, surfaces[i].name, of_surface));
+    }
     for (const PairIndex i : indices(contact_.pairs)) {
       // What stands in for a pair outside its periods adds to its totals.
       if (find_total(contact_.pairs, i) != i) continue;
       const SurfacePair& pair = contact_.pairs[i];
-      made.push_back(make_total(
-          row, surfaces[pair.first].name + "_" + surfaces[pair.second].name,
-          [ this, i ]() -> const auto& { return pairs_[i]; }));
+      const auto of_pair = [this, i](const State& state) -> const ContactTotal& {
+        return evaluate(state), pairs_[i];
+      };
+      made.push_back(make_total(row, surfaces[pair.first].name + "_" + surfaces[pair.second].name, of_pair));
     }
   }
   OutputVariable deepest{
-      "contact_penetration_max", FieldLocation::global, FieldShape::scalar, 1, false, {}, {}};
+      "contact_penetration_max", FieldLocation::global, FieldShape::scalar, 1, false, {}, {}, "[length]"};
   deepest.fill = [this](const OutputContext&, const EntityRange&, std::span<double> values) {
     values[0] = 0.0;
     for (const PairHistory& history : force_.histories()) values[0] = std::max(values[0], history.deepest);
@@ -131,21 +138,57 @@ std::vector<OutputVariable> ContactOutput::variables() {
   return made;
 }
 
+template <class Find>
 OutputVariable ContactOutput::make_total(const ContactTotalRow& row, const std::string& name,
-                                         std::function<const ContactTotal&()> total) {
+                                         const Find& find) {
   OutputVariable variable{fold(std::string(row.name) + "_" + name),
                           FieldLocation::global,
                           row.shape,
                           component_count(row.shape),
                           false,
                           {},
-                          {}};
-  variable.fill = [this, &row, total = std::move(total)](const OutputContext& context, const EntityRange&,
-                                                         std::span<double> values) {
-    evaluate(context.state);
-    row.fill(total(), values.data());
+                          {},
+                          std::string(dimension_of(row.help))};
+  variable.fill = [&row, find](const OutputContext& context, const EntityRange&, std::span<double> values) {
+    row.fill(find(context.state), values.data());
   };
   return variable;
+}
+
+/// Surfaces and pairs come later and hide side sets of their names.
+void ContactOutput::add_side_sets(std::vector<OutputVariable>& variables) {
+  const Mesh& mesh = *model_.mesh;
+  side_sets_.resize(mesh.side_sets().size());
+  for (std::uint32_t i = 0; i < side_sets_.size(); ++i) {
+    const auto of_set = [this, i](const State& state) -> const ContactTotal& {
+      return total_of_side_set(i, state);
+    };
+    const std::string name = mesh.name({EntityKind::side_set, i}),
+                      by_id = default_name(EntityKind::side_set, mesh.side_sets()[i].id);
+    for (const ContactTotalRow& row : contact_total_rows()) {
+      if (row.is_of_pairs) continue;
+      variables.push_back(make_total(row, name, of_set));
+      if (fold(name) != by_id) variables.push_back(make_total(row, by_id, of_set));
+    }
+  }
+}
+
+const ContactTotal& ContactOutput::total_of_side_set(std::size_t index, const State& state) {
+  const std::lock_guard guard(lock_);
+  SideSetTotal& set = side_sets_[index];
+  if (set.step == state.step) return set.total;
+  if (set.step < 0) {
+    set.sides = model_.mesh->side_sets()[index].sides;
+    std::ranges::sort(set.sides);
+  }
+  set.step = state.step;
+  set.total = sum_over_sides(force_, set.sides);
+  return set.total;
+}
+
+void ContactOutput::renew() {
+  step_ = gaps_step_ = -1;
+  for (SideSetTotal& set : side_sets_) set.step = -1;
 }
 
 void ContactOutput::evaluate(const State& state) {
@@ -161,8 +204,12 @@ void ContactOutput::evaluate(const State& state) {
   }
   for (std::size_t i = 0; i < friction.size(); ++i) {
     NodeContact& node = nodes_[first_alike[i]];
-    add(friction[i], node.friction);
-    node.slip_rate = state.dt > 0.0 ? node.friction.last_slip.norm() / state.dt : 0.0;
+    NodeFriction point = friction[i];
+    point.slip = force_.node_slip(static_cast<std::uint32_t>(i));
+    add(point, node.friction);
+    if (!(state.dt > 0.0)) continue;
+    node.slip_rate = node.friction.last_slip.norm() / state.dt;
+    node.slip_velocity = node.friction.last_slip / state.dt;
   }
   for (const SurfaceNode& node : force_.contact_mesh().surface_nodes)
     nodes_[first_alike[node.node]].surface_area += node.area;
@@ -209,77 +256,6 @@ void ContactOutput::add_to_totals(PairIndex pair, bool is_swapped, const Contact
   add(is_swapped != is_turned ? on_second : on_first, pairs_[total]);
   add(on_first, surfaces_[is_swapped ? of.second : of.first]);
   add(on_second, surfaces_[is_swapped ? of.first : of.second]);
-}
-
-void ContactOutput::add_place(const ContactPoint& contact_point) {
-  add_to_nodes(contact_point, contact_point.first, 1.0);
-  add_to_nodes(contact_point, contact_point.second, -1.0);
-  if (!contact_point.touches()) return;
-  Eigen::Vector3d point_position = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 4; ++k)
-    point_position += contact_point.first.weights[static_cast<Eigen::Index>(k)] *
-                      force_.position(contact_point.first.nodes[k]);
-  ContactTotal total;
-  total.add(point_position, contact_point.force * contact_point.normal, contact_point.tangential);
-  total.normal_sum = contact_point.force;
-  total.centre = contact_point.force * point_position;
-  total.area = contact_point.area;
-  add_to_totals(contact_point.pair, contact_point.is_swapped, total);
-}
-
-void ContactOutput::add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side,
-                                 double sign) {
-  const bool has_friction = force_.rules().of(contact_point).friction > 0.0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double weight = side.weights[static_cast<Eigen::Index>(k)];
-    if (weight == 0.0) continue;
-    NodeContact& node = nodes_[force_.contact_mesh().first_alike[side.nodes[k]]];
-    const bool is_first_place = node.interaction == 0.0;
-    node.interaction = contact_point.pair.value + 1.0;
-    if (is_first_place || contact_point.gap < node.gap) {
-      node.gap = contact_point.gap;
-      node.tangential_gap = contact_point.elastic_slip.norm();
-    }
-    if (!contact_point.touches()) continue;
-    node.status = 1.0;
-    if (has_friction)
-      node.slip_status = std::max(node.slip_status, contact_point.dissipated > 0.0 ? 2.0 : 1.0);
-    node.normal += sign * weight * contact_point.force * contact_point.normal;
-    node.tangential += sign * weight * contact_point.tangential;
-    node.area += weight * contact_point.area;
-  }
-}
-
-void ContactOutput::add_tie(const InterfaceConstraint& tie, const CornerForces& forces) {
-  if (forces.normal.isZero()) return;
-  ContactTotal total;
-  total.area = tie.area;
-  for (std::size_t k = 0; k < 8; ++k) {
-    const Eigen::Vector3d force = forces.forces.col(static_cast<Eigen::Index>(k));
-    const bool is_first = k < 4;
-    const auto same = std::find(tie.nodes.begin() + (is_first ? 0 : 4),
-                                tie.nodes.begin() + static_cast<int>(k), tie.nodes[k]);
-    NodeContact& node = nodes_[force_.contact_mesh().first_alike[tie.nodes[k]]];
-    const Eigen::Vector3d normal = forces.normal.dot(force) * forces.normal;
-    node.status = node.slip_status = 1.0;
-    node.interaction = tie.pair.value + 1.0;
-    node.normal += normal;
-    node.tangential += force - normal;
-    const bool is_repeated = same != tie.nodes.begin() + static_cast<int>(k);
-    if (!is_repeated) node.area += tie.area * tie_share(tie, is_first);
-    if (!is_first) continue;
-    total.add(force_.position(tie.nodes[k]), normal, force - normal);
-    total.normal_sum += std::abs(normal.norm());
-    total.centre += normal.norm() * force_.position(tie.nodes[k]);
-  }
-  add_to_totals(tie.pair, tie.is_swapped, total);
-}
-
-double ContactOutput::tie_share(const InterfaceConstraint& tie, bool is_first) {
-  std::array<std::uint32_t, 4> nodes;
-  std::copy_n(tie.nodes.begin() + (is_first ? 0 : 4), 4, nodes.begin());
-  std::sort(nodes.begin(), nodes.end());
-  return 1.0 / static_cast<double>(std::unique(nodes.begin(), nodes.end()) - nodes.begin());
 }
 
 }  // namespace contactsim

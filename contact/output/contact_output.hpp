@@ -27,8 +27,9 @@ struct NodeContact {
   double interaction = 0.0;     ///< number of its last pair in the log's table, 0 of none [1]
   double surface_area = 0.0;    ///< its share of its surface at the start [length^2]
   double slip_rate = 0.0;       ///< of the last step [length/time]
-  double slip_status = 0.0;     ///< 2 slips, 1 is held along the surface, 0 neither [1]
-  NodeFriction friction;        ///< since the start
+  Eigen::Vector3d slip_velocity = Eigen::Vector3d::Zero();  ///< the same with its direction [length/time]
+  double slip_status = 0.0;  ///< 2 slips, 1 is held along the surface, 0 neither [1]
+  NodeFriction friction;     ///< since the start
 };
 
 /// Row of the table of nodal contact variables.
@@ -38,6 +39,9 @@ struct ContactNodeRow {
   void (*fill)(const NodeContact& node, double* values) = nullptr;
   std::string_view help;    ///< one line with the dimension
   bool needs_gaps = false;  ///< of nodes that do not touch
+  int list_size = 1;        ///< number of components of a list
+
+  int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };
 
 /// Source: Sierra/SM 5.22, 8.10 and 9.
@@ -68,15 +72,20 @@ struct ContactTotal {
   }
 };
 
-/// Row of the table of global contact variables: one of each surface, name_<surface>, and of each pair,
-/// name_<first>_<second>.
+/// Row of the table of global contact variables: one of each surface, name_<surface>, of each pair,
+/// name_<first>_<second>, and of each side set of the mesh, name_<side set>, that is no surface by its name.
 struct ContactTotalRow {
   std::string_view name;
   FieldShape shape = FieldShape::scalar;
   void (*fill)(const ContactTotal& total, double* values) = nullptr;
-  std::string_view help;  ///< one line with the dimension
+  std::string_view help;     ///< one line with the dimension
+  bool is_of_pairs = false;  ///< known of pairs and so of surfaces, not of other side sets
 };
 std::span<const ContactTotalRow> contact_total_rows();
+
+/// Names of groups of contact variables, and what others call these. Source: generic output requests and
+/// output variables of Abaqus/Explicit general contact, 36.4.1; CDIS, CSTR and PCON of CalculiX.
+OutputNames contact_output_names();
 
 /// The contact variables of a run, worked out when someone asks for them, once per step.
 class ContactOutput {
@@ -88,7 +97,7 @@ class ContactOutput {
   std::vector<OutputVariable> variables();
 
   /// To be called after the force has gone over to other surfaces.
-  void renew() { step_ = gaps_step_ = -1; }
+  void renew();
 
  private:
   void begin();
@@ -102,8 +111,11 @@ class ContactOutput {
   void add_to_nodes(const ContactPoint& contact_point, const ContactPointSide& side, double sign);
   /// The share of each corner of a tie's side in its area.
   static double tie_share(const InterfaceConstraint& tie, bool is_first);
-  OutputVariable make_total(const ContactTotalRow& row, const std::string& name,
-                            std::function<const ContactTotal&()> total);
+  /// A variable of a row, filled from a total that is brought up to date when someone asks.
+  template <class Find>
+  OutputVariable make_total(const ContactTotalRow& row, const std::string& name, const Find& find);
+  void add_side_sets(std::vector<OutputVariable>& variables);
+  const ContactTotal& total_of_side_set(std::size_t index, const State& state);
 
   ContactForce& force_;
   const ContactModel& contact_;
@@ -115,6 +127,14 @@ class ContactOutput {
   std::vector<NodeContact> nodes_;                          // [n_contact_nodes]
   std::vector<ContactTotal> surfaces_;
   IndexedVector<PairIndex, ContactTotal> pairs_;
+
+  /// What is known of a side set of the mesh.
+  struct SideSetTotal {
+    std::int64_t step = -1;
+    std::vector<ElementSide> sides;  // ascending, once someone has asked
+    ContactTotal total;
+  };
+  std::vector<SideSetTotal> side_sets_;  // [n_side_sets]
 };
 
 }  // namespace contactsim

@@ -37,6 +37,13 @@ void set_centre(const ContactTotal& total, double* values) {
   set(touches ? centre_of(total) : Eigen::Vector3d::Zero(), values);
 }
 
+/// Along the friction force on the node, and across it, by the right hand about the normal force.
+void set_slip_components(const NodeContact& node, double* values) {
+  const Eigen::Vector3d along = node.tangential.normalized();  // 0 of 0
+  values[0] = node.slip_velocity.dot(along);
+  values[1] = node.slip_velocity.dot(node.normal.normalized().cross(along));
+}
+
 double per_area(double value, double area) { return area > 0.0 ? value / area : 0.0; }
 
 }  // namespace
@@ -58,6 +65,10 @@ std::span<const ContactNodeRow> contact_node_rows() {
       ContactNodeRow{"contact_tangential_traction_magnitude", scalar,
                      [](N n, double* v) { *v = per_area(n.tangential.norm(), n.area); },
                      "Friction force over the area that touches [force/length^2]"},
+      ContactNodeRow{"contact_normal_force", vector, [](N n, double* v) { set(n.normal, v); },
+                     "Along normals, of both sides of a shell together [force]"},
+      ContactNodeRow{"contact_tangential_force", vector, [](N n, double* v) { set(n.tangential, v); },
+                     "Of friction, the same [force]"},
       ContactNodeRow{"contact_normal_force_magnitude", scalar, [](N n, double* v) { *v = n.normal.norm(); },
                      "[force]"},
       ContactNodeRow{"contact_tangential_force_magnitude", scalar,
@@ -72,13 +83,19 @@ std::span<const ContactNodeRow> contact_node_rows() {
                      "Length of the path slipped under friction since the start [length]"},
       ContactNodeRow{"contact_accumulated_slip_vector", vector,
                      [](N n, double* v) { set(n.friction.slip, v); },
-                     "Sum of the steps of that path as vectors [length]"},
+                     "Sum of the steps of that path as vectors that turn with the surface [length]"},
       ContactNodeRow{"contact_incremental_slip_magnitude", scalar,
                      [](N n, double* v) { *v = n.friction.last_slip.norm(); }, "Of the last step [length]"},
       ContactNodeRow{"contact_incremental_slip_direction", vector,
                      [](N n, double* v) { set_direction(n.friction.last_slip, v); }, "Of the last step [1]"},
       ContactNodeRow{"contact_slip_rate", scalar, [](N n, double* v) { *v = n.slip_rate; },
                      "Slip over the last step [length/time]"},
+      ContactNodeRow{"contact_slip_rate_vector", vector, [](N n, double* v) { set(n.slip_velocity, v); },
+                     "The same with its direction [length/time]"},
+      ContactNodeRow{"contact_slip_rate_components", FieldShape::list, set_slip_components,
+                     "Of that along contact_tangential_direction, < 0 where friction brakes, and across it "
+                     "[length/time]",
+                     false, 2},
       ContactNodeRow{"contact_frictional_energy", scalar, [](N n, double* v) { *v = n.friction.energy; },
                      "The node's share of what friction has taken since the start [energy]"},
       ContactNodeRow{"contact_frictional_energy_density", scalar,
@@ -123,11 +140,11 @@ std::span<const ContactTotalRow> contact_total_rows() {
                       "Mean place by normal force, 0 without any [length]"},
       ContactTotalRow{"contact_area", scalar, [](T t, double* v) { *v = t.area; }, "That touches [length^2]"},
       ContactTotalRow{"contact_penetration_max", scalar, [](T t, double* v) { *v = t.penetration; },
-                      "Deepest penetration of what has touched since the start [length]"},
+                      "Deepest penetration of what has touched since the start [length]", true},
       ContactTotalRow{"contact_energy", scalar, [](T t, double* v) { *v = t.energy; },
-                      "Taken from the bodies since the start, < 0 given to them [energy]"},
+                      "Taken from the bodies since the start, < 0 given to them [energy]", true},
       ContactTotalRow{"friction_energy", scalar, [](T t, double* v) { *v = t.friction; },
-                      "Lost to friction since the start [energy]"},
+                      "Lost to friction since the start [energy]", true},
   };
   return rows;
 }

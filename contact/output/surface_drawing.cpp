@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/output/surface_drawing.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
 
-#include "contact/mesh/contact_model.hpp"
+#include "contact/mesh/contact_kinematics.hpp"
+#include "contact/mesh/feature_edges.hpp"
+#include "core/base/names.hpp"
 #include "core/base/optional_index.hpp"
 
 namespace contactsim {
@@ -18,7 +23,8 @@ constexpr double plane_size = 3.0;
 /// Collects the points and facets of all surfaces.
 class SurfaceDrawing {
  public:
-  SurfaceDrawing(const ContactModel& model, const Mesh& mesh) : model_(model), mesh_(mesh) {
+  SurfaceDrawing(const ContactModel& model, const Mesh& mesh, const ContactMesh& contact_mesh)
+      : model_(model), mesh_(mesh), contact_mesh_(contact_mesh) {
     for (const ContactSurface& surface : model.surfaces.surfaces)
       drawing_.blocks.push_back({surface.name, {}, {}});
     point_of_node_.resize(mesh.n_nodes());
@@ -27,6 +33,7 @@ class SurfaceDrawing {
   FacetMesh draw() {
     for (std::uint32_t i = 0; i < model_.surfaces.surfaces.size(); ++i) draw_mesh_parts(i);
     draw_lofts();
+    draw_edges();
     drawing_.coordinates.resize(3, static_cast<Eigen::Index>(points_.size()));
     for (std::size_t i = 0; i < points_.size(); ++i) {
       drawing_.coordinates.col(static_cast<Eigen::Index>(i)) = points_[i];
@@ -52,11 +59,12 @@ class SurfaceDrawing {
     const ContactSurface& surface = model_.surfaces.surfaces[index];
     FacetBlock& block = drawing_.blocks[index];
     for (const ElementSide face : surface.faces) {
-      Facet facet{};
-      const auto nodes = mesh_.side_nodes(face);
-      std::transform(nodes.begin(), nodes.end(), facet.begin(),
-                     [&](NodeIndex node) { return point_of(node); });
-      block.facets.push_back(facet);
+      for (const auto& nodes : mesh_.side_facets(face)) {
+        Facet facet{};
+        std::transform(nodes.begin(), nodes.end(), facet.begin(),
+                       [&](NodeIndex node) { return point_of(node); });
+        block.facets.push_back(facet);
+      }
     }
     for (const NodeIndex node : surface.nodes) block.points.push_back(point_of(node));
     for (const std::uint32_t plane : surface.analytic_planes) draw_plane(model_.planes[plane], block);
@@ -64,7 +72,12 @@ class SurfaceDrawing {
 
   void draw_lofts() {
     const auto first = static_cast<std::uint32_t>(points_.size());
-    for (Eigen::Index i = 0; i < model_.loft.vertices.cols(); ++i) add_point(model_.loft.vertices.col(i));
+    drawn_loft_points_.resize(contact_mesh_.loft.size());
+    for (std::uint32_t i = 0; i < model_.loft.vertices.cols(); ++i) {
+      const std::uint32_t drawn = add_point(model_.loft.vertices.col(i));
+      if (const OptionalIndex<std::uint32_t> loft_point = contact_mesh_.loft.of_vertex(i))
+        drawn_loft_points_[*loft_point] = drawn;
+    }
     for (std::size_t i = 0; i < model_.loft.facets.size(); ++i) {
       Facet facet = model_.loft.facets[i].vertices;
       for (std::uint32_t& vertex : facet) vertex += first;
@@ -109,17 +122,53 @@ class SurfaceDrawing {
       block.facets.push_back({grid[i], grid[i + 3], grid[i + 4], grid[i + 1]});
   }
 
+  void draw_edges() {
+    const auto n_mesh_points = static_cast<std::uint32_t>(contact_mesh_.n_mesh_points());
+    const auto point_of_contact_node = [&](std::uint32_t node) {
+      return node < n_mesh_points ? point_of({contact_mesh_.mesh_nodes[node]})
+                                  : drawn_loft_points_[node - n_mesh_points];
+    };
+    for (std::uint32_t i = 0; i < model_.surfaces.surfaces.size(); ++i) {
+      FacetBlock block{find_free_name(model_.surfaces.surfaces[i].name + "_edges"), {}, {}, {}};
+      for (const ContactEdge& edge : contact_mesh_.edges) {
+        if (edge.surface != i || edge.is_particle() || (edge.is_sharp() && !edge.is_feature)) continue;
+        block.edges.push_back({point_of_contact_node(edge.nodes[0]), point_of_contact_node(edge.nodes[1])});
+      }
+      if (!block.edges.empty()) drawing_.blocks.push_back(std::move(block));
+    }
+  }
+
+  std::string find_free_name(const std::string& wanted) const {
+    const auto is_taken = [&](const std::string& name) {
+      return std::ranges::any_of(drawing_.blocks,
+                                 [&](const FacetBlock& block) { return fold(block.name) == fold(name); });
+    };
+    std::string name = wanted;
+    for (int i = 2; is_taken(name); ++i) name = fmt::format("{}_{}", wanted, i);
+    return name;
+  }
+
   const ContactModel& model_;
   const Mesh& mesh_;
+  const ContactMesh& contact_mesh_;
   FacetMesh drawing_;
   std::vector<Eigen::Vector3d> points_;
   std::vector<OptionalIndex<std::uint32_t>> point_of_node_;  ///< [n_nodes]
+  std::vector<std::uint32_t> drawn_loft_points_;             ///< [n_loft_points] of the contact mesh
 };
 
 }  // namespace
 
-FacetMesh draw_surfaces(const ContactModel& model, const Mesh& mesh) {
-  return SurfaceDrawing(model, mesh).draw();
+FacetMesh draw_surfaces(const ContactModel& model, const Mesh& mesh, const ContactMesh& contact_mesh) {
+  return SurfaceDrawing(model, mesh, contact_mesh).draw();
+}
+
+FacetMesh draw_surfaces(const ContactModel& model, const Mesh& mesh,
+                        const std::vector<SurfaceOptions>& options) {
+  ContactMesh contact_mesh = make_contact_mesh(model, mesh);
+  choose_feature_edges(options, model.surfaces.surfaces, kinematics_of_mesh(contact_mesh, mesh),
+                       contact_mesh);
+  return draw_surfaces(model, mesh, contact_mesh);
 }
 
 }  // namespace contactsim

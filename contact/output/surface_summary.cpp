@@ -23,15 +23,16 @@ bool is_triangle(const std::array<NodeIndex, 4>& nodes) {
   return false;
 }
 
-/// Faces, and the nodes of faces and lofted elements; lofts are counted apart.
+/// Faces, and the nodes of faces and lofted elements; lofts are counted apart. A face of an element counts
+/// once, by its corners, however many facets its midside nodes make of it.
 SurfaceSummary summarize_mesh_parts(const ContactSurface& surface, const Mesh& mesh) {
   SurfaceSummary summary;
   std::vector<NodeIndex> nodes = surface.nodes;
   for (const ElementSide face : surface.faces) {
     const auto corners = mesh.side_nodes(face);
     ++(is_triangle(corners) ? summary.triangles : summary.quadrilaterals);
-    nodes.insert(nodes.end(), corners.begin(), corners.end());
-    summary.area += area_vector(mesh, face).norm();
+    for (const auto& facet : mesh.side_facets(face)) nodes.insert(nodes.end(), facet.begin(), facet.end());
+    summary.area += face_area(mesh, face);
   }
   for (const ElementIndex element : surface.lofted_elements) {
     const Topology& shape = topology(mesh.blocks()[mesh.block_of(element)].shape);
@@ -126,7 +127,7 @@ class FacetLister {
   void add_mesh_parts(std::uint32_t index) {
     const ContactSurface& surface = model_.surfaces.surfaces[index];
     for (const ElementSide face : surface.faces) {
-      add(index, face.element(), face.side(), "face", area_vector(mesh_, face).norm());
+      add(index, face.element(), face.side(), "face", face_area(mesh_, face));
     }
     for (const NodeIndex node : surface.nodes)
       rows_.push_back({0, {index, "", mesh_.node_id(node), 0, "node", 0.0}});

@@ -9,6 +9,7 @@
 #include "contact/geometry/point_in_solid.hpp"
 #include "contact/mesh/bodies.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "contact/search/shell_sides.hpp"
 #include "core/base/threads.hpp"
 
 namespace contactsim {
@@ -201,18 +202,22 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   for (const std::uint32_t index : faces_of_body.of(inside.body)) {
     const ContactFace& face = contact_mesh().faces[index];
     const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
-    if (!pair) continue;
+    if (!pair || !takes_part(*rules_[*pair].pair, face, contact_mesh(), mesh_)) continue;
     const bool is_lofted = contact_mesh().is_lofted(face);
     if (is_lofted && rules_[*pair].law == ContactLaw::tied) continue;
     FaceCorners x;
     for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(face.corners[k]);
     const Eigen::Vector3d middle = 0.5 * (x.col(0) + x.col(2));
     if ((point - middle).norm() - (x.colwise() - middle).colwise().norm().maxCoeff() > least) continue;
-    const auto closest = project_onto_face(x, face.is_triangle(), point);
+    const SmoothFace* round = contact_mesh().smooth_faces.find(rules_[*pair].pair->smoothing, index);
+    const auto closest = project_sphere(x, face.is_triangle(), round, point, 0.0);
     if (!closest) continue;
     const double cosine = has_normal ? own.normal.dot(closest->normal) / own.normal.norm() : -1.0;
     if (cosine > same_way_cosine || (is_lofted && !is_facing(kinematics, node, closest->normal))) continue;
     if (std::hypot(closest->gap, closest->beyond) <= smallest_share * parts_.of_face[index].size)
+      return std::nullopt;
+    // Behind a facet, and still before the round surface that it stands for.
+    if (round != nullptr && closest->edge < 0 && closest->gap > 0.0 && closest->gap <= round->height())
       return std::nullopt;
     if (closest->gap > 0.0) continue;
     const double cost = std::hypot(closest->gap, closest->beyond) * (1.0 + 2.0 * (1.0 + cosine));
@@ -224,7 +229,10 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   if (!best || !(best->depth > smallest_share * parts_.of_face[best->face].size)) return std::nullopt;
   const double own_half_thickness =
       own.half_thickness > 0.0 ? own.half_thickness : std::numeric_limits<double>::infinity();
-  const double half_thickness = std::min(own_half_thickness, parts_.of_face[best->face].half_thickness);
+  // One side of a shell alone is met through all of its thickness.
+  const double reach = rules_[best->pair].pair->is_polar() ? 2.0 : 1.0;
+  const double half_thickness =
+      reach * std::min(own_half_thickness, parts_.of_face[best->face].half_thickness);
   const bool is_lofted = contact_mesh().is_lofted(contact_mesh().faces[best->face]);
   best->is_deep = best->depth > (is_lofted ? 1.0 + smallest_share : 1.0) * half_thickness;
   if (is_lofted && !best->is_deep) return std::nullopt;

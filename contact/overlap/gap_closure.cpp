@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "contact/geometry/face_bound.hpp"
+#include "contact/mesh/mean_edge.hpp"
 
 namespace contactsim {
 
@@ -15,24 +16,10 @@ constexpr double automatic_share = 0.05;
 
 }  // namespace
 
-double find_closure_tolerance(const ContactModel& model, const OverlapParts& parts,
-                              const ContactKinematics& start, const SurfacePair& pair) {
+double find_closure_tolerance(const ContactKinematics& start, const SurfacePair& pair) {
   if (!pair.gap_closure) return 0.0;
   if (pair.gap_closure->given) return *pair.gap_closure->given;
-  double sum = 0.0;
-  std::size_t n = 0;
-  for (const std::uint32_t surface : {pair.first, pair.second}) {
-    if (pair.side_b == surface && pair.first != pair.second) continue;
-    if (model.surfaces.surfaces[surface].kind != SurfaceKind::face) continue;
-    for (std::uint32_t i = parts.contact_mesh.first_face[surface];
-         i < parts.contact_mesh.first_face[surface + 1]; ++i) {
-      const ContactFace& face = parts.contact_mesh.faces[i];
-      const std::size_t n_corners = face.is_triangle() ? 3 : 4;
-      for (std::size_t k = 0; k < n_corners; ++k, ++n)
-        sum += (start.x(face.corners[(k + 1) % n_corners]) - start.x(face.corners[k])).norm();
-    }
-  }
-  return n > 0 ? automatic_share * sum / static_cast<double>(n) : 0.0;
+  return automatic_share * mean_edge(start, pair);
 }
 
 GapClosure::GapClosure(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts,
@@ -44,7 +31,7 @@ GapClosure::GapClosure(const ContactModel& model, const Mesh& mesh, const Overla
     if (pair.adjusted_node_set) {
       add_set(p, mesh, *pair.adjusted_node_set);
     } else if (pair.gap_closure) {
-      const double tolerance = find_closure_tolerance(model, parts, points.renewed(), pair);
+      const double tolerance = find_closure_tolerance(points.renewed(), pair);
       add_near(p, search.sites()[p].meshed, tolerance);
       add_near(p, search.sites()[p].lofted, tolerance);
     }

@@ -8,10 +8,9 @@
 
 namespace contactsim {
 
-/// GAP CLOSURE TOLERANCE of a pair, AUTO worked out: a share of the mean edge of the side that gives the
-/// faces, of both sides where none does; 0 of a pair without one [length].
-double find_closure_tolerance(const ContactModel& model, const OverlapParts& parts,
-                              const ContactKinematics& start, const SurfacePair& pair);
+/// GAP CLOSURE TOLERANCE of a pair, AUTO worked out: a share of mean_edge(); 0 of a pair without one
+/// [length].
+double find_closure_tolerance(const ContactKinematics& start, const SurfacePair& pair);
 
 /// Moves nodes that stand in front of the other side onto it, along the normal of the nearest face over which
 /// they stand: those that are no farther away than the pair's gap closure tolerance, and those of its node

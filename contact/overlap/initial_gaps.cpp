@@ -5,6 +5,7 @@
 
 #include "contact/formulations/start_gaps.hpp"
 #include "contact/mesh/contact_model.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
 #include "contact/search/contact_search.hpp"
 
 namespace contactsim {
@@ -44,7 +45,8 @@ void add_planes(const ContactModel& model, const ContactKinematics& kinematics, 
 
 InitialGaps find_initial_gaps(const ContactModel& model, const Mesh& mesh, const DashOptions& dash) {
   InitialGaps starts(model.pairs.size());
-  const ContactMesh contact_mesh = make_contact_mesh(model, mesh);
+  ContactMesh contact_mesh = make_contact_mesh(model, mesh);
+  add_smooth_faces(model, kinematics_of_mesh(contact_mesh, mesh), contact_mesh);
   const PairRules rules(model.pairs, std::vector<ActiveTimes>(model.pairs.size()),
                         model.surfaces.surfaces.size());
   ContactKinematics kinematics(contact_mesh);

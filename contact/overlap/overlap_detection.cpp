@@ -182,7 +182,9 @@ std::optional<Overlap> OverlapDetection::find_near_face(const SurfacePair& pair,
   const OverlapNode& of_node = parts_.of_node[candidate.entity];
   const OverlapFace& of_face = parts_.of_face[candidate.partner];
   const double radius = node.radius;
-  const auto point = project_sphere(points_.corners(face), face.is_triangle(), points_.at(node.node), radius);
+  const SmoothFace* round = parts_.contact_mesh.smooth_faces.find(pair.smoothing, candidate.partner);
+  const auto point =
+      project_sphere(points_.corners(face), face.is_triangle(), round, points_.at(node.node), radius);
   if (!point) return std::nullopt;
   const double least = round_off_share * of_face.size;
   const double depth = std::abs(point->gap) > least ? -point->gap : 0.0;

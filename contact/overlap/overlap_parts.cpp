@@ -6,6 +6,7 @@
 
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/feature_edges.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
 #include "core/definition/contact.hpp"
 #include "core/dynamics/model.hpp"
 
@@ -56,6 +57,7 @@ OverlapParts make_overlap_parts(const ContactModel& model, const ContactDefiniti
   parts.contact_mesh = make_contact_mesh(model, mesh);
   const ContactKinematics start = kinematics_of_mesh(parts.contact_mesh, mesh);
   choose_feature_edges(definition.surface_options, model.surfaces.surfaces, start, parts.contact_mesh);
+  add_smooth_faces(model, start, parts.contact_mesh);
   parts.of_face = measure_faces(start, mesh);
   parts.of_node = measure_nodes(start, parts.of_face);
   return parts;

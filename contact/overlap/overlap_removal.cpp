@@ -36,7 +36,7 @@ class OverlapRemover {
     is_all_parted_ = settings_.is_on() || settings_.is_all_there_is || !closes_gaps;
     part_bodies();
     for (const SurfacePair& pair : model.pairs)
-      search_.widen(find_closure_tolerance(model, parts_, points_.renewed(), pair));
+      search_.widen(find_closure_tolerance(points_.renewed(), pair));
     search_.find(points_.renewed());
   }
 

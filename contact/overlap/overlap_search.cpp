@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/overlap/overlap_search.hpp"
 
-#include "core/definition/contact.hpp"
-
 #include <algorithm>
+
+#include "contact/search/shell_sides.hpp"
+#include "core/definition/contact.hpp"
 
 namespace contactsim {
 
@@ -111,14 +112,18 @@ Box OverlapSearch::box_of_face(const ContactKinematics& kinematics, std::uint32_
   FaceCorners x;
   for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(corners[k]);
   // Both sides move, each by no more than the deepest overlap.
-  return box_around(x, 2.0 * std::max(parts_.of_face[face].half_thickness, deepest_));
+  return box_around(x, 2.0 * std::max(parts_.of_face[face].half_thickness, deepest_) +
+                           parts_.contact_mesh.smooth_faces.extent(face).height);
 }
 
 bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {
   const ContactMesh& contact_mesh = parts_.contact_mesh;
   const SurfaceNode& node = contact_mesh.surface_nodes[row];
   const ContactFace& face = contact_mesh.faces[index];
-  if (!rules_.find(node.surface, face.surface)) return false;
+  const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
+  if (!pair) return false;
+  const SurfacePair& of = *rules_[*pair].pair;
+  if (!takes_part(of, node, contact_mesh, mesh_) || !takes_part(of, face, contact_mesh, mesh_)) return false;
   const auto own = mesh_.element_nodes(face.side.element());
   return std::ranges::find(own, NodeIndex{contact_mesh.mesh_nodes[node.node]}) == own.end();
 }
@@ -161,7 +166,11 @@ bool OverlapSearch::may_cross(const ContactKinematics& kinematics, std::uint32_t
                               std::uint32_t second) const {
   const ContactFace &a = parts_.contact_mesh.faces[first], &b = parts_.contact_mesh.faces[second];
   if (!parts_.contact_mesh.is_lofted(a) && !parts_.contact_mesh.is_lofted(b)) return false;
-  if (!rules_.find(a.surface, b.surface)) return false;
+  const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
+  if (!pair) return false;
+  const SurfacePair& of = *rules_[*pair].pair;
+  if (!takes_part(of, a, parts_.contact_mesh, mesh_) || !takes_part(of, b, parts_.contact_mesh, mesh_))
+    return false;
   if (a.side.element() == b.side.element() || parts_.contact_mesh.share_node(a, b)) return false;
   return kinematics.area(a).dot(kinematics.area(b)) < 0.0;
 }

@@ -9,6 +9,8 @@
 #include <new>
 #include <vector>
 
+#include "core/base/bytes_of.hpp"
+
 namespace contactsim {
 
 /// A box along the axes, walls included [length].
@@ -78,6 +80,7 @@ struct BoxTree {
   std::vector<std::uint32_t> branches;    ///< nodes whose subtrees are disjoint and hold all boxes
   std::vector<std::uint32_t> top_levels;  ///< the nodes above the branches, parents first
 
+  std::size_t bytes() const { return bytes_of(nodes) + bytes_of(branches) + bytes_of(top_levels); }
   /// How many boxes it is over.
   std::uint32_t n_boxes() const { return nodes.empty() ? 0 : nodes.front().n_boxes; }
 };

@@ -80,6 +80,8 @@ class BroadPhase {
   }
 
   const BroadPhaseCounts& counts() const { return counts_; }
+  /// The memory of the tree [bytes].
+  std::size_t bytes() const { return tree_.bytes(); }
 
  private:
   bool needs_build(std::uint32_t n_boxes) const {

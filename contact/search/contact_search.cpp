@@ -80,6 +80,12 @@ void ContactSearch::archive(StateArchive& saved) {
   saved.list("contact/search/searched_at", searched_at_);
   contactsim::archive("contact/search/first_face_pairs", first_face_partners_, saved);
   contactsim::archive("contact/search/first_node_pairs", first_node_faces_, saved);
+  // Most runs have neither, and states of such runs nothing of them.
+  const bool has_new = saved.restores() ? saved.has("contact/search/new_faces")
+                                        : !is_new_face_.empty() || !is_new_row_.empty();
+  if (!has_new) return;
+  saved.list("contact/search/new_faces", is_new_face_);
+  saved.list("contact/search/new_nodes", is_new_row_);
 }
 
 bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
@@ -141,6 +147,19 @@ void ContactSearch::keep_first_partners(const std::vector<std::uint8_t>& is_new,
     lists.begin[row + 1] = n;
   }
   lists.partners.resize(n);
+}
+
+bool ContactSearch::has_first_partners(PairIndex pair) const {
+  const auto has = [&](const PairLists& lists, const auto& surface_of) {
+    for (std::uint32_t row = 0; row < lists.n_rows(); ++row) {
+      for (const std::uint32_t partner : lists.of(row)) {
+        if (rules_.find(surface_of(row), contact_mesh_.faces[partner].surface) == pair) return true;
+      }
+    }
+    return false;
+  };
+  return has(first_face_partners_, [&](std::uint32_t face) { return contact_mesh_.faces[face].surface; }) ||
+         has(first_node_faces_, [&](std::uint32_t row) { return contact_mesh_.surface_nodes[row].surface; });
 }
 
 void ContactSearch::stop_at(const Motion& motion, std::uint32_t node) const {
@@ -219,7 +238,8 @@ Box ContactSearch::face_box(const ContactKinematics& kinematics, std::uint32_t i
     include(x - dt * kinematics.v(corner), box);
     include(x + inward, box);
   }
-  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface], box);
+  const double height = contact_mesh_.smooth_faces.extent(index).height;
+  widen(face_margin_[index] + 0.5 * activation_distance_[face.surface] + height, box);
   return box;
 }
 
@@ -252,7 +272,10 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair) return false;
-  if (rules_[*pair].pair->formulation != ConstraintFormulation::face_face) return false;
+  const SurfacePair& of = *rules_[*pair].pair;
+  if (of.formulation != ConstraintFormulation::face_face) return false;
+  if (!(takes_part(of, a) && takes_part(of, b))) return false;
+  if (!rules_.start_reach().may_meet_faces(*pair, first, second, a.surface)) return false;
   if (rules_[*pair].only_ties() && n_searches_ > 0) return false;  // what was near at the start is tied
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return false;
   if (are_skins_of_one(a.side, a.corners[0], b.side, b.corners[0])) return false;
@@ -271,6 +294,8 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   const bool is_sphere = node.radius > 0.0f;
   if (!is_sphere && !node.is_free && of.formulation != ConstraintFormulation::node_face) return false;
   if (!is_sphere && of.is_one_sided && (of.first != face.surface || of.second != node.surface)) return false;
+  if (!rules_.start_reach().may_meet_node(*pair, row, index, node.surface)) return false;
+  if (!(takes_part(of, node) && takes_part(of, face))) return false;
   if (are_of_one_rigid_body({&node.node, 1}, face.corners)) return false;
   return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
 }
@@ -279,9 +304,11 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair || rules_[*pair].only_ties()) return false;
+  if (!rules_.start_reach().may_meet_edges(*pair, first, second, a.surface)) return false;
   // Balls meet the edges of faces together with the faces.
   if ((a.is_sharp() && b.is_particle()) || (a.is_particle() && b.is_sharp())) return false;
   if (a.is_sharp() && b.is_sharp() && !(a.is_feature && b.is_feature)) return false;
+  if (a.is_sharp() && b.is_sharp() && (is_smoothed(a, *pair) || is_smoothed(b, *pair))) return false;
   if (a.is_sharp() && b.is_sharp() && are_skins_of_one(a.side, a.nodes[0], b.side, b.nodes[0])) return false;
   if (are_of_one_rigid_body(a.nodes, b.nodes)) return false;
   const auto is_of_b = [&](std::uint32_t node) {
@@ -289,6 +316,10 @@ bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) co
     return alike == contact_mesh_.first_alike[b.nodes[0]] || alike == contact_mesh_.first_alike[b.nodes[1]];
   };
   return !std::ranges::any_of(a.nodes, is_of_b) && !adjacent_.are_adjacent(a, b);
+}
+
+bool ContactSearch::is_smoothed(const ContactEdge& edge, PairIndex pair) const {
+  return contact_mesh_.smooth_faces.go_on(rules_[pair].pair->smoothing, (*edge.faces)[0], (*edge.faces)[1]);
 }
 
 std::int32_t ContactSearch::rigid_body_of(std::span<const std::uint32_t> nodes) const {

@@ -10,6 +10,7 @@
 #include "contact/mesh/contact_kinematics.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/search/broad_phase.hpp"
+#include "contact/search/shell_sides.hpp"
 #include "core/definition/contact_options.hpp"
 #include "core/mesh/mesh.hpp"
 
@@ -33,6 +34,11 @@ class ContactSearch {
 
   /// Takes notice of other reaches of the pairs. A search has to follow.
   void renew_reaches() { set_surface_margins(); }
+  /// Searches reach as far as what is held at the start may be apart, the first ones do; or only as far as
+  /// what may touch before the next search. A search has to follow.
+  void reach_for_start(bool does);
+  /// Whether that makes a difference.
+  bool has_start_reach() const { return has_start_reach_; }
 
   /// Whether anything has moved far enough since the last search, or none was made.
   bool is_due(const ContactKinematics& kinematics) const;
@@ -56,11 +62,31 @@ class ContactSearch {
   /// Ends a search: margins count from here.
   void finish(const ContactKinematics& kinematics);
 
+  /// Whether some pair keeps the partners of the first search.
+  bool keeps_first_partners() const { return has_small_sliding_; }
+  /// Whether a pair has any of them.
+  bool has_first_partners(PairIndex pair) const;
+  /// Keeps these of the first search alone.
+  void keep_face_partners(PairLists lists) { first_face_partners_ = std::move(lists); }
+  /// Has faces, or surface nodes, that kept their partners meet whatever they may, as what is new does.
+  void release_face(std::uint32_t face) { release(face, contact_mesh_.faces.size(), is_new_face_); }
+  void release_row(std::uint32_t row) { release(row, contact_mesh_.surface_nodes.size(), is_new_row_); }
+
   void archive(StateArchive& saved);
 
   /// How far beyond touch what a contact node may meet is looked for [length].
   double margin_of(std::uint32_t node) const { return node_margin_[node]; }
+  /// Whether a face or a surface node takes part in a pair by its side of a shell.
+  template <class Item>
+  bool takes_part(const SurfacePair& pair, const Item& item) const {
+    return !pair.is_polar() || contactsim::takes_part(pair, item, contact_mesh_, mesh_);
+  }
   std::uint64_t n_searches() const { return n_searches_; }
+  /// The memory of trees, margins and places of the last search [bytes].
+  std::size_t bytes() const {
+    return faces_phase_.bytes() + nodes_phase_.bytes() + edges_phase_.bytes() + bytes_of(face_margin_) +
+           bytes_of(node_margin_) + bytes_of(searched_at_);
+  }
   const BroadPhaseCounts& face_counts() const { return faces_phase_.counts(); }
   const BroadPhaseCounts& node_counts() const { return nodes_phase_.counts(); }
   const BroadPhaseCounts& edge_counts() const { return edges_phase_.counts(); }
@@ -78,6 +104,8 @@ class ContactSearch {
   bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
   bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
   Box edge_box(const ContactKinematics& kinematics, std::uint32_t edge, double dt, double deep) const;
+  /// Whether a sharp edge is none in a pair: both its faces stand for one round surface.
+  bool is_smoothed(const ContactEdge& edge, PairIndex pair) const;
   bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
   /// The rigid body that has all of these contact nodes, < 0 if none has.
   std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;
@@ -100,6 +128,10 @@ class ContactSearch {
   template <class SurfaceOf>
   void keep_first_partners(const std::vector<std::uint8_t>& is_new, const SurfaceOf& surface_of,
                            PairLists& first, PairLists& lists) const;
+  static void release(std::uint32_t entity, std::size_t n, std::vector<std::uint8_t>& is_new) {
+    is_new.resize(n, 0);
+    is_new[entity] = 1;
+  }
   [[noreturn]] void stop_at(const Motion& motion, std::uint32_t node) const;
 
   const ContactMesh& contact_mesh_;
@@ -111,6 +143,7 @@ class ContactSearch {
   double length_scaling_;
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   bool has_eroded_nodes_ = false;
+  bool has_start_reach_ = false, reaches_for_start_ = true;
   std::vector<double> activation_distance_;                  // [n_surfaces] of the models [length]
   std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
   std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]

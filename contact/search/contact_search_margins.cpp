@@ -21,6 +21,18 @@ void mark_new(std::span<const OptionalIndex<std::uint32_t>> positions, std::size
   is_new = std::move(marks);
 }
 
+/// [n_surfaces] the largest thickness behind faces and nodes of each [length].
+std::vector<double> thickest_elements(const ContactMesh& contact_mesh) {
+  std::vector<double> thickest(contact_mesh.first_face.size() - 1, 0.0);
+  const auto look_at = [&](std::uint32_t surface, double thickness) {
+    thickest[surface] = std::max(thickest[surface], thickness);
+  };
+  for (const ContactFace& face : contact_mesh.faces) look_at(face.surface, face.penalty_properties.thickness);
+  for (const SurfaceNode& node : contact_mesh.surface_nodes)
+    look_at(node.surface, node.penalty_properties.thickness);
+  return thickest;
+}
+
 }  // namespace
 
 void ContactSearch::set_margins() {
@@ -44,14 +56,20 @@ void ContactSearch::set_surface_margins() {
   const ContactMesh& contact_mesh = contact_mesh_;
   const std::size_t n_surfaces = contact_mesh.first_face.size() - 1;
   activation_distance_.assign(n_surfaces, 0.0);
+  has_start_reach_ = false;
+  const std::vector<double> thickest = thickest_elements(contact_mesh);
   for (const PairIndex i : indices(rules_.rules())) {
     const SurfacePair& pair = *rules_[i].pair;
-    // Ties reach as far as the deck says.
-    const double given = std::max({pair.capture_tolerance.value_or(0.0), pair.normal_tolerance.value_or(0.0),
-                                   pair.tracking_distance.value_or(0.0)});
+    const double given = std::max(pair.normal_tolerance.value_or(0.0), pair.tracking_distance.value_or(0.0));
+    // Ties, and partners that are kept, reach as far as the deck says; what is held needs no search later.
+    const bool keeps_partners = pair.behavior == InteractionBehavior::infinitesimal_sliding;
+    const double at_start = std::max(pair.capture_tolerance.value_or(0.0),
+                                     keeps_partners ? rules_.start_reach().distance(i) : 0.0);
+    has_start_reach_ = has_start_reach_ || at_start > 0.0;
+    const double held = pair.held_gap(std::min(thickest[pair.first], thickest[pair.second]));
     for (const std::uint32_t surface : {pair.first, pair.second})
       activation_distance_[surface] =
-          std::max({activation_distance_[surface], given,
+          std::max({activation_distance_[surface], given, held, reaches_for_start_ ? at_start : 0.0,
                     rules_.max_activation_distance(i) + rules_.gap_offsets().reach(i)});
   }
   widest_margin_.assign(n_surfaces, 0.0);
@@ -66,6 +84,11 @@ void ContactSearch::set_surface_margins() {
     double& widest = widest_margin_[contact_mesh.faces[i].surface];
     widest = std::max<double>(widest, face_margin_[i]);
   }
+}
+
+void ContactSearch::reach_for_start(bool does) {
+  reaches_for_start_ = does;
+  set_surface_margins();
 }
 
 void ContactSearch::remap(const ContactRemap& remap) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/surfaces/item_checks.hpp"
+#include "contact/surfaces/ownership_rules.hpp"
 #include "contact/surfaces/sort_once.hpp"
 
 namespace contactsim {
@@ -114,7 +115,7 @@ void BlockFormRequest::add_element(const ElementReference& reference) {
   }
   const std::uint32_t owner = mesh_.block_of(*element);
   const Topology& shape = topology(mesh_.blocks()[owner].shape);
-  if (shape.family == Family::solid || shape.family == Family::none) {
+  if (!is_lofted(mesh_.blocks()[owner])) {
     parts_.diagnostics().add_error(
         reference.location,
         fmt::format("element {} is a {} of block '{}'; ELEMENT picks lofted elements "

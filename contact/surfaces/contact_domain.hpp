@@ -30,8 +30,9 @@ class ContactDomain {
   }
   bool holds(ElementSide side) const {
     if (!subdomain_) return true;
-    const auto nodes = mesh_.side_nodes(side);
-    return holds(std::span<const NodeIndex>(nodes));
+    return std::ranges::all_of(mesh_.side_facets(side), [&](const std::array<NodeIndex, 4>& corners) {
+      return holds(std::span<const NodeIndex>(corners));
+    });
   }
 
  private:

@@ -9,7 +9,7 @@ namespace contactsim {
 namespace {
 
 /// Calls visit(node, element) for the nodes of a request's node sets, without an element, and for the corners
-/// of the sides in its side sets.
+/// of the facets of the sides in its side sets.
 template <class Visit>
 void visit_named(const SurfaceRequest& request, const Mesh& mesh, const Visit& visit) {
   for (const std::uint32_t set : request.node_sets) {
@@ -17,7 +17,9 @@ void visit_named(const SurfaceRequest& request, const Mesh& mesh, const Visit& v
   }
   for (const std::uint32_t set : request.side_sets) {
     for (const ElementSide side : mesh.side_sets()[set].sides) {
-      for (const NodeIndex node : mesh.side_nodes(side)) visit(node, std::optional(side.element()));
+      for (const auto& facet : mesh.side_facets(side)) {
+        for (const NodeIndex node : facet) visit(node, std::optional(side.element()));
+      }
     }
   }
 }

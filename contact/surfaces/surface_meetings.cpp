@@ -58,7 +58,10 @@ void SurfaceMeetings::settle(const Meeting& meeting, SurfacePair& pair) const {
     const bool is_node_face = pair.formulation == ConstraintFormulation::node_face;
     pair.is_one_sided = meeting.has_sides && is_node_face && pair.first != pair.second;
     if (meeting.has_sides && pair.first != pair.second) pair.side_b = pair.second;
-    if (!pair.is_one_sided && pair.first > pair.second) std::swap(pair.first, pair.second);
+    if (meeting.has_sides && pair.first != pair.second) pair.sides[1] = ShellSides::both;
+    if (pair.is_one_sided || pair.first <= pair.second) return;
+    std::swap(pair.first, pair.second);
+    std::swap(pair.sides[0], pair.sides[1]);
     return;
   }
   pair.formulation = ConstraintFormulation::node_face;

@@ -43,6 +43,9 @@ void check_surface_names(const ContactDefinition& contact, const ContactSurfaces
     check(options.surfaces);
     check(options.removed_surfaces);
   }
+  for (const SurfaceSmoothing& smoothing : contact.smoothings) {
+    for (const SmoothingRegion& region : smoothing.regions) check(region.surfaces, "all");
+  }
 }
 
 }  // namespace contactsim

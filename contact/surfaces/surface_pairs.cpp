@@ -22,6 +22,13 @@ std::shared_ptr<const FrictionLaw> frictionless_law() {
 
 namespace {
 
+/// What has a stiffness or a pressure of its own is elastic, whatever ENFORCEMENT says.
+void set_enforcement(const PairSettings& settings, const ContactDefinition& contact, SurfacePair& pair) {
+  pair.enforcement = settings.enforcement.value_or(Enforcement::momentum_balance);
+  if (pair.penalty_stiffness || has_pressure(*pair.law, contact.friction_models))
+    pair.enforcement = Enforcement::penalty;
+}
+
 /// What all pairs of one interaction, or of the defaults, have in common.
 SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& contact) {
   SurfacePair pair;
@@ -36,14 +43,17 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   pair.overlap_normal_tolerance = settings.overlap_normal_tolerance;
   pair.overlap_tangential_tolerance = settings.overlap_tangential_tolerance;
   pair.capture_tolerance = settings.capture_tolerance;
+  pair.sides.fill(settings.sides.value_or(ShellSides::both));
+  pair.separates = settings.separation.value_or(true);
   pair.tracking_distance = settings.tracking_distance;
+  pair.search_distance = settings.search_distance;
   pair.gap = settings.gap;
   pair.gap_closure = settings.gap_closure;
   pair.adjusted_nodes = settings.adjusted_nodes;
+  pair.smoothing_choice = settings.smoothing.value_or(SmoothingChoice{});
   pair.penalty_scale = settings.penalty_scale.value_or(1.0) * contact.enforcement.penalty_scale;
   if (settings.penalty_stiffness) pair.penalty_stiffness = settings.penalty_stiffness->given;
-  pair.enforcement = settings.enforcement.value_or(Enforcement::momentum_balance);
-  if (pair.penalty_stiffness) pair.enforcement = Enforcement::penalty;
+  set_enforcement(settings, contact, pair);
   pair.damping_fraction = settings.damping_fraction.value_or(0.0);
   return pair;
 }
@@ -125,11 +135,13 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
 
 SurfacePair PairMaker::pair_of(std::size_t index) const {
   const Interaction& interaction = contact_.interactions[index];
-  SurfacePair pair = common_pair(with_defaults(interaction.pair, defaults_), contact_);
+  const PairSettings settings = with_defaults(interaction.pair, defaults_);
+  SurfacePair pair = common_pair(settings, contact_);
   if (interaction.friction_coefficient) {
     FrictionLaw coulomb = make_friction_law("constant friction");
     coulomb.values.set("friction coefficient", *interaction.friction_coefficient);
     pair.law = std::make_shared<const FrictionLaw>(std::move(coulomb));
+    set_enforcement(settings, contact_, pair);
   }
   pair.interaction = name_of_interaction(contact_, index);
   pair.location = interaction.name.location;

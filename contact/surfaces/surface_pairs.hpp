@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,12 +39,17 @@ struct SurfacePair {
   std::optional<double> overlap_normal_tolerance;  ///< deepest overlap removed; absent: automatic [length]
   std::optional<double>
       overlap_tangential_tolerance;         ///< the same beyond an edge; absent: automatic [length]
-  std::optional<double> capture_tolerance;  ///< gap that is closed at the start; absent: 0 [length]
+  std::optional<double> capture_tolerance;  ///< gap over which what holds does so; absent: automatic [length]
   std::optional<double> tracking_distance;  ///< gaps told in the output; absent: the search's margin [length]
+  std::optional<SearchDistance> search_distance;  ///< what is farther at the start is never looked at
+  bool separates = true;                          ///< what has touched may part again
+  std::array<ShellSides, 2> sides{};              ///< of the shells of `first` and `second` that take part
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;  ///< nodes this near are moved onto the other side
   std::optional<DeckName> adjusted_nodes;          ///< node set of nodes that are, at any distance
   OptionalIndex<std::uint32_t> adjusted_node_set;  ///< of the mesh, with that name
+  SmoothingChoice smoothing_choice;                ///< of the deck
+  OptionalIndex<std::uint32_t> smoothing;          ///< of the contact model, by that choice
   OptionalIndex<std::uint32_t>
       side_b;  ///< surface that SIDE B names, or that gives the nodes; its nodes are moved then
   Enforcement enforcement = Enforcement::penalty;
@@ -54,6 +60,14 @@ struct SurfacePair {
 
   /// Whether nodes are moved onto the other side before the first step.
   bool closes_gaps() const { return gap_closure || adjusted_nodes; }
+  /// How far apart sides are held that have touched: by NORMAL TOLERANCE, else half of the thinner element;
+  /// 0 of those that may part [length].
+  ///   thickness  of the thinner element [length]
+  double held_gap(double thickness) const {
+    return separates ? 0.0 : normal_tolerance.value_or(0.5 * thickness);
+  }
+  /// Whether only one side of some shells takes part.
+  bool is_polar() const { return sides[0] != ShellSides::both || sides[1] != ShellSides::both; }
   /// Share of a node's area that counts where it meets a face: pairs that go both ways meet everything twice
   /// [1].
   double node_share() const { return is_one_sided ? 1.0 : 0.5; }

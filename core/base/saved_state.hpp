@@ -56,8 +56,8 @@ class SavedState {
   }
   /// Adds a copy of numbers.
   template <class T>
-  void add_copy(std::string name, std::span<const T> values) {
-    const std::span<std::byte> room = add_room(std::move(name), saved_type<T>, values.size());
+  void add_copy(const std::string& name, std::span<const T> values) {
+    const std::span<std::byte> room = add_room(name, saved_type<T>, values.size());
     const std::span<const std::byte> bytes = std::as_bytes(values);
     std::copy(bytes.begin(), bytes.end(), room.begin());
   }

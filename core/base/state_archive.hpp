@@ -50,7 +50,7 @@ class StateArchive {
   template <class T>
   void list(const std::string& name, std::vector<T>& values) {
     using Number = typename NumberOf<T>::Type;
-    constexpr std::size_t n = sizeof(T) / sizeof(Number);
+    constexpr std::size_t n = NumberOf<T>::count;
     const auto numbers = [&] {
       return std::span(reinterpret_cast<Number*>(values.data()), n * values.size());
     };
@@ -101,15 +101,17 @@ class StateArchive {
   void set(const std::string& name, std::set<std::uint64_t>& values);
 
  private:
-  /// The number that a value is made of.
+  /// The numbers that a value is made of.
   template <class T>
   struct NumberOf {
     using Type = typename T::Scalar;
+    static constexpr std::size_t count = sizeof(T) / sizeof(Type);
   };
   template <class T>
   requires std::is_arithmetic_v<T>
   struct NumberOf<T> {
     using Type = T;
+    static constexpr std::size_t count = 1;
   };
 
   std::span<const std::byte> find_bytes(const std::string& name, SavedType type) const;

@@ -38,7 +38,7 @@ class NodeMarks {
 void NodeMarks::set_side(ElementSide side, bool value) {
   const Topology& shape = topology(mesh_.blocks()[mesh_.block_of(side.element())].shape);
   if (shape.sides.empty()) return set(side.element(), value);
-  for (const NodeIndex node : mesh_.side_nodes(side)) set(node, value);
+  for (const auto& facet : mesh_.side_facets(side)) set(facet, value);
 }
 
 void NodeMarks::set(const Entity& entity, bool value) {

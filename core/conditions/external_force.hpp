@@ -27,8 +27,8 @@ struct NodeLoad {
 
 /// PRESSURE and TRACTION: a load per area of the deformed faces.
 struct FaceLoad {
-  std::vector<std::array<NodeIndex, 4>> faces;  ///< corners, outward; a triangle repeats its last
-  std::vector<ElementSide> sides;               ///< [n_faces] the same as sides of elements
+  std::vector<std::array<NodeIndex, 4>> faces;  ///< facets by corners, outward; a triangle repeats its last
+  std::vector<ElementSide> sides;               ///< [n_faces] the sides that they are of
   NodeSums sums;                                ///< of the corners of the faces
   std::optional<Eigen::Vector3d> direction;     ///< of a traction; absent: a pressure, against the normal
   ConditionFunction value{0.0};                 ///< [force/length^2]

@@ -132,9 +132,11 @@ void ExternalForceMaker::find_faces_of(const EntitySet& set, const ConditionLabe
                                        FaceLoad& load) const {
   std::vector<std::uint32_t> corners;
   for (const ElementSide face : find_faces(set, label, scope_)) {
-    load.sides.push_back(face);
-    load.faces.push_back(scope_.mesh.side_nodes(face));
-    for (const NodeIndex node : load.faces.back()) corners.push_back(node.value);
+    for (const auto& facet : scope_.mesh.side_facets(face)) {
+      load.sides.push_back(face);
+      load.faces.push_back(facet);
+      for (const NodeIndex node : facet) corners.push_back(node.value);
+    }
   }
   load.sums = NodeSums(corners, scope_.mesh.n_nodes());
 }

@@ -9,6 +9,7 @@
 #include "core/definition/contact_surfaces.hpp"
 #include "core/definition/friction.hpp"
 #include "core/definition/interaction.hpp"
+#include "core/definition/surface_smoothing.hpp"
 
 namespace contactsim {
 
@@ -25,6 +26,7 @@ struct ContactDefinition {
   DashOptions dash;
   EnforcementOptions enforcement;
   std::vector<SurfaceOptions> surface_options;  ///< in deck order: a later one overrides an earlier one
+  std::vector<SurfaceSmoothing> smoothings;
   OverlapRemoval overlap_removal;
   ContactVariables variables = ContactVariables::when_written;
   ContactDebug debug;

@@ -17,7 +17,7 @@ struct SearchOptions {
   Tolerance tolerance = Tolerance::automatic;
   std::optional<double> normal_tolerance;      ///< reach off a face, >= 0 [length]
   std::optional<double> tangential_tolerance;  ///< reach beyond a face's edge, >= 0 [length]
-  std::optional<double> capture_tolerance;     ///< gap that is closed at the start, >= 0 [length]
+  std::optional<double> capture_tolerance;     ///< gap over which what holds does so, >= 0 [length]
 };
 
 /// BEGIN DASH OPTIONS. Source: Sierra/SM 5.22, 8.9.

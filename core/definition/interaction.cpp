@@ -33,10 +33,14 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   fill(own.overlap_normal_tolerance, defaults.overlap_normal_tolerance);
   fill(own.overlap_tangential_tolerance, defaults.overlap_tangential_tolerance);
   fill(own.capture_tolerance, defaults.capture_tolerance);
+  fill(own.separation, defaults.separation);
+  fill(own.sides, defaults.sides);
   fill(own.tracking_distance, defaults.tracking_distance);
+  fill(own.search_distance, defaults.search_distance);
   own.gap = with_defaults(own.gap, defaults.gap);
   fill(own.gap_closure, defaults.gap_closure);
   fill(own.adjusted_nodes, defaults.adjusted_nodes);
+  fill(own.smoothing, defaults.smoothing);
   fill(own.enforcement, defaults.enforcement);
   fill(own.penalty_scale, defaults.penalty_scale);
   fill(own.penalty_stiffness, defaults.penalty_stiffness);

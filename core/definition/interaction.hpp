@@ -7,14 +7,15 @@
 
 #include "core/definition/condition_lines.hpp"
 #include "core/definition/contact_options.hpp"
+#include "core/definition/surface_smoothing.hpp"
 
 namespace contactsim {
 
 /// What meets what in a pair of surfaces.
 enum class ConstraintFormulation : std::uint8_t { node_face, face_face };
 
-/// How a pair moves. infinitesimal_sliding keeps the partners found at the start; no_interaction switches the
-/// pair off.
+/// How a pair moves. infinitesimal_sliding keeps the partners found at the start and their planes;
+/// no_interaction switches the pair off.
 enum class InteractionBehavior : std::uint8_t { sliding, infinitesimal_sliding, no_interaction };
 
 /// PENALTY STIFFNESS = AUTO or a number: force per area of contact and per depth.
@@ -44,6 +45,15 @@ struct GapClosureTolerance {
   bool operator==(const GapClosureTolerance&) const = default;
 };
 
+/// SEARCH DISTANCE = AUTO or a number: what is farther from the other side at the start is never looked at.
+struct SearchDistance {
+  std::optional<double> given;  ///< absent: AUTO, two mean edges of the faces; >= 0 [length]
+  bool operator==(const SearchDistance&) const = default;
+};
+
+/// Which side of shells other surfaces meet: the top is the one that the normal looks out of.
+enum class ShellSides : std::uint8_t { both, top, bottom };
+
 /// The settings of a pair of surfaces. One that is absent in an INTERACTION comes from INTERACTION DEFAULTS;
 /// one absent there too is the program's.
 struct PairSettings {
@@ -56,11 +66,15 @@ struct PairSettings {
   std::optional<double>
       overlap_normal_tolerance;  ///< deepest overlap that is removed at the start, >= 0 [length]
   std::optional<double> overlap_tangential_tolerance;  ///< the same beyond a face's edge, >= 0 [length]
-  std::optional<double> capture_tolerance;             ///< gap that is closed at the start, >= 0 [length]
-  std::optional<double> tracking_distance;  ///< gaps up to it are told in the output, >= 0 [length]
+  std::optional<double> capture_tolerance;             ///< gap over which what holds does so, >= 0 [length]
+  std::optional<bool> separation;                      ///< whether what has touched may part; program: yes
+  std::optional<ShellSides> sides;                ///< of SIDE A's shells, without sides of all; program: both
+  std::optional<double> tracking_distance;        ///< gaps up to it are told in the output, >= 0 [length]
+  std::optional<SearchDistance> search_distance;  ///< program: everything is looked at
   GapSettings gap;
   std::optional<GapClosureTolerance> gap_closure;     ///< program: none is closed
   std::optional<DeckName> adjusted_nodes;             ///< node set whose nodes go onto the other side
+  std::optional<SmoothingChoice> smoothing;           ///< round shapes of the sides; program: off
   std::optional<double> penalty_scale;                ///< of the automatic stiffness, > 0; program: 1 [1]
   std::optional<PenaltyStiffness> penalty_stiffness;  ///< program: automatic
   std::optional<double> damping_fraction;             ///< of critical damping, >= 0; program: 0 [1]

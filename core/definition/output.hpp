@@ -51,7 +51,8 @@ struct HeartbeatOutput {
   bool appends = false;                   ///< to an existing file
   std::optional<std::int64_t> precision;  ///< digits of a number, >= 1
   std::optional<bool> has_labels,
-      has_legend;  ///< names beside the numbers, names on top; absent: as the format
+      has_legend;          ///< names beside the numbers, names on top; absent: as the format
+  bool has_units = false;  ///< dimensions of the numbers under their names
   std::optional<std::string> timestamp_format;  ///< as strftime takes it; "" for none
   std::optional<Monitored> monitored;           ///< writes a line whenever that output is written
   OutputSchedule schedule;

@@ -29,6 +29,11 @@ struct TotalLagrangeSection {
   std::optional<double> vem_exponent;  ///< [1]
 };
 
+/// BEGIN COHESIVE SECTION: hexahedra and wedges between two surfaces, with or without a thickness.
+struct CohesiveSection {
+  std::int64_t n_integration_points = 4;  ///< those of the corners [1]
+};
+
 /// BEGIN SHELL SECTION. Without a thickness the mesh's element attribute counts.
 struct ShellSection {
   std::optional<double> thickness;                  ///< > 0 [length]
@@ -102,9 +107,9 @@ struct UnsupportedSection {
   std::string type;  ///< the deck's words in lower case: "superelement section"
 };
 
-using SectionProperties =
-    std::variant<SolidSection, TotalLagrangeSection, ShellSection, MembraneSection, BeamSection, TrussSection,
-                 ParticleSection, PointMassSection, SpringSection, DamperSection, UnsupportedSection>;
+using SectionProperties = std::variant<SolidSection, TotalLagrangeSection, CohesiveSection, ShellSection,
+                                       MembraneSection, BeamSection, TrussSection, ParticleSection,
+                                       PointMassSection, SpringSection, DamperSection, UnsupportedSection>;
 
 /// BEGIN <type> SECTION <name>.
 struct SectionDefinition {

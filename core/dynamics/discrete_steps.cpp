@@ -2,6 +2,8 @@
 #include "core/dynamics/discrete_steps.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/elements/element_table.hpp"
@@ -65,18 +67,42 @@ class Ends {
   std::vector<double> sums_;                 ///< [n_nodes + n_bodies]
 };
 
-/// Calls act(block, element, its nodes) for all elements of a rule.
+double& lane(std::vector<Lanes>& values, std::uint32_t element, std::size_t n_each = 1, std::size_t k = 0) {
+  return values[element / n_lanes * n_each + k](static_cast<Eigen::Index>(element % n_lanes));
+}
+
+/// The greatest stiffness that a cohesive element may have over its area [force/length^3].
+double greatest_stiffness(const TractionLaw& law) {
+  return std::max(std::max(1.0, law.penetration_factor) * law.normal_stiffness(), law.tangential_stiffness());
+}
+
+/// Calls act(two nodes, what is between them, its stable step) for all pairs of a cohesive element.
+template <class Act>
+void for_each_pair(ModelBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes,
+                   const Act& act) {
+  const std::size_t n = nodes.size() / 2;
+  const double stiffness = greatest_stiffness(block.cohesive.law);
+  for (std::size_t pair = 0; pair < n; ++pair) {
+    const std::array ends{nodes[pair], nodes[pair + n]};
+    act(std::span<const NodeIndex>(ends), stiffness * lane(block.cohesive.area, element, n, pair),
+        lane(block.cohesive.stable_step, element));
+  }
+}
+
+/// The same for all elements of a rule.
 template <class Act>
 void for_each(Model& model, StepRule rule, const Act& act) {
   for (ModelBlock& block : model.blocks) {
     if (block.element->step_rule != rule || block.is_rigid) continue;
     const ElementBlock& source = model.mesh->blocks()[block.mesh_block];
-    for (std::uint32_t i = 0; i < source.n_elements; ++i) act(block, i, source.element_nodes(i));
+    for (std::uint32_t i = 0; i < source.n_elements; ++i) {
+      if (block.cohesive.area.empty()) {
+        act(source.element_nodes(i), lane(block.discrete.stiffness, i), lane(block.discrete.stable_step, i));
+      } else {
+        for_each_pair(block, i, source.element_nodes(i), act);
+      }
+    }
   }
-}
-
-double& lane(std::vector<Lanes>& values, std::uint32_t element) {
-  return values[element / n_lanes](static_cast<Eigen::Index>(element % n_lanes));
 }
 
 }  // namespace
@@ -84,14 +110,13 @@ double& lane(std::vector<Lanes>& values, std::uint32_t element) {
 void set_discrete_steps(Model& model) {
   for (const StepRule rule : {StepRule::stiffness, StepRule::damping}) {
     Ends ends(model);
-    for_each(model, rule, [&](ModelBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes) {
-      ends.add(nodes, lane(block.discrete.stiffness, element));
+    for_each(model, rule, [&](std::span<const NodeIndex> nodes, double stiffness, double&) {
+      ends.add(nodes, stiffness);
     });
-    for_each(model, rule, [&](ModelBlock& block, std::uint32_t element, std::span<const NodeIndex> nodes) {
+    for_each(model, rule, [&](std::span<const NodeIndex> nodes, double, double& stable_step) {
       const double bound = ends.row(nodes);
       if (bound > 0.0)
-        lane(block.discrete.stable_step, element) =
-            2.0 / (rule == StepRule::damping ? bound : std::sqrt(bound));
+        stable_step = std::min(stable_step, 2.0 / (rule == StepRule::damping ? bound : std::sqrt(bound)));
     });
   }
 }

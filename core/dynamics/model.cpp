@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/dynamics/model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/definition/simulation.hpp"
@@ -8,12 +10,13 @@
 #include "core/elements/block_maker.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
+#include "core/mesh/hanging_faces.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// An element gives each of its nodes an equal share of what it has.
+/// An element gives each of its nodes its share of what it has.
 ///   element_values  [n_batches]
 void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes> element_values,
                 Eigen::Matrix3Xd& sums) {
@@ -21,9 +24,24 @@ void add_shares(const ModelBlock& block, const Mesh& mesh, std::span<const Lanes
   for (std::uint32_t element = 0; element < source.n_elements; ++element) {
     const double element_value = element_values[element / n_lanes](element % n_lanes);
     const auto nodes = source.element_nodes(element);
-    for (const NodeIndex node : nodes)
-      sums.col(node.value).array() += element_value / static_cast<double>(nodes.size());
+    const auto& shares = block.element->mass_shares;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      sums.col(nodes[i].value).array() +=
+          shares.empty() ? element_value / static_cast<double>(nodes.size()) : element_value * shares[i];
   }
+}
+
+/// Midside nodes that one side of a face has alone part from the other side.
+void warn_of_hanging_nodes(const Mesh& mesh, const DeckLocation& location, Diagnostics& diagnostics) {
+  const auto hanging = find_hanging_faces(mesh);
+  if (!hanging) return;
+  diagnostics.add_warning(
+      "midside-nodes", location,
+      fmt::format(
+          "{} faces of six nodes lie on faces that have no or other midside nodes, the first of element "
+          "{} on element {}",
+          hanging->n, mesh.element_id(hanging->first.element()), mesh.element_id(hanging->beside.element())),
+      "those nodes are joined to one side only: mesh both sides alike, or part the bodies and tie them");
 }
 
 }  // namespace
@@ -59,6 +77,7 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
   for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
     if (mesh.blocks()[i].n_elements > 0) maker.add(i, names[i], model.blocks);
   }
+  warn_of_hanging_nodes(mesh, elements->name.location, diagnostics);
   model.mass = lumped_mass(mesh, model.blocks);
   model.inertia = lumped_inertia(mesh, model.blocks);
   make_rigid_bodies(definition, region, model, diagnostics);

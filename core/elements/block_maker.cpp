@@ -3,12 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/base/names.hpp"
 #include "core/definition/finite_element_model.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/elements/cohesive_section.hpp"
 #include "core/elements/element_table.hpp"
+#include "core/elements/linear_advice.hpp"
 #include "core/elements/material_directions.hpp"
 #include "core/materials/material_table.hpp"
+#include "core/materials/traction_law_table.hpp"
 
 namespace contactsim {
 
@@ -16,6 +21,7 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
                      std::vector<ModelBlock>& blocks) {
   const BlockParameters* parameters = find_block_parameters(model_, names);
   block_name_ = mesh_.name({EntityKind::block, index});
+  block_id_ = mesh_.blocks()[index].id;
   if (parameters == nullptr) {
     add_error(model_.name.location,
               fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text), "");
@@ -36,8 +42,34 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
 std::optional<ModelBlock> BlockMaker::make(Family family, std::uint32_t index,
                                            const BlockParameters& parameters) {
   if (family == Family::shell) return make_shells(index, parameters);
+  if (family == Family::cohesive) return make_cohesive(index, parameters);
   const bool is_thin = family == Family::line || family == Family::particle;
   return is_thin ? make_lines(index, parameters) : make_solids(index, parameters);
+}
+
+std::optional<ModelBlock> BlockMaker::make_cohesive(std::uint32_t index, const BlockParameters& parameters) {
+  if (!parameters.material || !parameters.model) {
+    add_error(parameters.location,
+              fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
+    return std::nullopt;
+  }
+  const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
+  const MaterialModel* model = material ? find_model(*material, parameters.model->text) : nullptr;
+  if (model == nullptr) return std::nullopt;  // the binder has said so
+  const SectionDefinition& section = *find_section(definition_, parameters);
+  const auto law = make_traction_law(*model, diagnostics_);
+  if (!law) return std::nullopt;
+  const double density = std::isnan(material->density) ? 0.0 : material->density;
+  auto block = make_cohesive_block(mesh_, index, *law, density, section.name.location, diagnostics_);
+  const auto n_points = std::get<CohesiveSection>(section.properties).n_integration_points;
+  const auto n_pairs = static_cast<std::int64_t>(topology(mesh_.blocks()[index].shape).n_nodes / 2);
+  if (n_points != n_pairs && n_points != CohesiveSection{}.n_integration_points) {
+    diagnostics_.add_warning(
+        "cohesive-points", section.name.location,
+        fmt::format("{}: all {} pairs of opposite nodes carry tractions", block_name_, n_pairs),
+        "NUMBER OF INTEGRATION POINTS has no effect");
+  }
+  return block;
 }
 
 std::optional<ModelBlock> BlockMaker::make_solids(std::uint32_t index, const BlockParameters& parameters) {
@@ -46,6 +78,11 @@ std::optional<ModelBlock> BlockMaker::make_solids(std::uint32_t index, const Blo
       section ? find_formulation(topology(mesh_.blocks()[index].shape), *section, parameters) : nullptr;
   const auto properties = make_properties(parameters, section);
   if (element == nullptr || !properties) return std::nullopt;
+  if (element->shape == Shape::tet10 && parameters.hourglass_viscosity > 0.0) {
+    diagnostics_.add_warning("hourglass-viscosity", parameters.location,
+                             fmt::format("{}: ten-node tetrahedra have no hourglass viscosity", block_name_),
+                             "HOURGLASS VISCOSITY has no effect on them");
+  }
   return make_solid_block(mesh_, index, *element, *properties);
 }
 
@@ -58,10 +95,17 @@ const SolidSection* BlockMaker::find_solid_section(std::uint32_t index, const Bl
   const SectionDefinition* section = find_section(definition_, parameters);
   const SolidSection* solid = &default_section_;
   if (section != nullptr) solid = std::get_if<SolidSection>(&section->properties);
+  if (section != nullptr && solid == nullptr) solid = take_lagrange_section(shape, *section);
   if (shape.family != Family::solid) {
     add_error(parameters.location,
               fmt::format("{} has elements of type {}, which cannot move", block_name_, shape.name),
               "--check resolves the surfaces of all of them");
+    return nullptr;
+  }
+  if (solid == nullptr && std::holds_alternative<CohesiveSection>(section->properties)) {
+    add_error(section->name.location,
+              fmt::format("{} has elements of type {}, which cannot be cohesive", block_name_, shape.name),
+              "HEX8 and WEDGE6 can");
     return nullptr;
   }
   if (solid == nullptr) {
@@ -73,6 +117,20 @@ const SolidSection* BlockMaker::find_solid_section(std::uint32_t index, const Bl
   }
   check_options(*solid);
   return solid;
+}
+
+/// A TOTAL LAGRANGE SECTION of ten-node tetrahedra as the solid section that means the same element; null of
+/// any other.
+const SolidSection* BlockMaker::take_lagrange_section(const Topology& shape,
+                                                      const SectionDefinition& section) {
+  const auto* lagrange = std::get_if<TotalLagrangeSection>(&section.properties);
+  if (lagrange == nullptr || shape.shape != Shape::tet10) return nullptr;
+  diagnostics_.add_warning(
+      "total-lagrange", section.name.location,
+      fmt::format("{}: strain is taken step by step, not from the undeformed element", block_name_),
+      "the dilatation is the mean one of the element; VOLUME AVERAGE J and VEM EXPONENT have no effect");
+  lagrange_section_.formulation = lagrange->formulation;
+  return &lagrange_section_;
 }
 
 /// Everything but the formulation that a SOLID SECTION may ask for.
@@ -94,14 +152,15 @@ void BlockMaker::check_options(const SolidSection& solid) {
 const ElementFormulation* BlockMaker::find_formulation(const Topology& shape, const SolidSection& solid,
                                                        const BlockParameters& parameters) {
   const ElementFormulation* element = find_solid_element(shape.shape, solid.formulation.text);
+  const bool says_nothing =
+      !solid.formulation.location.is_known() && solid.formulation.text == SolidSection{}.formulation.text;
+  if (element == nullptr && says_nothing) element = default_solid_element(shape.shape);
   if (element != nullptr) return element;
   const bool is_known = !list_formulations(shape.shape).empty();
   const DeckLocation& location =
       is_known && solid.formulation.location.is_known() ? solid.formulation.location : parameters.location;
   if (!is_known) {
-    add_error(location,
-              fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
-              "linear hexahedra, tetrahedra, wedges and pyramids are");
+    refuse_shape(shape, parameters, "linear hexahedra, tetrahedra, wedges and pyramids are");
   } else {
     add_error(location,
               fmt::format("{}: there is no {} with the formulation {}", block_name_, shape.name,
@@ -109,6 +168,14 @@ const ElementFormulation* BlockMaker::find_formulation(const Topology& shape, co
               fmt::format("it has {}", list_formulations(shape.shape)));
   }
   return nullptr;
+}
+
+void BlockMaker::refuse_shape(const Topology& shape, const BlockParameters& parameters, const char* known) {
+  const std::string advice = linear_advice(shape.shape, block_id_);
+  add_error(parameters.location,
+            fmt::format("{} (block {}) has elements of type {}, which are not supported", block_name_,
+                        block_id_, shape.name),
+            advice.empty() ? known : advice);
 }
 
 std::optional<ElementProperties> BlockMaker::make_properties(const BlockParameters& parameters,

@@ -36,10 +36,12 @@ class BlockMaker {
   Made make_lines(std::uint32_t index, const BlockParameters& parameters);
   Made make_solids(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters);
+  Made make_cohesive(std::uint32_t index, const BlockParameters& parameters);
   Made make_shells(std::uint32_t index, const BlockParameters& parameters, const ShellSection& section,
                    const ElementFormulation* element);
   const ShellSection* find_shell_section(std::uint32_t index, const SectionDefinition* section);
   const SolidSection* find_solid_section(std::uint32_t index, const BlockParameters& parameters);
+  const SolidSection* take_lagrange_section(const Topology& shape, const SectionDefinition& section);
   const ElementFormulation* find_formulation(std::uint32_t index, const ShellSection& section,
                                              const BlockParameters& parameters);
   const ElementFormulation* find_formulation(std::uint32_t index, const MembraneSection& section,
@@ -48,6 +50,7 @@ class BlockMaker {
                                              const BlockParameters& parameters);
   std::optional<ElementProperties> make_properties(const BlockParameters& parameters,
                                                    const SolidSection* section);
+  void refuse_shape(const Topology& shape, const BlockParameters& parameters, const char* known);
   void check_options(const SolidSection& solid);
   bool give_directions(const BlockParameters& parameters, const SectionDefinition* section,
                        ModelBlock& block);
@@ -58,10 +61,11 @@ class BlockMaker {
   const FiniteElementModel& model_;
   const Mesh& mesh_;
   Diagnostics& diagnostics_;
-  SolidSection default_section_;
+  SolidSection default_section_, lagrange_section_;
   ShellSection default_shell_section_;
   DeckLocation section_location_;  ///< of the block at hand, of its parameters when it has none
   std::string block_name_;
+  std::int64_t block_id_ = 0;
 };
 
 }  // namespace contactsim

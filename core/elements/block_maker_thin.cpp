@@ -70,12 +70,14 @@ const ElementFormulation* BlockMaker::find_formulation(std::uint32_t index, cons
   const ElementFormulation* element = find_shell_element(shape.shape, is_alike ? "bt_shell" : wanted);
   if (element != nullptr) return element;
   const std::string known = list_formulations(shape.shape);
+  if (known.empty()) {
+    refuse_shape(shape, parameters, "shells of three and four nodes are");
+    return nullptr;
+  }
   add_error(section.formulation.location.is_known() ? section.formulation.location : parameters.location,
-            known.empty()
-                ? fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name)
-                : fmt::format("{}: there is no {} with the formulation {}", block_name_, shape.name,
-                              section.formulation.text),
-            known.empty() ? "shells of three and four nodes are" : fmt::format("it has {}", known));
+            fmt::format("{}: there is no {} with the formulation {}", block_name_, shape.name,
+                        section.formulation.text),
+            fmt::format("it has {}", known));
   return nullptr;
 }
 
@@ -85,9 +87,7 @@ const ElementFormulation* BlockMaker::find_formulation(std::uint32_t index, cons
   const std::string wanted = fold(section.formulation.text);
   const ElementFormulation* element = find_membrane_element(shape.shape);
   if (element == nullptr) {
-    add_error(parameters.location,
-              fmt::format("{} has elements of type {}, which are not supported", block_name_, shape.name),
-              "membranes of three and four nodes are");
+    refuse_shape(shape, parameters, "membranes of three and four nodes are");
   } else if (wanted == "selective_deviatoric") {
     diagnostics_.add_warning(
         "membrane-formulation", section.formulation.location,

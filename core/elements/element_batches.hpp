@@ -9,7 +9,7 @@
 #include "core/elements/solid_kernel.hpp"
 
 /// Makes a row of the element table from an element type, which states
-///   shape, formulation, n_nodes, n_points, n_own  as ElementFormulation
+///   shape, formulation, n_nodes, n_points, n_own  as ElementFormulation, mass_shares if it has any
 /// and has
 ///   volume(x)  of eight elements [length^3]
 ///   advance(properties, motion, state, step)      state: [layout.energy()]
@@ -17,7 +17,8 @@ namespace contactsim {
 
 namespace batches {
 
-/// The vectors at the nodes of a chunk.
+/// The vectors at the nodes of a chunk of elements of up to so many nodes.
+template <std::size_t n_element_nodes = 8>
 class ChunkVectors {
  public:
   ///   nodes   of the mesh
@@ -28,7 +29,7 @@ class ChunkVectors {
   const NodeVector* data() const { return vectors_.data(); }
 
  private:
-  std::array<NodeVector, ModelBlock::batches_per_chunk * n_lanes * 8> vectors_;
+  std::array<NodeVector, ModelBlock::batches_per_chunk * n_lanes * n_element_nodes> vectors_;
 };
 
 /// The step of no element.
@@ -72,7 +73,7 @@ void add_lanes(const SolidStep<n>& step, std::size_t first_element, Eigen::Index
 template <class Element>
 void volumes(const ModelBlock& block, const BatchChunk& chunk, const Eigen::Matrix3Xd& coordinates,
              std::span<Lanes> volumes) {
-  const ChunkVectors x(block.nodes_of(chunk), coordinates);
+  const ChunkVectors<std::max<std::size_t>(8, Element::n_nodes)> x(block.nodes_of(chunk), coordinates);
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) {
     const ChunkNode* nodes = block.nodes.data() + i * Element::n_nodes * n_lanes;
     volumes[i] = Element::volume(gather<Element::n_nodes>(nodes, x.data()));
@@ -83,7 +84,8 @@ template <class Element>
 ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion& motion,
                   ModelBlockState& state) {
   constexpr std::size_t n = Element::n_nodes;
-  const ChunkVectors x(block.nodes_of(chunk), motion.coordinates), v(block.nodes_of(chunk), motion.velocity);
+  using Vectors = ChunkVectors<std::max<std::size_t>(8, n)>;
+  const Vectors x(block.nodes_of(chunk), motion.coordinates), v(block.nodes_of(chunk), motion.velocity);
   NodeVector* forces = state.forces.data() + chunk.first_node;
   std::fill_n(forces, chunk.n_nodes, NodeVector::Zero());
   ChunkStep sums = no_step();
@@ -112,8 +114,11 @@ ChunkStep advance(const ModelBlock& block, const BatchChunk& chunk, const Motion
 
 template <class Element>
 constexpr ElementFormulation solid_element() {
-  return {Element::shape, Element::formulation,       Element::n_nodes,          Element::n_points,
-          Element::n_own, &batches::volumes<Element>, &batches::advance<Element>};
+  ElementFormulation row{
+      Element::shape, Element::formulation,       Element::n_nodes,          Element::n_points,
+      Element::n_own, &batches::volumes<Element>, &batches::advance<Element>};
+  if constexpr (requires { Element::mass_shares; }) row.mass_shares = Element::mass_shares;
+  return row;
 }
 
 }  // namespace contactsim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/element_table.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/names.hpp"
@@ -9,9 +10,9 @@
 namespace contactsim {
 
 std::span<const ElementFormulation* const> solid_elements() {
-  static constexpr std::array rows{&hex8_mean_quadrature,   &hex8_selective_deviatoric,
-                                   &hex8_fully_integrated,  &tet4_mean_quadrature,
-                                   &wedge6_mean_quadrature, &pyramid5_mean_quadrature};
+  static constexpr std::array rows{
+      &hex8_mean_quadrature, &hex8_selective_deviatoric, &hex8_fully_integrated,   &tet4_mean_quadrature,
+      &tet10_composite,      &wedge6_mean_quadrature,    &pyramid5_mean_quadrature};
   return rows;
 }
 
@@ -47,6 +48,12 @@ const ElementFormulation* find(std::span<const ElementFormulation* const> rows, 
 
 const ElementFormulation* find_solid_element(Shape shape, std::string_view formulation) {
   return find(solid_elements(), shape, formulation);
+}
+
+const ElementFormulation* default_solid_element(Shape shape) {
+  const auto rows = solid_elements();
+  const auto found = std::ranges::find(rows, shape, [](const ElementFormulation* row) { return row->shape; });
+  return found == rows.end() ? nullptr : *found;
 }
 
 const ElementFormulation* find_shell_element(Shape shape, std::string_view formulation) {

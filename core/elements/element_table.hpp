@@ -50,6 +50,12 @@ struct ElementFormulation {
 
   StepRule step_rule = StepRule::material;
 
+  /// [n_nodes] of the element's mass that each of its nodes has, together 1; empty: equal ones [1].
+  std::span<const double> mass_shares = {};
+
+  double mass_share(std::size_t node) const {
+    return mass_shares.empty() ? 1.0 / static_cast<double>(n_nodes) : mass_shares[node];
+  }
   bool has_material() const { return step_rule == StepRule::material; }
 };
 
@@ -71,6 +77,9 @@ const ElementFormulation* find_line_element(Shape shape, std::string_view formul
 
 /// The row of a shape and formulation (compared without case), null when there is none.
 const ElementFormulation* find_solid_element(Shape shape, std::string_view formulation);
+
+/// The first row of a shape of solids: what a block without a word on it gets; null when there is none.
+const ElementFormulation* default_solid_element(Shape shape);
 
 /// The same of shells. The formulations of four-node shells mean the one of triangles there is, so that a
 /// section may be for both.

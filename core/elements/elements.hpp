@@ -10,6 +10,7 @@ extern const ElementFormulation hex8_mean_quadrature;
 extern const ElementFormulation hex8_selective_deviatoric;
 extern const ElementFormulation hex8_fully_integrated;
 extern const ElementFormulation tet4_mean_quadrature;
+extern const ElementFormulation tet10_composite;
 extern const ElementFormulation wedge6_mean_quadrature;
 extern const ElementFormulation pyramid5_mean_quadrature;
 

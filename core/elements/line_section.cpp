@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/elements/element_table.hpp"
+#include "core/elements/linear_advice.hpp"
 #include "core/mesh/element_attributes.hpp"
 
 namespace contactsim {
@@ -68,8 +69,11 @@ class LineReader {
   std::optional<LineSetup> finish(LineSetup setup, std::string_view formulation) const {
     setup.element = find_line_element(block_.shape, formulation);
     if (setup.element == nullptr) {
-      return fail(fmt::format("{} has elements of type {}, which its {} section is not for", name_,
-                              topology(block_.shape).name, formulation));
+      diagnostics_.add_error(location_,
+                             fmt::format("{} has elements of type {}, which its {} section is not for", name_,
+                                         topology(block_.shape).name, formulation),
+                             linear_advice(block_.shape, block_.id));
+      return std::nullopt;
     }
     return setup;
   }

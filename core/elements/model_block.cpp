@@ -10,8 +10,8 @@ namespace contactsim {
 
 namespace {
 
-static_assert(ModelBlock::batches_per_chunk * n_lanes * 8 <= std::numeric_limits<ChunkNode>::max() + 1,
-              "the nodes of a chunk of hexahedra have numbers");
+static_assert(ModelBlock::batches_per_chunk * n_lanes * 10 <= std::numeric_limits<ChunkNode>::max() + 1,
+              "the nodes of a chunk of ten-node tetrahedra have numbers");
 
 /// Numbers the nodes of a block chunk by chunk, in the order in which its elements name them first.
 class ChunkNumbering {

@@ -8,6 +8,7 @@
 
 #include "core/base/lanes.hpp"
 #include "core/elements/beam_shape.hpp"
+#include "core/elements/cohesive_parts.hpp"
 #include "core/elements/discrete_parts.hpp"
 #include "core/elements/element_properties.hpp"
 #include "core/elements/gather.hpp"
@@ -61,6 +62,7 @@ struct ModelBlock {
   BeamShapeSettings beam;                  ///< of lines
   Preload preload;                         ///< of trusses
   DiscreteParts discrete;                  ///< of springs, dampers and point masses
+  CohesiveParts cohesive;                  ///< of cohesive elements
   std::vector<Lanes> section;  ///< [n_batches] of lines [length^2], of particles the radius [length]
   std::vector<Lanes> inertia;  ///< [n_batches] of elements whose nodes turn [mass length^2]
   /// [n_batches x 6] the material's directions 1 and 2 at rest: of solids in coordinates, of shells in their

@@ -9,6 +9,7 @@
 #include "core/functions/function.hpp"
 #include "core/interface_laws/bond_law.hpp"
 #include "core/interface_laws/law_curve.hpp"
+#include "core/interface_laws/pressure_law.hpp"
 
 namespace contactsim {
 
@@ -43,6 +44,7 @@ struct InterfaceLaw {
   SlipLimit limit;        ///< empty: Coulomb's
   std::optional<RateLimit> rate_limit;
   std::optional<LawCurve> pull;  ///< gap [length] to traction [force/length^2], up to its last abscissa
+  std::optional<PressureLaw> pressure;  ///< in place of the penalty
   std::optional<BondLaw> bond_law;
   std::optional<WeldLaw> weld;
   std::int64_t decay_cycles = 1;  ///< steps over which what holds decays once it has failed
@@ -56,7 +58,9 @@ struct InterfaceLaw {
   /// Whether it pushes, with friction, and nothing else.
   bool only_pushes() const { return !holds() && !pull && !rate_limit; }
   /// Whether its friction is Coulomb's and nothing acts besides, but for ties.
-  bool is_simple() const { return !limit && !rate_limit && !pull && !bond_law && !weld; }
+  bool is_simple() const { return !limit && !rate_limit && !pull && !pressure && !bond_law && !weld; }
+  /// Whether it is that but for a pressure of its own.
+  bool only_presses() const { return pressure && !limit && only_pushes(); }
   /// As SlipLimit.
   double slip_limit(double force, double area, double speed) const {
     return limit ? limit(force, area, speed) : friction * force;

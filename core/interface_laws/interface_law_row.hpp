@@ -13,10 +13,10 @@
 
 /// Words of the laws: the gap is the distance of the surfaces along the normal, > 0 apart; the slip is how
 /// far one has moved along the other, its rate how fast. A force or traction that a function gives for a gap
-/// pulls the surfaces together when it is positive. In compression every law pushes as FRICTIONLESS does;
-/// what it says of tension and of forces along the surface comes on top. "At the start" is the first step of
-/// the run. Forces, unlike tractions, are those of one contact point: a node, or a pair of faces.
-/// Source: Sierra/SM 5.22, 8.5; laws past Coulomb's as in ACME's documentation.
+/// pulls the surfaces together when it is positive. In compression every law without a pressure of its own
+/// pushes as FRICTIONLESS does; what it says of tension and of forces along the surface comes on top. "At the
+/// start" is the first step of the run. Forces, unlike tractions, are those of one contact point: a node, or
+/// a pair of faces. Source: Sierra/SM 5.22, 8.5; laws past Coulomb's as in ACME's documentation.
 namespace contactsim {
 
 /// What a law is made of.
@@ -48,6 +48,7 @@ struct InterfaceLawRow {
   std::optional<InterfaceLaw> (*make)(const InterfaceLawInput& input) = nullptr;
   ContactLaw holding = ContactLaw::sliding;  ///< of laws that hold and never fail
   bool holds_at_start = false;               ///< what is near at the start, if only until it fails
+  bool has_pressure = false;                 ///< in place of the penalty, which enforces its pairs
   LawSelection (*select)(const ParameterValues& values) = nullptr;  ///< of laws that select others, only
   /// In tables; null: the name.
   std::string (*describe)(const ParameterValues& values) = nullptr;

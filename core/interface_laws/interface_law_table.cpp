@@ -11,6 +11,7 @@
 #include "core/interface_laws/constant_friction.hpp"
 #include "core/interface_laws/hybrid.hpp"
 #include "core/interface_laws/junction.hpp"
+#include "core/interface_laws/pressure_function.hpp"
 #include "core/interface_laws/pressure_velocity.hpp"
 #include "core/interface_laws/spring_weld.hpp"
 #include "core/interface_laws/sticking.hpp"
@@ -52,6 +53,8 @@ std::span<const InterfaceLawRow> interface_law_rows() {
       junction(),
       threaded(),
       pressure_velocity(),
+      pressure_function(),
+      exponential_pressure(),
       hybrid(),
       time_variant(),
   };
@@ -69,6 +72,14 @@ FrictionLaw make_friction_law(std::string_view name) {
   FrictionLaw law{std::string(name)};
   law.values = ParameterValues(row_of(law).parameters);
   return law;
+}
+
+bool has_pressure(const FrictionLaw& law, std::span<const FrictionModel> models) {
+  if (row_of(law).has_pressure) return true;
+  return std::ranges::any_of(law.values.names(ParameterKind::friction_model), [&](const DeckName& name) {
+    const FrictionLaw* named = find_friction_law(models, name.text);
+    return named != nullptr && row_of(*named).has_pressure;
+  });
 }
 
 std::string describe_law(const FrictionLaw& law) {

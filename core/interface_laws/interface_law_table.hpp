@@ -19,6 +19,9 @@ const InterfaceLawRow& row_of(const FrictionLaw& law);
 /// A law of a row, its parameters at their defaults.
 FrictionLaw make_friction_law(std::string_view name);
 
+/// Whether a law, or one of the models that it may become, has a pressure of its own.
+bool has_pressure(const FrictionLaw& law, std::span<const FrictionModel> models);
+
 /// A law as tables show it: "frictionless", "friction 0.3", "tied", "spring weld".
 std::string describe_law(const FrictionLaw& law);
 

@@ -41,8 +41,9 @@ inline InterfaceLawRow pressure_velocity() {
                                   "How fast the coefficient falls with the slip rate [time/length]")
               .otherwise(0.0),
           parameter::positive("reference pressure",
-                              "Pressure that the sum of pressure and offset is measured by [force/length^2]")
-              .required(),
+                              "Pressure that the sum of pressure and offset is measured by; at 1, with the "
+                              "defaults of the rest, the coefficients are Coulomb's [force/length^2]")
+              .otherwise(1.0),
           parameter::non_negative("offset pressure", "Added to the pressure [force/length^2]").otherwise(0.0),
           parameter::real("pressure exponent", "Power of the relative pressure [1]").otherwise(1.0),
       }};

@@ -18,6 +18,7 @@ namespace contactsim {
 namespace {
 
 constexpr std::size_t n_shown = 5;
+constexpr std::size_t max_shape_nodes = 10;  // see Topology::n_shape_nodes
 
 struct DoubtfulElement {
   ElementIndex element;
@@ -49,10 +50,10 @@ double triple(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
 
 // Six times the volume between the origin and a face; a bilinear face halves the tetrahedron of its corners,
 // so it is the mean of the two ways to cut it into triangles.
-double cone_volume(const Side& side, const std::array<Eigen::Vector3d, 8>& x) {
-  const Eigen::Vector3d &a = x[side.corners[0]], &b = x[side.corners[1]], &c = x[side.corners[2]];
-  if (side.n_corners == 3) return triple(a, b, c);
-  const Eigen::Vector3d& d = x[side.corners[3]];
+double cone_volume(const FacetCorners& corners, const std::array<Eigen::Vector3d, max_shape_nodes>& x) {
+  const Eigen::Vector3d &a = x[corners[0]], &b = x[corners[1]], &c = x[corners[2]];
+  if (corners[2] == corners[3]) return triple(a, b, c);
+  const Eigen::Vector3d& d = x[corners[3]];
   return 0.5 * (triple(a, b, c) + triple(a, c, d) + triple(a, b, d) + triple(b, c, d));
 }
 
@@ -105,10 +106,12 @@ double solid_volume(const Eigen::Matrix3Xd& coordinates, std::span<const NodeInd
                     const Topology& shape) {
   // About the first corner, so that an element far from the origin keeps its digits.
   const Eigen::Vector3d origin = coordinates.col(nodes[0].value);
-  std::array<Eigen::Vector3d, 8> x;
-  for (std::size_t i = 0; i < shape.n_corners; ++i) x[i] = coordinates.col(nodes[i].value) - origin;
+  std::array<Eigen::Vector3d, max_shape_nodes> x;
+  for (std::size_t i = 0; i < shape.n_shape_nodes(); ++i) x[i] = coordinates.col(nodes[i].value) - origin;
   double sum = 0.0;
-  for (const Side& side : shape.sides) sum += cone_volume(side, x);
+  for (std::size_t side = 0; side < shape.sides.size(); ++side) {
+    for (const FacetCorners& corners : shape.facets(side)) sum += cone_volume(corners, x);
+  }
   return sum / 6.0;
 }
 

@@ -101,7 +101,7 @@ void visit_faces_of(const ElementBlock& block, std::uint32_t n, const ElementAt&
   }
 }
 
-/// Every face of a solid matters to a skin, and one of a shell.
+/// Every face of a solid matters to a skin, and one of a shell; none of a cohesive element.
 template <class ElementAt, class Visit>
 void visit_faces_of_block(const ElementBlock& block, std::uint32_t n, const ElementAt& element_at,
                           Visit& visit) {
@@ -111,6 +111,8 @@ void visit_faces_of_block(const ElementBlock& block, std::uint32_t n, const Elem
     visit_faces_of<shell_quad_sides, 1>(block, n, element_at, visit);
   } else if (shape.family == Family::shell) {
     visit_faces_of<shell_tri_sides, 1>(block, n, element_at, visit);
+  } else if (shape.family != Family::solid) {
+    return;
   } else if (shape.sides.data() == hex_sides.data()) {
     visit_faces_of<hex_sides>(block, n, element_at, visit);
   } else if (shape.sides.data() == tet_sides.data()) {

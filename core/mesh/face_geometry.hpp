@@ -23,12 +23,25 @@ inline Eigen::Vector3d area_vector(const Eigen::Matrix<double, 3, 4>& corners) {
   return area_vector(corners.col(0), corners.col(1), corners.col(2), corners.col(3));
 }
 
-/// The same of a face of the mesh. Precondition: the side is a face.
+/// The same of corners that are nodes of the mesh.
+inline Eigen::Vector3d area_vector(const Eigen::Matrix3Xd& x, const std::array<NodeIndex, 4>& corners) {
+  return area_vector(x.col(corners[0].value), x.col(corners[1].value), x.col(corners[2].value),
+                     x.col(corners[3].value));
+}
+
+/// The same of a face of the mesh, summed over its facets. Precondition: the side is a face.
 inline Eigen::Vector3d area_vector(const Mesh& mesh, ElementSide side) {
-  const std::array<NodeIndex, 4> nodes = mesh.side_nodes(side);
-  const auto& x = mesh.coordinates();
-  return area_vector(x.col(nodes[0].value), x.col(nodes[1].value), x.col(nodes[2].value),
-                     x.col(nodes[3].value));
+  const SideFacets facets = mesh.side_facets(side);
+  Eigen::Vector3d area = area_vector(mesh.coordinates(), facets.corners[0]);
+  for (std::size_t i = 1; i < facets.n; ++i) area += area_vector(mesh.coordinates(), facets.corners[i]);
+  return area;
+}
+
+/// Area of a face of the mesh, that of its facets together [length^2]. Precondition: the side is a face.
+inline double face_area(const Mesh& mesh, ElementSide side) {
+  double area = 0.0;
+  for (const auto& facet : mesh.side_facets(side)) area += area_vector(mesh.coordinates(), facet).norm();
+  return area;
 }
 
 }  // namespace contactsim

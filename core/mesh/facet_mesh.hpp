@@ -15,10 +15,11 @@ struct FacetBlock {
   std::vector<std::array<std::uint32_t, 4>>
       facets;                         ///< columns of FacetMesh::coordinates; a triangle repeats its last
   std::vector<std::uint32_t> points;  ///< columns of FacetMesh::coordinates, of surfaces of nodes
+  std::vector<std::array<std::uint32_t, 2>> edges = {};  ///< the same, of edges that meet edges
 };
 
 /// Surfaces as a mesh of their own. The facets of a block are all quadrilaterals and triangles, or all
-/// points.
+/// points, or all edges.
 struct FacetMesh {
   Eigen::Matrix3Xd coordinates;  ///< 3 x n [length]
   std::vector<FacetBlock> blocks;

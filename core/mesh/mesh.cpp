@@ -67,6 +67,16 @@ Mesh Mesh::with_side_sets(std::span<const SideSet> more) const {
   return Mesh(std::move(parts));
 }
 
+Mesh Mesh::with_cohesive_blocks(std::span<const std::uint32_t> blocks) const {
+  Mesh copy = *this;
+  for (const std::uint32_t index : blocks) {
+    Shape& shape = copy.parts_.blocks[index].shape;
+    if (shape == Shape::hex8) shape = Shape::cohesive8;
+    if (shape == Shape::wedge6) shape = Shape::cohesive6;
+  }
+  return copy;
+}
+
 Mesh Mesh::with_coordinates(Eigen::Matrix3Xd coordinates) const {
   assert(coordinates.cols() == parts_.coordinates.cols());
   Mesh copy = *this;
@@ -114,6 +124,15 @@ std::array<NodeIndex, 4> Mesh::side_nodes(ElementSide side) const {
   assert(static_cast<std::size_t>(side.side()) <= sides.size());
   const auto& corners = sides[static_cast<std::size_t>(side.side()) - 1].corners;
   return {nodes[corners[0]], nodes[corners[1]], nodes[corners[2]], nodes[corners[3]]};
+}
+
+SideFacets Mesh::side_facets(ElementSide side) const {
+  const ElementBlock& block = parts_.blocks[block_of(side.element())];
+  const auto nodes = block.element_nodes(side.element().value - block.first_element.value);
+  SideFacets made;
+  for (const FacetCorners& c : topology(block.shape).facets(static_cast<std::size_t>(side.side()) - 1))
+    made.corners[made.n++] = {nodes[c[0]], nodes[c[1]], nodes[c[2]], nodes[c[3]]};
+  return made;
 }
 
 std::string Mesh::name(Entity entity) const {

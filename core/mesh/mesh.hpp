@@ -82,6 +82,16 @@ struct Entity {
   auto operator<=>(const Entity&) const = default;
 };
 
+/// The facets of one element side by their corners; of a face of second order that moves by its midside nodes
+/// there are four, of any other one.
+struct SideFacets {
+  std::array<std::array<NodeIndex, 4>, 4> corners;  ///< outward; one of fewer than four repeats its last
+  std::size_t n = 0;
+
+  auto begin() const { return corners.begin(); }
+  auto end() const { return corners.begin() + static_cast<std::ptrdiff_t>(n); }
+};
+
 /// A three-dimensional finite element mesh. Immutable.
 class Mesh {
  public:
@@ -92,6 +102,10 @@ class Mesh {
   /// A copy whose nodes stand elsewhere.
   ///   coordinates  [3 x n_nodes] [length]
   Mesh with_coordinates(Eigen::Matrix3Xd coordinates) const;
+
+  /// A copy in which blocks of HEX8 and WEDGE6 are of cohesive elements; others stay.
+  ///   blocks  positions
+  Mesh with_cohesive_blocks(std::span<const std::uint32_t> blocks) const;
 
   /// A copy with side sets besides its own; they get the ids that follow the largest.
   Mesh with_side_sets(std::span<const SideSet> more) const;
@@ -120,6 +134,8 @@ class Mesh {
   /// Mesh nodes of one side's corners; a side of fewer than four repeats its last. Precondition: the
   /// element's shape has the side.
   std::array<NodeIndex, 4> side_nodes(ElementSide side) const;
+  /// The facets of one side, which together have all nodes that move it. Precondition: as side_nodes.
+  SideFacets side_facets(ElementSide side) const;
 
   /// The name to show for an entity: the stored one, else block_<id>, surface_<id>, nodelist_<id>,
   /// assembly_<id>.

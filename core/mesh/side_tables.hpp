@@ -23,6 +23,15 @@ inline constexpr std::array hex_sides{quad_face(1, 2, 6, 5), quad_face(2, 3, 7, 
                                       quad_face(1, 5, 8, 4), quad_face(1, 4, 3, 2), quad_face(5, 6, 7, 8)};
 inline constexpr std::array tet_sides{tri_face(1, 2, 4), tri_face(2, 3, 4), tri_face(1, 4, 3),
                                       tri_face(1, 3, 2)};
+
+/// The facets of a face of six nodes: corners a, b, c and midside nodes ab, bc, ca.
+constexpr SplitFace split_face(int a, int b, int c, int ab, int bc, int ca) {
+  return {{tri_face(a, ab, ca).corners, tri_face(ab, b, bc).corners, tri_face(ca, bc, c).corners,
+           tri_face(ab, bc, ca).corners}};
+}
+inline constexpr std::array tet10_faces{split_face(1, 2, 4, 5, 9, 8), split_face(2, 3, 4, 6, 10, 9),
+                                        split_face(1, 4, 3, 8, 10, 7), split_face(1, 3, 2, 7, 6, 5)};
+
 inline constexpr std::array wedge_sides{quad_face(1, 2, 5, 4), quad_face(2, 3, 6, 5), quad_face(1, 4, 6, 3),
                                         tri_face(1, 3, 2), tri_face(4, 5, 6)};
 inline constexpr std::array pyramid_sides{tri_face(1, 2, 5), tri_face(2, 3, 5), tri_face(3, 4, 5),

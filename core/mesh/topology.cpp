@@ -17,7 +17,7 @@ constexpr std::array table{
     Topology{Shape::hex20, "HEX20", Family::solid, 20, 8, hex_sides},
     Topology{Shape::hex27, "HEX27", Family::solid, 27, 8, hex_sides},
     Topology{Shape::tet4, "TETRA4", Family::solid, 4, 4, tet_sides},
-    Topology{Shape::tet10, "TETRA10", Family::solid, 10, 4, tet_sides},
+    Topology{Shape::tet10, "TETRA10", Family::solid, 10, 4, tet_sides, tet10_faces},
     Topology{Shape::wedge6, "WEDGE6", Family::solid, 6, 6, wedge_sides},
     Topology{Shape::wedge15, "WEDGE15", Family::solid, 15, 6, wedge_sides},
     Topology{Shape::pyramid5, "PYRAMID5", Family::solid, 5, 5, pyramid_sides},
@@ -35,6 +35,8 @@ constexpr std::array table{
     Topology{Shape::beam2, "BEAM2", Family::line, 2, 2, beam_sides},
     Topology{Shape::beam3, "BEAM3", Family::line, 3, 2, beam_sides},
     Topology{Shape::sphere, "SPHERE", Family::particle, 1, 1, sphere_sides},
+    Topology{Shape::cohesive8, "HEX8", Family::cohesive, 8, 8, hex_sides},
+    Topology{Shape::cohesive6, "WEDGE6", Family::cohesive, 6, 6, wedge_sides},
     Topology{Shape::null, "NULL", Family::none, 0, 0, {}},
     Topology{Shape::unknown, "UNKNOWN", Family::none, 0, 0, {}},
 };

@@ -33,12 +33,15 @@ enum class Shape : std::uint8_t {
   beam2,
   beam3,
   sphere,
+  cohesive8,  ///< HEX8 and WEDGE6 of a block that a deck makes cohesive: see Mesh::with_cohesive_blocks
+  cohesive6,
   null,
   unknown
 };
 
-/// What an element is to contact: solids are skinned, the rest are lofted.
-enum class Family : std::uint8_t { solid, shell, line, particle, none };
+/// What an element is to contact: solids are skinned, shells, lines and particles lofted; cohesive elements
+/// are as if absent.
+enum class Family : std::uint8_t { solid, shell, line, particle, cohesive, none };
 
 enum class SideKind : std::uint8_t { face, edge, node };
 
@@ -50,6 +53,13 @@ struct Side {
       corners{};  ///< positions in the element's connectivity, from 0; unused ones repeat the last
 };
 
+/// A flat or bilinear piece of a face by positions in the element's connectivity, from 0, in the order of its
+/// face; a triangle repeats its last.
+using FacetCorners = std::array<std::uint8_t, 4>;
+
+/// A face of six nodes: the triangles at its corners, then that between the midside nodes.
+using SplitFace = std::array<FacetCorners, 4>;
+
 /// Fixed facts of one shape. Source: Exodus II side numbering (Sandia report SAND92-2137, chapter 4).
 struct Topology {
   Shape shape = Shape::unknown;
@@ -58,6 +68,17 @@ struct Topology {
   std::uint8_t n_nodes = 0;  ///< columns of the connectivity
   std::uint8_t n_corners = 0;
   std::span<const Side> sides;  ///< side s of Exodus is sides[s - 1]
+  /// As sides, of shapes whose midside nodes move the faces; of others empty: each side is one facet.
+  std::span<const SplitFace> split_faces = {};
+
+  /// The facets of a side.
+  ///   side  position in sides
+  std::span<const FacetCorners> facets(std::size_t side) const {
+    if (split_faces.empty()) return {&sides[side].corners, 1};
+    return split_faces[side];
+  }
+  /// Nodes that the volume depends on: the first so many.
+  std::size_t n_shape_nodes() const { return split_faces.empty() ? n_corners : n_nodes; }
 };
 
 /// The facts of a shape; every shape has a row.

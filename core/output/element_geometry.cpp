@@ -17,9 +17,9 @@ void add_triangle(const std::array<int, 3>& corners, double factor, const Elemen
   }
 }
 
-void add_face(const Side& side, const ElementVectors& x, ElementVectors& gradient) {
-  const int a = side.corners[0], b = side.corners[1], c = side.corners[2], d = side.corners[3];
-  if (side.n_corners == 3) {
+void add_facet(const FacetCorners& corners, const ElementVectors& x, ElementVectors& gradient) {
+  const int a = corners[0], b = corners[1], c = corners[2], d = corners[3];
+  if (c == d) {
     add_triangle({a, b, c}, 1.0, x, gradient);
     return;
   }
@@ -61,7 +61,9 @@ ElementVectors volume_gradient(const Topology& topology, const ElementVectors& x
   // Seen from a node of its own an element far from the origin loses no digits.
   const ElementVectors near = x.colwise() - x.col(0).eval();
   ElementVectors gradient = ElementVectors::Zero(3, x.cols());
-  for (const Side& side : topology.sides) add_face(side, near, gradient);
+  for (std::size_t side = 0; side < topology.sides.size(); ++side) {
+    for (const FacetCorners& corners : topology.facets(side)) add_facet(corners, near, gradient);
+  }
   return gradient;
 }
 

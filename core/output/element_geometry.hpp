@@ -15,7 +15,7 @@ ElementVectors gather(std::span<const NodeIndex> nodes, const Eigen::Matrix3Xd& 
 
 /// The derivatives of a solid's volume by its nodes' coordinates, which are also its volume times the mean
 /// gradients of the shape functions. Of every face the mean of both ways to split it into triangles is taken:
-/// exact for the bilinear face. Nodes that are no corners get none.
+/// exact for the bilinear face. Nodes that are no corners of facets get none.
 ///   x  coordinates [length]
 /// Returns [length^2]. Source: Flanagan and Belytschko, Int. J. Numer. Meth. Eng. 17 (1981) 679-706, eq. 17.
 ElementVectors volume_gradient(const Topology& topology, const ElementVectors& x);

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/elements/element_table.hpp"
+#include "core/output/cohesive_values.hpp"
 #include "core/output/element_view.hpp"
 #include "core/output/output_table.hpp"
 #include "core/output/strain_measures.hpp"
@@ -163,6 +164,32 @@ constexpr std::array shell_rows{
         "Mean of a shell's Cauchy stress over its thickness, along the global axes [force/length^2]")),
 };
 
+constexpr OutputRow cohesive_only(OutputRow row) {
+  row.is_of_cohesive = true;
+  return row;
+}
+
+/// Opening and sliding, or the tractions against them.
+constexpr OutputRow two_modes(OutputRow row) {
+  row.list_size = 2;
+  return cohesive_only(row);
+}
+
+constexpr std::array cohesive_rows{
+    two_modes(make_row(
+        "cohesive_separation", list, [](const E& e) { return CohesiveValues(e).separation; },
+        "Opening, less than 0 in compression, and sliding, means over the pairs of nodes [length]")),
+    two_modes(make_row(
+        "cohesive_traction", list, [](const E& e) { return CohesiveValues(e).traction; },
+        "Against opening and against sliding, means over the pairs of nodes [force/length^2]")),
+    cohesive_only(make_row(
+        "cohesive_damage", scalar, [](const E& e) { return CohesiveValues(e).damage; },
+        "Share of the stiffness that is lost, 1 when all has failed: of ELEMENT DEATH criteria [1]")),
+    cohesive_only(make_row(
+        "cohesive_dissipation", scalar, [](const E& e) { return CohesiveValues(e).dissipation; },
+        "Work on the element that it does not give back [energy]")),
+};
+
 constexpr std::array other_rows{
     make_row(
         "volume", scalar, [](const E& e) { return e.volume(); }, "Of now [length^3]"),
@@ -200,7 +227,7 @@ constexpr auto joined(const Rows&... rows) {
 }  // namespace
 
 std::span<const OutputRow> element_output_rows() {
-  static constexpr auto rows = joined(stress_rows, strain_rows, shell_rows, other_rows);
+  static constexpr auto rows = joined(stress_rows, strain_rows, shell_rows, cohesive_rows, other_rows);
   return rows;
 }
 

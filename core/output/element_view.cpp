@@ -80,6 +80,7 @@ double ElementView::volume() const {
 }
 
 Eigen::Matrix3d ElementView::deformation_gradient() const {
+  if (shape().family == Family::cohesive) return Eigen::Matrix3d::Identity();
   const ElementVectors start = gathered(context.model.mesh->coordinates()), now = coordinates();
   if (shape().family == Family::shell) {
     return now * surface_gradient(shape(), start).transpose() +
@@ -94,6 +95,7 @@ Eigen::Matrix3d ElementView::deformation_gradient() const {
 Eigen::Matrix3d ElementView::log_strain() const { return contactsim::log_strain(deformation_gradient()); }
 
 Eigen::Matrix3d ElementView::rate_of_deformation() const {
+  if (shape().family == Family::cohesive) return Eigen::Matrix3d::Zero();
   const ElementVectors x = coordinates(), v = gathered(context.state.velocity);
   Eigen::Matrix3d l;
   if (shape().family == Family::shell) {

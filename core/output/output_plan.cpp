@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/definition/simulation.hpp"
+#include "core/mesh/mesh_parts.hpp"
 #include "core/output/single_values.hpp"
 
 namespace contactsim {
@@ -28,7 +29,7 @@ void check_clashes(const std::vector<std::string>& paths, const DeckName& region
 OutputPlan::OutputPlan(const ConditionScope& scope, const Model& model, OutputSettings settings)
     : model_(model),
       rigid_part_(model),
-      variables_(model, std::move(settings.variables)),
+      variables_(model, std::move(settings.variables), settings.other_names),
       user_outputs_(scope, variables_),
       terminations_(scope.region.terminations, variables_, scope.diagnostics),
       settings_(std::move(settings)) {
@@ -72,7 +73,8 @@ std::vector<StepTarget> OutputPlan::step_targets() const {
 }
 
 void OutputPlan::open_files() {
-  const Mesh no_mesh, mesh = rigid_part_.on(model_.mesh->with_side_sets(settings_.side_sets));
+  const Mesh no_mesh, mesh = rigid_part_.on(with_node_sets(model_.mesh->with_side_sets(settings_.side_sets),
+                                                           settings_.node_sets));
   for (auto& [plan, defined, append, is_due] : results_) {
     defined = plan.fields.fields();
     append = settings_.writers.open_results(plan.file, plan.file.has_mesh ? mesh : no_mesh, defined);

@@ -18,7 +18,9 @@ struct OutputSettings {
   OutputWriters writers;
   std::optional<std::string> results_path;  ///< in place of the deck's first results file
   std::vector<OutputVariable> variables;    ///< of contact, besides those of every run
+  OutputNames other_names;                  ///< groups of variables, and names that others give them
   std::vector<SideSet> side_sets;           ///< that results files hold besides those of the mesh
+  std::vector<NodeSet> node_sets;           ///< likewise
   bool always_computes = false;             ///< someone reads what the deck computes after every step
 };
 

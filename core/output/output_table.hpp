@@ -37,9 +37,13 @@ struct OutputRow {
   int list_size = 1;               ///< number of components of a list
   bool is_of_shells = false;       ///< only shells have it, of element variables
   bool is_always_written = false;  ///< every results file has it, of globals
+  bool is_of_cohesive = false;     ///< only cohesive elements have it, of element variables
 
   int n_components() const { return shape == FieldShape::list ? list_size : component_count(shape); }
 };
+
+/// The dimension at the end of a line of help, "[force/length^2]"; "" without one.
+std::string_view dimension_of(std::string_view help);
 
 /// The variables that every run has. What materials remember and what the deck makes comes on top.
 std::span<const OutputRow> global_output_rows();

@@ -34,7 +34,14 @@ OutputVariable::Fill fill_from_materials(std::vector<std::size_t> first_places, 
 
 }  // namespace
 
-OutputVariables::OutputVariables(const Model& model, std::vector<OutputVariable> more) : model_(model) {
+std::string_view dimension_of(std::string_view help) {
+  const std::size_t begin = help.rfind('[');
+  return help.ends_with(']') ? help.substr(begin) : std::string_view();
+}
+
+OutputVariables::OutputVariables(const Model& model, std::vector<OutputVariable> more,
+                                 OutputNames other_names)
+    : model_(model), other_names_(other_names) {
   add_rows(global_output_rows());
   add_rows(nodal_output_rows());
   add_rows(element_output_rows());
@@ -45,13 +52,18 @@ OutputVariables::OutputVariables(const Model& model, std::vector<OutputVariable>
 
 void OutputVariables::add_rows(std::span<const OutputRow> rows) {
   for (const OutputRow& row : rows) {
-    OutputVariable variable{std::string(row.name), row.location,     row.shape, row.n_components(),
-                            row.is_at_points,      /*in_blocks*/ {}, row.fill};
+    OutputVariable variable{
+        std::string(row.name), row.location,     row.shape, row.n_components(),
+        row.is_at_points,      /*in_blocks*/ {}, row.fill,  std::string(dimension_of(row.help))};
     if (row.location == FieldLocation::element) {
-      for (const ModelBlock& block : model_.blocks)
-        variable.in_blocks.push_back(!row.is_of_shells || !block.thickness.empty() ? 1 : 0);
+      for (const ModelBlock& block : model_.blocks) {
+        const bool has_it = (!row.is_of_shells || !block.thickness.empty()) &&
+                            (!row.is_of_cohesive || !block.cohesive.area.empty());
+        variable.in_blocks.push_back(has_it ? 1 : 0);
+      }
     }
-    if (row.is_of_shells && std::ranges::count(variable.in_blocks, 1) == 0) continue;
+    const bool is_of_some = row.is_of_shells || row.is_of_cohesive;
+    if (is_of_some && std::ranges::count(variable.in_blocks, 1) == 0) continue;
     add(std::move(variable));
   }
 }
@@ -76,6 +88,7 @@ void OutputVariables::add_material_variables(std::size_t block) {
       }
     }
     variable.fill = fill_from_materials(std::move(first_places), own.n_components);
+    variable.dimension = dimension_of(own.help);
     add(std::move(variable));
   }
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/output/output_groups.hpp"
 #include "core/output/output_table.hpp"
 
 namespace contactsim {
@@ -25,15 +26,19 @@ struct OutputVariable {
   std::vector<std::uint8_t> in_blocks;  ///< which of Model::blocks have it, of element variables
   /// Sets the values, [count x n_components]. Any thread may call it; it changes nothing.
   Fill fill;
+  std::string dimension = {};  ///< of all components, "[force]"; "" when nobody knows
 };
 
 /// All variables of a run by location and name.
 class OutputVariables {
  public:
   /// Those of the tables and of the model's materials, and more. The model must outlive them.
-  explicit OutputVariables(const Model& model, std::vector<OutputVariable> more = {});
+  ///   other_names  groups of them, and what others call them
+  explicit OutputVariables(const Model& model, std::vector<OutputVariable> more = {},
+                           OutputNames other_names = {});
 
   const Model& model() const { return model_; }
+  const OutputNames& other_names() const { return other_names_; }
 
   /// Adds a variable; it hides an earlier one of its name and location. The reference stays good.
   const OutputVariable& add(OutputVariable variable);
@@ -49,6 +54,7 @@ class OutputVariables {
   void add_material_variables(std::size_t block);
 
   const Model& model_;
+  OutputNames other_names_;
   std::deque<OutputVariable> variables_;
 };
 

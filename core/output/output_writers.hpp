@@ -22,8 +22,9 @@ struct ResultsFile {
 
 /// A file of lines of text, or the log.
 struct HeartbeatFile {
-  std::string path;      ///< "" for the log
-  HeartbeatOutput form;  ///< format, digits, legend as the deck has them
+  std::string path;                          ///< "" for the log
+  HeartbeatOutput form;                      ///< format, digits, legend as the deck has them
+  std::vector<std::string> dimensions = {};  ///< of the values, in the order of their names
 };
 
 /// What an output plan writes through: it decides what is written and when, these know files.

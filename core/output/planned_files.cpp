@@ -89,10 +89,16 @@ PlannedHeartbeat plan_heartbeat(const ConditionScope& scope, const HeartbeatOutp
                                 const OutputVariables& variables) {
   const std::string path = expand_file_name(scope.definition, output.stream ? output.stream->text : "%B.csv");
   const OutputSchedule schedule = find_schedule(scope, output.schedule);
-  return {{is_log(path) ? "" : path, output},
-          has_lines(schedule),
-          OutputTimes(schedule, every_step),
-          make_single_values(variables, output.variables, "_", scope.diagnostics)};
+  if (output.has_units && output.format == HeartbeatOutput::Format::spyhis) {
+    scope.diagnostics.add_warning("units-line-left-out", output.name.location,
+                                  "UNITS LINE does nothing here: programs read SPYHIS by its form");
+  }
+  PlannedHeartbeat plan{{is_log(path) ? "" : path, output, {}},
+                        has_lines(schedule),
+                        OutputTimes(schedule, every_step),
+                        make_single_values(variables, output.variables, "_", scope.diagnostics)};
+  plan.file.dimensions = value_dimensions(plan.values);
+  return plan;
 }
 
 }  // namespace contactsim

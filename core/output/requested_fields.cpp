@@ -9,6 +9,8 @@
 #include <set>
 #include <tuple>
 
+#include "core/output/output_groups.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -34,7 +36,8 @@ class FieldMaker {
   std::vector<RequestedFields::Field> make() {
     check_blocks(requests_.included);
     check_blocks(requests_.excluded);
-    for (const VariableRequest& request : requests_.variables) add_request(request);
+    for (const VariableRequest& request : expand_groups(variables_, requests_.variables, diagnostics_))
+      add_request(request);
     for (const OutputRow& row : global_output_rows()) {
       if (row.is_always_written) add_unasked(std::string(row.name));
     }

@@ -33,6 +33,7 @@ class RequestedFields {
   explicit RequestedFields(std::vector<Field> fields) : fields_(std::move(fields)) {}
 
   std::size_t size() const { return fields_.size(); }
+  const VariableSelection& selection(std::size_t field) const { return fields_[field].selection; }
   /// Names and places of all fields.
   std::vector<OutputField> fields() const;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/names.hpp"
+#include "core/mesh/mesh_parts.hpp"
 
 namespace contactsim {
 
@@ -45,11 +46,6 @@ ElementBlock make_spheres(const Mesh& mesh, std::uint32_t n) {
   return block;
 }
 
-template <class Item>
-std::vector<Item> copied(std::span<const Item> items) {
-  return {items.begin(), items.end()};
-}
-
 }  // namespace
 
 bool RigidPart::exists() const {
@@ -60,17 +56,10 @@ Mesh RigidPart::on(const Mesh& mesh) const {
   if (!exists()) return mesh;
   const auto& bodies = model_.rigid.bodies;
   const auto n = static_cast<std::uint32_t>(bodies.size());
-  MeshParts parts;
-  parts.path = mesh.path();
-  parts.title = mesh.title();
-  parts.coordinates.resize(3, mesh.n_nodes() + n);
-  parts.coordinates.leftCols(mesh.n_nodes()) = mesh.coordinates();
+  MeshParts parts = parts_of(mesh);
+  parts.coordinates.conservativeResize(3, mesh.n_nodes() + n);
   for (std::uint32_t i = 0; i < n; ++i) parts.coordinates.col(mesh.n_nodes() + i) = bodies[i].centre;
-  parts.blocks = copied(mesh.blocks());
   parts.blocks.push_back(make_spheres(mesh, n));
-  parts.side_sets = copied(mesh.side_sets());
-  parts.node_sets = copied(mesh.node_sets());
-  parts.assemblies = copied(mesh.assemblies());
   parts.node_ids = ids_of<NodeIndex>(mesh.n_nodes(), n, [&](NodeIndex node) { return mesh.node_id(node); });
   parts.element_ids = ids_of<ElementIndex>(mesh.n_elements(), n,
                                            [&](ElementIndex element) { return mesh.element_id(element); });

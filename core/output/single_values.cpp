@@ -7,6 +7,8 @@
 #include <optional>
 #include <set>
 
+#include "core/output/output_groups.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -165,7 +167,7 @@ RequestedFields make_single_values(const OutputVariables& variables,
                                    std::span<const VariableRequest> requests, const std::string& separator,
                                    Diagnostics& diagnostics) {
   ValueMaker maker(variables, separator, diagnostics);
-  for (const VariableRequest& request : requests) maker.add(request);
+  for (const VariableRequest& request : expand_groups(variables, requests, diagnostics)) maker.add(request);
   return RequestedFields(maker.take());
 }
 
@@ -175,6 +177,15 @@ std::vector<std::string> value_names(const RequestedFields& fields) {
     for (int c = 0; c < field.n_components; ++c) names.push_back(component_name(field, c));
   }
   return names;
+}
+
+std::vector<std::string> value_dimensions(const RequestedFields& fields) {
+  std::vector<std::string> dimensions;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string& known = fields.selection(i).variable->dimension;
+    dimensions.insert(dimensions.end(), fields.selection(i).n_components(), known.empty() ? "[?]" : known);
+  }
+  return dimensions;
 }
 
 std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context) {

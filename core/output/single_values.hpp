@@ -20,6 +20,9 @@ RequestedFields make_single_values(const OutputVariables& variables,
 /// The names of all values, component by component, in the order of evaluate_all().
 std::vector<std::string> value_names(const RequestedFields& fields);
 
+/// Their dimensions in the same order, "[?]" of what the deck computes in a way that does not tell.
+std::vector<std::string> value_dimensions(const RequestedFields& fields);
+
 /// All values at one time, field by field.
 std::vector<double> evaluate_all(RequestedFields& fields, const OutputContext& context);
 

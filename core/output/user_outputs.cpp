@@ -96,7 +96,7 @@ class UserOutputMaker {
 
   // Storage of a variable; one that the deck has made before goes on. Null when that has another size.
   Storage store(const DeckName& name, FieldLocation location, FieldShape shape, std::vector<double> initial,
-                std::vector<std::uint8_t> in_blocks = {}) {
+                std::vector<std::uint8_t> in_blocks = {}, const std::string& dimension = {}) {
     Storage& storage = outputs_.stored_[fmt::format("{}_{}", static_cast<int>(location), fold(name.text))];
     if (storage != nullptr) {
       if (storage->n_components() == initial.size()) return storage;
@@ -110,13 +110,15 @@ class UserOutputMaker {
     variable.location = location;
     variable.shape = shape;
     variable.in_blocks = std::move(in_blocks);
+    variable.dimension = dimension;
     add_stored_variable(variables_, std::move(variable), storage);
     return storage;
   }
 
   Storage store_like(const DeckName& name, FieldLocation location, const VariableSelection& selection) {
     const FieldShape shape = selection.component ? FieldShape::scalar : selection.variable->shape;
-    return store(name, location, shape, std::vector<double>(selection.n_components(), 0.0));
+    return store(name, location, shape, std::vector<double>(selection.n_components(), 0.0), {},
+                 selection.variable->dimension);
   }
 
   void add(const UserVariable& variable) {

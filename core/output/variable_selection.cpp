@@ -28,8 +28,12 @@ std::string hint_at(const OutputVariables& variables, const std::string& name,
   for (const auto& [foreign, hint] : foreign_variables) {
     if (name == foreign) return std::string(hint);
   }
+  for (const ForeignVariable& foreign : variables.other_names().foreign) {
+    if (name == foreign.name) return fmt::format("here it is called {}", foreign.ours);
+  }
   for (const OutputRow& row : element_output_rows()) {
     if (row.is_of_shells && name == row.name) return "shells have it";
+    if (row.is_of_cohesive && name == row.name) return "cohesive elements have it";
   }
   std::vector<std::string> known;
   for (const FieldLocation location : locations) {
@@ -37,6 +41,9 @@ std::string hint_at(const OutputVariables& variables, const std::string& name,
       return fmt::format("did you mean {}({})?", selection->variable->name, name.substr(name.rfind('_') + 1));
     const auto names = variables.names(location);
     known.insert(known.end(), names.begin(), names.end());
+  }
+  for (const OutputGroup& group : variables.other_names().groups) {
+    if (std::ranges::count(locations, group.location) > 0) known.emplace_back(group.name);
   }
   return suggest(name, known);
 }
@@ -58,6 +65,12 @@ class SelectionProblem {
       if (!wanted || location == *wanted || variables.find(location, canonical) == nullptr) continue;
       add(fmt::format("'{}' is no {} variable", name_.text, to_string(*wanted)),
           fmt::format("did you mean {} {}?", to_string(location), name_.text));
+      return;
+    }
+    for (const OutputGroup& group : variables.other_names().groups) {
+      if (!wanted || group.name != canonical || group.location == *wanted) continue;
+      add(fmt::format("'{}' stands for no {} variables", name_.text, to_string(*wanted)),
+          fmt::format("did you mean {} {}?", to_string(group.location), name_.text));
       return;
     }
     const std::string kind = wanted ? fmt::format("{} ", to_string(*wanted)) : "";

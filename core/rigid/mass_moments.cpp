@@ -22,11 +22,10 @@ void add_simplex(double mass, const Corners& corners, MassMoments& moments) {
   moments.second += mass / (n * (n + 1.0)) * (corners * corners.transpose() + sum * sum.transpose());
 }
 
-/// Calls add(a, b, c, share) for the triangles of a side; a side of four corners has both ways to split it.
+/// Calls add(a, b, c, share) for the triangles of a facet; one of four corners has both ways to split it.
 template <class Add>
-void for_each_triangle(const Side& side, const Add& add) {
-  const auto& c = side.corners;
-  if (side.n_corners == 3) return add(c[0], c[1], c[2], 1.0);
+void for_each_triangle(const FacetCorners& c, const Add& add) {
+  if (c[2] == c[3]) return add(c[0], c[1], c[2], 1.0);
   add(c[0], c[1], c[2], 0.5);
   add(c[0], c[2], c[3], 0.5);
   add(c[0], c[1], c[3], 0.5);
@@ -36,19 +35,20 @@ void for_each_triangle(const Side& side, const Add& add) {
 MassMoments solid_moments(const Topology& shape, const ElementVectors& x, double density) {
   const Eigen::Vector3d middle = x.leftCols(shape.n_corners).rowwise().mean();
   MassMoments moments;
-  for (const Side& side : shape.sides) {
-    for_each_triangle(side, [&](int a, int b, int c, double share) {
-      Corners tetrahedron(3, 4);
-      tetrahedron << middle, x.col(a), x.col(b), x.col(c);
-      const Eigen::Matrix3d edges = tetrahedron.rightCols<3>().colwise() - middle;
-      add_simplex(share * density * edges.determinant() / 6.0, tetrahedron, moments);
-    });
+  const auto add = [&](int a, int b, int c, double share) {
+    Corners tetrahedron(3, 4);
+    tetrahedron << middle, x.col(a), x.col(b), x.col(c);
+    const Eigen::Matrix3d edges = tetrahedron.rightCols<3>().colwise() - middle;
+    add_simplex(share * density * edges.determinant() / 6.0, tetrahedron, moments);
+  };
+  for (std::size_t side = 0; side < shape.sides.size(); ++side) {
+    for (const FacetCorners& corners : shape.facets(side)) for_each_triangle(corners, add);
   }
   return moments;
 }
 
 MassMoments shell_moments(const Topology& shape, const ElementVectors& x, double mass, double thickness) {
-  const Side face{SideKind::face, shape.n_corners, {0, 1, 2, 3}};
+  const FacetCorners face{0, 1, 2, static_cast<std::uint8_t>(shape.n_corners == 3 ? 2 : 3)};
   MassMoments moments;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for_each_triangle(face, [&](int a, int b, int c, double share) {

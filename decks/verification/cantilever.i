@@ -7,8 +7,13 @@
 # With -D formulation=selective_deviatoric there is no hourglass resistance in it. -D form=face_face or node_face ties two halves
 # of the beam to each other; expected within 1 % of the frequency of one mesh.
 #
+# With ten-node tetrahedra (-D formulation=composite_tet) the same, nearly incompressible (-D nu=0.499) as well.
+#
 # {ifndef(formulation)}
 # {formulation = "mean_quadrature"}
+# {endif}
+# {ifndef(nu)}
+# {nu = 0.0}
 # {endif}
 # {ifndef(form)}
 # {form = "one"}
@@ -18,7 +23,7 @@ begin sierra cantilever
     density = 7800
     begin parameters for model elastic
       youngs modulus = 200e9
-      poissons ratio = 0.0
+      poissons ratio = {nu}
     end
   end
 

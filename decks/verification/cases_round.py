@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Beams, trusses, particles and sharp edges in contact."""
+import itertools
 import math
 
 import numpy as np
@@ -7,7 +8,7 @@ import numpy as np
 from cases import FORMULATIONS, angular_momentum, balances, case
 from mesh_maker import MeshMaker
 from runs import Check, at_most
-from shapes import add_box
+from shapes import add_box, add_ring
 
 
 def crossed_rods_mesh(radii, angle=90, gap=1e-4, cells=(11, 11), kind="BEAM2", shift=0.0):
@@ -162,4 +163,40 @@ def crossed_edges(bench):
         checks += [Check(f"{form}: first touch [s]", 1e-4, first, 0.05),
                    at_most(f"{form}: energy left in contact",
                            abs(run["contact_energy"][-1]) / run["kinetic_energy"][0], 0.01)]
+    return checks + balances(runs, is_free=True)
+
+
+def two_rings():
+    mesh = MeshMaker()
+    add_ring(mesh, "inner", (0, 0, 0), 0.5, 1.001, 0.2, (4, 24, 2))
+    add_ring(mesh, "outer", (0, 0, 0), 1.0, 1.5, 0.2, (4, 36, 2))
+    return mesh
+
+
+def fit_pressures(run, block, radius):
+    """Pressures at the nodes of a side, and their mean by area, over the frames after the ramp."""
+    own = run.nodes_of(block)
+    side = own[np.abs(np.hypot(*run.start[own, :2].T) - radius) < 0.01]
+    late = run.times > 0.12
+    pressure = np.mean(run.nodal("contact_normal_traction_magnitude")[late][:, side], axis=0)
+    area = np.mean(run.nodal("contact_area")[late][:, side], axis=0)
+    return pressure, np.sum(pressure * area) / (2 * math.pi * 0.2)
+
+
+@case()
+def shrink_fit(bench):
+    checks, runs, expected = [], [], 1e9 * 0.001 * (1 - 0.25) * (2.25 - 1) / (2 * (2.25 - 0.25))
+    for form, enforcement in itertools.product(FORMULATIONS, ("momentum_balance", "penalty")):
+        for smoothing in ("auto", "off"):
+            name = f"{form}, {enforcement}, smoothing {smoothing}"
+            run = bench.run("shrink_fit", two_rings(), form=form, enforcement=enforcement, smoothing=smoothing)
+            pressure, mean = fit_pressures(run, 1, 1.001)
+            scatter = np.max(np.abs(pressure / expected - 1))
+            if smoothing == "off":
+                checks.append(Check(f"{name}: error of the pressure at the worst node is above 1", 1.0, float(scatter > 1), 1e-9))
+                continue
+            runs.append(run)
+            limit = 0.03 if enforcement == "momentum_balance" else 0.06  # a penalty gives way by some of the interference
+            checks += [Check(f"{name}: mean pressure [Pa]", expected, mean, limit),
+                       at_most(f"{name}: error of the pressure at the worst node", scatter, limit)]
     return checks + balances(runs, is_free=True)

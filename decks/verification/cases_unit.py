@@ -160,6 +160,73 @@ def press_fit(bench):
     return checks + balances(runs, is_free=True)
 
 
+def block_on_row():
+    mesh = MeshMaker()
+    mesh.hexes("row", (0, 0, -0.25), (1, 0.25, 0.25), (4, 1, 1))
+    mesh.new_body()
+    mesh.hexes("slider", (0, 0, 0), (0.25, 0.25, 0.25), (1, 1, 1))
+    return mesh
+
+
+@case()
+def small_sliding(bench):
+    mesh, checks, runs = block_on_row(), [], []
+    for form, enforcement in itertools.product(FORMULATIONS, ("momentum_balance", "penalty")):
+        name = f"{form}, {enforcement}"
+        run = bench.run("small_sliding", mesh, form=form, enforcement=enforcement, behavior="infinitesimal_sliding",
+                        damping=0.1 if enforcement == "penalty" else 0)
+        runs.append(run)
+        nodes = run.nodes_of(2)
+        lower = [n for n in nodes if mesh.points[n][2] == 0.0]
+        place, velocity = run.nodal("coordinates"), run.nodal("velocity")
+        checks += [at_most(f"{name}: way off the plane [m]", np.max(np.abs(place[:, lower, 2])), 0.001),
+                   Check(f"{name}: speed after 0.7 m [m/s]", 1.0, np.mean(velocity[-1, nodes, 0]), 0.001)]
+    return checks + balances(runs)
+
+
+@case()
+def soft_contact(bench):
+    mesh = MeshMaker()
+    mesh.hexes("lower", (0, 0, 0), (1, 1, 1), (2, 2, 2))
+    mesh.new_body()
+    mesh.hexes("upper", (0, 0, 1.02), (1, 1, 1), (1, 1, 1))
+    mass, p0, c0, depth, checks, runs = 1000.0, 100.0, 0.01, 0.01, [], []
+    x = 1.0 + depth / c0
+    energy = p0 * c0 / (math.e - 1.0) * ((x - 1.0) * math.exp(x) + 1.0 - 0.5 * x * x)
+    laws = (("pressure function", "function = table", 7.0, 0.02, 1000.0),
+            ("exponential pressure", f"pressure at zero gap = {p0}\nclearance at zero pressure = {c0}", energy, depth,
+             p0 / (math.e - 1.0) * x * math.expm1(x)))
+    for form, (law, lines, stored, deepest, force) in itertools.product(FORMULATIONS, laws):
+        name, speed = f"{form}, {law}", math.sqrt(2.0 * stored / mass)
+        run = bench.run("soft_contact", mesh, form=form, law=law, lines=lines, speed=speed)
+        runs.append(run)
+        checks += [Check(f"{name}: depth [m]", deepest, run["deepest"][-1], 0.02),
+                   Check(f"{name}: largest force [N]", force, np.max(run["force"]), 0.02),
+                   Check(f"{name}: speed after [m/s]", speed, run.nodal("velocity")[-1, run.nodes_of(2)[0], 2], 0.01)]
+    return checks + balances(runs)
+
+
+@case()
+def hanging_slider(bench):
+    mesh = MeshMaker()
+    mesh.hexes("ceiling", (0, 0, 1.001), (6, 3, 1), (6, 3, 1))
+    mesh.new_body()
+    mesh.hexes("cube", (1.2, 1.1, 0), (1, 1, 1), (2, 2, 2))
+    checks, runs = [], []
+    for form, enforcement in itertools.product(FORMULATIONS, ("momentum_balance", "penalty")):
+        name = f"{form}, {enforcement}"
+        run = bench.run("hanging_slider", mesh, form=form, enforcement=enforcement, separation="off")
+        runs.append(run)
+        way = np.mean(run.nodal("displacement")[-1, run.nodes_of(2)], axis=0)
+        forces = run["force"]
+        checks += [Check(f"{name}: mean force [N]", 9810.0, np.mean(forces[len(forces) // 10:]), 0.02),
+                   Check(f"{name}: way along [m]", 2.0, way[0], 0.005), at_most(f"{name}: way down [m]", abs(way[2]), 0.01)]
+    falling = bench.run("hanging_slider", mesh, form="face_face", enforcement="momentum_balance", separation="on")
+    fallen = np.mean(falling.nodal("displacement")[-1, falling.nodes_of(2)], axis=0)
+    checks.append(Check("separation on: height after the fall [m]", -19.5, fallen[2], 0.02))
+    return checks + balances(runs)
+
+
 def nodes_over_block(kind):
     """Nodes of which none stands over an edge of the block's mesh."""
     mesh = MeshMaker()

@@ -19,6 +19,7 @@ sys.path.insert(0, str(HERE.parent))
 import cases_crash  # noqa: E402, F401
 import cases_death  # noqa: E402, F401
 import cases_discrete  # noqa: E402, F401
+import cases_elements  # noqa: E402, F401
 import cases_enforcement  # noqa: E402, F401
 import cases_figures  # noqa: E402, F401
 import cases_folds  # noqa: E402, F401

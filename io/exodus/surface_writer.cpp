@@ -28,6 +28,7 @@ struct ElementType {
 };
 
 ElementType find_type(const FacetBlock& block) {
+  if (!block.edges.empty()) return {"BAR2", 2};
   if (block.facets.empty()) return {"SPHERE", 1};
   const auto is_triangle = [](const auto& facet) { return facet[2] == facet[3]; };
   const bool all = std::all_of(block.facets.begin(), block.facets.end(), is_triangle);
@@ -36,7 +37,8 @@ ElementType find_type(const FacetBlock& block) {
 
 std::size_t count_elements(const FacetBlock& block) {
   assert(block.facets.empty() || block.points.empty());
-  return block.facets.size() + block.points.size();
+  assert(block.edges.empty() || (block.facets.empty() && block.points.empty()));
+  return block.facets.size() + block.points.size() + block.edges.size();
 }
 
 std::vector<std::int32_t> make_connectivity(const FacetBlock& block, std::size_t n_nodes) {
@@ -44,6 +46,9 @@ std::vector<std::int32_t> make_connectivity(const FacetBlock& block, std::size_t
   numbers.reserve(count_elements(block) * n_nodes);
   for (const auto& facet : block.facets) {
     for (std::size_t i = 0; i < n_nodes; ++i) numbers.push_back(static_cast<std::int32_t>(facet[i]) + 1);
+  }
+  for (const auto& edge : block.edges) {
+    for (const std::uint32_t end : edge) numbers.push_back(static_cast<std::int32_t>(end) + 1);
   }
   for (std::uint32_t point : block.points) numbers.push_back(static_cast<std::int32_t>(point) + 1);
   return numbers;

@@ -57,8 +57,15 @@ void HeartbeatWriter::write_legend() {
   sink_(legend);
 }
 
+void HeartbeatWriter::write_units() {
+  std::vector<std::string> units = style_.units;
+  if (style_.has_time) units.insert(units.begin(), "[time]");
+  sink_(timestamp() + fmt::format("{}\n", fmt::join(units, style_.separator)));
+}
+
 void HeartbeatWriter::write(double time, std::span<const double> values) {
   if (!has_begun_ && style_.has_legend) write_legend();
+  if (!has_begun_ && !style_.units.empty()) write_units();
   has_begun_ = true;
   std::vector<std::string> items;
   const auto add = [&](const std::string& name, double value) {

@@ -14,13 +14,14 @@ namespace contactsim {
 /// How the lines of a heartbeat look; as it is, those of a CSV file.
 /// Source: Sierra/SM 5.22, 9.8; SEACAS, Ioss heartbeat database.
 struct HeartbeatStyle {
-  bool is_spyhis = false;        ///< begins as SPYHIS files do
-  int n_digits = 6;              ///< of a number, >= 1
-  bool has_labels = false;       ///< name=value in place of the value
-  bool has_legend = true;        ///< the names on top
-  bool has_time = true;          ///< the time as first value
-  std::string separator = ", ";  ///< between values
-  std::string timestamp_format;  ///< of the clock in front of each line, as strftime takes it; "" for none
+  bool is_spyhis = false;          ///< begins as SPYHIS files do
+  int n_digits = 6;                ///< of a number, >= 1
+  bool has_labels = false;         ///< name=value in place of the value
+  bool has_legend = true;          ///< the names on top
+  bool has_time = true;            ///< the time as first value
+  std::string separator = ", ";    ///< between values
+  std::vector<std::string> units;  ///< of the values besides the time, under the names; empty: no such line
+  std::string timestamp_format;    ///< of the clock in front of each line, as strftime takes it; "" for none
 };
 
 /// The style of the format ORIGINAL: names in the lines, the clock before them.
@@ -49,6 +50,7 @@ class HeartbeatWriter {
 
  private:
   void write_legend();
+  void write_units();
   std::string timestamp() const;
 
   TextSink sink_;

@@ -61,6 +61,8 @@ class Arguments {
   /// All remaining words, at least one; `word` among them stands for nothing that is defined.
   std::vector<DeckName> references(NameKind kind, std::string_view word = "");
   DeckName definition(NameKind kind);  ///< a name() that this line defines
+  /// Says what a name stands for that has been read.
+  void refer(NameKind kind, DeckName name) { notes_.referred.push_back({kind, std::move(name)}); }
   void define(NameKind kind, DeckName name) { notes_.defined.push_back({kind, std::move(name)}); }
   /// Says that the mesh gives further names of the kind, here and in the block around.
   void leave_open(NameKind kind) { notes_.left_open.push_back(kind); }

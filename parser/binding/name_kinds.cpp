@@ -55,6 +55,7 @@ std::vector<NameKindText> make_texts() {
       {K::contact_surface, "contact surface", K::contact_definition},
       friction_model_text(),
       {K::interaction, "interaction", K::contact_definition},
+      {K::surface_smoothing, "surface smoothing", K::contact_definition},
       of_mesh(K::block, "block"),
       of_mesh(K::node_set, "node set"),
       of_mesh(K::side_set, "side set"),

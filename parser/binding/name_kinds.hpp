@@ -30,6 +30,7 @@ enum class NameKind : std::uint8_t {
   contact_surface,
   friction_model,
   interaction,
+  surface_smoothing,
   // parts of the mesh, which the deck does not define
   block,
   node_set,

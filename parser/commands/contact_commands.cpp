@@ -7,6 +7,7 @@
 #include "parser/commands/contact_surface_commands.hpp"
 #include "parser/commands/friction_commands.hpp"
 #include "parser/commands/interaction_commands.hpp"
+#include "parser/commands/smoothing_commands.hpp"
 
 namespace contactsim {
 
@@ -19,7 +20,8 @@ std::vector<Row<ContactDefinition>> refused_rows() {
   return {
       refused<C>(
           "contact smooth surface", "<name> CONTAINS <item> ...",
-          "Smoothed surfaces are a feature in development; CONTACT SURFACE takes the faces as they are"),
+          "Write CONTACT SURFACE, and SMOOTHING = AUTO in the interaction, or the shape in BEGIN SURFACE "
+          "SMOOTHING"),
       refused_block<C>("analytic plane", planes),
       refused_block<C>("analytic cylinder", "Only planes are known: " + planes),
       refused_block<C>("analytic sphere", "Only planes are known: " + planes),
@@ -36,6 +38,7 @@ const Table<ContactDefinition>& contact_definition_table() {
       interaction_rows(),
       lift_all(period_rows(), &C::periods),
       contact_option_rows(),
+      smoothing_rows(),
       refused_rows(),
   }));
   return table;

@@ -22,8 +22,8 @@ const Table<SearchOptions>& search_options_table() {
           "Reach of the search beyond a face's edge [length]", "automatic"),
       row("capture tolerance", read::non_negative, &S::capture_tolerance,
           "How far apart sides may be at the start for TIED and other laws that hold to hold them [length]; "
-          "the gap stays as it is",
-          "automatic: NORMAL TOLERANCE, else a share of the face"),
+          "the gap stays as it is, and laws that do not hold know no such tolerance",
+          "automatic: NORMAL TOLERANCE, else 0.15 of the face's size"),
       ignored<S>("face multiplier", "= <real>", "SEARCH LENGTH SCALING of DASH OPTIONS scales the search"),
       ignored<S>("secondary decomposition", "= {ON|OFF}", "Of parallel runs only"),
   });

@@ -3,6 +3,7 @@
 
 #include "parser/commands/block_rows.hpp"
 #include "parser/commands/condition_line_commands.hpp"
+#include "parser/commands/smoothing_commands.hpp"
 
 namespace contactsim {
 
@@ -16,6 +17,43 @@ void read_penalty_stiffness(Arguments& arguments, PairSettings& pair) {
 }
 
 const Choice one_start{"", "says twice what overlaps and gaps of the start count as"};
+
+/// SEPARATION = ON or OFF; OptiStruct's YES and NO.
+void read_separation(Arguments& arguments, PairSettings& pair) {
+  static const Choices choices({"on", "off", "yes", "no"});
+  pair.separation = arguments.choice(choices) % 2 == 0;
+}
+
+/// SIDES, with the words of OptiStruct's MORIENT and of Abaqus' POLARITY for the same. OPENGAP pushes from
+/// the side that is faced, as both sides do.
+void read_sides(Arguments& arguments, PairSettings& pair) {
+  static const Choices choices(
+      {"both", "top", "bottom", "opengap", "norm", "revnorm", "two sided", "spos", "sneg"});
+  if (!arguments.at_end() && arguments.is_next("overlap"))
+    arguments.fail_here("OVERLAP goes by where the sides are at the start; name the side",
+                        "TOP is the side that the normal of the shell looks out of, BOTTOM the other");
+  pair.sides = static_cast<ShellSides>(arguments.choice(choices) % 3);
+}
+
+/// How the sides may part, and which sides of shells there are.
+std::vector<Row<PairSettings>> side_rows() {
+  using P = PairSettings;
+  return {
+      row<P>(
+          "separation", "= {ON|OFF}", read_separation,
+          "OFF: what has touched once does not part any more, but slides freely: a gap pulls, up to NORMAL "
+          "TOLERANCE, else half of the thinner element; friction is of what presses. Of faces and nodes, "
+          "not of edges and lines; contactsim's own line",
+          "ON"),
+      row<P>(
+          "sides", "= {BOTH|TOP|BOTTOM}", read_sides,
+          "Which side of the shells of SIDE A, or of all where the interaction has SURFACES, the other "
+          "surface meets: TOP is the one that the normal looks out of; rims take part in BOTH alone, edges "
+          "always; contactsim's own line",
+          "BOTH")
+          .or_spelled("morient"),
+  };
+}
 
 /// What contact takes off the gaps of the mesh.
 std::vector<Row<GapSettings>> gap_rows() {
@@ -54,6 +92,11 @@ void read_gap_closure(Arguments& arguments, PairSettings& pair) {
   if (!arguments.accept("auto")) pair.gap_closure->given = arguments.non_negative();
 }
 
+void read_search_distance(Arguments& arguments, PairSettings& pair) {
+  pair.search_distance.emplace();
+  if (!arguments.accept("auto")) pair.search_distance->given = arguments.non_negative();
+}
+
 /// Which nodes are moved onto the other side before the first step.
 std::vector<Row<PairSettings>> adjustment_rows() {
   using P = PairSettings;
@@ -85,9 +128,10 @@ std::vector<Row<PairSettings>> meeting_rows() {
           .one_of(one_friction),
       row("constraint formulation", formulation, &P::formulation, "What meets what", "FACE_FACE"),
       row("interaction behavior", behavior, &P::behavior,
-          "How the pair moves: INFINITESIMAL_SLIDING keeps the partners of the start, but for what element "
-          "death exposes; NO_INTERACTION of an interaction switches the pair off in its periods, whatever "
-          "others say",
+          "How the pair moves: INFINITESIMAL_SLIDING keeps the partners of the start, and their planes go on "
+          "beyond their edges for what slides off them; what element death exposes, and what loses its "
+          "partner by it, slides. NO_INTERACTION of an interaction switches the pair off in its periods, "
+          "whatever others say",
           "SLIDING"),
       row("enforcement", enforcement, &P::enforcement,
           "How the sides are kept apart: MOMENTUM_BALANCE lets nothing through and does not lower the time "
@@ -103,14 +147,20 @@ std::vector<Row<PairSettings>> meeting_rows() {
           "Overlap beyond a face's edge that is removed at the start [length]", "automatic"),
       row("capture tolerance", read::non_negative, &P::capture_tolerance,
           "How far apart sides may be at the start for TIED and other laws that hold to hold them [length]; "
-          "the gap stays as it is",
-          "automatic: NORMAL TOLERANCE, else a share of the face"),
+          "the gap stays as it is, and laws that do not hold know no such tolerance",
+          "automatic: NORMAL TOLERANCE, else 0.15 of the face's size"),
       row("tracking distance", read::non_negative, &P::tracking_distance,
           "Gaps of nodes that do not touch are told in the output up to this one; a node with nothing so "
           "near "
           "has the distance itself [length]; contactsim's own line",
           "automatic: a share of the face")
           .or_spelled("tracking thickness"),
+      row<P>("search distance", "= {AUTO|<real >= 0>}", read_search_distance,
+             "Nodes and faces of SIDE B that are farther from the other side at the start are never looked "
+             "at; without sides, pairs of which both are farther [length]. AUTO is two mean edges of the "
+             "faces. What element death exposes is always looked at; contactsim's own line",
+             "everything is looked at")
+          .or_spelled("srchdis"),
       row("penalty scale", read::positive, &P::penalty_scale,
           "Multiplies the penalty stiffness [1]; contactsim's own line", "1"),
       row<P>("penalty stiffness", "= {AUTO|<real>}", read_penalty_stiffness,
@@ -124,7 +174,11 @@ std::vector<Row<PairSettings>> meeting_rows() {
 
 /// The lines that pairs and their defaults share.
 std::vector<Row<PairSettings>> pair_rows() {
-  return joined<PairSettings>({meeting_rows(), adjustment_rows(), lift_all(gap_rows(), &PairSettings::gap)});
+  return joined<PairSettings>({meeting_rows(),
+                               side_rows(),
+                               adjustment_rows(),
+                               {smoothing_row()},
+                               lift_all(gap_rows(), &PairSettings::gap)});
 }
 
 Row<InteractionDefaults> exclusion_row() {

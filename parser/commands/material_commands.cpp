@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/materials/material_table.hpp"
+#include "core/materials/traction_law_table.hpp"
 #include "parser/commands/parameter_rows.hpp"
 #include "parser/commands/row_lists.hpp"
 
@@ -74,14 +75,19 @@ std::vector<Row<MaterialDefinition>> model_rows() {
   static const std::vector<Table<ParameterValues>> tables = [] {
     std::vector<Table<ParameterValues>> made;
     for (const MaterialRow& row : material_rows()) made.push_back(make_parameter_table(row.parameters));
+    for (const TractionLawRow& row : traction_law_rows())
+      made.push_back(make_parameter_table(row.parameters));
     return made;
   }();
   std::vector<Row<MaterialDefinition>> rows;
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    const MaterialRow& row = material_rows()[i];
+  std::size_t i = 0;
+  for (const MaterialRow& row : material_rows()) {
     for (const std::string& name : row.names)
       rows.push_back(model_row(name, row.help, row.parameters, tables[i]));
+    ++i;
   }
+  for (const TractionLawRow& row : traction_law_rows())
+    rows.push_back(model_row(row.name, row.help, row.parameters, tables[i++]));
   rows.push_back(
       model_row("", "Any other model: an error only when a block uses it", {}, unknown_model_table()));
   return rows;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/functions/function.hpp"
+#include "core/materials/traction_law_table.hpp"
 #include "parser/commands/contact_checks.hpp"
 #include "parser/commands/material_commands.hpp"
 
@@ -68,10 +69,20 @@ class DefinitionChecks {
   }
 
   void check(const MaterialDefinition& material) {
-    check_used_material(material, diagnostics_);
+    if (!is_of_tractions(material)) check_used_material(material, diagnostics_);
     for (const MaterialModel& model : material.models) {
       if (names_.is_used(NameKind::model, model.name)) check_used_model(material, model, diagnostics_);
     }
+  }
+
+  /// Whether cohesive elements alone use the material: they need no density.
+  bool is_of_tractions(const MaterialDefinition& material) const {
+    bool has_traction = false, has_other = false;
+    for (const MaterialModel& model : material.models) {
+      if (!names_.is_used(NameKind::model, model.name)) continue;
+      (find_traction_law_row(model.name.text) != nullptr ? has_traction : has_other) = true;
+    }
+    return has_traction && !has_other;
   }
 
   /// One without a type is told of elsewhere.

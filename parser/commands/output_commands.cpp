@@ -87,6 +87,10 @@ const Table<HeartbeatOutput>& heartbeat_table() {
           row("precision", read::positive_integer, &H::precision, "Digits of a number [1]", "6"),
           row("labels", read::on_off, &H::has_labels, "Names beside the numbers", "as the format"),
           row("legend", read::on_off, &H::has_legend, "Names on top", "as the format"),
+          row("units line", read::on_off, &H::has_units,
+              "Dimensions of the numbers under their names, such as force: decks have no units; contactsim's "
+              "own "
+              "line"),
           row("timestamp format", read::text, &H::timestamp_format,
               "Clock time in each line, as strftime takes it"),
           row("monitor", monitored, &H::monitored, "Writes a line whenever that output is written"),

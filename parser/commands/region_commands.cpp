@@ -24,7 +24,7 @@ void read_finite_element_model(Arguments& arguments, Region& region) {
   arguments.refuse(word, "'MODEL COORDINATES ARE' is not supported, the mesh's own coordinates are taken");
 }
 
-/// Two definitions would each own faces of one mesh, which no rule orders.
+/// Two definitions would each own faces of one mesh, which no rule orders, even in periods of their own.
 void add_contact(Region& region, ContactDefinition contact) {
   if (!region.contact) {
     region.contact = std::move(contact);
@@ -33,7 +33,10 @@ void add_contact(Region& region, ContactDefinition contact) {
   const std::string first = to_string(region.contact->name.location);
   throw ArgumentError{
       {Severity::error, "", contact.name.location, 1,
-       "a second CONTACT DEFINITION in one region is not supported", "the first stands at " + first},
+       "a second CONTACT DEFINITION in one region is not supported",
+       "the first stands at " + first +
+           "; one definition names the surfaces of all periods, and ACTIVE PERIODS in its interactions, with "
+           "INTERACTION BEHAVIOR = NO_INTERACTION too, says which pairs meet when"},
       true};
 }
 

@@ -55,6 +55,11 @@ std::vector<Row<TotalLagrangeSection>> rows_of(const TotalLagrangeSection&) {
   };
 }
 
+std::vector<Row<CohesiveSection>> rows_of(const CohesiveSection&) {
+  return {row("number of integration points", read::positive_integer, &CohesiveSection::n_integration_points,
+              "Pairs of opposite nodes that carry tractions: all, whatever the number [1]")};
+}
+
 /// What shells and membranes share.
 template <class S>
 std::vector<Row<S>> thickness_rows() {
@@ -212,6 +217,9 @@ std::vector<Row<Sections>> section_rows() {
   return {
       section_row<SolidSection>("solid section", "Solid elements; also the default of a block"),
       section_row<TotalLagrangeSection>("total lagrange section", "Solid elements, total Lagrange"),
+      section_row<CohesiveSection>(
+          "cohesive section",
+          "Cohesive elements: HEX8 and WEDGE6, flat or not, that hold two faces together"),
       section_row<ShellSection>("shell section", "Shell elements"),
       section_row<MembraneSection>("membrane section", "Membrane elements"),
       section_row<BeamSection>("beam section", "Beam elements"),
@@ -220,7 +228,6 @@ std::vector<Row<Sections>> section_rows() {
       section_row<PointMassSection>("point mass section", "Point masses"),
       section_row<SpringSection>("spring section", "Spring elements"),
       section_row<DamperSection>("damper section", "Damper elements"),
-      unsupported_section_row("cohesive section"),
       unsupported_section_row("superelement section"),
       unsupported_section_row("dem section"),
       unsupported_section_row("bolt section"),

@@ -44,7 +44,9 @@ std::string definitions_in(std::optional<K> home, bool has_time_control) {
            "0\nend\nend\n"
            "begin presto region near\nend\n";
   }
-  if (home == K::contact_definition) return "contact surface near contains b\nbegin tied model near\nend\n";
+  if (home == K::contact_definition)
+    return "contact surface near contains b\nbegin tied model near\nend\n"
+           "begin surface smoothing near\nsurface = near\nspherical center = 0 0 0\nend\n";
   return "";
 }
 
@@ -79,6 +81,10 @@ std::string line_naming(const RowText& row) {
       {"compute global", "g as function neer"},
       {"compute nodal", "g as function neer"},
       {"compute element", "g as function neer"},
+      {"circumferential axis", "= neer\nsurface = near\ncircumferential axis = neer neer"},
+      {"spherical center", "= neer"},
+      {"toroidal axis", "= neer radius 1\nsurface = near\ntoroidal axis = neer neer radius 1"},
+      {"smoothing", "= neer"},
       {"model", "= neer during periods neer"}};
   if (row.is_block) return "begin " + row.phrase + " neer\nend\n";
   const auto example = examples.find(row.phrase);
@@ -131,7 +137,10 @@ TEST_CASE("every row that names something is told of an unknown name with the ne
       if (text_of(kind).is_in_mesh) continue;
       ++n_naming;
       INFO(path_of(entry));
-      const std::string lines = kind == K::model ? "material = near\n" : "";
+      const bool is_of_smoothing = entry.around.back()->phrase == "surface smoothing";
+      const std::string lines = kind == K::model  ? "material = near\n"
+                                : is_of_smoothing ? "surface = near\n"
+                                                  : "";
       const std::string said = said_of(deck_around(entry.around, lines + line_naming(*entry.row)));
       CHECK(holds(said, fmt::format("unknown {} 'neer'", text_of(kind).word)));
       CHECK(holds(said, "did you mean 'near'?"));

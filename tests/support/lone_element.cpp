@@ -41,6 +41,12 @@ Eigen::Matrix3Xd regular_element(Shape shape) {
     case Shape::tet4:
       x << 0, 1, 0.5, 0.5, 0, 0, height, height / 3.0, 0, 0, 0, std::sqrt(2.0 / 3.0);
       break;
+    case Shape::tet10:  // edges near 2: their halves are what is regular
+      x.leftCols(4) = 2.0 * regular_element(Shape::tet4);
+      for (const auto& [middle, a, b] :
+           {std::array{4, 0, 1}, {5, 1, 2}, {6, 2, 0}, {7, 0, 3}, {8, 1, 3}, {9, 2, 3}})
+        x.col(middle) = 0.5 * (x.col(a) + x.col(b));
+      break;
     case Shape::wedge6:
       x << 0, 1, 0.5, 0, 1, 0.5, 0, 0, height, 0, 0, height, 0, 0, 0, 1, 1, 1;
       break;
@@ -62,10 +68,11 @@ Eigen::Matrix3Xd distorted(const Eigen::Matrix3Xd& coordinates, double size, uns
 }
 
 Eigen::Matrix3Xd flat_and_warped(Shape shape, unsigned seed) {
-  const Eigen::Matrix3Xd thick = distorted(regular_element(shape), 0.2, seed);
+  const bool has_parts = shape == Shape::tet10;  // whose twelve tetrahedra turn inside out sooner
+  const Eigen::Matrix3Xd thick = distorted(regular_element(shape), has_parts ? 0.12 : 0.2, seed);
   const Eigen::Matrix3d slant{{1.0, 0.2, 0.0}, {0.0, 1.0, 0.0}, {1.5, -0.7, 0.03}};
   Eigen::Matrix3Xd moved = slant * thick;
-  moved.row(2) += 0.1 * thick.row(0).cwiseProduct(thick.row(1));
+  moved.row(2) += (has_parts ? 0.02 : 0.1) * thick.row(0).cwiseProduct(thick.row(1));
   return moved;
 }
 
@@ -148,7 +155,7 @@ double stable_limit(const LoneElement& element) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(element.coordinates.size());
   for (std::size_t corner = 0; corner < n_corners; ++corner) {
     const Eigen::Index node = element.block.chunk_nodes[element.block.nodes[corner * n_lanes]];
-    mass.segment<3>(3 * node).array() += element.mass() / static_cast<double>(n_corners);
+    mass.segment<3>(3 * node).array() += element.mass() * element.block.element->mass_share(corner);
   }
   const Eigen::MatrixXd stiffness = stiffness_of(element);
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();

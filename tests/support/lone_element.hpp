@@ -63,7 +63,7 @@ struct LoneElement {
 /// Derivatives of the restoring forces by the coordinates of the nodes, by differences [force/length].
 Eigen::MatrixXd stiffness_of(const LoneElement& element);
 
-/// 2 / the highest frequency of an element that gives its corners equal masses [time].
+/// 2 / the highest frequency of an element with its lumped masses [time].
 double stable_limit(const LoneElement& element);
 
 }  // namespace contactsim::test

@@ -117,11 +117,48 @@ MeshBuilder& MeshBuilder::add_hexes(const Box& box) {
   return *this;
 }
 
+namespace {
+
+using Split = std::vector<std::array<std::size_t, 4>>;
+
+// Paths along a cell's edges from corner 0 to 6.
+const Split& split_in_six() {
+  static const Split six{{0, 1, 2, 6}, {0, 1, 5, 6}, {0, 3, 2, 6}, {0, 3, 7, 6}, {0, 4, 5, 6}, {0, 4, 7, 6}};
+  return six;
+}
+
+}  // namespace
+
+MeshBuilder& MeshBuilder::add_ten_node_tets(const Box& box) {
+  constexpr std::array<std::array<std::size_t, 2>, 6> edges{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  std::map<std::array<std::uint32_t, 2>, NodeIndex> midside;
+  open_block(box.id, box.name, Shape::tet10);
+  for_each_cell(box, [&](const auto& c, int) {
+    for (const auto& tet : split_in_six()) {
+      append_tet({c[tet[0]], c[tet[1]], c[tet[2]], c[tet[3]]});
+      const std::vector<NodeIndex>& all = parts_.blocks.back().nodes;
+      const std::vector<NodeIndex> corners(all.end() - 4, all.end());
+      for (const auto& [first, second] : edges) {
+        const NodeIndex a = std::min(corners[first], corners[second]),
+                        b = std::max(corners[first], corners[second]);
+        const auto found = midside.find({a.value, b.value});
+        const NodeIndex node =
+            found != midside.end()
+                ? found->second
+                : node_at((positions_[a.value] + positions_[b.value]) / 2.0, box.share_nodes);
+        midside[{a.value, b.value}] = node;
+        append({node});
+      }
+    }
+  });
+  close_block();
+  return *this;
+}
+
 MeshBuilder& MeshBuilder::add_tets(const Box& box, int tets_per_cell) {
   assert(tets_per_cell == 5 || tets_per_cell == 6);
-  using Split = std::vector<std::array<std::size_t, 4>>;
-  // Paths along the cell's edges from corner 0 to 6, and the two mirrored ways to cut off four corners.
-  const Split six{{0, 1, 2, 6}, {0, 1, 5, 6}, {0, 3, 2, 6}, {0, 3, 7, 6}, {0, 4, 5, 6}, {0, 4, 7, 6}};
+  const Split& six = split_in_six();
+  // The two mirrored ways to cut off four corners.
   const Split five_even{{0, 2, 5, 7}, {1, 0, 2, 5}, {3, 0, 2, 7}, {4, 0, 5, 7}, {6, 2, 5, 7}};
   const Split five_odd{{1, 3, 4, 6}, {0, 1, 3, 4}, {2, 1, 3, 6}, {5, 1, 4, 6}, {7, 3, 4, 6}};
   open_block(box.id, box.name, Shape::tet4);

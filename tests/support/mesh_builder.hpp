@@ -63,6 +63,8 @@ class MeshBuilder {
   MeshBuilder& add_hexes(const Box& box);
   /// Each cell becomes 5 tetrahedra (mirrored from cell to cell so that they fit) or 6.
   MeshBuilder& add_tets(const Box& box, int tets_per_cell = 6);
+  /// As add_tets of 6, with midside nodes.
+  MeshBuilder& add_ten_node_tets(const Box& box);
   /// Each cell becomes 2 wedges whose triangles look along z.
   MeshBuilder& add_wedges(const Box& box);
   /// Each cell becomes 6 pyramids about a node in its middle.

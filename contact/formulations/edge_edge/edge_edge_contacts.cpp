@@ -32,7 +32,7 @@ Segment segment_of(const ContactKinematics& kinematics, const ContactEdge& edge)
 ContactPointSide side_of(const ContactEdge& edge, double share) {
   return {{edge.nodes[0], edge.nodes[1], edge.nodes[1], edge.nodes[1]},
           {1.0 - share, share, 0.0, 0.0},
-          edge.radius};
+          edge.radius_at(share)};
 }
 
 /// The velocity of the surface of an edge at a point.
@@ -165,7 +165,7 @@ void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size
       const double distance =
           (point_at(context.kinematics, first, nearest.s) - point_at(context.kinematics, second, nearest.t))
               .norm();
-      if (distance - first.radius - second.radius > tolerance) continue;
+      if (distance - first.radius_at(nearest.s) - second.radius_at(nearest.t) > tolerance) continue;
       rules.mark_close_edge(pair, row);
       rules.mark_close_edge(pair, partner);
     }
@@ -250,7 +250,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
   const GapOffsets& offsets = context.rules.gap_offsets();
   // What touched nothing holds no slip.
   if (are_sharp && before == 0.0 &&
-      !may_cross(context.kinematics, first, second, context.ahead(), offsets.largest_reach()))
+      !may_cross(context.kinematics, first, second, context.ahead(), context.rules.largest_reach()))
     return;
   const PairIndex pair = *context.rules.find(first.surface, second.surface);
   const PairRule& rule = context.rules.of_edges(pair, first_edge, second_edge);
@@ -268,7 +268,7 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
         !owns(context, second_edge, pair_point.t, pair_point, -way))
       continue;
     const Pair edges{first,        second, rule,
-                     before > 0.0, before, offsets.of_edges(pair, first_edge, second_edge)};
+                     before > 0.0, before, offsets.of_edges(pair, first_edge, second_edge) + rule.begin_gap};
     ContactPoint point = make_contact_point(context, edges, pair_point);
     if (point.stiffness == 0.0 && !point.is_balanced) continue;
     point.part = static_cast<std::uint8_t>(i);
@@ -296,16 +296,16 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
   // The sphere around a line's node meets the edges of faces together with the faces.
   if (first.is_sharp() != second.is_sharp() && !is_inside(first.is_sharp() ? pair_point.t : pair_point.s))
     return point;
-  const PairPenalty penalty =
-      make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair);
+  const PairPenalty penalty = make_pair_penalty(first.penalty_properties, &second.penalty_properties, rule);
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto found = find_edge_gap(context.kinematics, first, second, pair_point, infinite);
   if (!found) return point;
   point.normal = found->normal;
   point.gap = found->gap - offset;
+  point.begin_gap = rule.begin_gap;
   const Eigen::Vector3d relative =
-      velocity_at(context.kinematics, point.first, -first.radius * point.normal) -
-      velocity_at(context.kinematics, point.second, second.radius * point.normal);
+      velocity_at(context.kinematics, point.first, -point.first.radius * point.normal) -
+      velocity_at(context.kinematics, point.second, point.second.radius * point.normal);
   const double closing = std::max(0.0, -relative.dot(point.normal)), closed = closing * context.dt;
   const double thinner = std::min(first.penalty_properties.thickness, second.penalty_properties.thickness);
   const double margin = context.balances ? closed_share * thinner : 0.0;

@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "contact/formulations/cohesive_traction.hpp"
 #include "contact/formulations/flush_rims.hpp"
-#include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/penalty.hpp"
-#include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/facets.hpp"
 #include "contact/interface_laws/friction.hpp"
+#include "contact/smoothing/smooth_overlap.hpp"
 
 namespace contactsim {
 
@@ -25,6 +23,17 @@ Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weigh
   return face.v * weights;
 }
 
+/// Carries the still one of two faces along with the other; a contact point's weights follow.
+void carry(const PartnerCarry& carry, MovingFace& first, MovingFace& second) {
+  if (carry.is_zero()) return;
+  MovingFace& still = carry.is_of_first ? first : second;
+  still = carry.carried(still);
+}
+void carry(const PartnerCarry& carry, ContactPoint& contact_point) {
+  if (!carry.is_zero())
+    (carry.is_of_first ? contact_point.first : contact_point.second).weights += carry.weights;
+}
+
 /// Takes an offset off the gap of two faces: the first goes by it along their common normal, which stays.
 void take_off(double offset, const MovingFace& second, MovingFace& first) {
   if (offset == 0.0) return;
@@ -32,75 +41,28 @@ void take_off(double offset, const MovingFace& second, MovingFace& first) {
   if (plane) first.x.colwise() -= offset * plane->normal;
 }
 
+/// A part of an overlap as a contact of both faces, by its mean gap.
+FaceFaceContact contact_of(const OverlapShare& share, const MovingFace& first, const MovingFace& second) {
+  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
+  FaceFaceContact contact;
+  contact.normal = share.normal;
+  contact.weights_1 = share.weights_1;
+  contact.weights_2 = share.weights_2;
+  contact.area = share.area;
+  contact.gap = share.normal.dot((first.x.colwise() - origin) * share.weights_1 -
+                                 (second.x.colwise() - origin) * share.weights_2) +
+                share.rise;
+  return contact;
+}
+
 }  // namespace
-
-void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
-                                       const Motion& motion) {
-  PairLists next;
-  search.find_face_pairs(kinematics, motion, depths(), next);
-  take_candidates(std::move(next));
-}
-
-void FaceFaceContacts::take_candidates(PairLists candidates) {
-  history_.transfer(candidates_, candidates);
-  candidates_ = std::move(candidates);
-}
-
-void FaceFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
-  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
-    if (!candidates_.of(row).empty()) is_watched[row] = 1;
-    for (const std::uint32_t partner : candidates_.of(row)) is_watched[partner] = 1;
-  }
-}
-
-void FaceFaceContacts::mark_close(const ContactStepContext& context, double size_share,
-                                  PairRules& rules) const {
-  for (const NearPair& near : find_near_pairs(context, candidates_, {}, size_share, is_hybrid)) {
-    const MovingFace first = context.kinematics.face(near.first),
-                     second = context.kinematics.face(near.second);
-    if (!find_mean_overlap(first, second, near.tolerance)) continue;
-    rules.mark_close_face(near.pair, near.first);
-    rules.mark_close_face(near.pair, near.second);
-  }
-}
-
-void FaceFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
-  for (std::uint32_t first = 0; first < candidates_.n_rows(); ++first) {
-    for (const std::uint32_t second : candidates_.of(first)) {
-      const PairIndex pair =
-          *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
-      if (!context.rules.gap_offsets().needs_start(pair)) continue;
-      auto gap = find_start_gap(context.kinematics, *context.rules[pair].pair, first, second);
-      if (!gap) continue;
-      gap->pair = pair;
-      for (const std::uint32_t face : {first, second}) {
-        gap->entity = face;
-        gaps.faces.push_back(*gap);
-      }
-    }
-  }
-}
-
-void FaceFaceContacts::remap(const ContactRemap& remap) {
-  std::vector<std::size_t> before;
-  candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
-  history_.remap(remap, before);
-}
-
-void FaceFaceContacts::archive(StateArchive& saved) {
-  contactsim::archive("contact/face_pairs", candidates_, saved);
-  history_.archive(saved);
-}
 
 void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     const auto first = static_cast<std::uint32_t>(row);
     for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
-      const std::uint32_t second = candidates_.partners[k];
-      const PairIndex pair =
-          *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
-      const Candidate candidate{first, second, pair, k, context.rules.of_faces(pair, first, second)};
+      const Candidate candidate = make_candidate(context, first, k);
       detect_one(context, candidate, points);
       if (candidate.rule.acts_apart()) add_pull(context, candidate, points);
     }
@@ -117,33 +79,64 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   if (rule.is_balanced != context.balances) return;
   const bool did_touch = history_.has_touched(candidate.position);
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
+  const double held = rule.pair->held_gap(thinner(candidate));
   const GapOffsets& offsets = context.rules.gap_offsets();
-  const double reach = std::max(activation_distance, margin) + offsets.reach(candidate.pair);
-  if (!may_touch(a, b, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
+  const double reach = std::max({activation_distance, margin, held}) + offsets.reach(candidate.pair) +
+                       std::max(0.0, rule.begin_gap);
+  if (!may_meet(context, candidate, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
 
-  PairPenalty penalty =
-      make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
-                        &contact_mesh_.faces[candidate.second].penalty_properties, *rule.pair);
+  PairPenalty penalty = make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
+                                          &contact_mesh_.faces[candidate.second].penalty_properties, rule);
   // What came in by itself may be as deep as its speed brought it; what has touched has no depth at which it
   // ends; what slides on from another partner may be as deep as it was there.
   const double before = history_.depth_before(candidate.first, candidate.second);
   penalty.depth = did_touch      ? std::numeric_limits<double>::infinity()
                   : before > 0.0 ? std::max(penalty.depth, depth_of_known(0.0, before, closed))
                                  : std::max(penalty.depth, 1.5 * closed);
-  MovingFace first = context.kinematics.face(candidate.first);
-  const MovingFace second = context.kinematics.face(candidate.second);
-  take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), second, first);
+  MovingFace first = context.kinematics.face(candidate.first),
+             second = context.kinematics.face(candidate.second);
+  carry(candidate.carry, first, second);
+  const RoundSides round = round_sides(candidate);
+  const double offset = offset_of(context, candidate);
+  if (!round.any()) take_off(offset, second, first);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
-    return add_balanced_points(
-        context, candidate, first, second,
-        {context.coming_dt, margin, activation_distance, depth, flat_share * thinner(candidate)}, did_touch,
-        points);
+    const FaceFaceConstraints found =
+        find_constraints(context, candidate, first, second,
+                         {context.coming_dt, std::max(margin, held), std::max(activation_distance, held),
+                          depth, flat_share * thinner(candidate)});
+    return add_balanced_points(context, candidate, first, second, found, did_touch, points);
   }
   penalty.closing = closed;
-  add_penalty_points(context, candidate, {first, second, penalty, activation_distance, did_touch}, points);
+  const PenaltyPush push{first, second, penalty, activation_distance, did_touch};
+  if (held > 0.0) return add_spring_points(context, candidate, push, points);
+  if (!round.any()) return add_penalty_points(context, candidate, push, points);
+  const SmoothPatch patch_1(first, round.first), patch_2(second, round.second);
+  const auto contact = find_smooth_contact({patch_1, patch_2, offset}, penalty, activation_distance);
+  add_penalty_point(context, candidate, push, contact, points);
+}
+
+FaceFaceContacts::RoundSides FaceFaceContacts::round_sides(const Candidate& candidate) const {
+  const OptionalIndex<std::uint32_t> smoothing = candidate.rule.pair->smoothing;
+  return {contact_mesh_.smooth_faces.find(smoothing, candidate.first),
+          contact_mesh_.smooth_faces.find(smoothing, candidate.second)};
+}
+
+double FaceFaceContacts::offset_of(const ContactStepContext& context, const Candidate& candidate) {
+  return context.rules.gap_offsets().of_faces(candidate.pair, candidate.first, candidate.second) +
+         candidate.rule.begin_gap;
+}
+
+FaceFaceConstraints FaceFaceContacts::find_constraints(const ContactStepContext& context,
+                                                       const Candidate& candidate, const MovingFace& first,
+                                                       const MovingFace& second,
+                                                       const ConstraintActivation& activation) const {
+  const RoundSides round = round_sides(candidate);
+  if (!round.any()) return find_face_face_constraints(first, second, activation);
+  const SmoothPatch patch_1(first, round.first), patch_2(second, round.second);
+  return find_smooth_constraints({patch_1, patch_2, offset_of(context, candidate)}, activation);
 }
 
 void FaceFaceContacts::add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
@@ -182,14 +175,56 @@ void FaceFaceContacts::add_penalty_point(const ContactStepContext& context, cons
   }
   ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
   contact_point.damped = contact.damped_power * context.dt;
-  if (!contact_point.touches()) return;
+  add_friction_to(context, candidate, push, apart, contact_point);
+}
+
+void FaceFaceContacts::add_friction_to(const ContactStepContext& context, const Candidate& candidate,
+                                       const PenaltyPush& push, const Eigen::Vector3d& apart,
+                                       ContactPoint& point) const {
   const PairRule& rule = candidate.rule;
-  if (!(rule.friction > 0.0)) return;
-  contact_point.slip = apart * context.dt;
-  contact_point.elastic_slip = push.did_touch ? history_.elastic_slip(candidate.position)
-                                              : history_.mean_slip(candidate.first, candidate.second);
-  add_friction(push.penalty.stiffness * contact.area, rule.slip_limit(contact_point, context.dt),
-               contact_point);
+  if (!point.touches() || !(rule.friction > 0.0)) return;
+  point.slip = apart * context.dt;
+  point.elastic_slip = push.did_touch ? history_.elastic_slip(candidate.position)
+                                      : history_.mean_slip(candidate.first, candidate.second);
+  add_friction(push.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
+}
+
+void FaceFaceContacts::add_spring_points(const ContactStepContext& context, const Candidate& candidate,
+                                         const PenaltyPush& push, std::vector<ContactPoint>& points) const {
+  const double held = candidate.rule.pair->held_gap(thinner(candidate));
+  const double near = std::max(push.activation_distance, held);
+  const FaceFaceConstraints found =
+      find_constraints(context, candidate, push.first, push.second,
+                       {0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
+  for (const OverlapShare& share : found.all()) {
+    const FaceFaceContact contact = contact_of(share, push.first, push.second);
+    const Eigen::Vector3d apart =
+        velocity_at(push.first, share.weights_1) - velocity_at(push.second, share.weights_2);
+    ContactPoint point = make_contact_point(candidate, contact);
+    point.part = share.part;
+    point.pulls = history_.is_held(point);
+    if (contact.gap > (point.pulls ? held : push.activation_distance)) continue;
+    if (contact.gap < 0.0 && !push.did_touch && !point.pulls) {
+      if (!met_in_front(context, candidate, contact, -apart.dot(contact.normal) * context.dt)) continue;
+      if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
+    }
+    push_node(
+        {push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0, apart},
+        point);
+    add_friction_to(context, candidate, push, apart, point);
+    points.push_back(point);
+  }
+}
+
+/// Says yes rather too often. Of a face that is carried only the plane stays where it is.
+bool FaceFaceContacts::may_meet(const ContactStepContext& context, const Candidate& candidate,
+                                double reach) const {
+  const FaceBound &a = context.kinematics.bound(candidate.first),
+                  &b = context.kinematics.bound(candidate.second);
+  if (candidate.carry.is_zero()) return may_touch(a, b, reach);
+  const FaceBound &still = candidate.carry.is_of_first ? a : b, &slides = candidate.carry.is_of_first ? b : a;
+  const double rough = 2.0 * static_cast<double>(a.radius() + b.radius());
+  return static_cast<double>(still.height_of(slides.centre())) <= reach + rough;
 }
 
 double FaceFaceContacts::thinner(const Candidate& candidate) const {
@@ -199,28 +234,25 @@ double FaceFaceContacts::thinner(const Candidate& candidate) const {
 
 void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
                                            const MovingFace& first, const MovingFace& second,
-                                           const ConstraintActivation& activation, bool did_touch,
+                                           const FaceFaceConstraints& found, bool did_touch,
                                            std::vector<ContactPoint>& points) const {
-  const FaceFaceConstraints found = find_face_face_constraints(first, second, activation);
-  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
-  for (const OverlapShare& point : found.all()) {
-    FaceFaceContact contact;
-    contact.normal = point.normal;
-    contact.weights_1 = point.weights_1;
-    contact.weights_2 = point.weights_2;
-    contact.area = point.area;
-    contact.gap = point.normal.dot((first.x.colwise() - origin) * point.weights_1 -
-                                   (second.x.colwise() - origin) * point.weights_2);
-    const Eigen::Vector3d apart = velocity_at(first, point.weights_1) - velocity_at(second, point.weights_2);
-    const double closing = -apart.dot(point.normal) * context.coming_dt;
-    if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;
-    if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
-      continue;
-    ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
-    contact_point.stiffness = 0.0;
-    contact_point.is_balanced = true;
-    contact_point.part = point.part;
-    contact_point.closing = closing;
+  const double held = candidate.rule.pair->held_gap(thinner(candidate));
+  for (const OverlapShare& share : found.all()) {
+    const FaceFaceContact contact = contact_of(share, first, second);
+    const Eigen::Vector3d apart = velocity_at(first, share.weights_1) - velocity_at(second, share.weights_2);
+    const double closing = -apart.dot(share.normal) * context.coming_dt;
+    ContactPoint point = make_contact_point(candidate, contact);
+    point.stiffness = 0.0;
+    point.is_balanced = true;
+    point.part = share.part;
+    point.closing = closing;
+    point.pulls = held > 0.0 && contact.gap <= held && history_.is_held(point);
+    if (!point.pulls) {
+      if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;
+      if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
+        continue;
+    }
+    points.push_back(point);
   }
 }
 
@@ -235,10 +267,12 @@ ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,
   contact_point.second_entity = candidate.second;
   contact_point.first = {first.corners, contact.weights_1};
   contact_point.second = {second.corners, contact.weights_2};
+  carry(candidate.carry, contact_point);
   contact_point.normal = contact.normal;
   contact_point.force = contact.force;
   contact_point.area = contact.area;
   contact_point.gap = contact.gap;
+  contact_point.begin_gap = candidate.rule.begin_gap;
   contact_point.deepest = contact.deepest;
   contact_point.beyond_spring = contact.beyond_spring;
   contact_point.stiffness = damped_stiffness(contact.stiffness, candidate.rule.pair->damping_fraction);
@@ -250,14 +284,13 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   const PairRule& rule = candidate.rule;
   const ContactFace &first = contact_mesh_.faces[candidate.first],
                     &second = contact_mesh_.faces[candidate.second];
-  const FaceBound &a = context.kinematics.bound(candidate.first),
-                  &b = context.kinematics.bound(candidate.second);
   const GapOffsets& offsets = context.rules.gap_offsets();
   const double reach = rule.activation_distance + offsets.reach(candidate.pair);
-  if (!context.enforces(rule) || !may_touch(a, b, reach)) return;
+  if (!context.enforces(rule) || !may_meet(context, candidate, reach)) return;
   FacePenaltyInput push{
       context.kinematics.last_face(candidate.first), context.kinematics.last_face(candidate.second),
       make_pair_penalty(first.penalty_properties, &second.penalty_properties, *rule.pair), context.dt};
+  carry(candidate.carry, push.first, push.second);
   take_off(offsets.of_faces(candidate.pair, candidate.first, candidate.second), push.second, push.first);
   ContactPoint contact_point;
   contact_point.elastic_slip = history_.elastic_slip(candidate.position);
@@ -268,6 +301,7 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   contact_point.second_entity = candidate.second;
   contact_point.first.nodes = first.corners;
   contact_point.second.nodes = second.corners;
+  carry(candidate.carry, contact_point);
   points.push_back(contact_point);
 }
 
@@ -276,7 +310,9 @@ bool FaceFaceContacts::met_in_front(const ContactStepContext& context, const Can
   // Before the first step nobody knows: what is wider than deep is pushed out.
   if (context.dt == 0.0) return contact.gap * contact.gap <= contact.area;
   const double thickness = thinner(candidate);
-  if (contact.gap + closed > -shallow_depth * thickness) return true;
+  // What comes up behind the one side of a shell that takes part leaves through it.
+  const bool may_leave = candidate.rule.pair->is_polar() && !(closed > 0.0);
+  if (contact.gap + closed > -shallow_depth * thickness && !may_leave) return true;
   // One that slides on from another partner may be about as deep as it was there, but not behind a far wall.
   const double before = history_.depth_before(candidate.first, candidate.second);
   return before > 0.0 && -contact.gap < depth_of_known(slide_depth * thickness, before, closed);

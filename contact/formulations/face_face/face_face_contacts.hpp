@@ -3,18 +3,22 @@
 
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/face_face/face_face_history.hpp"
+#include "contact/formulations/start_partners.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
 namespace contactsim {
 
 /// The pairs of faces that may touch: FACE_FACE. A pair that touches goes on however deep it gets, until the
 /// faces part or no longer overlap. A pair that starts to touch takes over the mean slip of its first face,
-/// else of its second, so that friction is not lost when a face slides from one partner to the next.
+/// else of its second, so that friction is not lost when a face slides from one partner to the next. Of pairs
+/// that slide infinitesimally one face is carried along with the other, in its own plane.
 /// A PointFormulation.
 class FaceFaceContacts {
  public:
   explicit FaceFaceContacts(const FormulationSetup& setup)
-      : contact_mesh_(setup.contact_mesh), history_(setup.rules.has_friction()) {}
+      : contact_mesh_(setup.contact_mesh),
+        rules_(setup.rules),
+        history_(setup.rules.has_friction(), setup.rules.may_hold()) {}
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates, with what is remembered of pairs that were candidates before.
@@ -23,6 +27,7 @@ class FaceFaceContacts {
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const PairLists& candidates() const { return candidates_; }
+  std::size_t bytes() const { return candidates_.bytes() + history_.bytes(); }
   void watch(std::vector<std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
@@ -42,6 +47,8 @@ class FaceFaceContacts {
   void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
+  /// The faces that the last remap() has released from their partners of the start.
+  std::span<const ReleasedPartner> released() const { return released_; }
   void archive(StateArchive& saved);
 
  private:
@@ -50,7 +57,10 @@ class FaceFaceContacts {
     PairIndex pair;
     std::size_t position;  ///< in candidates_
     const PairRule& rule;
+    PartnerCarry carry = {};
   };
+  Candidate make_candidate(const ContactStepContext& context, std::uint32_t first,
+                           std::size_t position) const;
   /// Two faces that the elastic penalty parts.
   struct PenaltyPush {
     const MovingFace &first, &second;
@@ -58,6 +68,19 @@ class FaceFaceContacts {
     double activation_distance;  ///< gaps up to it count as near [length]
     bool did_touch;              ///< in the last step
   };
+  /// The round surfaces that two faces stand for, null of a face that stands for itself.
+  struct RoundSides {
+    const SmoothFace *first, *second;
+    bool any() const { return first != nullptr || second != nullptr; }
+  };
+  RoundSides round_sides(const Candidate& candidate) const;
+  /// What is taken off the gap of two faces [length].
+  static double offset_of(const ContactStepContext& context, const Candidate& candidate);
+  /// The contact points of two faces, from which the offset is taken off, or of the round surfaces that they
+  /// stand for, as constraints.
+  FaceFaceConstraints find_constraints(const ContactStepContext& context, const Candidate& candidate,
+                                       const MovingFace& first, const MovingFace& second,
+                                       const ConstraintActivation& activation) const;
   void detect_one(const ContactStepContext& context, const Candidate& candidate,
                   std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by the elastic penalty.
@@ -66,15 +89,19 @@ class FaceFaceContacts {
   void add_penalty_point(const ContactStepContext& context, const Candidate& candidate,
                          const PenaltyPush& push, const FaceFaceContact& contact,
                          std::vector<ContactPoint>& points) const;
+  /// The same where what has touched may not part, each by the mean gap of its part of the overlap.
+  void add_spring_points(const ContactStepContext& context, const Candidate& candidate,
+                         const PenaltyPush& push, std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by momentum balance.
   void add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
                            const MovingFace& first, const MovingFace& second,
-                           const ConstraintActivation& activation, bool did_touch,
+                           const FaceFaceConstraints& found, bool did_touch,
                            std::vector<ContactPoint>& points) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void add_pull(const ContactStepContext& context, const Candidate& candidate,
                 std::vector<ContactPoint>& points) const;
   ContactPoint make_contact_point(const Candidate& candidate, const FaceFaceContact& contact) const;
+  bool may_meet(const ContactStepContext& context, const Candidate& candidate, double reach) const;
   /// Thickness of the thinner element behind the faces [length].
   double thinner(const Candidate& candidate) const;
   /// Whether faces that overlap got there through their fronts: they were in front of each other, or hardly
@@ -83,9 +110,16 @@ class FaceFaceContacts {
   ///   closed  by which the gap has shrunk in the step [length]
   bool met_in_front(const ContactStepContext& context, const Candidate& candidate,
                     const FaceFaceContact& contact, double closed) const;
+  /// Adds the friction of a penalty's contact point.
+  ///   apart  velocity of the first side against the second [length/time]
+  void add_friction_to(const ContactStepContext& context, const Candidate& candidate, const PenaltyPush& push,
+                       const Eigen::Vector3d& apart, ContactPoint& point) const;
 
   const ContactMesh& contact_mesh_;
+  const PairRules& rules_;
   PairLists candidates_;
+  StartPartners start_partners_;
+  std::vector<ReleasedPartner> released_;
   FaceFaceHistory history_;
 };
 

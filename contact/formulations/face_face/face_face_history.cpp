@@ -15,7 +15,37 @@ bool are_of_one_pair(const ContactPoint& a, const ContactPoint& b) {
   return a.first_entity == b.first_entity && a.second_entity == b.second_entity;
 }
 
+/// Numbers of the corners of faces.
+constexpr std::uint32_t n_corners = 4;
+std::uint32_t corner_of(std::uint32_t face, Eigen::Index corner) {
+  return n_corners * face + static_cast<std::uint32_t>(corner);
+}
+
+std::uint32_t nearest_corner(std::uint32_t face, const Eigen::Vector4d& weights) {
+  Eigen::Index nearest = 0;
+  weights.maxCoeff(&nearest);
+  return corner_of(face, nearest);
+}
+
 }  // namespace
+
+bool FaceFaceHistory::is_held(const ContactPoint& point) const {
+  return held_before_.has(point.pair.value, nearest_corner(point.first_entity, point.first.weights)) ||
+         held_before_.has(point.pair.value, nearest_corner(point.second_entity, point.second.weights));
+}
+
+/// Corners that are about as near count too, or a place between them would be lost as it slides.
+void FaceFaceHistory::hold(const ContactPoint& point) {
+  constexpr double about_as_near = 0.75;
+  const auto add = [&](std::uint32_t face, const Eigen::Vector4d& weights) {
+    for (Eigen::Index k = 0; k < n_corners; ++k) {
+      if (weights[k] >= about_as_near * weights.maxCoeff())
+        held_now_.add(point.pair.value, corner_of(face, k));
+    }
+  };
+  add(point.first_entity, point.first.weights);
+  add(point.second_entity, point.second.weights);
+}
 
 Eigen::Vector3d FaceFaceHistory::elastic_slip(std::size_t candidate) const {
   if (!has_friction_ || touched_before_[candidate] == 0) return Eigen::Vector3d::Zero();
@@ -53,6 +83,12 @@ void FaceFaceHistory::remap(const ContactRemap& remap, std::span<const std::size
   contactsim::transfer(remap.faces, remap.n_faces_after, no_slip, next_means_);
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_before_);
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_now_);
+  std::vector<OptionalIndex<std::uint32_t>> corners;
+  for (const OptionalIndex<std::uint32_t> face : remap.faces) {
+    for (Eigen::Index k = 0; k < n_corners; ++k)
+      corners.push_back(face ? OptionalIndex<std::uint32_t>(corner_of(*face, k)) : std::nullopt);
+  }
+  if (may_hold_) held_now_.remap({}, corners);
   // Contacts that deaths end are not lost.
   for (std::vector<OptionalIndex<std::uint32_t>>* partners : {&partner_before_, &partner_now_})
     partners->assign(depth_now_.size(), std::nullopt);
@@ -61,6 +97,8 @@ void FaceFaceHistory::remap(const ContactRemap& remap, std::span<const std::size
 void FaceFaceHistory::begin_step(const PairLists& candidates, std::size_t n_faces) {
   std::swap(touched_before_, touched_now_);
   touched_now_.assign(candidates.partners.size(), 0);
+  std::swap(held_before_, held_now_);
+  held_now_.clear();
   std::swap(depth_before_, depth_now_);
   std::swap(partner_before_, partner_now_);
   depth_before_.resize(n_faces, 0.0f);
@@ -102,6 +140,7 @@ void FaceFaceHistory::update_pair(const ContactStepContext& context, std::size_t
     }
     if (!point.is_met()) continue;
     touched_now_[candidate] |= touched;
+    if (!rule.pair->separates) hold(point);
     if (point.is_balanced) continue;
     area += point.area;
     mean += point.area / area * (point.elastic_slip - mean);
@@ -148,6 +187,7 @@ void FaceFaceHistory::archive(StateArchive& saved) {
   saved.list("contact/faces/mean_slip", next_means_);
   saved.list("contact/faces/depth", depth_now_);
   saved.list("contact/faces/partner", partner_now_);
+  if (may_hold_) held_now_.archive("contact/faces/held", saved);
 }
 
 }  // namespace contactsim

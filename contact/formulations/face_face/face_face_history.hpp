@@ -8,6 +8,7 @@
 #include "contact/formulations/contact_step_context.hpp"
 #include "contact/mesh/contact_remap.hpp"
 #include "contact/mesh/pair_lists.hpp"
+#include "contact/mesh/pair_set.hpp"
 #include "core/base/optional_index.hpp"
 
 namespace contactsim {
@@ -18,12 +19,16 @@ class StateArchive;
 /// tangential spring holds, of faces the mean slip and how deep they were in which other face.
 class FaceFaceHistory {
  public:
-  explicit FaceFaceHistory(bool has_friction) : has_friction_(has_friction) {}
+  ///   may_hold  what has touched may not part in some pair
+  FaceFaceHistory(bool has_friction, bool may_hold) : has_friction_(has_friction), may_hold_(may_hold) {}
 
   /// What is known of a pair of faces, by its position among the candidates.
   bool has_touched(std::size_t candidate) const { return touched_before_[candidate] != 0; }
   /// [length]
   Eigen::Vector3d elastic_slip(std::size_t candidate) const;
+  /// Whether the place of a contact point touched in the last step, by this pair of faces or another one that
+  /// one of its faces has slid from. A place is what of a face is nearest to a corner.
+  bool is_held(const ContactPoint& point) const;
   /// The mean slip of the first face against what it touched, else that of the second, as the first sees it
   /// [length].
   Eigen::Vector3d mean_slip(std::uint32_t first, std::uint32_t second) const;
@@ -47,6 +52,11 @@ class FaceFaceHistory {
   ///   before  position of each candidate before [n_candidates]
   void remap(const ContactRemap& remap, std::span<const std::size_t> before);
   void archive(StateArchive& saved);
+  std::size_t bytes() const {
+    return bytes_of(touched_before_) + bytes_of(touched_now_) + bytes_of(elastic_slips_) + bytes_of(means_) +
+           bytes_of(next_means_) + bytes_of(depth_before_) + bytes_of(depth_now_) +
+           bytes_of(partner_before_) + bytes_of(partner_now_);
+  }
 
  private:
   /// What detect() says of a pair that touched, or that a law held across a gap.
@@ -56,7 +66,9 @@ class FaceFaceHistory {
                    std::span<const ContactPoint> points);
   void update_faces(const ContactPoint& point);
 
-  bool has_friction_;
+  void hold(const ContactPoint& point);
+
+  bool has_friction_, may_hold_;
   std::vector<std::uint8_t> touched_before_, touched_now_;  // [n_candidates] in the last step, in this one
   std::vector<Eigen::Vector3d> elastic_slips_;              // [n_candidates] [length]; empty without friction
   /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
@@ -65,7 +77,8 @@ class FaceFaceHistory {
   // [n_faces] penetration, 0 where nothing touches, in the last step and in this one [length]
   std::vector<float> depth_before_, depth_now_;
   std::vector<OptionalIndex<std::uint32_t>> partner_before_,
-      partner_now_;  // [n_faces] by which each is deepest
+      partner_now_;                 // [n_faces] by which each is deepest
+  PairSet held_before_, held_now_;  // pairs of surfaces with corners of faces, of those that may not part
 };
 
 }  // namespace contactsim

@@ -12,14 +12,11 @@
 #include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
+#include "contact/smoothing/smooth_face.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie
-/// over each other keep touching when they spread by different strains.
-constexpr double automatic_beyond = 0.02;
 
 /// Nodes that stand this share of an element's thickness beyond an edge project inside it.
 constexpr double just_beyond = 1e-6;
@@ -39,11 +36,27 @@ struct NodeFaceContacts::NearFace {
   std::uint32_t face = 0;
   PairIndex pair;
   ClosestPoint point;
+  /// Of the face's corners at the point, sum 1 [1]. Sorting copies to memory that is aligned for numbers
+  /// only.
+  Eigen::Matrix<double, 4, 1, Eigen::DontAlign> weights;
   PairPenalty penalty;
   double share = 1.0;     ///< of the node's area, where it projects inside several faces alike [1]
   double distance = 0.0;  ///< of the node, the middle of a sphere, from the face [length]
   double near = 0.0;      ///< gaps up to it may close soon [length]
+  bool is_plane = false;  ///< the node stands over the plane of the face, beyond its edges
+  double beyond = 0.0;    ///< by so much [length]
+  bool pulls = false;     ///< it has touched and may not part
 };
+
+namespace {
+
+/// Whether a point projects inside a face.
+bool is_over(const MovingFace& face, const Eigen::Vector3d& x) {
+  const auto point = project_onto_face(face.x, face.is_triangle, x);
+  return point && point->edge < 0;
+}
+
+}  // namespace
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.
 struct NodeFaceContacts::NearFaces {
@@ -59,9 +72,42 @@ struct NodeFaceContacts::NearFaces {
   auto end() { return all.begin() + static_cast<std::ptrdiff_t>(n); }
 };
 
+/// The node stands over the plane of the face, which counts as if the node were over the face.
+void NodeFaceContacts::stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
+                                      NearFace& near_face) {
+  const PlanePoint found = project_onto_plane(face, x);
+  near_face.weights = found.weights;
+  near_face.beyond = found.beyond;
+  near_face.point.normal = found.normal;
+  near_face.point.gap = found.gap - radius;
+  near_face.distance = std::abs(found.gap);
+}
+
+void NodeFaceContacts::choose_planes(NearFaces& near_faces) {
+  const auto comes_first = [&](const NearFace& other, const NearFace& plane) {
+    if (&other == &plane || other.pair != plane.pair) return false;
+    if (!(other.point.normal.dot(plane.point.normal) > NodeHistory::same_wall)) return false;
+    if (!other.is_plane) return true;
+    return other.beyond < plane.beyond || (other.beyond == plane.beyond && other.face < plane.face);
+  };
+  const NearFaces all = near_faces;
+  near_faces.n = 0;
+  for (std::size_t i = 0; i < all.n; ++i) {
+    const NearFace& one = all.all[i];
+    const auto end = all.all.begin() + static_cast<std::ptrdiff_t>(all.n);
+    const bool gives_way = one.is_plane && std::any_of(all.all.begin(), end, [&](const NearFace& other) {
+                             return comes_first(other, one);
+                           });
+    if (!gives_way) near_faces.add(one);
+  }
+}
+
 void NodeFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
                                        const Motion& motion) {
   search.find_node_faces(kinematics, motion, depths(), candidates_);
+  if (search.keeps_first_partners() && search.n_searches() == 0)
+    start_partners_.begin_nodes(kinematics, rules_, candidates_);
+  if (!start_partners_.empty()) candidates_ = start_partners_.united_with(rules_, candidates_);
 }
 
 void NodeFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
@@ -98,11 +144,13 @@ void NodeFaceContacts::remap(const ContactRemap& remap) {
   std::vector<std::size_t> before;
   candidates_ = transferred(candidates_, remap.rows, remap.faces, remap.n_rows_after, before);
   history_.remap(remap);
+  released_ = start_partners_.remap(remap.rows, remap.faces, remap.n_rows_after);
 }
 
 void NodeFaceContacts::archive(StateArchive& saved) {
   contactsim::archive("contact/node_pairs", candidates_, saved);
   history_.archive(saved);
+  start_partners_.archive("contact/start_nodes", saved);
 }
 
 void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
@@ -119,6 +167,7 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, std::uint32
   near_faces.n = 0;
   for (const std::uint32_t face : candidates_.of(row))
     add_near_face(context, row, face, node_history, near_faces);
+  if (!start_partners_.empty()) choose_planes(near_faces);
   if (near_faces.n > 1) choose(context, row, node_history, near_faces);
   for (NearFace& near_face : near_faces) {
     const PairRule& rule = context.rules.of_node(near_face.pair, row);
@@ -155,37 +204,57 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uin
   const double margin = context.balances ? closed_share * std::min(face.penalty_properties.thickness,
                                                                    node.penalty_properties.thickness)
                                          : 0.0;
-  const double activation_distance = std::max(
+  const double from_afar = std::max(
       {rule.activation_distance, margin, context.dt > 0.0 ? near : std::max<double>(near, bound.radius())});
+  const double held = node_history.face_histories.empty()
+                          ? 0.0
+                          : rule.pair->held_gap(std::min(face.penalty_properties.thickness,
+                                                         node.penalty_properties.thickness));
+  const double activation_distance = std::max(from_afar, held);
   near_face.near = std::max(near, margin);
   const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
   const double deepest = std::max(
       {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
-  const double offset = context.rules.gap_offsets().of_node(near_face.pair, row);
+  const double offset = context.rules.gap_offsets().of_node(near_face.pair, row) + rule.begin_gap;
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.warp() - bound.height_of(x));
+  const bool keeps_plane = rule.pair->behavior == InteractionBehavior::infinitesimal_sliding &&
+                           start_partners_.has(row, face_index);
+  const double anywhere = keeps_plane ? std::numeric_limits<float>::max() : 0.0;
   if (!may_project_inside(x, bound, activation_distance + std::max(offset, 0.0) + node.radius,
-                          deepest + std::max(-offset, 0.0), beyond + behind + node.radius) ||
+                          deepest + std::max(-offset, 0.0),
+                          std::max(beyond + behind + node.radius, anywhere)) ||
       has_corner(face, node.node))
     return;
   if (!rule.is_active || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_node(row, near_face.pair)) return;
   const MovingFace moving = context.kinematics.face(face_index);
-  const auto point = project_sphere(moving.x, moving.is_triangle, x, node.radius);
-  if (!point) return;
-  near_face.point = *point;
-  near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
+  const SmoothFace* round = contact_mesh_.smooth_faces.find(rule.pair->smoothing, face_index);
+  const auto point = project_sphere(moving.x, moving.is_triangle, round, x, node.radius);
+  near_face.is_plane = keeps_plane && !is_over(moving, x);
+  if (near_face.is_plane) {
+    stand_on_plane(moving, x, node.radius, near_face);
+  } else {
+    if (!point) return;
+    near_face.point = *point;
+    near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
+    near_face.weights = corner_weights(point->xi, point->eta, moving.is_triangle);
+  }
   near_face.point.gap -= offset;
-  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, *rule.pair);
+  near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
   const bool is_known = node_history.knows(near_face.point.normal);
   near_face.penalty.depth = is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed);
-  if (near_face.point.gap > activation_distance || -near_face.point.gap > near_face.penalty.depth) return;
+  near_face.pulls = near_face.point.gap <= held && held > 0.0 &&
+                    node_history.touched(near_face.pair, near_face.point.normal);
+  if ((near_face.point.gap > from_afar && !near_face.pulls) || -near_face.point.gap > near_face.penalty.depth)
+    return;
   if (!comes_from_outside(context, node, moving, near_face, node_history.depth(near_face.point.normal)))
     return;
   if (!is_facing(context, node, near_face.point.normal) || !projects_inside(context, face_index, near_face))
     return;
-  const bool may_hang_over = near_face.point.edge >= 0 && rule.pair->tangential_tolerance.has_value();
+  const bool may_hang_over =
+      near_face.is_plane || (near_face.point.edge >= 0 && rule.pair->tangential_tolerance.has_value());
   if ((near_face.point.gap < 0.0 || context.balances) && node.radius == 0.0f && !may_hang_over &&
       is_at_flush_rim(context, row, face_index, near_face.point.normal))
     return;
@@ -197,9 +266,10 @@ bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, con
                                           double depth) const {
   // Before the first step nobody knows; what overlaps then is pushed out.
   if (context.dt == 0.0 || near_face.point.gap >= 0.0) return true;
-  const Eigen::Vector4d weights = corner_weights(near_face.point.xi, near_face.point.eta, face.is_triangle);
   const double approach =
-      (face.v * weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
+      (face.v * near_face.weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
+  // What comes up behind the one side of a shell that takes part leaves through it.
+  if (context.rules[near_face.pair].pair->is_polar() && !(approach > 0.0) && depth == 0.0) return false;
   // Beyond the edge of a face it may be outside the body: there it has to come from in front. A spring that
   // holds the node already does not end there, for its force would come and go with all of its depth.
   const bool is_beyond =
@@ -300,9 +370,7 @@ double NodeFaceContacts::share_of(const ContactStepContext& context, std::uint32
   if (!rule.acts_apart()) return rule.pair->node_share();
   const NearPair near_pair{row, near_face.face, near_face.pair, true,
                            std::max(rule.activation_distance, near_face.penalty.depth)};
-  const bool is_triangle = contact_mesh_.faces[near_face.face].is_triangle();
-  return share_of_node(context, candidates_, near_pair,
-                       corner_weights(near_face.point.xi, near_face.point.eta, is_triangle));
+  return share_of_node(context, candidates_, near_pair, near_face.weights);
 }
 
 ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& context, std::uint32_t row,
@@ -318,10 +386,11 @@ ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& cont
   contact_point.first.nodes.fill(node.node);
   contact_point.first.weights = Eigen::Vector4d::UnitX();
   contact_point.first.radius = node.radius;
-  contact_point.second = {face.corners,
-                          corner_weights(near_face.point.xi, near_face.point.eta, face.is_triangle())};
+  contact_point.second = {face.corners, near_face.weights};
   contact_point.normal = near_face.point.normal;
   contact_point.gap = near_face.point.gap;
+  contact_point.pulls = near_face.pulls;
+  contact_point.begin_gap = context.rules.of_node(near_face.pair, row).begin_gap;
   push_node(make_push(context, row, near_face, contact_point), contact_point);
   return contact_point;
 }
@@ -331,7 +400,8 @@ NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, 
                                              const ContactPoint& contact_point) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const SurfacePair& pair = *context.rules[near_face.pair].pair;
-  const double area = near_face.share * context.kinematics.area_against(node, near_face.point.normal);
+  const double area =
+      near_face.share * context.kinematics.area_against(node, near_face.point.normal, pair.smoothing);
   const MovingFace moving = context.kinematics.face(near_face.face);
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * near_face.point.normal;
   const Eigen::Vector3d relative =

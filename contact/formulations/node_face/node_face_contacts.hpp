@@ -7,18 +7,21 @@
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/node_face/node_areas.hpp"
 #include "contact/formulations/node_face/node_face_history.hpp"
+#include "contact/formulations/start_partners.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
 namespace contactsim {
 
 /// The nodes that meet faces as nodes: NODE_FACE, and spheres. A node touches one face, or shares itself
 /// among those of the edge or the corner right behind which it stands; only where faces form a hollow does it
-/// touch more, three at most. It comes out on the side on which it went in, however deep it gets. A
-/// ContactFormulation.
+/// touch more, three at most. It comes out on the side on which it went in, however deep it gets. Of pairs
+/// that slide infinitesimally the plane of its face goes on beyond the edges. A ContactFormulation.
 class NodeFaceContacts {
  public:
   explicit NodeFaceContacts(const FormulationSetup& setup)
-      : contact_mesh_(setup.contact_mesh), history_(setup.contact_mesh.surface_nodes.size()) {}
+      : contact_mesh_(setup.contact_mesh),
+        rules_(setup.rules),
+        history_(setup.contact_mesh.surface_nodes.size()) {}
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates: rows of surface nodes with faces.
@@ -26,6 +29,7 @@ class NodeFaceContacts {
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   const PairLists& candidates() const { return candidates_; }
+  std::size_t bytes() const { return candidates_.bytes(); }
   /// A node looks at its own faces, too, and at those around the faces that it may touch.
   void watch(std::vector<std::uint8_t>& is_watched) const;
 
@@ -49,6 +53,8 @@ class NodeFaceContacts {
   void add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const;
 
   void remap(const ContactRemap& remap);
+  /// The surface nodes that the last remap() has released from their partners of the start.
+  std::span<const ReleasedPartner> released() const { return released_; }
   void archive(StateArchive& saved);
 
  private:
@@ -74,6 +80,11 @@ class NodeFaceContacts {
   bool projects_inside(const ContactStepContext& context, std::uint32_t face,
                        const NearFace& near_face) const;
   static std::size_t share_at_edge(double thickness, NearFaces& near_faces);
+  static void stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
+                             NearFace& near_face);
+  /// Leaves the plane of a face out where the node stands over another face of the same wall, or nearer to
+  /// it.
+  static void choose_planes(NearFaces& near_faces);
   void choose(const ContactStepContext& context, std::uint32_t row, const NodeHistory& node_history,
               NearFaces& near_faces) const;
   double share_of(const ContactStepContext& context, std::uint32_t row, const NearFace& near_face) const;
@@ -83,7 +94,10 @@ class NodeFaceContacts {
                              const ContactPoint& contact_point) const;
 
   const ContactMesh& contact_mesh_;
+  const PairRules& rules_;
   PairLists candidates_;
+  StartPartners start_partners_;
+  std::vector<ReleasedPartner> released_;
   NodeFaceHistory history_;
   NodeAreas node_areas_;  // scratch
 };

@@ -39,6 +39,12 @@ struct NodeHistory {
       return face_history.normal.cast<double>().dot(normal) > same_side;
     });
   }
+  /// Whether it touched such a face under a pair.
+  bool touched(PairIndex pair, const Eigen::Vector3d& normal) const {
+    return std::ranges::any_of(face_histories, [&](const FaceHistory& face_history) {
+      return face_history.pair == pair && face_history.normal.cast<double>().dot(normal) > same_side;
+    });
+  }
   /// How deep it was in such a face; 0 if it touched none [length].
   double depth(const Eigen::Vector3d& normal) const;
   /// The slip that was held against a face that looks almost the same way [length].

@@ -40,7 +40,7 @@ void NodePlaneContacts::add_pairs(std::uint32_t surface, PairIndex pair, std::ui
   for (std::uint32_t node = contact_mesh.first_node[surface]; node < contact_mesh.first_node[surface + 1];
        ++node)
     node_plane_pairs_.push_back(
-        {node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero()});
+        {node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero(), false});
 }
 
 void NodePlaneContacts::remap(const ContactRemap& remap) {
@@ -54,13 +54,18 @@ void NodePlaneContacts::remap(const ContactRemap& remap) {
     const OptionalIndex<std::uint32_t> node = remap.rows[old.node];
     if (!node) continue;
     const auto found = known.find({old.pair, old.plane, *node});
-    if (found != known.end()) found->second->elastic_slip = old.elastic_slip;
+    if (found == known.end()) continue;
+    found->second->elastic_slip = old.elastic_slip;
+    found->second->touched = old.touched;
   }
 }
 
 void NodePlaneContacts::archive(StateArchive& saved) {
   saved.fixed_rows("contact/planes/elastic_slip", node_plane_pairs_,
                    [](NodePlanePair& pair_of_node, RowNumbers& row) { row(pair_of_node.elastic_slip); });
+  if (!setup_.rules.may_hold()) return;
+  saved.fixed_rows("contact/planes/touched", node_plane_pairs_,
+                   [](NodePlanePair& pair_of_node, RowNumbers& row) { row(pair_of_node.touched); });
 }
 
 double NodePlaneContacts::gap_of(const ContactKinematics& kinematics, const NodePlanePair& candidate) const {
@@ -86,6 +91,7 @@ void NodePlaneContacts::detect(const ContactStepContext& context, CandidateRows 
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     const NodePlanePair& candidate = node_plane_pairs_[row];
     const PairRule& rule = context.rules.of_node(candidate.pair, candidate.node);
+    if (!context.rules.start_reach().may_meet_plane(candidate.pair, candidate.node)) continue;
     if (context.enforces(rule)) detect_one(context, candidate, rule, points);
   }
 }
@@ -95,11 +101,13 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
   const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * candidate.normal;
   const double gap = gap_of(context.kinematics, candidate) -
-                     context.rules.gap_offsets().of_node(candidate.pair, candidate.node);
+                     context.rules.gap_offsets().of_node(candidate.pair, candidate.node) - rule.begin_gap;
   const Eigen::Vector3d velocity = context.kinematics.velocity_beside(node.node, arm);
   const double margin = context.balances ? closed_share * node.penalty_properties.thickness : 0.0;
   const double near = -context.ahead() * velocity.dot(candidate.normal);
-  if (gap > std::max({rule.activation_distance, margin, near})) return;
+  const bool pulls = candidate.touched && gap <= rule.pair->held_gap(node.penalty_properties.thickness) &&
+                     !rule.pair->separates;
+  if (gap > std::max({rule.activation_distance, margin, near}) && !pulls) return;
   ContactPoint& point = points.emplace_back();
   point.pair = candidate.pair;
   point.is_swapped = node.surface != rule.pair->first;
@@ -110,7 +118,9 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
   point.first.radius = node.radius;
   point.normal = candidate.normal;
   point.gap = gap;
-  const PairPenalty penalty = make_pair_penalty(node.penalty_properties, nullptr, *rule.pair);
+  point.begin_gap = rule.begin_gap;
+  point.pulls = pulls;
+  const PairPenalty penalty = make_pair_penalty(node.penalty_properties, nullptr, rule);
   const double area = context.kinematics.area_against(node, candidate.normal);
   const NodePenaltyInput push{penalty,
                               rule.pair->damping_fraction,
@@ -142,8 +152,10 @@ void NodePlaneContacts::update(const ContactStepContext& context, CandidateRows 
                          point->part == static_cast<std::uint8_t>(candidate.plane);
     if (!is_near) {
       candidate.elastic_slip.setZero();
+      candidate.touched = false;
       continue;
     }
+    candidate.touched = point->is_met();
     if (rule.acts_apart() || has_friction(rule, *point)) candidate.elastic_slip = point->elastic_slip;
     ++point;
   }

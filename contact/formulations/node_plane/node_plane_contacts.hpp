@@ -38,6 +38,7 @@ class NodePlaneContacts {
     std::uint32_t plane;  ///< of the region
     Eigen::Vector3d normal, origin;
     Eigen::Vector3d elastic_slip;  ///< slip that the tangential spring holds [length]
+    bool touched = false;          ///< in the last step
   };
   void add_pairs();
   void add_pairs(std::uint32_t surface, PairIndex pair, std::uint32_t plane);

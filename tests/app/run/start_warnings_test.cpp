@@ -133,6 +133,27 @@ TEST_CASE("lines about gaps that do nothing are told", "[app][gaps]") {
   CHECK_THAT(sound, !Contains("clearance-") && !Contains("gap-without-effect"));
 }
 
+TEST_CASE("lines about separation, sides and stiffness that do nothing are told", "[app][sides]") {
+  const auto told = [](const std::string& lines, const std::string& models = "") {
+    return warnings_of(block_on_block(), models +
+                                             "contact surface low contains block_1\n"
+                                             "contact surface high contains block_2\n"
+                                             "begin interaction\nsurfaces = low high\n" +
+                                             lines + "end\n");
+  };
+  CHECK_THAT(told("sides = top\n"),
+             Contains("no shell has the side that it names") && Contains("[sides-without-shells]"));
+  CHECK_THAT(told("friction model = tied\nseparation = off\n"), Contains("[separation-without-effect]"));
+  const std::string soft =
+      "begin exponential pressure model soft\npressure at zero gap = 1\nclearance at zero pressure = 0.001\n";
+  CHECK_THAT(told("friction model = soft\npenalty stiffness = 1e6\n", soft + "end\n"),
+             Contains("PENALTY STIFFNESS has no effect beside the law 'exponential pressure'"));
+  CHECK_THAT(
+      told("friction model = soft\npenalty stiffness = 1e6\n", soft + "friction coefficient = 0.1\nend\n"),
+      !Contains("PENALTY STIFFNESS"));
+  CHECK_THAT(told("separation = off\n"), !Contains("without-effect"));
+}
+
 TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][ties]") {
   using contactsim::test::CandidateSide;
   const auto sides = [](double overhang) {
@@ -153,6 +174,55 @@ TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][t
   CHECK_THAT(warnings_of(sides(1.0), general("tied", surfaces)),
              Contains("2 of the 4 faces of '") && Contains("are not tied") && Contains("[tie-partial]"));
   CHECK_THAT(warnings_of(sides(0.0), general("tied", surfaces)), !Contains("tie-partial"));
+}
+
+TEST_CASE("lines about reach that do nothing are told", "[app][reach]") {
+  const auto pair = [](const std::string& lines) {
+    return "contact surface low contains block_1\ncontact surface high contains block_2\n"
+           "begin interaction\nsurfaces = low high\n" +
+           lines + "end\n";
+  };
+  const auto apart = [](double gap) {
+    return MeshBuilder()
+        .add_hexes({.id = 1, .cells = {2, 2, 2}})
+        .add_hexes({.id = 2, .cells = {2, 2, 2}, .origin = {0, 0, 1.0 + gap}, .share_nodes = false})
+        .build();
+  };
+  CHECK_THAT(warnings_of(apart(0.05), pair("capture tolerance = 0.1\n")),
+             Contains("[capture-without-effect]") && Contains("'frictionless' holds nothing"));
+  CHECK_THAT(warnings_of(apart(0.05), pair("capture tolerance = 0.1\nfriction model = tied\n")),
+             !Contains("capture-without-effect"));
+  CHECK_THAT(warnings_of(apart(0.5), pair("search distance = 0.4\n")), Contains("[search-distance-empty]"));
+  CHECK_THAT(warnings_of(apart(0.5), pair("search distance = 0.6\n")), !Contains("search-distance-empty"));
+  const std::string small = "interaction behavior = infinitesimal_sliding\n";
+  CHECK_THAT(warnings_of(apart(0.5), pair(small)), Contains("[no-start-partner]"));
+  CHECK_THAT(warnings_of(apart(0.5), pair(small + "search distance = 0.6\n")), !Contains("no-start-partner"));
+}
+
+TEST_CASE("nodes that no tie reaches are listed and make a node set of the results", "[app][ties]") {
+  const Mesh flat =
+      MeshBuilder()
+          .add_hexes({.id = 1, .cells = {10, 1, 1}, .size = {10, 1, 1}})
+          .add_hexes(
+              {.id = 2, .cells = {10, 1, 1}, .origin = {0, 0, 1}, .size = {10, 1, 1}, .share_nodes = false})
+          .build();
+  Eigen::Matrix3Xd x = flat.coordinates();
+  for (Eigen::Index i = x.cols() / 2; i < x.cols(); ++i) x(2, i) += 0.06 * x(0, i);
+  const std::string contact =
+      "skin all blocks = on\nbegin interaction defaults\ngeneral contact = on\nfriction model = tied\n"
+      "capture tolerance = 0.3\nend\n";
+  const LawDeck deck(flat.with_coordinates(x), contact,
+                     "begin results output\ndatabase name = a.e\nat time 0 increment = 1e-5\n"
+                     "nodal displacement\nend\n");
+  const auto [code, out, err] = deck.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(err, Contains("[tie-partial]") && Contains("10 nodes are not"));
+  CHECK_THAT(out, Contains("10 nodes of block_"));
+  contactsim::Diagnostics warnings;
+  const Mesh written = contactsim::read_mesh(deck.path("a.e"), warnings);
+  REQUIRE(written.node_sets().size() == 1);
+  CHECK(written.node_sets()[0].name == "contact_untied");
+  CHECK(written.node_sets()[0].nodes.size() == 10);
 }
 
 TEST_CASE("a contact surface with the name of a side set of the mesh gets another one in results",

@@ -16,12 +16,13 @@ using namespace contactsim::test;
 namespace {
 
 /// A plate of 6 x 3 x 2 cells under a cube of one cell that lies on its middle.
-MeshBuilder cube_on_plate(double depth = 0.01) {
+MeshBuilder cube_on_plate(double depth = 0.01, bool is_of_tets = false) {
   MeshBuilder builder;
-  builder.add_hexes({.id = 1, .cells = {6, 3, 2}, .size = {6, 3, 2}});
-  builder.add_hexes(
-      {.id = 2, .origin = {2.1, 1.1, 2.0 - depth}, .size = {0.8, 0.8, 0.8}, .share_nodes = false});
-  return builder;
+  const test::Box plate{.id = 1, .cells = {6, 3, 2}, .size = {6, 3, 2}};
+  const test::Box cube{
+      .id = 2, .origin = {2.1, 1.1, 2.0 - depth}, .size = {0.8, 0.8, 0.8}, .share_nodes = false};
+  if (is_of_tets) return builder.add_ten_node_tets(plate).add_ten_node_tets(cube);
+  return builder.add_hexes(plate).add_hexes(cube);
 }
 
 const std::string surfaces =
@@ -87,6 +88,28 @@ TEST_CASE("friction goes on without a jump when a far element dies", "[contact][
   CHECK(dying->force_on(1).x() < 0.0);
 }
 
+TEST_CASE("friction on six-node faces goes on without a jump when a far element dies", "[contact][death]") {
+  const std::string node_face = GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
+  const auto make = [&] {
+    auto bodies = std::make_unique<DyingBodies>(
+        cube_on_plate(0.01, true), general_contact("friction model = rough\n" + node_face, surfaces), false);
+    bodies->ask();
+    bodies->set_velocity(1, {1e-3, 0, 0});
+    for (int i = 0; i < 5; ++i) bodies->step(0.1);
+    return bodies;
+  };
+  const auto untouched = make(), dying = make();
+  const std::size_t n_faces = dying->contact.contact_mesh().faces.size();
+  dying->kill({{0}, {215}});
+  CHECK(dying->contact.contact_mesh().faces.size() != n_faces);
+  for (int i = 0; i < 5; ++i) {
+    untouched->step(0.1);
+    dying->step(0.1);
+    CHECK(dying->forces == untouched->forces);
+  }
+  CHECK(dying->force_on(1).x() < 0.0);
+}
+
 TEST_CASE("an overlap of the start stays that of a spring when a far element dies", "[contact][death]") {
   DyingBodies bodies(cube_on_plate(0.3),
                      general_contact(GENERATE(as<std::string>{}, "", "constraint formulation = node_face\n")),
@@ -109,6 +132,19 @@ TEST_CASE("an overlap of the start stays ignored when a far element dies", "[con
   bodies.set_velocity(1, {0, 0, -0.0005});
   for (int i = 0; i < 10; ++i) bodies.step(1.0);
   CHECK(bodies.force_on(1).z() == Approx(1e4 * 0.005 * 0.64).epsilon(0.01));
+}
+
+TEST_CASE("what may not part stays held when a far element dies", "[contact][death][separation]") {
+  const std::string formulation = GENERATE(as<std::string>{}, "", "constraint formulation = node_face\n");
+  DyingBodies bodies("penalty stiffness = 1e4\nseparation = off\n" + formulation);
+  bodies.ask();
+  bodies.set_velocity(1, {0, 0, 0.0011});
+  for (int i = 0; i < 10; ++i) bodies.step(1.0);
+  CHECK(bodies.force_on(1).z() == Approx(-1e4 * 0.001 * 0.64).epsilon(0.01));
+  bodies.kill({{0}, {35}});
+  bodies.set_velocity(1, {0, 0, 0.0001});
+  for (int i = 0; i < 10; ++i) bodies.step(1.0);
+  CHECK(bodies.force_on(1).z() == Approx(-1e4 * 0.002 * 0.64).epsilon(0.01));
 }
 
 TEST_CASE("contact passes to what a death exposes, also where first partners are kept", "[contact][death]") {

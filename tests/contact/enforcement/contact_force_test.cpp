@@ -16,6 +16,7 @@ namespace {
 const std::string stiff = "penalty stiffness = 1000\n", node_face = "constraint formulation = node_face\n";
 
 /// A plate of n x n unit cells and another one of cells of a width on it, 0.5 from its edges.
+///   tets  0: of hexahedra; 5, 6: of so many tetrahedra to a cell; 10: of tetrahedra of ten nodes
 MeshBuilder two_plates(int n, double width, int tets = 0) {
   MeshBuilder b;
   const double size = n;
@@ -26,6 +27,7 @@ MeshBuilder two_plates(int n, double width, int tets = 0) {
                         .origin = {0.5, 0.5, 1.0},
                         .size = {size - 1.0, size - 1.0, 1},
                         .share_nodes = false};
+  if (tets == 10) return b.add_ten_node_tets(upper);
   return tets > 0 ? b.add_tets(upper, tets) : b.add_hexes(upper);
 }
 
@@ -41,7 +43,7 @@ void disturb(ContactBodies& bodies, double size, double down) {
 TEST_CASE("contact adds no net force and no net moment to bodies with warped faces",
           "[contact][contact_force]") {
   const std::string formulation = GENERATE(std::string(), node_face + "tangential tolerance = 0\n");
-  const int tets = GENERATE(0, 5);
+  const int tets = GENERATE(0, 5, 10);
   // A node behind the edge of a hollow is pushed from beside it: depth times distance, of few nodes.
   const double moment_share = formulation.empty() ? 1e-11 : 1e-4;
   ContactBodies bodies(two_plates(4, 0.75, tets), general_contact(stiff + formulation));

@@ -93,3 +93,27 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
   CHECK(rates[8] == Approx(2 * 3.0 * 0.5));
   CHECK(rates[15] == rates[8]);
 }
+
+TEST_CASE("contact alone accelerates rigid bodies, and not what elements hold",
+          "[contact][contact_mobility]") {
+  TwoCubes cubes;
+  cubes.make_rigid();
+  ContactMobility mobility(cubes.model);
+  mobility.update(0.0);
+  ContactPoint point;
+  point.first.nodes.fill(8);  // of the body of mass 8
+  point.second.nodes.fill(4);
+  point.first.weights = point.second.weights = Eigen::Vector4d::UnitX();
+  point.normal = z;
+  point.force = 16.0;
+  std::vector<ContactPoint> points{point, point};
+  points[1].first.nodes.fill(9);
+  for (const double acceleration : mobility.find_accelerations(cubes.parts.kinematics, points))
+    CHECK(acceleration == 4.0);  // both forces move it, the other side's nodes have elements
+  for (ContactPoint& swapped : points) std::swap(swapped.first, swapped.second);
+  for (const double acceleration : mobility.find_accelerations(cubes.parts.kinematics, points))
+    CHECK(acceleration == 4.0);  // forces on the second side point the other way, and so does it
+  for (ContactPoint& apart : points) apart.force = 0.0;
+  for (const double acceleration : mobility.find_accelerations(cubes.parts.kinematics, points))
+    CHECK(acceleration == 0.0);
+}

@@ -71,6 +71,33 @@ TEST_CASE("the nodes of a surface share its area", "[contact][contact_mesh]") {
     CHECK(parts.contact_mesh.surface_nodes[i].area == Approx(0.5 / 3.0));
 }
 
+TEST_CASE("a six-node face is one row of ownership and four facets of contact, which all nodes carry",
+          "[contact][contact_mesh]") {
+  MeshBuilder b;
+  b.add_ten_node_tets({.id = 1, .cells = {1, 1, 1}});
+  b.add_side_set(1, "top", [](const CandidateSide& c) { return c.centroid.z() > 0.99; });
+  const ContactParts parts(b, general_contact("", "contact surface a contains top\n"));
+  const ContactMesh& contact_mesh = parts.contact_mesh;
+  CHECK(parts.model.surfaces.surfaces[0].faces.size() == 2);
+  REQUIRE(contact_mesh.faces.size() == 8);
+  CHECK(contact_mesh.n_nodes() == 9);
+  double total = 0.0;
+  for (const SurfaceNode& node : contact_mesh.surface_nodes) total += node.area;
+  CHECK(total == Approx(1.0));
+  for (const SurfaceNode& node : contact_mesh.surface_nodes) {
+    const Eigen::Vector3d x = parts.mesh.coordinates().col(contact_mesh.mesh_nodes[node.node]);
+    const bool is_corner = x.x() != 0.5 && x.y() != 0.5, is_between = x.x() == 0.5 && x.y() == 0.5;
+    const auto n_facets = static_cast<double>(contact_mesh.faces_of_node.of(node.node).size());
+    CHECK(node.area == Approx(n_facets / 24.0));  // facets of 1/8, a third of each
+    CHECK(n_facets == (is_between ? 6 : is_corner ? (x.x() == x.y() ? 2 : 1) : 3));
+  }
+  for (std::size_t f = 0; f < 8; ++f) {
+    CHECK(contact_mesh.faces[f].is_triangle());
+    CHECK(contact_mesh.faces[f].side == contact_mesh.faces[f / 4 * 4].side);
+    CHECK(contact_mesh.faces[f].penalty_properties.thickness == Approx(1.0 / 3.0));
+  }
+}
+
 TEST_CASE("a node knows the faces that have it", "[contact][contact_mesh]") {
   const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
   const ContactMesh& contact_mesh = parts.contact_mesh;

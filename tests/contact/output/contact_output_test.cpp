@@ -6,7 +6,7 @@
 #include <set>
 
 #include "support/catch.hpp"
-#include "support/contact_bodies.hpp"
+#include "support/watched_contact.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -19,6 +19,7 @@ MeshBuilder cube_on_plate() {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}});
   b.add_hexes({.id = 2, .origin = {1, 1, 1}, .share_nodes = false});
+  b.add_node_set(1, "feet", std::vector<std::uint32_t>{32, 33, 34, 35});
   return b.add_hexes({.id = 3, .origin = {20, 0, 0}});
 }
 
@@ -29,51 +30,17 @@ std::string rough(const std::string& more = "") {
                          "contact surface low contains block_1\ncontact surface high contains block_2\n");
 }
 
-/// Bodies whose contact variables are looked at.
-struct Watched : ContactBodies {
-  explicit Watched(const std::string& lines)
-      : ContactBodies(cube_on_plate(), lines),
-        output(contact, definition, model),
-        variables(output.variables()),
-        state(make_state(x, model.blocks, 0.0)) {}
+/// The lower nodes of the cube as a surface of nodes.
+std::string by_node_set() {
+  return general_contact(
+      "penalty stiffness = 1000\nfriction model = rough\nend\n"
+      "begin constant friction model rough\nfriction coefficient = 0.5\n",
+      "contact surface low contains block_1\ncontact node set high contains nodelist_1\n");
+}
 
-  ContactOutput output;
-  std::vector<OutputVariable> variables;
-  State state;
-
-  /// Brings the state to the bodies, as after a step.
-  void take(std::int64_t step) {
-    state.step = step;
-    state.time = time;
-    state.dt = dt;
-    state.coordinates = x;
-    state.velocity = v;
-  }
-  const OutputVariable& variable(const std::string& name) const {
-    for (const OutputVariable& found : variables) {
-      if (found.name == name) return found;
-    }
-    throw std::logic_error("there is no variable " + name);
-  }
-  Vector3d global(const std::string& name) const {
-    Vector3d values = Vector3d::Zero();
-    const OutputVariable& found = variable(name);
-    found.fill({model, state}, {}, std::span(values.data(), static_cast<std::size_t>(found.n_components)));
-    return values;
-  }
-  /// [n_nodes] values of a nodal variable as columns of three.
-  Eigen::Matrix3Xd nodal(const std::string& name) const {
-    const OutputVariable& found = variable(name);
-    const auto n = static_cast<std::size_t>(found.n_components);
-    std::vector<double> values(n * mesh.n_nodes(), std::nan(""));
-    found.fill({model, state}, {0, 0, mesh.n_nodes(), {}}, values);
-    Eigen::Matrix3Xd made = Eigen::Matrix3Xd::Zero(3, x.cols());
-    for (std::size_t i = 0; i < mesh.n_nodes(); ++i) {
-      for (std::size_t k = 0; k < n; ++k)
-        made(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = values[i * n + k];
-    }
-    return made;
-  }
+/// The cube on the plate.
+struct Watched : WatchedContact {
+  explicit Watched(const std::string& lines) : WatchedContact(cube_on_plate(), lines) {}
 };
 
 }  // namespace
@@ -214,6 +181,65 @@ TEST_CASE("slips, friction energy and rates of a cube that slides add up to what
   CHECK(bodies.nodal("contact_frictional_energy").row(0).sum() == Approx(lost));
 }
 
+TEST_CASE("the slip of a node turns with its surface", "[contact][contact_output]") {
+  const std::string lines = GENERATE(rough(), rough("constraint formulation = node_face\n"), by_node_set());
+  Watched bodies(lines);
+  bodies.shift(1, {0, 0, -0.01});
+  bodies.ask();
+  bodies.set_velocity(1, {0.001, 0, 0});
+  double moved = 0.0;
+  for (int step = 1; step <= 15; ++step) {
+    bodies.step(1.0);
+    moved += 0.001;
+  }
+  bodies.take(15);
+  const auto foot = [&](Eigen::Index i) { return i >= 32 && i < 40 && bodies.x(2, i) < 1.5; };
+  const Eigen::Matrix3Xd before = bodies.nodal("contact_accumulated_slip_vector");
+  // The spring of 1000 under a pressure of 10 holds 0.005 of it; each node of a set has its own area.
+  double slipped = 0.0;
+  for (Eigen::Index i = 32; i < 40; ++i) {
+    if (foot(i)) slipped = before(0, i);
+  }
+  CHECK(slipped > 0.5 * moved);
+  if (lines == rough()) CHECK(slipped == Approx(0.01));
+  // Everything turns by 90 degrees about z in nine steps.
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(std::acos(0.0) / 9.0, Vector3d::UnitZ()).toRotationMatrix();
+  for (int step = 16; step <= 24; ++step) {
+    const Eigen::Matrix3Xd after = turn * bodies.x;
+    bodies.v = after - bodies.x;
+    bodies.step(1.0);
+    bodies.take(step);
+  }
+  const Eigen::Matrix3Xd slip = bodies.nodal("contact_accumulated_slip_vector"),
+                         length = bodies.nodal("contact_accumulated_slip");
+  for (Eigen::Index i = 32; i < 40; ++i) {
+    if (!foot(i)) continue;
+    CHECK((slip.col(i) - Vector3d(0, slipped, 0)).norm() < 1e-3 * slipped);
+    CHECK(length(0, i) == Approx(slipped).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("the slip rate is told along friction and across it", "[contact][contact_output]") {
+  Watched bodies(rough());
+  bodies.shift(1, {0, 0, -0.01});
+  bodies.ask();
+  bodies.set_velocity(1, {0.01, 0, 0});
+  for (int step = 1; step <= 3; ++step) bodies.step(1.0);
+  bodies.take(3);
+  const Eigen::Matrix3Xd vector = bodies.nodal("contact_slip_rate_vector"),
+                         parts = bodies.nodal("contact_slip_rate_components"),
+                         friction = bodies.nodal("contact_tangential_force"),
+                         normal = bodies.nodal("contact_normal_force");
+  for (Eigen::Index i = 32; i < 40; ++i) {
+    const bool is_low = bodies.x(2, i) < 1.5;
+    CHECK((vector.col(i) - Vector3d(is_low ? 0.01 : 0.0, 0, 0)).norm() < 1e-12);
+    // Friction acts against the slip.
+    CHECK((parts.col(i) - Vector3d(is_low ? -0.01 : 0.0, 0, 0)).norm() < 1e-12);
+    CHECK((friction.col(i) - Vector3d(is_low ? -1.25 : 0.0, 0, 0)).norm() < 1e-3);
+    CHECK((normal.col(i) - Vector3d(0, 0, is_low ? 2.5 : 0.0)).norm() < 1e-3);
+  }
+}
+
 TEST_CASE("ties show their forces, and none outside their periods", "[contact][contact_output]") {
   Watched bodies(
       general_contact("penalty stiffness = 1000\nfriction model = tied\n",
@@ -236,4 +262,24 @@ TEST_CASE("every contact variable has a name of its own and a line of help", "[c
     CHECK(row.help.back() == ']');
   }
   for (const ContactTotalRow& row : contact_total_rows()) CHECK(of_totals.insert(row.name).second);
+}
+
+TEST_CASE("groups stand for variables that there are, and other names for ours",
+          "[contact][contact_output]") {
+  std::set<std::string> known, names;
+  for (const ContactNodeRow& row : contact_node_rows()) known.insert(std::string(row.name));
+  for (const OutputGroup& group : contact_output_names().groups) {
+    CHECK(names.insert(std::string(group.name)).second);
+    CHECK(group.help.back() == ']');
+    for (const std::string_view member : group.members) CHECK(known.contains(std::string(member)));
+    known.insert("the group " + std::string(group.name));
+  }
+  for (const ContactTotalRow& row : contact_total_rows()) known.insert(std::string(row.name) + "_<surface>");
+  for (const ForeignVariable& foreign : contact_output_names().foreign) {
+    INFO(foreign.name);
+    CHECK(names.insert(std::string(foreign.name)).second);
+    const std::string ours = fold(foreign.ours),
+                      first = std::string(foreign.ours.substr(0, foreign.ours.find_first_of(",(")));
+    CHECK((known.contains(first) || ours == "the_group_cstress"));
+  }
 }

@@ -21,6 +21,11 @@ const std::map<std::string, std::string> laws{
     {"pv dependent",
      "begin pv_dependent model m\nstatic coefficient = 0.5\ndynamic coefficient = 0.1\nvelocity decay = 2\n"
      "reference pressure = 10\npressure exponent = 2\nend\n"},
+    {"pressure function",
+     "begin pressure function model m\nfunction = rise\nfriction coefficient = 0.3\nend\n"},
+    {"exponential pressure",
+     "begin exponential pressure model m\npressure at zero gap = 10\nclearance at zero pressure = 0.01\n"
+     "end\n"},
     {"tied", "begin tied model m\nend\n"},
     {"glued", "begin glued model m\nend\n"},
     {"adhesion", "begin adhesion model m\nadhesion function = fall\nend\n"},

@@ -35,6 +35,17 @@ Eigen::Vector4d area_sums(const FacetMesh& drawing, const FacetBlock& block) {
   return sums;
 }
 
+FacetMesh draw_all(const ContactModel& model, const Mesh& mesh) {
+  return draw_surfaces(model, mesh, std::vector<SurfaceOptions>{});
+}
+
+/// The surfaces alone, without their edges.
+FacetMesh draw_faces(const ContactModel& model, const Mesh& mesh) {
+  FacetMesh drawing = draw_all(model, mesh);
+  drawing.blocks.resize(model.surfaces.surfaces.size());
+  return drawing;
+}
+
 /// The blocks as "name facets points", one a line.
 std::string list_blocks(const FacetMesh& drawing) {
   std::string text;
@@ -67,7 +78,7 @@ TEST_CASE("every surface is drawn as one block of its name, empty ones too", "[c
                                 "contact node set tips contains nodelist_2\n"
                                 "contact surface again contains surface_1\n");
   REQUIRE(model.messages.empty());
-  CHECK(list_blocks(draw_surfaces(model, mesh)) ==
+  CHECK(list_blocks(draw_faces(model, mesh)) ==
         "end 1 0\n"
         "Plate 9 0\n"
         "tips 0 2\n"
@@ -77,7 +88,7 @@ TEST_CASE("every surface is drawn as one block of its name, empty ones too", "[c
 TEST_CASE("faces are drawn with the corners of the mesh, outwards, and share points", "[contact][drawing]") {
   const Mesh mesh = MeshBuilder().add_hexes({.id = 1, .origin = {1, 2, 3}, .size = {2, 3, 4}}).build();
   const auto model = make_model(mesh, "skin all blocks = on\n");
-  const FacetMesh drawing = draw_surfaces(model, mesh);
+  const FacetMesh drawing = draw_all(model, mesh);
   CHECK(drawing.coordinates.cols() == 8);
   REQUIRE(drawing.blocks.at(0).facets.size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -94,7 +105,7 @@ TEST_CASE("faces are drawn with the corners of the mesh, outwards, and share poi
 
 TEST_CASE("a triangle repeats its last point", "[contact][drawing]") {
   const Mesh mesh = MeshBuilder().add_tets({.id = 1}, 5).build();
-  const FacetMesh drawing = draw_surfaces(make_model(mesh, "skin all blocks = on\n"), mesh);
+  const FacetMesh drawing = draw_all(make_model(mesh, "skin all blocks = on\n"), mesh);
   REQUIRE(drawing.blocks.at(0).facets.size() == 12);
   for (const Facet& facet : drawing.blocks[0].facets) {
     CHECK(facet[3] == facet[2]);
@@ -113,7 +124,7 @@ TEST_CASE("lofts are drawn in their surfaces' blocks, behind the faces", "[conta
                                 "begin contact surface right\n block = block_1\n element = 3\nend\n"
                                 "contact surface left contains block_2\n");
   REQUIRE(model.messages.empty());
-  const FacetMesh drawing = draw_surfaces(model, mesh);
+  const FacetMesh drawing = draw_faces(model, mesh);
   CHECK(list_blocks(drawing) == "right 11 0\nleft 5 0\n");
   CHECK(drawing.coordinates.cols() == 8 + 16);
   CHECK(area_sums(drawing, drawing.blocks[1])[3] == Approx(2.6).epsilon(1e-14));
@@ -131,7 +142,7 @@ TEST_CASE("a sphere is drawn closed and outwards by 24 quadrilaterals on it", "[
   b.add_spheres(1, "", {{1, 2, 3}});
   b.set_attributes(1, {"radius"}, {0.5});
   const Mesh mesh = b.build();
-  const FacetMesh drawing = draw_surfaces(make_model(mesh, "contact surface s contains block_1\n"), mesh);
+  const FacetMesh drawing = draw_all(make_model(mesh, "contact surface s contains block_1\n"), mesh);
   const FacetBlock& sphere = drawing.blocks.at(0);
   CHECK(sphere.facets.size() == 24);
   const Eigen::Vector3d centre(1, 2, 3);
@@ -167,7 +178,7 @@ TEST_CASE("nodes are drawn as points, which faces may share", "[contact][drawing
   const auto model = make_model(mesh,
                                 "contact node set n contains nodelist_2\n"
                                 "skin all blocks = on\n");
-  const FacetMesh drawing = draw_surfaces(model, mesh);
+  const FacetMesh drawing = draw_all(model, mesh);
   CHECK(list_points(drawing, drawing.blocks.at(0)) == "(0 0 1)(0 1 1)");
   CHECK(drawing.coordinates.cols() == 8);
 }
@@ -183,7 +194,7 @@ TEST_CASE("a plane is drawn as a square three times as long as the mesh", "[cont
                                     "end\n"
                                     "begin contact definition\n contact surface s contains floor\nend\n"));
   REQUIRE(model.messages.empty());
-  const FacetMesh drawing = draw_surfaces(model, mesh);
+  const FacetMesh drawing = draw_faces(model, mesh);
   REQUIRE(list_blocks(drawing) == "s 1 0\n");
   const double side = is_scaled ? 6.0 : 12.0;
   const Facet& square = drawing.blocks[0].facets[0];
@@ -205,7 +216,30 @@ TEST_CASE("what dies is no longer drawn", "[contact][drawing][death]") {
   b.set_attributes(2, {"radius"}, {1});
   const Mesh mesh = b.build();
   const auto model = make_model(mesh, "skin all blocks = on\n", "", all_but(mesh, {2, 3}));
-  const FacetMesh drawing = draw_surfaces(model, mesh);
+  const FacetMesh drawing = draw_faces(model, mesh);
   CHECK(list_blocks(drawing) == "block_1 6 0\nblock_2 0 0\n");
   CHECK(drawing.coordinates.cols() == 8);
+}
+
+TEST_CASE("edges that meet edges are drawn in blocks of their own, with names of their own",
+          "[contact][drawing]") {
+  MeshBuilder b;
+  b.add_hexes({.id = 1, .name = "cube"})
+      .add_bars({.id = 2, .name = "rod", .cells = 3, .from = {5, 0, 0}, .to = {8, 0, 0}});
+  b.set_attributes(2, {"area"}, {0.01, 0.01, 0.01});
+  b.add_hexes({.id = 3, .name = "cube_edges", .origin = {0, 0, 5}});
+  const Mesh mesh = b.build();
+  const auto model = make_model(mesh, "skin all blocks = on\n");
+  REQUIRE(model.messages.empty());
+  const FacetMesh drawing = draw_all(model, mesh);
+  std::vector<std::string> names;
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 3; i < drawing.blocks.size(); ++i) {
+    names.push_back(drawing.blocks[i].name);
+    counts.push_back(drawing.blocks[i].edges.size());
+    for (const auto& edge : drawing.blocks[i].edges)
+      CHECK((point(drawing, edge[0]) - point(drawing, edge[1])).norm() == Approx(1.0));
+  }
+  CHECK(names == std::vector<std::string>{"cube_edges_2", "rod_edges", "cube_edges_edges"});
+  CHECK(counts == std::vector<std::size_t>{12, 3, 12});
 }

@@ -394,6 +394,40 @@ TEST_CASE("settings come from the interaction, the defaults, the shared blocks, 
   CHECK(paired.pairs[{1}].damping_fraction == 0.1);
 }
 
+TEST_CASE("a pressure of its own makes a pair elastic, whatever ENFORCEMENT says", "[contact][pairs]") {
+  const std::string models =
+      "begin pressure function model p\n function = f\nend\n"
+      "begin hybrid model h\n initially close = p\n initially far = frictionless\nend\n"
+      "begin constant friction model c\nend\n";
+  const auto enforcement_of = [&](const std::string& line) {
+    return pair_up(models + "begin interaction\n surfaces = a b\n enforcement = momentum_balance\n" + line +
+                   "end\n")
+        .pairs.at(0)
+        .enforcement;
+  };
+  CHECK(enforcement_of("friction model = p\n") == Enforcement::penalty);
+  CHECK(enforcement_of("friction model = h\n") == Enforcement::penalty);
+  CHECK(enforcement_of("friction model = c\n") == Enforcement::momentum_balance);
+  const Paired other = pair_up(models +
+                               "begin interaction defaults\n friction model = p\nend\n"
+                               "begin interaction\n surfaces = a b\n friction coefficient = 0.1\nend\n");
+  CHECK(other.pairs.at(0).enforcement == Enforcement::momentum_balance);
+}
+
+TEST_CASE("sides of shells are those of SIDE A, or of all", "[contact][pairs]") {
+  using enum ShellSides;
+  using Sides = std::array<ShellSides, 2>;
+  const auto sides_of = [](const std::string& lines) {
+    return pair_up("begin interaction\n" + lines + " sides = top\nend\n").pairs.at(0).sides;
+  };
+  CHECK(sides_of(" surfaces = a b\n") == Sides{top, top});
+  CHECK(sides_of(" side a = a\n side b = b\n") == Sides{top, both});
+  CHECK(sides_of(" side a = b\n side b = a\n") == Sides{both, top});  // a comes first
+  CHECK(sides_of(" side a = b\n side b = a\n constraint formulation = node_face\n") == Sides{top, both});
+  CHECK(pair_up("begin interaction\n surfaces = a b\nend\n").pairs.at(0).separates);
+  CHECK_FALSE(pair_up("begin interaction\n surfaces = a b\n separation = no\nend\n").pairs.at(0).separates);
+}
+
 TEST_CASE("tolerances of an automatic search are not taken", "[contact][pairs]") {
   const Paired paired =
       pair_up("begin search options\n normal tolerance = 1\nend\nbegin interaction\n surfaces = a b\nend\n");

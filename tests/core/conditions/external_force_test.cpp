@@ -125,6 +125,29 @@ TEST_CASE("a pressure on a closed surface has no net force and no net moment", "
   CHECK(moment.norm() < 1e-12);
 }
 
+TEST_CASE("a pressure on a six-node face is three twelfths at its midside nodes", "[core][conditions]") {
+  MeshBuilder builder;
+  for (const Eigen::Vector3d& x : std::vector<Eigen::Vector3d>{{0, 0, 0},
+                                                               {2, 0, 0},
+                                                               {0, 2, 0},
+                                                               {0, 0, 2},
+                                                               {1, 0, 0},
+                                                               {1, 1, 0},
+                                                               {0, 1, 0},
+                                                               {0, 0, 1},
+                                                               {1, 0, 1},
+                                                               {0, 1, 1}})
+    builder.add_node(x);
+  builder.add_block(1, "", Shape::tet10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  builder.add_side_set(1, "top", std::vector<ElementSide>{ElementSide({0}, 4)});
+  const Mesh mesh = builder.build();
+  Loaded loaded(mesh, block("pressure", "surface = top\nfunction = one\nscale factor = 12"));
+  const Eigen::Matrix3Xd forces = loaded.at(0.0);  // 24 on an area of 2
+  for (const Eigen::Index corner : {0, 1, 2}) CHECK(forces.col(corner).isApprox(Eigen::Vector3d(0, 0, 2)));
+  for (const Eigen::Index middle : {4, 5, 6}) CHECK(forces.col(middle).isApprox(Eigen::Vector3d(0, 0, 6)));
+  for (const Eigen::Index off : {3, 7, 8, 9}) CHECK(forces.col(off).isZero());
+}
+
 TEST_CASE("a traction keeps its direction and takes the area of now", "[core][conditions]") {
   const Mesh mesh = body();
   Loaded loaded(mesh, block("traction", "surface = top\ndirection = slanted\nfunction = one"));

@@ -14,7 +14,11 @@ PairSettings settings(double value) {
   made.behavior = value > 1.0 ? InteractionBehavior::no_interaction : InteractionBehavior::sliding;
   made.normal_tolerance = made.tangential_tolerance = made.capture_tolerance = value;
   made.overlap_normal_tolerance = made.overlap_tangential_tolerance = value;
+  made.tracking_distance = value;
+  made.search_distance = value > 1.0 ? SearchDistance{value} : SearchDistance{};
   made.penalty_scale = made.damping_fraction = value;
+  made.separation = value > 1.0;
+  made.sides = value > 1.0 ? ShellSides::top : ShellSides::bottom;
   made.penalty_stiffness = value > 1.0 ? PenaltyStiffness{value} : PenaltyStiffness{};
   return made;
 }
@@ -24,8 +28,10 @@ bool are_equal(const PairSettings& a, const PairSettings& b) {
          a.normal_tolerance == b.normal_tolerance && a.tangential_tolerance == b.tangential_tolerance &&
          a.overlap_normal_tolerance == b.overlap_normal_tolerance &&
          a.overlap_tangential_tolerance == b.overlap_tangential_tolerance &&
-         a.capture_tolerance == b.capture_tolerance && a.penalty_scale == b.penalty_scale &&
-         a.penalty_stiffness == b.penalty_stiffness && a.damping_fraction == b.damping_fraction;
+         a.capture_tolerance == b.capture_tolerance && a.tracking_distance == b.tracking_distance &&
+         a.search_distance == b.search_distance && a.penalty_scale == b.penalty_scale &&
+         a.separation == b.separation && a.sides == b.sides && a.penalty_stiffness == b.penalty_stiffness &&
+         a.damping_fraction == b.damping_fraction;
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/dynamics/model.hpp"
 
+#include <fmt/format.h>
+
 #include "core/definition/simulation.hpp"
 #include "core/elements/element_table.hpp"
-
+#include "core/elements/linear_advice.hpp"
 #include "support/catch.hpp"
 #include "support/lone_element.hpp"
 #include "support/material_model.hpp"
@@ -138,13 +140,60 @@ TEST_CASE("a truss of rubber takes its initial load over a period only", "[core]
   CHECK_THAT(errors_with(5.0, 0.0), Catch::Contains("cannot have its INITIAL LOAD from the start"));
 }
 
-TEST_CASE("quadratic elements are refused", "[core][model]") {
-  MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
-  parts.blocks[0].shape = Shape::tet10;
-  parts.blocks[0].nodes_per_element = 10;
-  for (std::uint32_t i = 0; i < 2; ++i) parts.blocks[0].nodes.push_back({i});
-  CHECK(errors_of(definition_for("block_1"), Mesh(std::move(parts))) ==
-        "block_1 has elements of type TETRA10, which are not supported\n");
+TEST_CASE("elements of second order are refused by name, ten-node tetrahedra apart", "[core][model]") {
+  for (const Shape shape : {Shape::hex20, Shape::hex27, Shape::wedge15, Shape::pyramid13}) {
+    MeshParts parts = test::MeshBuilder().add_hexes({}).parts();
+    parts.blocks[0].id = 7;
+    parts.blocks[0].name = "hull";
+    parts.blocks[0].shape = shape;
+    parts.blocks[0].nodes_per_element = topology(shape).n_nodes;
+    parts.blocks[0].nodes.resize(topology(shape).n_nodes, NodeIndex{0});
+    CHECK(errors_of(definition_for("hull"), Mesh(std::move(parts))) ==
+          fmt::format("hull (block 7) has elements of type {}, which are not supported\n",
+                      topology(shape).name));
+  }
+  CHECK_THAT(linear_advice(Shape::hex20, 7),
+             Catch::Contains("HEX8 or TETRA10: in Cubit BLOCK 7 ELEMENT TYPE HEX8"));
+  CHECK_THAT(linear_advice(Shape::wedge15, 2), Catch::Contains("WEDGE6"));
+  CHECK_THAT(linear_advice(Shape::shell6, 2), Catch::Contains("take SHELL3: in Cubit"));
+  CHECK(linear_advice(Shape::hex8, 7).empty());
+}
+
+TEST_CASE("ten-node tetrahedra are composite, by default, by a solid and by a total Lagrange section",
+          "[core][model]") {
+  const Mesh mesh = test::MeshBuilder().add_ten_node_tets({}).build();
+  SimulationDefinition definition = definition_for("block_1");
+  CHECK(errors_of(definition, mesh).empty());
+  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  definition.sections = {{named("s"), {}, SolidSection{}}};
+  CHECK(errors_of(definition, mesh).empty());
+  definition.sections = {{named("s"), {}, TotalLagrangeSection{}}};
+  CHECK(errors_of(definition, mesh) ==
+        "block_1: strain is taken step by step, not from the undeformed element\n");
+  SolidSection given;
+  given.formulation = named("selective_deviatoric");
+  definition.sections = {{named("s"), {}, given}};
+  CHECK(errors_of(definition, mesh) ==
+        "block_1: there is no TETRA10 with the formulation selective_deviatoric\n");
+}
+
+TEST_CASE("midside nodes that one side of a face has alone are told", "[core][model]") {
+  test::MeshBuilder builder;
+  builder.add_ten_node_tets({.id = 1, .size = {1, 1, 1}});
+  SimulationDefinition definition = definition_for("block_1");
+  auto& parameters = definition.finite_element_models[0].block_parameters;
+  parameters.push_back(parameters[0]);
+  parameters[1].names = {named("block_2")};
+  SECTION("alike") {
+    builder.add_ten_node_tets({.id = 2, .origin = {0, 0, 1}});
+    CHECK(errors_of(definition, builder.build()).empty());
+  }
+  SECTION("unlike") {
+    builder.add_tets({.id = 2, .origin = {0, 0, 1}}, 6);
+    CHECK(errors_of(definition, builder.build()) ==
+          "2 faces of six nodes lie on faces that have no or other midside nodes, the first of element 4 on "
+          "element 7\n");
+  }
 }
 
 TEST_CASE("options of a solid section that are not supported are told", "[core][model]") {

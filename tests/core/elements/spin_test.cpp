@@ -49,6 +49,7 @@ struct SpinningCube {
     MeshBuilder builder;
     if (shape == Shape::hex8) builder.add_hexes(box);
     if (shape == Shape::tet4) builder.add_tets(box);
+    if (shape == Shape::tet10) builder.add_ten_node_tets(box);
     if (shape == Shape::wedge6) builder.add_wedges(box);
     if (shape == Shape::pyramid5) builder.add_pyramids(box);
     return builder.build();

@@ -38,7 +38,7 @@ FrictionLaw whole_law(const InterfaceLawRow& row) {
 
 std::optional<InterfaceLaw> make(const FrictionLaw& law) {
   const FunctionDefinition function =
-      table_function(FunctionType::piecewise_linear, {{0.0, 0.0}, {0.5, 10.0}, {1.0, 0.0}});
+      table_function(FunctionType::piecewise_linear, {{0.0, 0.0}, {0.5, 10.0}, {1.0, 15.0}});
   Diagnostics diagnostics;
   auto made = row_of(law).make({law.values, {&function, 1}, diagnostics});
   CHECK(diagnostics.empty());
@@ -93,6 +93,7 @@ TEST_CASE("every interface law does what its row says", "[core][interface_laws][
     CHECK(law->holds() == row.holds_at_start);
     CHECK(row.slides() == !row.holds_at_start);
     CHECK_FALSE((law->bond_law && law->weld));
+    CHECK(law->pressure.has_value() == row.has_pressure);
     CHECK((law->law == ContactLaw::welded) == law->weld.has_value());
     CHECK(std::isfinite(law->slip_limit(1.0, 1.0, 1.0)));
     CHECK((!law->limit || law->friction > 0.0));  // 0 would leave friction out
@@ -113,6 +114,18 @@ TEST_CASE("laws are described in words", "[core][interface_laws]") {
   CHECK(describe_law(coulomb(0.3)) == "friction 0.3");
   for (const char* name : {"tied", "glued", "surface weld", "area weld", "cohesive zone", "pv dependent"})
     CHECK(describe_law(friction_law(name)) == name);
+}
+
+TEST_CASE("static and dynamic coefficients need no reference pressure", "[core][interface_laws]") {
+  const auto law = make(friction_law(
+      "pv dependent", {{"static coefficient", 0.5}, {"dynamic coefficient", 0.2}, {"velocity decay", 3.0}}));
+  REQUIRE(law);
+  // Coulomb's law by the slip rate, whatever the area.
+  for (const double area : {0.01, 1.0, 7.0}) {
+    CHECK(law->slip_limit(10.0, area, 0.0) == Approx(5.0));
+    CHECK(law->slip_limit(10.0, area, 1e3) == Approx(2.0));
+    CHECK(law->slip_limit(10.0, area, 0.5) == Approx(10.0 * (0.2 + 0.3 * std::exp(-1.5))));
+  }
 }
 
 TEST_CASE("what may follow a failed weld slides", "[core][interface_laws]") {

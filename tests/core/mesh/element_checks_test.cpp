@@ -59,6 +59,7 @@ TEST_CASE("the volumes of a box's solids sum to the box", "[core][elements]") {
   SECTION("hexes") { builder.add_hexes(box); }
   SECTION("five tets") { builder.add_tets(box, 5); }
   SECTION("six tets") { builder.add_tets(box, 6); }
+  SECTION("ten-node tets") { builder.add_ten_node_tets(box); }
   SECTION("wedges") { builder.add_wedges(box); }
   SECTION("pyramids") { builder.add_pyramids(box); }
   const Mesh mesh = builder.build();

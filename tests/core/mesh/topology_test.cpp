@@ -109,6 +109,31 @@ TEST_CASE("the faces of every solid look outward", "[core][topology]") {
   CHECK(n_faces == 2 * 6 + 10 * 4 + 6 * 4 + 2 * 5 + 6 * 5);
 }
 
+TEST_CASE("the facets of a six-node face are its triangles, each midside node between its corners",
+          "[core][topology]") {
+  const Mesh mesh = test::MeshBuilder().add_ten_node_tets({}).build();
+  const auto& x = mesh.coordinates();
+  for (std::uint32_t element = 0; element < mesh.n_elements(); ++element) {
+    for (int side = 1; side <= 4; ++side) {
+      const auto corners = mesh.side_nodes(ElementSide({element}, side));
+      const auto at = [&](NodeIndex node) -> Eigen::Vector3d { return x.col(node.value); };
+      const Eigen::Vector3d area =
+          (at(corners[1]) - at(corners[0])).cross(at(corners[2]) - at(corners[0])) / 2;
+      const SideFacets facets = mesh.side_facets(ElementSide({element}, side));
+      REQUIRE(facets.n == 4);
+      for (const auto& f : facets) {
+        CHECK(f[2] == f[3]);
+        const Eigen::Vector3d part = (at(f[1]) - at(f[0])).cross(at(f[2]) - at(f[0])) / 2;
+        CHECK((part - area / 4).norm() < 1e-14);
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(facets.corners[k][k] == corners[k]);
+        CHECK((at(facets.corners[3][k]) - (at(corners[k]) + at(corners[(k + 1) % 3])) / 2).norm() < 1e-14);
+      }
+    }
+  }
+}
+
 TEST_CASE("type names are read in every spelling seen in files", "[core][topology]") {
   CHECK(find_shape("HEX", 8) == Shape::hex8);
   CHECK(find_shape("hex8", 20) == Shape::hex20);  // the number of columns decides

@@ -24,7 +24,8 @@ ElementVectors twisted(const Mesh& mesh) {
 std::vector<Mesh> solids() {
   const Box box{.size = {2, 3, 5}};
   return {MeshBuilder().add_hexes(box).build(), MeshBuilder().add_tets(box).build(),
-          MeshBuilder().add_wedges(box).build(), MeshBuilder().add_pyramids(box).build()};
+          MeshBuilder().add_ten_node_tets(box).build(), MeshBuilder().add_wedges(box).build(),
+          MeshBuilder().add_pyramids(box).build()};
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ TEST_CASE("the moments of a brick are exact for any cells", "[core][rigid]") {
   const Box box{.cells = {2, 1, 3}, .size = {1, 2, 3}};
   const MassMoments bricks[] = {brick_of(MeshBuilder().add_hexes(box), hex8_mean_quadrature),
                                 brick_of(MeshBuilder().add_tets(box), tet4_mean_quadrature),
+                                brick_of(MeshBuilder().add_ten_node_tets(box), tet10_composite),
                                 brick_of(MeshBuilder().add_wedges(box), wedge6_mean_quadrature),
                                 brick_of(MeshBuilder().add_pyramids(box), pyramid5_mean_quadrature)};
   for (const MassMoments& moments : bricks) {

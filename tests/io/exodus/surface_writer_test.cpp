@@ -91,3 +91,13 @@ TEST_CASE("a file that cannot be written is an error", "[io][surfaces]") {
 TEST_CASE("surfaces for VTK to read", "[.][vtk]") {
   write_facet_mesh(std::string(CONTACTSIM_BINARY_DIR) + "/surfaces_for_vtk.e", some_surfaces(), "for VTK");
 }
+
+TEST_CASE("edges come back as bars", "[io][surfaces]") {
+  FacetMesh surfaces = some_surfaces();
+  surfaces.blocks.push_back({"square_edges", {}, {}, {{0, 1}, {1, 2}}});
+  const Mesh found = write_and_read(surfaces, "plate.i");
+  const ElementBlock& edges = found.blocks()[5];
+  CHECK(edges.name == "square_edges");
+  CHECK(edges.shape == Shape::bar2);
+  CHECK(edges.nodes == std::vector<NodeIndex>{{0}, {1}, {1}, {2}});
+}

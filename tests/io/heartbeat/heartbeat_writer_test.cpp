@@ -75,3 +75,14 @@ TEST_CASE("a heartbeat that cannot be written is an error", "[io][heartbeat]") {
   CHECK_THROWS_WITH(make_file_sink("/dev/full", false)("text"),
                     "/dev/full: cannot be written (No space left on device)");
 }
+
+TEST_CASE("units stand under the names", "[io][heartbeat]") {
+  HeartbeatStyle style;
+  style.units = {"[energy]", "[length]"};
+  style.n_digits = 1;
+  CHECK(lines(style) ==
+        "Time, kinetic_energy, displ_x\n"
+        "[time], [energy], [length]\n"
+        "0e+00, 1e+00, -2e-01\n"
+        "1e-03, 1e+00, -2e-01\n");
+}

@@ -16,13 +16,16 @@ TEST_CASE("a contact definition may have a name and periods", "[parser][contact]
 TEST_CASE("a second contact definition in a region is refused at its place", "[parser][contact]") {
   const std::string deck =
       "begin contact definition one\nend\nbegin contact definition two\n contact surface t contains b\nend\n";
+  const std::string hint =
+      "; the first stands at a.i:1:26; one definition names the surfaces of all periods, and ACTIVE PERIODS "
+      "in "
+      "its interactions, with INTERACTION BEHAVIOR = NO_INTERACTION too, says which pairs meet when";
   CHECK(bound_region(deck).messages ==
-        "a.i:3:26: error: a second CONTACT DEFINITION in one region is not supported; the first stands at "
-        "a.i:1:26\n");
+        "a.i:3:26: error: a second CONTACT DEFINITION in one region is not supported" + hint + "\n");
   const BoundRegion lenient = bound_region(deck, true);
   CHECK(lenient.messages ==
-        "a.i:3:26: warning: a second CONTACT DEFINITION in one region is not supported, passed "
-        "over; the first stands at a.i:1:26 [deck-refused]\n");
+        "a.i:3:26: warning: a second CONTACT DEFINITION in one region is not supported, passed over" + hint +
+            " [deck-refused]\n");
   CHECK(lenient.region.contact->name.text == "one");
   CHECK(lenient.region.contact->surface_commands.empty());
 }
@@ -30,8 +33,8 @@ TEST_CASE("a second contact definition in a region is refused at its place", "[p
 TEST_CASE("smoothed surfaces and older analytic surfaces are refused", "[parser][contact]") {
   CHECK(bound_contact("contact smooth surface s contains b\nbegin analytic plane p\nend\n").messages ==
         "a.i:2:1: error: 'contact smooth surface' is not supported and would change the answer; "
-        "smoothed surfaces are a feature in development; CONTACT SURFACE takes the faces as they "
-        "are\n"
+        "write CONTACT SURFACE, and SMOOTHING = AUTO in the interaction, or the shape in BEGIN SURFACE "
+        "SMOOTHING\n"
         "a.i:3:7: error: block 'analytic plane' is not supported and would change the answer; "
         "write BEGIN ANALYTIC OBJECT, TYPE = PLANE, in the region\n");
 }

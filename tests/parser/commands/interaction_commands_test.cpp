@@ -125,6 +125,17 @@ TEST_CASE("pairs and their defaults take a penalty stiffness and a damping", "[p
   }
 }
 
+TEST_CASE("pairs and their defaults take a search distance, or AUTO", "[parser][interaction]") {
+  const BoundContact bound = bound_contact(
+      "begin interaction defaults\nsearch distance = auto\nend\nbegin interaction\nsurfaces = a b\n"
+      "srchdis = 0.25\nend\n");
+  CHECK(bound.messages == "");
+  CHECK(bound.contact.interaction_defaults->pair.search_distance == SearchDistance{});
+  CHECK(bound.contact.interactions.at(0).pair.search_distance == SearchDistance{0.25});
+  CHECK_THAT(bound_contact("begin interaction\nsurfaces = a b\nsearch distance = -1\nend\n").messages,
+             Catch::Contains("error"));
+}
+
 TEST_CASE("an automatic penalty stiffness can be asked for", "[parser][interaction]") {
   const BoundContact bound =
       bound_contact("begin interaction\nsurfaces = a b\npenalty stiffness = AUTO\nend\n");
@@ -161,6 +172,38 @@ TEST_CASE("pairs and their defaults say what gaps count as", "[parser][interacti
   CHECK(others.contact.interactions.at(0).pair.gap_closure == GapClosureTolerance{0.2});
   CHECK(others.contact.interactions.at(1).pair.gap.initial_clearance == -3.0);
   CHECK(others.contact.interactions.at(1).pair.adjusted_nodes.value().text == "n");
+}
+
+TEST_CASE("pairs and their defaults say whether sides part, and which of shells there are",
+          "[parser][interaction][sides]") {
+  const auto settings_of = [](const std::string& lines) {
+    const BoundContact bound = bound_contact("begin interaction defaults\n" + lines +
+                                             "end\nbegin interaction\nsurfaces = a b\n" + lines + "end\n");
+    CHECK(bound.messages == "");
+    const PairSettings& defaults = bound.contact.interaction_defaults.value().pair;
+    CHECK(defaults.separation == bound.contact.interactions.at(0).pair.separation);
+    CHECK(defaults.sides == bound.contact.interactions.at(0).pair.sides);
+    return defaults;
+  };
+  CHECK_FALSE(settings_of("").separation);
+  CHECK_FALSE(settings_of("").sides);
+  for (const char* word : {"off", "NO"})
+    CHECK(settings_of(std::string("separation = ") + word + "\n").separation == false);
+  for (const char* word : {"on", "yes"})
+    CHECK(settings_of(std::string("separation = ") + word + "\n").separation == true);
+  for (const char* line : {"sides = top", "morient = NORM", "sides = spos"})
+    CHECK(settings_of(std::string(line) + "\n").sides == ShellSides::top);
+  for (const char* line : {"sides = bottom", "morient = revnorm", "sides = SNEG"})
+    CHECK(settings_of(std::string(line) + "\n").sides == ShellSides::bottom);
+  for (const char* line : {"sides = both", "morient = opengap", "sides = two sided"})
+    CHECK(settings_of(std::string(line) + "\n").sides == ShellSides::both);
+}
+
+TEST_CASE("a side that depends on where bodies stand has to be named", "[parser][interaction][sides]") {
+  CHECK_THAT(bound_contact("begin interaction\nsurfaces = a b\nmorient = overlap\nend\n").messages,
+             Catch::Contains("OVERLAP goes by where the sides are at the start; name the side"));
+  CHECK_THAT(bound_contact("begin interaction\nsurfaces = a b\nsides = tops\nend\n").messages,
+             Catch::Contains("'top'"));
 }
 
 TEST_CASE("lines of other algorithms are ignored with a reason", "[parser][interaction]") {

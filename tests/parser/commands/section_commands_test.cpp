@@ -103,9 +103,27 @@ TEST_CASE("the other element types are bound", "[parser][section]") {
             .has_volume_average_j);
 }
 
+TEST_CASE("a cohesive section takes its pairs of nodes, a material of tractions no density",
+          "[parser][section]") {
+  CHECK(section_of<CohesiveSection>("begin cohesive section s\n  number of integration points = 3\nend\n")
+            .n_integration_points == 3);
+  const std::string begin =
+      "begin material glue\n  begin parameters for model tvergaard_hutchinson\n    peak traction = 2\n"
+      "    lambda_1 = 0.1\n    lambda_2 = 0.5\n    normal length scale = 3\n";
+  const std::string end =
+      "  end\nend\nbegin finite element model m\n  database name = a.g\n  begin parameters for block 1\n"
+      "    material = glue\n    model = tvergaard_hutchinson\n  end\nend\n";
+  const ParsedDeck deck = parsed_sierra(begin + "    tangential length scale = 4\n" + end);
+  CHECK(deck.messages == "");
+  const ParameterValues& values = deck.simulation.materials.at(0).models.at(0).values;
+  CHECK(values.real("peak traction") == 2.0);
+  CHECK(values.real("penetration stiffness multiplier") == 1.0);
+  CHECK_THAT(parsed_sierra(begin + end).messages, Catch::Contains("tangential length scale"));
+}
+
 TEST_CASE("a section type that is not supported is kept by name", "[parser][section]") {
-  for (const std::string type : {"cohesive", "superelement", "dem", "bolt", "cylindrical joint",
-                                 "linear beam", "spring support", "usermount"}) {
+  for (const std::string type :
+       {"superelement", "dem", "bolt", "cylindrical joint", "linear beam", "spring support", "usermount"}) {
     INFO(type);
     CHECK(section_of<UnsupportedSection>("begin " + type + " section s\n  any line = 3\nend\n").type ==
           type + " section");

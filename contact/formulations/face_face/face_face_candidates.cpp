@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <utility>
+
+#include "contact/formulations/face_face/face_face_contacts.hpp"
+#include "contact/formulations/near_pairs.hpp"
+#include "contact/formulations/start_gaps.hpp"
+
+namespace contactsim {
+
+void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
+                                       const Motion& motion) {
+  PairLists next;
+  search.find_face_pairs(kinematics, motion, depths(), next);
+  if (search.keeps_first_partners() && search.n_searches() == 0) {
+    start_partners_.begin_faces(kinematics, rules_, next);
+    next = start_partners_.restricted(rules_, contact_mesh_, next);
+    search.keep_face_partners(next);
+  }
+  take_candidates(start_partners_.empty() ? std::move(next) : start_partners_.united_with(rules_, next));
+}
+
+void FaceFaceContacts::take_candidates(PairLists candidates) {
+  history_.transfer(candidates_, candidates);
+  candidates_ = std::move(candidates);
+}
+
+void FaceFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
+  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+    if (!candidates_.of(row).empty()) is_watched[row] = 1;
+    for (const std::uint32_t partner : candidates_.of(row)) is_watched[partner] = 1;
+  }
+}
+
+void FaceFaceContacts::mark_close(const ContactStepContext& context, double size_share,
+                                  PairRules& rules) const {
+  for (const NearPair& near : find_near_pairs(context, candidates_, {}, size_share, is_hybrid)) {
+    const MovingFace first = context.kinematics.face(near.first),
+                     second = context.kinematics.face(near.second);
+    if (!find_mean_overlap(first, second, near.tolerance)) continue;
+    rules.mark_close_face(near.pair, near.first);
+    rules.mark_close_face(near.pair, near.second);
+  }
+}
+
+void FaceFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
+  for (std::uint32_t first = 0; first < candidates_.n_rows(); ++first) {
+    for (const std::uint32_t second : candidates_.of(first)) {
+      const PairIndex pair =
+          *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+      if (!context.rules.gap_offsets().needs_start(pair)) continue;
+      auto gap = find_start_gap(context.kinematics, *context.rules[pair].pair, first, second);
+      if (!gap) continue;
+      gap->pair = pair;
+      for (const std::uint32_t face : {first, second}) {
+        gap->entity = face;
+        gaps.faces.push_back(*gap);
+      }
+    }
+  }
+}
+
+void FaceFaceContacts::remap(const ContactRemap& remap) {
+  std::vector<std::size_t> before;
+  candidates_ = transferred(candidates_, remap.faces, remap.faces, remap.n_faces_after, before);
+  history_.remap(remap, before);
+  released_ = start_partners_.remap(remap.faces, remap.faces, remap.n_faces_after);
+}
+
+void FaceFaceContacts::archive(StateArchive& saved) {
+  contactsim::archive("contact/face_pairs", candidates_, saved);
+  history_.archive(saved);
+  start_partners_.archive("contact/start_faces", saved);
+}
+
+FaceFaceContacts::Candidate FaceFaceContacts::make_candidate(const ContactStepContext& context,
+                                                             std::uint32_t first,
+                                                             std::size_t position) const {
+  const std::uint32_t second = candidates_.partners[position];
+  const PairIndex pair =
+      *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
+  Candidate candidate{first, second, pair, position, context.rules.of_faces(pair, first, second)};
+  if (start_partners_.empty()) return candidate;
+  if (const auto carry = start_partners_.find_carry(context.kinematics, first, second))
+    candidate.carry = *carry;
+  return candidate;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/mark_start_reach.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "contact/geometry/common_plane.hpp"
+#include "contact/geometry/edge_edge.hpp"
+#include "contact/geometry/face_distance.hpp"
+#include "contact/mesh/mean_edge.hpp"
+#include "contact/search/broad_phase.hpp"
+
+namespace contactsim {
+
+namespace {
+
+Box box_around(const Eigen::Vector3d& lo, const Eigen::Vector3d& hi, double margin) {
+  Box box;
+  for (std::size_t i = 0; i < 3; ++i) {
+    box.lo[i] = lo[static_cast<Eigen::Index>(i)] - margin;
+    box.hi[i] = hi[static_cast<Eigen::Index>(i)] + margin;
+  }
+  return box;
+}
+
+/// Looks for what is near of all limited pairs at once.
+class ReachMarker {
+ public:
+  ReachMarker(const ContactKinematics& start, PairRules& rules)
+      : start_(start), contact_mesh_(start.contact_mesh()), rules_(rules) {
+    reach_.assign(contact_mesh_.first_face.size() - 1, 0.0);
+    for (const PairIndex i : indices(rules.rules())) {
+      const SurfacePair& pair = *rules[i].pair;
+      if (!pair.search_distance) continue;
+      const double distance = find_search_distance(start, pair);
+      rules.start_reach().set_distance(i, distance);
+      limited_[std::minmax(pair.first, pair.second)].push_back(i);
+      for (const std::uint32_t surface : {pair.first, pair.second})
+        reach_[surface] = std::max(reach_[surface], distance);
+    }
+  }
+
+  void mark_faces();
+  void mark_nodes();
+  void mark_edges();
+  void mark_before_planes(const ContactModel& contact);
+
+ private:
+  using Surfaces = std::pair<std::uint32_t, std::uint32_t>;
+
+  double distance(PairIndex pair) const { return rules_.start_reach().distance(pair); }
+  /// The limited pairs of two surfaces.
+  std::span<const PairIndex> pairs_of(std::uint32_t first, std::uint32_t second) const {
+    const auto found = limited_.find(std::minmax(first, second));
+    return found != limited_.end() ? std::span<const PairIndex>(found->second) : std::span<const PairIndex>();
+  }
+  /// The widest of their distances, < 0 without any [length].
+  double widest(std::uint32_t first, std::uint32_t second) const {
+    double most = -1.0;
+    for (const PairIndex pair : pairs_of(first, second)) most = std::max(most, distance(pair));
+    return most;
+  }
+  /// Calls mark(pair) for the limited pairs of two surfaces within whose distance something is.
+  template <class Mark>
+  void for_each_within(std::uint32_t first, std::uint32_t second, double apart, const Mark& mark) {
+    for (const PairIndex pair : pairs_of(first, second)) {
+      if (apart <= distance(pair)) mark(pair);
+    }
+  }
+  double way_between(std::uint32_t first, std::uint32_t second) const;
+  double way_of_node(const SurfaceNode& node, const ContactFace& face) const;
+  double way_of_edges(const ContactEdge& first, const ContactEdge& second) const;
+  bool are_opposed(const ContactFace& a, const ContactFace& b) const;
+  FaceCorners corners(const ContactFace& face) const;
+  void place_faces();
+
+  static constexpr double far = std::numeric_limits<double>::infinity();
+
+  const ContactKinematics& start_;
+  const ContactMesh& contact_mesh_;
+  PairRules& rules_;
+  std::map<Surfaces, std::vector<PairIndex>> limited_;
+  std::vector<double> reach_;  // [n_surfaces] [length]
+  BroadPhase faces_, nodes_, edges_;
+};
+
+FaceCorners ReachMarker::corners(const ContactFace& face) const {
+  FaceCorners x;
+  for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = start_.x(face.corners[k]);
+  return x;
+}
+
+bool ReachMarker::are_opposed(const ContactFace& a, const ContactFace& b) const {
+  const Eigen::Vector3d area_a = start_.area(a), area_b = start_.area(b);
+  return area_a.dot(area_b) < max_facing_cosine * area_a.norm() * area_b.norm();
+}
+
+/// 0 of faces that overlap by no more than the thinner element behind them [length].
+double ReachMarker::way_between(std::uint32_t first, std::uint32_t second) const {
+  const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
+  if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return far;
+  const bool opposed = are_opposed(a, b);
+  if (a.surface == b.surface && !opposed) return far;
+  const FaceCorners x = corners(a), y = corners(b);
+  const Eigen::Vector3d apart = y.rowwise().mean() - x.rowwise().mean();
+  const bool is_behind = apart.dot(start_.area(a)) < 0.0 && apart.dot(start_.area(b)) > 0.0;
+  if (is_behind && a.surface == b.surface) return far;  // opposite skins
+  const double way = face_distance(x, y);
+  const double thinner = std::min(a.penalty_properties.thickness, b.penalty_properties.thickness);
+  return is_behind && opposed && way <= thinner ? 0.0 : way;
+}
+
+double ReachMarker::way_of_node(const SurfaceNode& node, const ContactFace& face) const {
+  if (std::ranges::find(face.corners, node.node) != face.corners.end()) return far;
+  const auto own_faces = contact_mesh_.faces_of_node.of(node.node);
+  const auto is_opposed = [&](std::uint32_t own) { return are_opposed(contact_mesh_.faces[own], face); };
+  if (node.surface == face.surface && !own_faces.empty() && std::ranges::none_of(own_faces, is_opposed))
+    return far;
+  const FaceCorners x = corners(face);
+  const double height = (start_.x(node.node) - x.rowwise().mean()).dot(start_.area(face).normalized());
+  const double way = std::max(0.0, distance_to_face(start_.x(node.node), x) - node.radius);
+  if (height >= 0.0) return way;
+  if (node.surface == face.surface) return far;
+  return way <= std::min(face.penalty_properties.thickness, node.penalty_properties.thickness) ? 0.0 : way;
+}
+
+double ReachMarker::way_of_edges(const ContactEdge& first, const ContactEdge& second) const {
+  for (const std::uint32_t node : first.nodes) {
+    if (std::ranges::find(second.nodes, node) != second.nodes.end()) return far;
+  }
+  const auto segment_of = [&](const ContactEdge& edge) {
+    Segment segment;
+    segment << start_.x(edge.nodes[0]), start_.x(edge.nodes[1]);
+    return segment;
+  };
+  const Segment a = segment_of(first), b = segment_of(second);
+  const EdgePairPoint nearest = nearest_points(a, b);
+  const Eigen::Vector3d apart =
+      a.col(0) + nearest.s * (a.col(1) - a.col(0)) - b.col(0) - nearest.t * (b.col(1) - b.col(0));
+  return std::max(0.0, apart.norm() - first.radius - second.radius);
+}
+
+void ReachMarker::place_faces() {
+  const auto box_of = [&](std::uint32_t i) {
+    const ContactFace& face = contact_mesh_.faces[i];
+    const FaceCorners x = corners(face);
+    return box_around(x.rowwise().minCoeff(), x.rowwise().maxCoeff(),
+                      0.5 * std::max(reach_[face.surface], face.penalty_properties.thickness));
+  };
+  static_cast<void>(faces_.update(static_cast<std::uint32_t>(contact_mesh_.faces.size()), box_of));
+}
+
+void ReachMarker::mark_faces() {
+  place_faces();
+  PairLists near;
+  const auto is_near = [&](std::uint32_t a, std::uint32_t b) {
+    const double most = widest(contact_mesh_.faces[a].surface, contact_mesh_.faces[b].surface);
+    return most >= 0.0 && way_between(a, b) <= most;
+  };
+  faces_.find_pairs(is_near, near);
+  for (std::uint32_t first = 0; first < near.n_rows(); ++first) {
+    for (const std::uint32_t second : near.of(first)) {
+      for_each_within(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface,
+                      way_between(first, second), [&](PairIndex pair) {
+                        rules_.start_reach().mark_face(pair, first);
+                        rules_.start_reach().mark_face(pair, second);
+                      });
+    }
+  }
+}
+
+/// After mark_faces(), whose boxes these nodes meet.
+void ReachMarker::mark_nodes() {
+  const auto box_of = [&](std::uint32_t row) {
+    const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+    const double thickness = 0.5 * node.penalty_properties.thickness;
+    const Eigen::Vector3d x = start_.x(node.node);
+    return box_around(x, x, node.radius + std::max(0.5 * reach_[node.surface], thickness));
+  };
+  static_cast<void>(nodes_.update(static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size()), box_of));
+  PairLists near;
+  const auto way = [&](std::uint32_t row, std::uint32_t face) {
+    return way_of_node(contact_mesh_.surface_nodes[row], contact_mesh_.faces[face]);
+  };
+  const auto is_near = [&](std::uint32_t row, std::uint32_t face) {
+    const double most = widest(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface);
+    return most >= 0.0 && way(row, face) <= most;
+  };
+  nodes_.find_pairs(faces_, is_near, near);
+  for (std::uint32_t row = 0; row < near.n_rows(); ++row) {
+    for (const std::uint32_t face : near.of(row)) {
+      for_each_within(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface,
+                      way(row, face), [&](PairIndex pair) {
+                        rules_.start_reach().mark_node(pair, row);
+                        rules_.start_reach().mark_face(pair, face);
+                      });
+    }
+  }
+}
+
+void ReachMarker::mark_edges() {
+  const auto box_of = [&](std::uint32_t i) {
+    const ContactEdge& edge = contact_mesh_.edges[i];
+    const Eigen::Vector3d a = start_.x(edge.nodes[0]), b = start_.x(edge.nodes[1]);
+    return box_around(a.cwiseMin(b), a.cwiseMax(b), edge.radius + 0.5 * reach_[edge.surface]);
+  };
+  static_cast<void>(edges_.update(static_cast<std::uint32_t>(contact_mesh_.edges.size()), box_of));
+  PairLists near;
+  const auto way = [&](std::uint32_t a, std::uint32_t b) {
+    return way_of_edges(contact_mesh_.edges[a], contact_mesh_.edges[b]);
+  };
+  const auto is_near = [&](std::uint32_t a, std::uint32_t b) {
+    const double most = widest(contact_mesh_.edges[a].surface, contact_mesh_.edges[b].surface);
+    return most >= 0.0 && way(a, b) <= most;
+  };
+  edges_.find_pairs(is_near, near);
+  for (std::uint32_t first = 0; first < near.n_rows(); ++first) {
+    for (const std::uint32_t second : near.of(first)) {
+      for_each_within(contact_mesh_.edges[first].surface, contact_mesh_.edges[second].surface,
+                      way(first, second), [&](PairIndex pair) {
+                        rules_.start_reach().mark_edge(pair, first);
+                        rules_.start_reach().mark_edge(pair, second);
+                      });
+    }
+  }
+}
+
+void ReachMarker::mark_before_planes(const ContactModel& contact) {
+  for (const auto& [surfaces, pairs] : limited_) {
+    for (const auto& [with_plane, other] : {surfaces, Surfaces(surfaces.second, surfaces.first)}) {
+      for (const std::uint32_t index : contact.surfaces.surfaces[with_plane].analytic_planes) {
+        const AnalyticPlane& plane = contact.planes[index];
+        const Eigen::Vector3d normal = plane.normal.normalized();
+        for (std::uint32_t row = contact_mesh_.first_node[other]; row < contact_mesh_.first_node[other + 1];
+             ++row) {
+          const SurfaceNode& node = contact_mesh_.surface_nodes[row];
+          const double gap = (start_.x(node.node) - plane.origin).dot(normal) - node.radius;
+          for_each_within(surfaces.first, surfaces.second, gap,
+                          [&](PairIndex pair) { rules_.start_reach().mark_node(pair, row); });
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void mark_start_reach(const ContactModel& contact, const ContactKinematics& start, PairRules& rules) {
+  if (!rules.start_reach().exists()) return;
+  ReachMarker marker(start, rules);
+  marker.mark_faces();
+  marker.mark_nodes();
+  marker.mark_edges();
+  marker.mark_before_planes(contact);
+}
+
+}  // namespace contactsim

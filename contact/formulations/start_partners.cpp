@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/formulations/start_partners.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "contact/formulations/interface_constraint.hpp"
+#include "contact/formulations/near_pairs.hpp"
+#include "contact/geometry/node_face.hpp"
+#include "core/base/state_archive.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Faces whose normals have a greater cosine are of one wall, and a node keeps the nearest of a wall.
+constexpr double one_wall = 0.9;
+
+/// A face that is farther by this share of its size is behind another one.
+constexpr double farther_share = 1e-3;
+
+/// Overlaps of less than this share of the smaller face are none.
+constexpr double negligible_overlap = 1e-6;
+
+/// The change of a face's weights by which its linear extension moves a point along it.
+///   way  in the plane of the face [length]
+Eigen::Vector4d weights_of_way(const MovingFace& face, const Eigen::Vector3d& way) {
+  const FaceMap map = make_face_map(face.x, face.is_triangle);
+  const Eigen::Vector3d &a = map.c[1], &b = map.c[2];
+  const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b), det = aa * bb - ab * ab;
+  if (!(det > 0.0)) return Eigen::Vector4d::Zero();
+  const double wa = way.dot(a), wb = way.dot(b);
+  const double xi = (wa * bb - wb * ab) / det, eta = (wb * aa - wa * ab) / det;
+  if (face.is_triangle) return {-xi - eta, xi, eta, 0.0};
+  return 0.25 * Eigen::Vector4d(-xi - eta, xi - eta, xi + eta, eta - xi);
+}
+
+/// The side of each pair that slides.
+class SlidingSides {
+ public:
+  SlidingSides(const ContactKinematics& start, const PairRules& rules) : start_(start), rules_(rules) {
+    const ContactMesh& contact_mesh = start.contact_mesh();
+    area_.assign(contact_mesh.first_face.size() - 1, 0.0);
+    for (const ContactFace& face : contact_mesh.faces) area_[face.surface] += start.area(face).norm();
+  }
+
+  /// The rule of two surfaces that slide infinitesimally; null otherwise.
+  const PairRule* find(std::uint32_t surface, std::uint32_t other) const {
+    const OptionalIndex<PairIndex> pair = rules_.find(surface, other);
+    if (!pair || rules_[*pair].only_ties()) return nullptr;
+    const bool is_small = rules_[*pair].pair->behavior == InteractionBehavior::infinitesimal_sliding;
+    return is_small ? &rules_[*pair] : nullptr;
+  }
+  /// Whether a surface slides on another one.
+  bool slides(const SurfacePair& pair, std::uint32_t surface, std::uint32_t other) const {
+    if (surface == other) return true;
+    if (pair.side_b && pair.formulation == ConstraintFormulation::node_face) return surface == *pair.side_b;
+    return area_[surface] < area_[other] || (area_[surface] == area_[other] && surface > other);
+  }
+  /// Whether the first of two faces slides on the second.
+  bool slides_first(const SurfacePair& pair, const ContactFace& first, const ContactFace& second) const {
+    if (first.surface != second.surface) return slides(pair, first.surface, second.surface);
+    return start_.area(first).norm() <= start_.area(second).norm();
+  }
+
+ private:
+  const ContactKinematics& start_;
+  const PairRules& rules_;
+  std::vector<double> area_;  // [n_surfaces] [length^2]
+};
+
+Eigen::Vector3d centre_of(const MovingFace& face) { return face.x.rowwise().mean(); }
+
+/// Whether two faces lie over each other, neither behind the material of the other.
+bool lie_over(const ContactKinematics& start, std::uint32_t first, std::uint32_t second) {
+  const auto found = find_face_face_points(start.face(first), start.face(second));
+  if (!found) return false;
+  const ContactFace &a = start.contact_mesh().faces[first], &b = start.contact_mesh().faces[second];
+  const double smaller = std::min(start.area(a).norm(), start.area(b).norm());
+  if (!(found->points.area > negligible_overlap * smaller)) return false;
+  double nearest = -std::numeric_limits<double>::infinity();
+  for (const OverlapBatch& batch : found->points.batches())
+    nearest = std::max(nearest, (batch.weight > 0.0).select(batch.gap, nearest).maxCoeff());
+  return -nearest <= std::min(a.penalty_properties.thickness, b.penalty_properties.thickness);
+}
+
+/// A face that a node stands over.
+struct Over {
+  std::uint32_t face = 0;
+  Eigen::Vector3d normal;
+  double distance = 0.0, size = 0.0;
+};
+
+std::optional<Over> find_over(const ContactKinematics& start, const SurfacePair& pair, std::uint32_t row,
+                              std::uint32_t index) {
+  const SurfaceNode& node = start.contact_mesh().surface_nodes[row];
+  const MovingFace face = start.face(index);
+  const auto point = project_onto_face(face.x, face.is_triangle, start.x(node.node));
+  const double size = start.bound(index).radius();
+  if (!point || point->beyond > pair.tangential_tolerance.value_or(automatic_beyond * size))
+    return std::nullopt;
+  const double thickness = start.contact_mesh().faces[index].penalty_properties.thickness;
+  if (point->gap - node.radius < -thickness || !is_facing(start, node, point->normal)) return std::nullopt;
+  return Over{index, point->normal, std::abs(point->gap), size};
+}
+
+}  // namespace
+
+void StartPartners::begin_faces(const ContactKinematics& start, const PairRules& rules,
+                                const PairLists& candidates) {
+  const SlidingSides sides(start, rules);
+  const auto& faces = start.contact_mesh().faces;
+  const auto visit = [&](const auto& take) {
+    for (std::uint32_t first = 0; first < candidates.n_rows(); ++first) {
+      for (const std::uint32_t second : candidates.of(first)) {
+        if (sides.find(faces[first].surface, faces[second].surface) != nullptr &&
+            lie_over(start, first, second))
+          take(first, second);
+      }
+    }
+  };
+  lists_ = list_by_row(candidates.n_rows(), visit);
+  for (std::uint32_t first = 0; first < lists_.n_rows(); ++first) {
+    for (const std::uint32_t second : lists_.of(first)) {
+      const PairRule& rule = *sides.find(faces[first].surface, faces[second].surface);
+      const bool slides_first = sides.slides_first(*rule.pair, faces[first], faces[second]);
+      const MovingFace a = start.face(first), b = start.face(second);
+      const MovingFace &slides = slides_first ? a : b, &still = slides_first ? b : a;
+      starts_.push_back({axes_of(still.x).transpose() * (centre_of(slides) - centre_of(still)), slides_first,
+                         *rules.find(faces[first].surface, faces[second].surface)});
+    }
+  }
+}
+
+void StartPartners::begin_nodes(const ContactKinematics& start, const PairRules& rules,
+                                const PairLists& candidates) {
+  const SlidingSides sides(start, rules);
+  const ContactMesh& contact_mesh = start.contact_mesh();
+  std::vector<std::vector<std::uint32_t>> kept(candidates.n_rows());
+  for (std::uint32_t row = 0; row < candidates.n_rows(); ++row) {
+    const std::uint32_t surface = contact_mesh.surface_nodes[row].surface;
+    std::vector<Over> over;
+    for (const std::uint32_t face : candidates.of(row)) {
+      const std::uint32_t other = contact_mesh.faces[face].surface;
+      const PairRule* rule = sides.find(surface, other);
+      if (rule == nullptr || !sides.slides(*rule->pair, surface, other)) continue;
+      if (const auto found = find_over(start, *rule->pair, row, face)) over.push_back(*found);
+    }
+    for (const Over& one : over) {
+      const bool is_behind = std::ranges::any_of(over, [&](const Over& other) {
+        return one.normal.dot(other.normal) > one_wall &&
+               one.distance > other.distance + farther_share * one.size;
+      });
+      if (!is_behind) kept[row].push_back(one.face);
+    }
+  }
+  lists_ = list_by_row(candidates.n_rows(), [&](const auto& take) {
+    for (std::uint32_t row = 0; row < kept.size(); ++row) {
+      for (const std::uint32_t face : kept[row]) take(row, face);
+    }
+  });
+  for (std::uint32_t row = 0; row < lists_.n_rows(); ++row) {
+    for (const std::uint32_t face : lists_.of(row))
+      starts_.push_back(
+          {Eigen::Vector3d::Zero(), true,
+           *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface)});
+  }
+}
+
+PairLists StartPartners::restricted(const PairRules& rules, const ContactMesh& contact_mesh,
+                                    const PairLists& candidates) const {
+  // By surface: a face may stand over one surface and be free against others.
+  std::map<std::pair<std::uint32_t, PairIndex>, bool> stands;  // by face and pair
+  const auto pair_of = [&](std::uint32_t a, std::uint32_t b) {
+    return *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
+  };
+  for (std::uint32_t row = 0; row < lists_.n_rows(); ++row) {
+    for (std::size_t k = lists_.begin[row]; k < lists_.begin[row + 1]; ++k)
+      stands[{sliding(k, row), pair_of(row, lists_.partners[k])}] = true;
+  }
+  return list_by_row(candidates.n_rows(), [&](const auto& take) {
+    for (std::uint32_t row = 0; row < candidates.n_rows(); ++row) {
+      for (const std::uint32_t partner : candidates.of(row)) {
+        const PairIndex pair = pair_of(row, partner);
+        if (has(row, partner) || (!stands.contains({row, pair}) && !stands.contains({partner, pair})))
+          take(row, partner);
+      }
+    }
+  });
+}
+
+PairLists StartPartners::united_with(const PairRules& rules, const PairLists& candidates) const {
+  const auto keeps = [&](std::size_t k) {
+    const SurfacePair& own = *rules[starts_[k].pair].pair;
+    return rules.find(own.first, own.second) == starts_[k].pair;
+  };
+  return list_by_row(candidates.n_rows(), [&](const auto& take) {
+    for (std::uint32_t row = 0; row < candidates.n_rows(); ++row) {
+      std::size_t k = row < lists_.n_rows() ? lists_.begin[row] : 0;
+      const std::size_t end = row < lists_.n_rows() ? lists_.begin[row + 1] : 0;
+      const auto take_own_before = [&](std::uint32_t partner) {
+        for (; k < end && lists_.partners[k] < partner; ++k) {
+          if (keeps(k)) take(row, lists_.partners[k]);
+        }
+      };
+      for (const std::uint32_t partner : candidates.of(row)) {
+        take_own_before(partner);
+        if (k < end && lists_.partners[k] == partner) ++k;
+        take(row, partner);
+      }
+      take_own_before(std::numeric_limits<std::uint32_t>::max());
+    }
+  });
+}
+
+std::optional<std::size_t> StartPartners::find(std::uint32_t row, std::uint32_t partner) const {
+  if (row >= lists_.n_rows()) return std::nullopt;
+  const std::size_t k = lists_.position(row, partner);
+  const bool is_there = k < lists_.begin[row + 1] && lists_.partners[k] == partner;
+  return is_there ? std::optional(k) : std::nullopt;
+}
+
+std::optional<PartnerCarry> StartPartners::find_carry(const ContactKinematics& kinematics,
+                                                      std::uint32_t first, std::uint32_t second) const {
+  const auto k = find(first, second);
+  if (!k) return std::nullopt;
+  const Start& start = starts_[*k];
+  const MovingFace a = kinematics.face(first), b = kinematics.face(second);
+  const MovingFace &slides = start.slides_first ? a : b, &still = start.slides_first ? b : a;
+  const Eigen::Matrix3d axes = axes_of(still.x);
+  Eigen::Vector3d slip = axes.transpose() * (centre_of(slides) - centre_of(still)) - start.apart;
+  slip.z() = 0.0;
+  return PartnerCarry{!start.slides_first, weights_of_way(still, axes * slip)};
+}
+
+std::vector<ReleasedPartner> StartPartners::remap(std::span<const OptionalIndex<std::uint32_t>> rows,
+                                                  std::span<const OptionalIndex<std::uint32_t>> faces,
+                                                  std::size_t n_rows_after) {
+  if (empty()) return {};
+  std::map<std::pair<std::uint32_t, PairIndex>, std::size_t> n_left;  // by what slides and pair, before
+  for (std::uint32_t row = 0; row < lists_.n_rows(); ++row) {
+    for (std::size_t k = lists_.begin[row]; k < lists_.begin[row + 1]; ++k)
+      n_left[{sliding(k, row), starts_[k].pair}] += rows[row] && faces[lists_.partners[k]] ? 1 : 0;
+  }
+  std::vector<ReleasedPartner> released;
+  for (const auto& [slides, n] : n_left) {
+    if (n == 0 && rows[slides.first]) released.push_back({*rows[slides.first], slides.second});
+  }
+  std::vector<std::size_t> before;
+  lists_ = transferred(lists_, rows, faces, n_rows_after, before);
+  std::vector<Start> starts;
+  for (const std::size_t old : before) starts.push_back(starts_[old]);
+  starts_ = std::move(starts);
+  return released;
+}
+
+void StartPartners::archive(const std::string& name, StateArchive& saved) {
+  // Most runs have none, and states of such runs nothing of them.
+  if (saved.restores() ? !saved.has(name + "/begin") : empty()) return;
+  contactsim::archive(name, lists_, saved);
+  saved.rows(name + "/starts", starts_,
+             [](Start& start, RowNumbers& row) { row(start.apart, start.slides_first, start.pair.value); });
+}
+
+PlanePoint project_onto_plane(const MovingFace& face, const Eigen::Vector3d& point) {
+  const FaceMap map = make_face_map(face.x, face.is_triangle);
+  const auto found = project_onto_face(face.x, face.is_triangle, point);
+  const Eigen::Vector3d centre = map.centre();
+  PlanePoint on_plane;
+  on_plane.normal = face.normal();
+  // The point of the face next to it; without a projection the middle will do.
+  double xi = face.is_triangle ? 1.0 / 3.0 : 0.0, eta = xi;
+  if (found && face.is_triangle) {
+    xi = std::clamp(found->xi, 0.0, 1.0);
+    eta = std::clamp(found->eta, 0.0, 1.0 - xi);
+  } else if (found) {
+    xi = std::clamp(found->xi, -1.0, 1.0);
+    eta = std::clamp(found->eta, -1.0, 1.0);
+  }
+  const Eigen::Vector3d away = point - map.at(xi, eta);
+  on_plane.gap = away.dot(on_plane.normal);
+  const Eigen::Vector3d along = away - on_plane.gap * on_plane.normal;
+  on_plane.beyond = found ? found->beyond : (point - centre).norm();
+  on_plane.weights = corner_weights(xi, eta, face.is_triangle) + weights_of_way(face, along);
+  return on_plane;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "contact/mesh/contact_remap.hpp"
+#include "contact/mesh/pair_set.hpp"
+#include "contact/surfaces/surface_pairs.hpp"
+
+namespace contactsim {
+
+class StateArchive;
+
+/// What of pairs with a SEARCH DISTANCE was so near the other side at the start that it is looked at. With
+/// sides that of SIDE B counts, else either of two will do. What deaths expose is looked at. Until distances
+/// are set nothing is left out. Source: SRCHDIS of OptiStruct's CONTACT.
+class StartReach {
+ public:
+  StartReach() = default;
+  explicit StartReach(const SurfacePairs& pairs);
+
+  /// Whether any pair has a SEARCH DISTANCE.
+  bool exists() const { return exists_; }
+  /// The distance of a pair, 0 before it is set, or without one [length].
+  double distance(PairIndex pair) const { return limits_[pair].is_set() ? limits_[pair].distance : 0.0; }
+
+  /// Sets the distance of a pair that has one; what is near is marked then.
+  void set_distance(PairIndex pair, double distance) { limits_[pair].distance = distance; }
+  void mark_face(PairIndex pair, std::uint32_t face) { faces_.add(pair.value, face); }
+  void mark_node(PairIndex pair, std::uint32_t row) { nodes_.add(pair.value, row); }
+  void mark_edge(PairIndex pair, std::uint32_t edge) { edges_.add(pair.value, edge); }
+  /// Whether something of a pair has been marked.
+  bool has_any(PairIndex pair) const;
+
+  /// Whether two faces, or edges, of these surfaces are looked at.
+  bool may_meet_faces(PairIndex pair, std::uint32_t first, std::uint32_t second,
+                      std::uint32_t surface_of_first) const {
+    return may_meet(pair, faces_, first, second, surface_of_first);
+  }
+  bool may_meet_edges(PairIndex pair, std::uint32_t first, std::uint32_t second,
+                      std::uint32_t surface_of_first) const {
+    return may_meet(pair, edges_, first, second, surface_of_first);
+  }
+  /// Whether a surface node is looked at where it meets a face.
+  bool may_meet_node(PairIndex pair, std::uint32_t row, std::uint32_t face,
+                     std::uint32_t surface_of_row) const;
+  /// The same where it meets a plane.
+  bool may_meet_plane(PairIndex pair, std::uint32_t row) const {
+    return !limits_[pair].is_set() || nodes_.has(pair.value, row);
+  }
+
+  /// Goes over to other faces, nodes and edges: what is new is looked at.
+  void remap(const ContactRemap& remap);
+  void archive(StateArchive& saved);
+
+ private:
+  struct Limit {
+    double distance = std::numeric_limits<double>::quiet_NaN();  // NaN: not set [length]
+    OptionalIndex<std::uint32_t> side_b;  // the surface whose entities count; none: either
+
+    bool is_set() const { return distance >= 0.0; }
+  };
+  bool may_meet(PairIndex pair, const PairSet& near, std::uint32_t first, std::uint32_t second,
+                std::uint32_t surface_of_first) const;
+
+  bool exists_ = false;
+  IndexedVector<PairIndex, Limit> limits_;
+  PairSet faces_, nodes_, edges_;
+};
+
+}  // namespace contactsim
