@@ -34,7 +34,8 @@ class UntiedGatherer {
         size_share_(size_share),
         context_{start, rules, nothing_},
         parts_(reach.size()),
-        held_(reach.size()),
+        held_faces_(reach.size()),
+        held_rows_(reach.size()),
         nodes_(reach.size()) {
     for (const PairIndex i : indices(parts_)) parts_[i].surface = smaller(*rules.rules()[i].pair);
   }
@@ -55,7 +56,7 @@ class UntiedGatherer {
   ConstrainedPairs nothing_;
   ContactStepContext context_;
   UntiedParts parts_;
-  IndexedVector<PairIndex, std::map<std::uint32_t, Held>> held_;   // by face or surface node
+  IndexedVector<PairIndex, std::map<std::uint32_t, Held>> held_faces_, held_rows_;
   IndexedVector<PairIndex, std::map<std::uint32_t, bool>> nodes_;  // by mesh node: it is held
 };
 
@@ -88,7 +89,7 @@ void UntiedGatherer::add_faces(std::uint32_t first, std::uint32_t second) {
   const double tolerance = capture_tolerance_of(*rules_[pair].pair, start_.bound(first), size_share_);
   UntiedPart& part = parts_[pair];
   const bool is_first = a.surface == part.surface;
-  Held& held = held_[pair][is_first ? first : second];
+  Held& held = held_faces_[pair][is_first ? first : second];
   found->visit_near(reach_[pair],
                     [&](double area, double gap, const Eigen::Vector4d&, const Eigen::Vector4d&) {
                       if (gap < -tolerance) return;  // the far side of its own body
@@ -114,7 +115,7 @@ void UntiedGatherer::add_node(std::uint32_t row, std::uint32_t face) {
   const double tolerance = capture_tolerance_of(*rules_[pair].pair, start_.bound(face), size_share_);
   if (!closest || closest->gap < -tolerance || !is_facing(start_, node, closest->normal)) return;
   const double area = start_.area_against(node, closest->normal);
-  Held& held = held_[pair][row];
+  Held& held = held_rows_[pair][row];
   held.before = std::max(held.before, area);
   if (std::abs(closest->gap) <= tolerance) {
     held.tied = std::max(held.tied, area);
@@ -127,12 +128,12 @@ void UntiedGatherer::add_node(std::uint32_t row, std::uint32_t face) {
 /// What lies behind something that is held is not missing.
 UntiedParts UntiedGatherer::take() {
   for (const PairIndex i : indices(parts_)) {
-    const bool has_faces = rules_.rules()[i].pair->formulation == ConstraintFormulation::face_face;
-    for (const auto& [entity, held] : held_[i]) {
-      const double whole = has_faces ? start_.area(contact_mesh_.faces[entity]).norm() : held.before;
+    const auto add = [&](const Held& held, double whole) {
       parts_[i].tied += held.tied;
       parts_[i].untied += std::max(0.0, std::min(held.before, whole) - held.tied);
-    }
+    };
+    for (const auto& [face, held] : held_faces_[i]) add(held, start_.area(contact_mesh_.faces[face]).norm());
+    for (const auto& [row, held] : held_rows_[i]) add(held, held.before);
     for (const auto& [node, is_held] : nodes_[i]) {
       if (!is_held) parts_[i].nodes.push_back({node});
     }
