@@ -47,6 +47,7 @@ std::string deck_with(const ForeignKeyword& row) {
     death = "begin element death\nblock = block_1\ndeath on inversion = on\n" + lines + "end\n";
   return "begin sierra page\n" + at(DeckPlace::sierra) +
          "begin function f\ntype is piecewise linear\nbegin values\n0 1\n1 0\nend\nend\n"
+         "begin function g\ntype is piecewise linear\nbegin values\n0 0\n1 1\nend\nend\n"
          "begin material m\ndensity = 1000\nbegin parameters for model elastic\nyoungs modulus = 1e6\n"
          "poissons ratio = 0.3\nend\nend\nbegin finite element model fem\n"
          "begin parameters for block block_1 block_2\nmaterial = m\nmodel = elastic\nend\nend\n"
