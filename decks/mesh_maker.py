@@ -11,6 +11,7 @@ class MeshMaker:
         """`place` maps the coordinates in which bricks are given to those of the mesh."""
         self.nodes, self.given, self.points, self.place = {}, [], [], place
         self.blocks, self.side_sets, self.node_sets = [], [], []
+        self.set_rules = {}  # of node_sets by name: whether a node belongs to it
 
     def new_body(self):
         """From here on nodes are no longer shared with what there is, so that bodies may touch."""
@@ -130,6 +131,9 @@ class MeshMaker:
         given = tuple((a + b) / 2 for a, b in zip(self.given[first - 1], self.given[second - 1]))
         self.points.append(self.place(*given))
         self.given.append(given)
+        for name, nodes in self.node_sets:
+            if name in self.set_rules and self.set_rules[name](*given):
+                nodes.append(len(self.points))
         return len(self.points)
 
     def _add(self, name, kind, rows, attribute=None):
@@ -146,8 +150,9 @@ class MeshMaker:
         self.side_sets.append((name, sides))
 
     def node_set(self, name, is_in):
-        """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds when the mesh is written."""
-        self.node_sets.append((name, is_in))
+        """The nodes for whose coordinates, as bricks are given, is_in(x, y, z) holds; midside nodes join later."""
+        self.node_sets.append((name, [n for n, given in enumerate(self.given, 1) if is_in(*given)]))
+        self.set_rules[name] = is_in
 
     def transform(self, matrix):
         """Maps all coordinates linearly; a mirrored mesh gets its hexes turned, so that volumes stay positive."""
@@ -206,8 +211,6 @@ class MeshMaker:
             return
         self._write_names(file, "ns", "num_node_sets", [s[0] for s in self.node_sets])
         for number, (_, nodes) in enumerate(self.node_sets, 1):
-            if callable(nodes):
-                nodes = [n for n, given in enumerate(self.given, 1) if nodes(*given)]
             file.createDimension(f"num_nod_ns{number}", len(nodes))
             file.createVariable(f"node_ns{number}", "i4", (f"num_nod_ns{number}",))[:] = nodes
 

@@ -2,7 +2,7 @@
 # the interference comes in over many periods of their breathing.
 #
 # Shows SMOOTHING in a run at default settings. Expected: the pressure of thick cylinders after Lame, E d / b (b^2 - a^2)
-# (c^2 - b^2) / (2 b^2 (c^2 - a^2)), within 3 % on the mean and at every node, 6 % of the penalty, which gives way; without smoothing facets press at corners
+# (c^2 - b^2) / (2 b^2 (c^2 - a^2)), within 3 % on the mean and at every node; without smoothing facets press at corners
 # alone, and their overlap by up to 8 times the interference comes in too.
 # {ifndef(smoothing)}
 # {smoothing = "auto"}
