@@ -29,8 +29,8 @@ void add_edges(const ContactKinematics& start, std::uint32_t surface, EdgeSum& s
 void add_lines(const ContactKinematics& start, std::uint32_t surface, EdgeSum& sum) {
   for (const ContactEdge& edge : start.contact_mesh().edges) {
     if (edge.surface != surface || edge.is_sharp()) continue;
-    sum.length += edge.is_particle() ? 2.0 * edge.radius
-                                     : (start.x(edge.nodes[1]) - start.x(edge.nodes[0])).norm();
+    sum.length +=
+        edge.is_particle() ? 2.0 * edge.radius : (start.x(edge.nodes[1]) - start.x(edge.nodes[0])).norm();
     ++sum.n;
   }
 }

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "contact/mesh/contact_mesh.hpp"
-#include "contact/surfaces/surface_pairs.hpp"
 
 /// SIDES of a pair. Source: polarity of Abaqus' *CONTACT FORMULATION, MORIENT of OptiStruct's CONTACT.
 namespace contactsim {
+
+struct SurfacePair;
 
 /// Whether a face is of a side of shells that takes part in a pair, or of no shell. Rims take part with both
 /// sides alone.

@@ -3,7 +3,6 @@
 
 #include <span>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "core/base/index.hpp"
@@ -18,8 +17,6 @@ class IndexedVector : public std::vector<Value> {
  public:
   using Key = AnIndex;
   using Vector::Vector;
-  IndexedVector() = default;
-  explicit IndexedVector(Vector values) : Vector(std::move(values)) {}
 
   decltype(auto) operator[](AnIndex index) { return Vector::operator[](index.value); }
   decltype(auto) operator[](AnIndex index) const { return Vector::operator[](index.value); }
@@ -27,7 +24,7 @@ class IndexedVector : public std::vector<Value> {
   AnIndex next() const { return {static_cast<std::uint32_t>(this->size())}; }
 };
 
-/// A view of such a vector, or of values that are in its order.
+/// A view of such a vector.
 template <class AnIndex, class Value>
 class IndexedSpan : public std::span<Value> {
   using Span = std::span<Value>;
@@ -35,7 +32,6 @@ class IndexedSpan : public std::span<Value> {
  public:
   using Key = AnIndex;
   IndexedSpan() = default;
-  explicit IndexedSpan(Span values) : Span(values) {}
   IndexedSpan(IndexedVector<AnIndex, std::remove_const_t<Value>>& values) : Span(values) {}
   IndexedSpan(
       const IndexedVector<AnIndex, std::remove_const_t<Value>>& values) requires std::is_const_v<Value>

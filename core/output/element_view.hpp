@@ -37,8 +37,8 @@ struct ElementView {
   Eigen::Matrix3d stress() const { return stress_of(context, range, i); }
 
   /// The motion from the mesh to now: its mean gradient by the mesh's coordinates. Of shells that of the
-  /// surface and the stretch of the thickness; of lines the stretch along them; particles do not deform, and cohesive
-  /// elements have their separation.
+  /// surface and the stretch of the thickness; of lines the stretch along them; particles do not deform, and
+  /// cohesive elements have their separation.
   Eigen::Matrix3d deformation_gradient() const;
   Eigen::Matrix3d log_strain() const;  ///< of the deformation gradient [1]
 

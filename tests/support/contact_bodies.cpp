@@ -25,7 +25,7 @@ ModelBlock make_block(const Mesh& mesh, std::uint32_t index) {
   const ElementBlock& block = mesh.blocks()[index];
   const Family family = topology(block.shape).family;
   if (family == Family::solid)
-    return make_solid_block(mesh, index, *find_solid_element(block.shape, "mean_quadrature"), properties);
+    return make_solid_block(mesh, index, *default_solid_element(block.shape), properties);
   const std::vector<double> sizes(block.n_elements, block.attributes.at(0));
   if (family == Family::shell) {
     const ElementFormulation& shell = *find_shell_element(block.shape, "bt_shell");

@@ -82,15 +82,15 @@ TEST_CASE("the pair table says how surfaces meet, before they are searched", "[a
 
 TEST_CASE("beside what is automatic stands the smallest and the largest length", "[app][pairs]") {
   ContactModel model = three_pairs();
-  model.pairs[2].normal_tolerance.reset();
-  model.pairs[2].search_distance.emplace();
+  model.pairs[PairIndex{2}].normal_tolerance.reset();
+  model.pairs[PairIndex{2}].search_distance.emplace();
   AutomaticLengths lengths;
   for (LengthRange* range : {&lengths.normal, &lengths.capture}) range->add(0.15);
   lengths.normal.add(0.3);
   lengths.overlap_normal.add(0.5);
   lengths.edge.add(0.25);
-  const std::string text =
-      squeezed(format_pairs(model, three_summaries(), {}, std::vector<AutomaticLengths>(3, lengths)));
+  const std::string text = squeezed(
+      format_pairs(model, three_summaries(), {}, IndexedVector<PairIndex, AutomaticLengths>(3, lengths)));
   CHECK_THAT(text, Contains("tie 12 infinitesimal penalty auto 0.15..0.3 auto auto 0.5 auto auto 0.15 1"));
   CHECK_THAT(text, Contains("\nReach of interactions\n"));
   CHECK_THAT(text, Contains("tie 12 auto 0.5 auto 0.15..0.3 - -"));
@@ -108,11 +108,11 @@ TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defa
 TEST_CASE("the pair table says what may not part and which sides of shells there are", "[app][pairs]") {
   ContactModel model = three_pairs();
   CHECK_THAT(format_pairs(model, three_summaries(), {}), !Contains("Sides of interactions"));
-  model.pairs[2].separates = false;
+  model.pairs[PairIndex{2}].separates = false;
   CHECK_THAT(squeezed(format_pairs(model, three_summaries(), {})),
              Contains("\nSides of interactions\ninteraction line separation first second\n"
                       "tie 12 off both both\n"));
-  model.pairs[0].sides = {ShellSides::top, ShellSides::bottom};
+  model.pairs[PairIndex{0}].sides = {ShellSides::top, ShellSides::bottom};
   CHECK_THAT(squeezed(format_pairs(model, three_summaries(), {})),
              Contains("general contact 7 on top bottom\ntie 12 off both both\n"));
 }
@@ -128,7 +128,7 @@ TEST_CASE("half a million pairs are not all listed", "[app][pairs]") {
 
 TEST_CASE("after a run the table tells what pairs did, and which never touched", "[app][pairs]") {
   IndexedVector<PairIndex, PairHistory> histories(3);
-  histories[0] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
+  histories[{0}] = {0.5, 1234.5, {1, -2, 3.25}, 6.5, 0.75, 5.0, 0.25, 0.0};
   CHECK(squeezed(format_pair_histories(three_pairs(), histories)) ==
         "\nContact of pairs in the run\n"
         "no first second contact time peak force impulse x impulse y impulse z work friction work made "

@@ -31,7 +31,7 @@ class OutputRun {
   Names advance(int n_steps) {
     Diagnostics diagnostics;
     const ConditionScope scope{definition, region, {}, run.mesh, diagnostics};
-    OutputPlan outputs(scope, run.model, {make_output_writers(files), results_path, {}, {}});
+    OutputPlan outputs(scope, run.model, {make_output_writers(files), results_path, {}, {}, {}, {}});
     paths = outputs.paths();
     for (int step = 0; step <= n_steps && !diagnostics.has_errors(); ++step) {
       run.state.step = step;

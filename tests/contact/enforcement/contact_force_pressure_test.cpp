@@ -59,7 +59,7 @@ Bounce bounce(ContactBodies& bodies, double speed, double mass, double dt) {
     if (i > 10 && velocity > 0.0 && lift(bodies) == 0.0) break;
   }
   found.speed = velocity;
-  found.deepest = bodies.contact.histories()[0].deepest;
+  found.deepest = bodies.contact.histories()[PairIndex{0}].deepest;
   return found;
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("soft contact begins before touch", "[contact][contact_force][pressure
   CHECK(lift(table) == Approx(50.0));
   CHECK(table.contact.stored() == Approx(0.125));
   CHECK(table.contact.points()[0].open_gap() == Approx(0.005));
-  CHECK(table.contact.pair_steps()[0].penetration == 0.0);
+  CHECK(table.contact.pair_steps()[PairIndex{0}].penetration == 0.0);
   ContactBodies curve(two_cubes(0.0), pressed(exponential, form));
   curve.ask();
   CHECK(lift(curve) == Approx(100.0));
@@ -132,7 +132,7 @@ TEST_CASE("a bounce off a pressure function keeps its energy", "[contact][contac
   ContactBodies bodies(two_cubes(0.11), pressed(model, form), function);
   const Bounce found = bounce(bodies, speed, 10.0, 2e-3);
   CHECK(found.speed == Approx(speed).epsilon(0.02));
-  CHECK(std::abs(bodies.contact.histories()[0].made()) < 0.02 * 5.0 * speed * speed);
+  CHECK(std::abs(bodies.contact.histories()[PairIndex{0}].made()) < 0.02 * 5.0 * speed * speed);
 }
 
 TEST_CASE("friction goes with the pressure, and its spring bears the step",

@@ -90,9 +90,9 @@ TEST_CASE("smoothed rings press on each other evenly, at any angle", "[contact][
 }
 
 TEST_CASE("without smoothing facets press where corners are", "[contact][contact_force][smoothing]") {
-  ContactBodies bodies(rings(), general_contact(stiff + formulation()));
+  ContactBodies bodies(rings(), general_contact(stiff));
   bodies.ask();
-  CHECK(area_of(bodies.contact) < 0.9 * 2.0 * std::numbers::pi * width);
+  CHECK(area_of(bodies.contact) < 0.3 * 2.0 * std::numbers::pi * width);
 }
 
 TEST_CASE("round surfaces turn along with their bodies", "[contact][contact_force][smoothing]") {

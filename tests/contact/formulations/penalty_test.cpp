@@ -54,10 +54,10 @@ TEST_CASE("the penalty gets stiffer behind the depth that either side had at the
           "[contact][penalty]") {
   PenaltyProperties overlapping = soft;
   overlapping.start_depth = 0.06;
-  for (const PairPenalty& penalty :
-       {make_pair_penalty(overlapping, &hard, {}), make_pair_penalty(hard, &overlapping, {})}) {
+  for (const PairPenalty& penalty : {make_pair_penalty(overlapping, &hard, SurfacePair{}),
+                                     make_pair_penalty(hard, &overlapping, SurfacePair{})}) {
     CHECK(penalty.law.spring_depth(0.064) == 0.064);
-    CHECK(penalty.law.slope(0.11) == make_pair_penalty(soft, &hard, {}).law.slope(0.05));
+    CHECK(penalty.law.slope(0.11) == make_pair_penalty(soft, &hard, SurfacePair{}).law.slope(0.05));
   }
 }
 

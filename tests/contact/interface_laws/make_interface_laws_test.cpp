@@ -41,7 +41,8 @@ TEST_CASE("a failed model must slide, and rings of failed models end", "[contact
     CHECK(errors_of(weld + "failed model = " + failed + "\nend\n") ==
           "c.i:4:16: error: the FAILED MODEL '" + failed +
               "' holds what has just failed; it must slide: "
-              "frictionless, constant friction, stick, adhesion, junction, pv dependent\n");
+              "frictionless, constant friction, stick, adhesion, junction, pv dependent, pressure function, "
+              "exponential pressure\n");
   }
 }
 

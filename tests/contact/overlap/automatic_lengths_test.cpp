@@ -19,11 +19,11 @@ TEST_CASE("automatic lengths are those of the smallest and the largest face",
   REQUIRE(model.messages.empty());
   const auto lengths = find_automatic_lengths(model, mesh, {});
   REQUIRE(lengths.size() == 1);
-  CHECK(lengths[0].normal.least == Approx(0.15 * 0.25));
-  CHECK(lengths[0].normal.most == Approx(0.15));
-  CHECK(lengths[0].capture.least == Approx(0.15 * 0.25));
-  CHECK(lengths[0].capture.most == Approx(0.15));
-  CHECK(lengths[0].overlap_normal.least == Approx(0.125));
-  CHECK(lengths[0].overlap_normal.most == Approx(0.5));
-  CHECK(lengths[0].edge.most == Approx((24 * 1.0 + 384 * 0.25) / 408));
+  CHECK(lengths[PairIndex{0}].normal.least == Approx(0.15 * 0.25));
+  CHECK(lengths[PairIndex{0}].normal.most == Approx(0.15));
+  CHECK(lengths[PairIndex{0}].capture.least == Approx(0.15 * 0.25));
+  CHECK(lengths[PairIndex{0}].capture.most == Approx(0.15));
+  CHECK(lengths[PairIndex{0}].overlap_normal.least == Approx(0.125));
+  CHECK(lengths[PairIndex{0}].overlap_normal.most == Approx(0.5));
+  CHECK(lengths[PairIndex{0}].edge.most == Approx((24 * 1.0 + 384 * 0.25) / 408));
 }

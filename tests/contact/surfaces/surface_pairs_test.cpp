@@ -410,7 +410,8 @@ TEST_CASE("a pressure of its own makes a pair elastic, whatever ENFORCEMENT says
   CHECK(enforcement_of("friction model = c\n") == Enforcement::momentum_balance);
   const Paired other = pair_up(models +
                                "begin interaction defaults\n friction model = p\nend\n"
-                               "begin interaction\n surfaces = a b\n friction coefficient = 0.1\nend\n");
+                               "begin interaction\n surfaces = a b\n friction coefficient = 0.1\n"
+                               " enforcement = momentum_balance\nend\n");
   CHECK(other.pairs.at(0).enforcement == Enforcement::momentum_balance);
 }
 

@@ -191,7 +191,7 @@ TEST_CASE("midside nodes that one side of a face has alone are told", "[core][mo
   SECTION("unlike") {
     builder.add_tets({.id = 2, .origin = {0, 0, 1}}, 6);
     CHECK(errors_of(definition, builder.build()) ==
-          "2 faces of six nodes lie on faces that have no or other midside nodes, the first of element 4 on "
+          "2 faces of six nodes lie on faces that have no or other midside nodes, the first of element 5 on "
           "element 7\n");
   }
 }

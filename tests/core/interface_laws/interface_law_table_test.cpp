@@ -134,7 +134,7 @@ TEST_CASE("what may follow a failed weld slides", "[core][interface_laws]") {
     if (row.slides()) sliding.insert(row.name);
   }
   CHECK(sliding == std::set<std::string>{"frictionless", "constant friction", "stick", "adhesion", "junction",
-                                         "pv dependent"});
+                                         "pv dependent", "pressure function", "exponential pressure"});
 }
 
 TEST_CASE("friction by pressure and speed falls from the static to the dynamic coefficient",

@@ -118,7 +118,12 @@ TEST_CASE("a cohesive section takes its pairs of nodes, a material of tractions 
   const ParameterValues& values = deck.simulation.materials.at(0).models.at(0).values;
   CHECK(values.real("peak traction") == 2.0);
   CHECK(values.real("penetration stiffness multiplier") == 1.0);
-  CHECK_THAT(parsed_sierra(begin + end).messages, Catch::Contains("tangential length scale"));
+  // What a material lacks is told where a region uses it.
+  const std::string region =
+      "begin presto procedure p\n  begin time control\n    begin time stepping block t\n"
+      "      start time = 0\n    end\n    termination time = 1\n  end\n"
+      "  begin presto region r\n    use finite element model m\n  end\nend\n";
+  CHECK_THAT(parsed_sierra(begin + end + region).messages, Catch::Contains("TANGENTIAL LENGTH SCALE"));
 }
 
 TEST_CASE("a section type that is not supported is kept by name", "[parser][section]") {

@@ -50,9 +50,8 @@ TEST_CASE("a torus has an axis and the radius of its circle", "[parser][smoothin
 
 TEST_CASE("what a surface smoothing lacks, or says twice, is told", "[parser][smoothing]") {
   const auto messages = [](const std::string& lines) {
-    return bound_contact(surfaces + "begin surface smoothing s\n" + lines +
-                         "end\nbegin interaction\nsurfaces = a b\nsmoothing = s\nend\n")
-        .messages;
+    return contact_name_messages(surfaces + "begin surface smoothing s\n" + lines +
+                                 "end\nbegin interaction\nsurfaces = a b\nsmoothing = s\nend\n");
   };
   CHECK(messages("").find("has no SURFACE") != std::string::npos);
   CHECK(messages("surface = a\n").find("has a SURFACE line without a shape") != std::string::npos);
@@ -69,10 +68,10 @@ TEST_CASE("what a surface smoothing lacks, or says twice, is told", "[parser][sm
 }
 
 TEST_CASE("a smoothing that is not there is an error with the nearest name", "[parser][smoothing]") {
-  const BoundContact bound = bound_contact(surfaces +
-                                           "begin surface smoothing round\nsurface = a\nspherical center = 0 "
-                                           "0 0\nend\nbegin interaction\nsurfaces = a "
-                                           "b\nsmoothing = rund\nend\n");
-  CHECK(bound.messages.find("'rund'") != std::string::npos);
-  CHECK(bound.messages.find("round") != std::string::npos);
+  const std::string messages = contact_name_messages(surfaces +
+                                                     "begin surface smoothing round\nsurface = a\nspherical "
+                                                     "center = 0 0 0\nend\nbegin interaction\nsurfaces = a "
+                                                     "b\nsmoothing = rund\nend\n");
+  CHECK(messages.find("'rund'") != std::string::npos);
+  CHECK(messages.find("round") != std::string::npos);
 }
