@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# clang-tidy over library sources that changed lately: those with the most changed lines, as many as a CI run has time for.
+# clang-tidy over library sources that changed lately: those with the most changed lines.
 #   tidy_changed.sh [BASE]   BASE: the commit to compare with; by default the last one that is a day older than HEAD
 # Each file costs 10 to 20 seconds of one core. The preset tidy looks at every source.
 set -euo pipefail
