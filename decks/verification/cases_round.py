@@ -185,12 +185,17 @@ def fit_pressures(run, block, radius):
 @case()
 def shrink_fit(bench):
     expected = 1e9 * 0.001 * (1 - 0.25) * (2.25 - 1) / (2 * (2.25 - 0.25))
-    run = bench.run("shrink_fit", two_rings(), form="face_face", enforcement="momentum_balance", smoothing="auto")
-    pressure, mean = fit_pressures(run, 1, 1.001)
-    checks = [Check("mean pressure [Pa]", expected, mean, 0.03),
-              at_most("error of the pressure at the worst node", np.max(np.abs(pressure / expected - 1)), 0.03)]
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        run = bench.run("shrink_fit", two_rings(), form=form, enforcement="momentum_balance", smoothing="auto")
+        runs.append(run)
+        pressure, mean = fit_pressures(run, 1, 1.001)
+        checks += [Check(f"{form}: mean pressure [Pa]", expected, mean, 0.03),
+                   at_most(f"{form}: error of the pressure at the worst node",
+                           np.max(np.abs(pressure / expected - 1)), 0.03,
+                           known_miss=0.035 if form == "node_face" else None)]
     flat = bench.run("shrink_fit", two_rings(), form="face_face", enforcement="momentum_balance", smoothing="off")
     pressure, mean = fit_pressures(flat, 1, 1.001)
     checks.append(Check("without smoothing: some node is off by more than its pressure", 1.0,
                         float(np.max(np.abs(pressure / expected - 1)) > 1), 1e-9))
-    return checks + balances([run], is_free=True)
+    return checks + balances(runs, is_free=True)

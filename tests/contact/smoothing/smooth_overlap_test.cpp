@@ -14,12 +14,13 @@ namespace {
 
 constexpr double width = 0.2, stiffness = 1e6, interference = 1e-3;
 
-/// The facets of a ring about z, whose normals look away from the axis or towards it.
-std::vector<MovingFace> ring(int n, double radius, bool looks_out, double turn) {
+/// The facets of a ring about z, whose normals look away from the axis or towards it. With a slope it is a
+/// part of a cone.
+std::vector<MovingFace> ring(int n, double radius, bool looks_out, double turn, double slope = 0.0) {
   std::vector<MovingFace> faces;
   const auto at = [&](int k, double z) {
-    const double angle = turn + 2.0 * std::numbers::pi * k / n;
-    return Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
+    const double angle = turn + 2.0 * std::numbers::pi * k / n, r = radius + slope * z;
+    return Vector3d(r * std::cos(angle), r * std::sin(angle), z);
   };
   for (int k = 0; k < n; ++k) {
     const int a = looks_out ? k : k + 1, b = looks_out ? k + 1 : k;
@@ -39,6 +40,21 @@ MovingFace quad(const Vector3d& a, const Vector3d& b, const Vector3d& c, const V
     face.x << a, b, c, d;
   }
   return face;
+}
+
+/// Each of them as two triangles, cut along one diagonal or the other by turns.
+std::vector<MovingFace> cut_in_triangles(const std::vector<MovingFace>& quads) {
+  std::vector<MovingFace> triangles;
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    for (const int half : {0, 2}) {
+      const int first = half + static_cast<int>(i % 2);
+      const auto corner = [&](int k) { return quads[i].x.col((first + k) % 4); };
+      MovingFace face{FaceCorners::Zero(), FaceCorners::Zero(), true, quads[i].sharpness};
+      face.x << corner(0), corner(1), corner(2), corner(2);
+      triangles.push_back(face);
+    }
+  }
+  return triangles;
 }
 
 /// The facets of a sphere: the six sides of a cube of n x n cells, blown up.
@@ -155,6 +171,25 @@ TEST_CASE("facets of two rings press on each other as their circles do", "[conta
   CHECK(std::abs(total.moment.z()) < 1e-3 * stiffness * interference);
   CHECK(total.left_moment < 1e-10);
   CHECK(total.force_on_first.norm() < 1e-3 * total.force);
+}
+
+TEST_CASE("facets of two cones press on each other as the cones do, also triangles", "[contact][smoothing]") {
+  const double slope = GENERATE(0.0, 0.1, 0.5), turn = GENERATE(0.0, 0.1);
+  const int n_cut = GENERATE(0, 1, 2);
+  const auto facets = [&](const std::vector<MovingFace>& quads, bool is_cut) {
+    return is_cut ? cut_in_triangles(quads) : quads;
+  };
+  const Smoothed inner(facets(ring(16, 1.0 + interference, true, turn, slope), n_cut > 0), RoundShape{}),
+      outer(facets(ring(24, 1.0, false, 0.0, slope), n_cut > 1), RoundShape{});
+  const Total total = push(inner, outer);
+  const double cosine = 1.0 / std::sqrt(1.0 + slope * slope);  // of the interference along the normal
+  const double area = 2.0 * std::numbers::pi * width * (1.0 + 0.5 * slope * width) / cosine;
+  // The arcs at the ends of steep triangles are seen as straight where they bend in.
+  CHECK(total.area == Approx(area).epsilon(n_cut == 0 ? 0.005 : 0.01 + 0.06 * slope));
+  CHECK(total.least_pressure == Approx(1000.0 * cosine).epsilon(5e-3));
+  CHECK(total.most_pressure == Approx(1000.0 * cosine).epsilon(5e-3));
+  CHECK(std::abs(total.moment.z()) < 1e-3 * stiffness * interference);
+  CHECK(total.left_moment < 1e-10);
 }
 
 TEST_CASE("facets of two spheres press on each other as the spheres do", "[contact][smoothing]") {
