@@ -26,6 +26,10 @@ void add_run_options(CLI::App& app, Options& options) {
       ->allow_extra_args(false)
       ->take_all();
   app.add_option("--log", options.log, "Log file, in place of <deck base>.log")->type_name("FILE");
+  app.add_option("--summary", options.summary, "Write what the run came to as JSON")->type_name("FILE");
+  app.add_option("--includes-from", options.includes_folder,
+                 "Folder where relative paths of includes start, in place of the run directory")
+      ->type_name("FOLDER");
   app.add_option("--threads", options.n_threads, "Number of threads; results do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
@@ -75,6 +79,7 @@ std::vector<RunFile> files_written(const Options& options) {
   add(options.surfaces_json, "the file of --surfaces-json");
   add(options.surfaces_csv, "the file of --surfaces-csv");
   add(options.surfaces_exodus, "the file of --surfaces");
+  add(options.summary, "the file of --summary");
   return files;
 }
 

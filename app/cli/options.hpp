@@ -27,6 +27,8 @@ struct Options {
   std::optional<std::string> surfaces_json;    ///< file for the ownership table
   std::optional<std::string> surfaces_csv;     ///< file for the list of facets
   std::optional<std::string> surfaces_exodus;  ///< file for the surfaces as a mesh
+  std::optional<std::string> summary;          ///< file for what the run came to, as JSON
+  std::optional<std::string> includes_folder;  ///< where relative paths of includes start, if not here
   bool is_lenient = false;
   int n_threads = 0;                     ///< 0: as many as OpenMP chooses
   std::optional<std::string> log;        ///< in place of <deck base>.log

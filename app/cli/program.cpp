@@ -10,6 +10,7 @@
 #include "app/cli/exit_guard.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/run_deck.hpp"
+#include "app/cli/summary_file.hpp"
 #include "app/manual/explain_variables.hpp"
 #include "app/manual/foreign_keywords.hpp"
 #include "app/reports/log.hpp"
@@ -30,23 +31,36 @@ void write_summary(const Diagnostics& warnings, Log& log) {
   log.write(warnings);
 }
 
-ExitCode run(const Options& options, Log& log) {
+ExitCode run(const Options& options, Log& log, RunSummary& summary) {
   Diagnostics warnings;
   const auto work = [&] {
     try {
-      const ExitCode code = run_deck(options, log, warnings);
+      const ExitCode code = run_deck(options, log, warnings, summary);
       write_summary(warnings, log);
+      summary.found = warnings;
       return code;
     } catch (const DeckError& error) {
       log.write(error.diagnostics());
       log.write_error("contactsim: " + pluralize(error.diagnostics().error_count(), "error"));
+      summary.found = error.diagnostics();
       return ExitCode::deck;
     }
   };
   return guard_exit(work, [&](const std::string& line) {
     log.write(warnings);
     log.write_error(line);
+    summary.found = warnings;
   });
+}
+
+/// The run with its log, from beginning to end.
+ExitCode run_with_log(const Options& options, RunSummary& summary) {
+  Log log(log_path(options));
+  log.write(fmt::format("contactsim {}\n", version));
+  const ExitCode code = run(options, log, summary);
+  summary.error_lines = log.errors();
+  log.close();
+  return code;
 }
 
 /// A mistyped deck leaves no log behind.
@@ -79,11 +93,15 @@ ExitCode start(const Options& options) {
     return ExitCode::deck;
   }
   if (options.n_threads > 0) omp_set_num_threads(options.n_threads);
-  Log log(log_path(options));
-  log.write(fmt::format("contactsim {}\n", version));
-  const ExitCode code = run(options, log);
-  log.close();
-  return code;
+  RunSummary summary = begin_summary(options);
+  begin_summary_file(options, summary);
+  summary.exit_code = guard_exit([&] { return run_with_log(options, summary); },
+                                 [&](const std::string& line) {
+                                   std::fprintf(stderr, "%s\n", line.c_str());
+                                   summary.error_lines.push_back(line);
+                                 });
+  write_summary_file(options, summary);
+  return *summary.exit_code;
 }
 
 }  // namespace

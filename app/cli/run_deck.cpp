@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/cli/read_run_deck.hpp"
 #include "app/cli/run_mesh.hpp"
 #include "app/cli/stop_signal.hpp"
 #include "app/cli/surface_stage.hpp"
@@ -17,57 +18,10 @@
 #include "app/run/start_overlap.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/elements/cohesive_section.hpp"
-#include "parser/deck.hpp"
 
 namespace contactsim {
 
 namespace {
-
-ParseOptions parse_options(const Options& options) {
-  ParseOptions parse;
-  parse.is_lenient = options.is_lenient;
-  for (const std::string& definition : options.definitions) {
-    const std::size_t equals = definition.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      Diagnostics mistake;
-      mistake.add_error({}, fmt::format("-D {}: expected name=value", definition));
-      throw DeckError(mistake);
-    }
-    parse.overrides.emplace_back(definition.substr(0, equals), definition.substr(equals + 1));
-  }
-  return parse;
-}
-
-/// A region and the procedure that it is part of.
-struct ChosenRegion {
-  Procedure procedure;
-  Region region;
-};
-
-/// The region to work on: with contact before without, of an explicit procedure before an implicit one, then
-/// the first.
-ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& warnings) {
-  const Procedure* of = nullptr;
-  const Region* chosen = nullptr;
-  int best = -1;
-  for (const Procedure& procedure : definition.procedures) {
-    for (const Region& region : procedure.regions) {
-      const int merit = (region.contact ? 2 : 0) + (procedure.implicit_by ? 0 : 1);
-      if (merit <= best) continue;
-      best = merit;
-      of = &procedure;
-      chosen = &region;
-    }
-  }
-  for (const Region* other : regions_with_contact(definition)) {
-    if (other == chosen) continue;
-    warnings.add_warning("deck-region", other->name.location,
-                         fmt::format("the contact of the region '{}' is passed over", other->name.text),
-                         fmt::format("that of '{}' is resolved", chosen->name.text),
-                         static_cast<int>(other->name.text.size()));
-  }
-  return chosen != nullptr ? ChosenRegion{*of, *chosen} : ChosenRegion{};
-}
 
 /// Whether a run may resume from where an earlier one was.
 bool asks_to_resume(const SimulationDefinition& definition) {
@@ -125,7 +79,9 @@ void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
 RunSettings run_settings(const Options& options, const Mesh& mesh, Log& log) {
   std::vector<RunFile> kept = files_read(options);
   kept.push_back({mesh.path(), "the mesh"});
-  kept.push_back({log_path(options), "the log"});
+  for (RunFile& file : files_written(options)) {
+    if (file.path != options.results) kept.push_back(std::move(file));
+  }
   return {options.results, options.command_line, std::move(kept),
           [&log](std::string_view text) { log.write(text); }};
 }
@@ -137,7 +93,7 @@ void obey(StopSignals& signals, Simulation& simulation) {
 }
 
 /// The loop of a run.
-ExitCode run_to_end(Simulation& simulation) {
+ExitCode run_steps(Simulation& simulation) {
   StopSignals signals;
   ExitCode code = ExitCode::done;
   try {
@@ -154,10 +110,23 @@ ExitCode run_to_end(Simulation& simulation) {
   return simulation.stopped_by() ? ExitCode::stopped : code;
 }
 
+ExitCode run_to_end(Simulation& simulation, RunSummary& summary) {
+  try {
+    const ExitCode code = run_steps(simulation);
+    note_run(simulation, summary);
+    return code;
+  } catch (...) {
+    note_run(simulation, summary);
+    throw;
+  }
+}
+
 }  // namespace
 
-ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings) {
-  const SimulationDefinition definition = parse_deck(options.deck, parse_options(options), warnings);
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary) {
+  const auto [definition, digest] = read_run_deck(
+      {options.deck, options.definitions, options.is_lenient, options.includes_folder}, warnings);
+  summary.deck_digest = format_digest(digest);
   log.begin(asks_to_resume(definition));
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
@@ -167,13 +136,17 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings) {
   if (options.stage == Stage::parse) return ExitCode::done;
 
   const auto [procedure, region] = choose_region(definition, warnings);
-  check_mesh_is_kept(options, run_mesh_path(options, definition, region));
+  const std::string mesh_path = run_mesh_path(options, definition, region);
+  check_mesh_is_kept(options, mesh_path);
+  if (options.summary) summary.mesh = {mesh_path, digest_of_file(mesh_path), std::nullopt, std::nullopt};
   Mesh mesh = with_cohesive_blocks(definition, region, read_run_mesh(options, definition, region, warnings));
   log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
+  if (summary.mesh) summary.mesh = {mesh_path, summary.mesh->digest, mesh.n_nodes(), mesh.n_elements()};
 
   ResolvedContact contact;
   if (region.contact || options.stage == Stage::check) {
     contact = resolve_contact(options, definition, region, mesh, log, warnings);
+    if (contact.model) note_pairs(*contact.model, summary);
     if (contact.code != ExitCode::done) return contact.code;
   }
   RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
@@ -188,7 +161,7 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings) {
   Simulation simulation(input, run_settings(options, mesh, log), warnings);
   RunLog run_log(log);
   simulation.observe([&](RunEvent event, const Simulation& run) { run_log.look(event, run); });
-  return run_to_end(simulation);
+  return run_to_end(simulation, summary);
 }
 
 }  // namespace contactsim

@@ -3,6 +3,7 @@
 
 #include "app/cli/options.hpp"
 #include "app/reports/log.hpp"
+#include "app/reports/run_summary.hpp"
 #include "core/base/diagnostics.hpp"
 #include "core/base/errors.hpp"
 
@@ -10,7 +11,8 @@ namespace contactsim {
 
 /// Takes a deck as far as the options ask: deck, mesh, contact surfaces, run.
 ///   warnings  gains what was found on the way, to be repeated at the end
+///   summary   gains what is known of deck, mesh, pairs and run, also when something is thrown
 /// Throws DeckError, FileError.
-ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings);
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary);
 
 }  // namespace contactsim

@@ -57,6 +57,7 @@ void Log::write(const Diagnostics& diagnostics) {
 }
 
 void Log::write_error(std::string_view line) {
+  if (line.starts_with("error: ") || line.starts_with("contactsim: a bug")) errors_.emplace_back(line);
   const std::string text = std::string(line) + "\n";
   std::fflush(stdout);
   write_to(stderr, text);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/diagnostics.hpp"
 
@@ -24,6 +25,8 @@ class Log {
   void write(const Diagnostics& diagnostics);
   /// One line, without its end, that says why the run stops.
   void write_error(std::string_view line);
+  /// The lines of write_error that begin with "error:" or tell of a bug.
+  const std::vector<std::string>& errors() const { return errors_; }
   /// Writes what is still held after what there is. Throws FileError when anything that was written did not
   /// arrive, as on a full disk.
   void close();
@@ -34,6 +37,7 @@ class Log {
   std::string path_;
   std::ofstream file_;
   std::string held_;
+  std::vector<std::string> errors_;
   bool has_begun_ = false;
 };
 

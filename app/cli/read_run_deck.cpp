@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/cli/read_run_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <span>
+
+#include "core/base/digest.hpp"
+#include "core/base/errors.hpp"
+#include "parser/deck.hpp"
+#include "parser/text/text_file.hpp"
+
+namespace contactsim {
+
+std::vector<std::pair<std::string, std::string>> split_definitions(
+    const std::vector<std::string>& definitions) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& definition : definitions) {
+    const std::size_t equals = definition.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      Diagnostics mistake;
+      mistake.add_error({}, fmt::format("-D {}: expected name=value", definition));
+      throw DeckError(mistake);
+    }
+    pairs.emplace_back(definition.substr(0, equals), definition.substr(equals + 1));
+  }
+  return pairs;
+}
+
+RunDeck read_run_deck(const DeckRequest& request, Diagnostics& diagnostics) {
+  ParseOptions options;
+  options.is_lenient = request.is_lenient;
+  options.overrides = split_definitions(request.definitions);
+  const TextFile deck = read_text_file(request.path);
+  // That says what is wrong with the file.
+  if (deck.failure != TextFile::Failure::none) return {parse_deck(request.path, options, diagnostics)};
+
+  Digest digest;
+  const auto add = [&](const std::string& text) {
+    const std::uint64_t of_text = digest_of(text);
+    digest.add_values(std::span(&of_text, 1));
+  };
+  add(deck.text);
+  const FileReader read_file = [&](const std::string& path) {
+    const TextFile file =
+        read_text_file(request.includes_folder ? std::filesystem::path(*request.includes_folder) / path
+                                               : std::filesystem::path(path));
+    add(file.text);
+    return file;
+  };
+  RunDeck run{parse_deck_text(request.path, deck.text, options, diagnostics, read_file)};
+  run.digest = digest.value();
+  return run;
+}
+
+ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& warnings) {
+  const Procedure* of = nullptr;
+  const Region* chosen = nullptr;
+  int best = -1;
+  for (const Procedure& procedure : definition.procedures) {
+    for (const Region& region : procedure.regions) {
+      const int merit = (region.contact ? 2 : 0) + (procedure.implicit_by ? 0 : 1);
+      if (merit <= best) continue;
+      best = merit;
+      of = &procedure;
+      chosen = &region;
+    }
+  }
+  for (const Region* other : regions_with_contact(definition)) {
+    if (other == chosen) continue;
+    warnings.add_warning("deck-region", other->name.location,
+                         fmt::format("the contact of the region '{}' is passed over", other->name.text),
+                         fmt::format("that of '{}' is resolved", chosen->name.text),
+                         static_cast<int>(other->name.text.size()));
+  }
+  return chosen != nullptr ? ChosenRegion{*of, *chosen} : ChosenRegion{};
+}
+
+}  // namespace contactsim

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostics.hpp"
+#include "core/definition/simulation.hpp"
+
+namespace contactsim {
+
+/// Where a deck is and how it is to be read.
+struct DeckRequest {
+  std::string path;
+  std::vector<std::string> definitions;        ///< "name=value" for Aprepro
+  bool is_lenient = false;                     ///< refused and unknown commands are warnings
+  std::optional<std::string> includes_folder;  ///< where relative paths of includes start, if not here
+};
+
+/// A deck and the fingerprint of what was read for it.
+struct RunDeck {
+  SimulationDefinition definition;
+  std::uint64_t digest = 0;  ///< of the bytes of the deck and of all files that it includes
+};
+
+/// The names and values of "name=value". Throws DeckError for anything else.
+std::vector<std::pair<std::string, std::string>> split_definitions(
+    const std::vector<std::string>& definitions);
+
+/// Reads a deck, as parse_deck does. Throws DeckError, FileError.
+RunDeck read_run_deck(const DeckRequest& request, Diagnostics& diagnostics);
+
+/// A region and the procedure that it is part of.
+struct ChosenRegion {
+  Procedure procedure;
+  Region region;
+};
+
+/// The region to work on: with contact before without, of an explicit procedure before an implicit one, then
+/// the first.
+///   warnings  gains one for each other region with contact
+ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& warnings);
+
+}  // namespace contactsim
