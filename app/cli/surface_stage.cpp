@@ -35,8 +35,8 @@ std::vector<std::uint32_t> blocks_in_contact(const ContactModel& model, const Me
 /// Writes the files that are asked for. One that cannot be written does not keep the others from it.
 ///   contact  null without a contact definition
 ExitCode write_surface_files(const Options& options, const ContactDefinition* contact,
-                             const ContactModel& model, std::span<const SurfaceSummary> summaries,
-                             const Mesh& mesh, Log& log) {
+                             const ContactModel& model, const SurfaceSummaries& summaries, const Mesh& mesh,
+                             Log& log) {
   ExitCode code = ExitCode::done;
   const auto write = [&](const std::optional<std::string>& path, const auto& write_file) {
     if (!path) return;

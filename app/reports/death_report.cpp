@@ -24,7 +24,7 @@ std::string format_counts(const DeathTally& tally) {
 
 std::string format_changes(const DeathTally& tally, const ContactModel& contact) {
   std::string text;
-  for (std::size_t i = 0; i < tally.changes.size(); ++i) {
+  for (const SurfaceIndex i : indices(tally.changes)) {
     const SurfaceChange& change = tally.changes[i];
     const ContactSurface& surface = contact.surfaces.surfaces[i];
     if (!change.is_any()) continue;

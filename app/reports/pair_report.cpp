@@ -62,7 +62,7 @@ std::string format_chosen(const ContactModel& model, const std::function<bool(Pa
   return text;
 }
 
-std::string format_start(const ContactModel& model, std::span<const SurfaceSummary> summaries,
+std::string format_start(const ContactModel& model, const SurfaceSummaries& summaries,
                          IndexedSpan<PairIndex, const InitialGap> starts, PairIndex i) {
   const SurfacePair& pair = model.pairs[i];
   const SurfaceSummary &a = summaries[pair.first], &b = summaries[pair.second];
@@ -226,7 +226,7 @@ std::string format_shapes(const SmoothingShapes& smoothing, const std::string& s
 std::string format_smoothings(const ContactModel& model) {
   std::string text;
   for (const SmoothingShapes& smoothing : model.smoothings) {
-    for (std::size_t i = 0; i < smoothing.surfaces.size(); ++i)
+    for (const SurfaceIndex i : indices(smoothing.surfaces))
       text += format_shapes(smoothing, model.surfaces.surfaces[i].name, smoothing.surfaces[i]);
   }
   if (text.empty()) return "";
@@ -268,7 +268,7 @@ std::string_view name_of(ShellSides sides) {
   return names[static_cast<std::size_t>(sides)];
 }
 
-std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
+std::string format_pairs(const ContactModel& model, const SurfaceSummaries& summaries,
                          IndexedSpan<PairIndex, const InitialGap> starts,
                          IndexedSpan<PairIndex, const AutomaticLengths> lengths) {
   assert(starts.empty() || starts.size() == model.pairs.size());

@@ -21,10 +21,9 @@ std::string_view name_of(ShellSides sides);
 /// The pair table before a run: surfaces, interaction, law, formulation, faces and nodes of both sides, how
 /// near they are; then the resolved settings of every interaction. Pairs of general or self contact without
 /// anything in reach are only counted, and so is what goes beyond a thousand rows. "" without pairs.
-///   summaries  [n_surfaces]
 ///   starts     [n_pairs] of model.pairs, or empty when they are not known: "-" stands in their place
 ///   lengths    that stand beside "auto", or empty
-std::string format_pairs(const ContactModel& model, std::span<const SurfaceSummary> summaries,
+std::string format_pairs(const ContactModel& model, const SurfaceSummaries& summaries,
                          IndexedSpan<PairIndex, const InitialGap> starts,
                          IndexedSpan<PairIndex, const AutomaticLengths> lengths = {});
 

@@ -21,15 +21,15 @@ double rounded(double area) { return std::stod(fmt::format("{:.{}g}", area, n_ar
 
 constexpr const char* row_format = "{:>4}  {:<28} {:<22} {:>6} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9} {:>13}\n";
 
-std::string format_rows(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
+std::string format_rows(const ContactModel& model, const SurfaceSummaries& summaries) {
   std::string text = fmt::format(row_format, "no", "surface", "made by", "line", "claimed", "owned",
                                  "triangle", "quad", "lofted", "nodes", "area");
   SurfaceSummary total;
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
+  for (const SurfaceIndex i : indices(summaries)) {
     const ContactSurface& surface = model.surfaces.surfaces[i];
     const SurfaceSummary& s = summaries[i];
-    text += fmt::format(row_format, i + 1, surface.name, surface.command, surface.location.line, s.claimed,
-                        s.owned, s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes,
+    text += fmt::format(row_format, i.value + 1, surface.name, surface.command, surface.location.line,
+                        s.claimed, s.owned, s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes,
                         fmt::format("{:.6g}", s.area));
     if (!surface.analytic_planes.empty()) {
       text += fmt::format("      {:<28} analytic facets: {}\n", "", surface.analytic_planes.size());
@@ -157,7 +157,7 @@ std::string csv_field(const std::string& text) {
 
 }  // namespace
 
-std::string format_surface_tables(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
+std::string format_surface_tables(const ContactModel& model, const SurfaceSummaries& summaries) {
   std::string text = "\nContact surfaces\n" + format_rows(model, summaries);
   if (model.surfaces.interior_faces_ignored > 0) {
     text += fmt::format("      {} faces between present blocks are no contact faces\n",
@@ -175,9 +175,9 @@ std::string format_passed_over(const ContactModel& model, const Mesh& mesh) {
                      fmt::join(names, ", "));
 }
 
-std::string format_surfaces_json(const ContactModel& model, std::span<const SurfaceSummary> summaries) {
+std::string format_surfaces_json(const ContactModel& model, const SurfaceSummaries& summaries) {
   Json surfaces = Json::array(), pairs = Json::array(), warnings = Json::array();
-  for (std::size_t i = 0; i < summaries.size(); ++i) {
+  for (const SurfaceIndex i : indices(summaries)) {
     surfaces.push_back(to_json(model, model.surfaces.surfaces[i], summaries[i]));
   }
   for (const SurfacePair& pair : model.pairs) pairs.push_back(to_json(model, pair));

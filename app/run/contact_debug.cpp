@@ -30,9 +30,9 @@ std::string format_places_csv(const ContactForce& force, const ContactModel& con
       out,
       "first,second,first_element,first_side,first_node,second_element,second_side,gap,area,normal_force,"
       "tangential_x,tangential_y,tangential_z\n");
-  const auto face_of = [&](std::uint32_t face, bool is_edge) {
+  const auto face_of = [&](std::uint32_t entity, bool is_edge) {
     const ElementSide side =
-        is_edge ? force.contact_mesh().edges[face].side : force.contact_mesh().faces[face].side;
+        is_edge ? force.contact_mesh().edges[{entity}].side : force.contact_mesh().faces[{entity}].side;
     return fmt::format("{},{}", mesh.element_id(side.element()), side.side());
   };
   const auto& surfaces = contact.surfaces.surfaces;

@@ -96,10 +96,9 @@ void RunContact::follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t
   free_nodes_.emplace(living_->rules(), faces, std::move(erodes));
 }
 
-std::vector<SurfaceChange> RunContact::update_for_deaths(const State& state,
-                                                         std::span<const ElementIndex> dead,
-                                                         std::span<const std::uint8_t> alive) {
-  std::vector<SurfaceChange> changes = living_->update_for_deaths(dead, contact_.surfaces);
+SurfaceChanges RunContact::update_for_deaths(const State& state, std::span<const ElementIndex> dead,
+                                             std::span<const std::uint8_t> alive) {
+  SurfaceChanges changes = living_->update_for_deaths(dead, contact_.surfaces);
   const auto has_lost_lofts = [](const SurfaceChange& change) { return change.lofted_lost > 0; };
   if (std::ranges::any_of(changes, has_lost_lofts)) {
     Diagnostics discarded;
@@ -175,7 +174,7 @@ void RunContact::warn_of_lost(Diagnostics& warnings) const {
     const PairHistory& history = histories[i];
     if (history.n_lost == 0) continue;
     const SurfacePair& pair = contact_.pairs[i];
-    const auto name = [&](std::uint32_t surface) { return contact_.surfaces.surfaces[surface].name; };
+    const auto name = [&](SurfaceIndex surface) { return contact_.surfaces.surfaces[surface].name; };
     const NodeIndex node{history.lost_node};
     warnings.add_warning(
         "contact-lost", {},

@@ -31,11 +31,11 @@ class RunContact {
   ///   erodes           [n_elements] 1 of elements whose nodes leave contact with them
   ///   makes_new_edges  whether edges that deaths expose become edges of contact
   void follow_deaths(const FaceGroups& faces, std::vector<std::uint8_t> erodes, bool makes_new_edges);
-  /// Takes deaths over into the surfaces. Returns what has changed in each [n_surfaces].
+  /// Takes deaths over into the surfaces. Returns what has changed in each.
   ///   dead   elements that have just died, ascending
   ///   alive  [n_elements] 0 of all dead elements
-  std::vector<SurfaceChange> update_for_deaths(const State& state, std::span<const ElementIndex> dead,
-                                               std::span<const std::uint8_t> alive);
+  SurfaceChanges update_for_deaths(const State& state, std::span<const ElementIndex> dead,
+                                   std::span<const std::uint8_t> alive);
   std::size_t n_eroded_nodes() const { return free_nodes_ ? free_nodes_->n_nodes() : 0; }
 
   /// What of each pair is too far apart to be held.

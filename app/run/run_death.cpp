@@ -30,9 +30,9 @@ std::size_t count_members(const Mesh& mesh, std::span<const std::vector<ElementI
   return static_cast<std::size_t>(std::ranges::count(is_member, 1));
 }
 
-void add(const std::vector<SurfaceChange>& changes, std::vector<SurfaceChange>& sums) {
+void add(const SurfaceChanges& changes, SurfaceChanges& sums) {
   sums.resize(changes.size());
-  for (std::size_t i = 0; i < changes.size(); ++i) {
+  for (const SurfaceIndex i : indices(changes)) {
     sums[i].faces_gained += changes[i].faces_gained;
     sums[i].faces_lost += changes[i].faces_lost;
     sums[i].lofted_lost += changes[i].lofted_lost;

@@ -20,11 +20,11 @@ struct DeathParts {
 
 /// What has died since the last report.
 struct DeathTally {
-  std::size_t n_died = 0;              ///< elements
-  std::size_t n_dead = 0;              ///< elements since the start
-  std::size_t n_dying = 0;             ///< elements whose stress fades
-  std::size_t n_free = 0;              ///< nodes in contact whose elements are all dead
-  std::vector<SurfaceChange> changes;  ///< [n_surfaces], summed; empty without contact
+  std::size_t n_died = 0;   ///< elements
+  std::size_t n_dead = 0;   ///< elements since the start
+  std::size_t n_dying = 0;  ///< elements whose stress fades
+  std::size_t n_free = 0;   ///< nodes in contact whose elements are all dead
+  SurfaceChanges changes;   ///< summed; empty without contact
 };
 
 /// All that a run has because its region has ELEMENT DEATH blocks.

@@ -27,9 +27,9 @@ std::array<NodeIndex, 4> mesh_nodes_of(const ContactMesh& contact_mesh, const Co
 
 /// Calls visit(face, its number) for all smoothed faces of a surface.
 template <class Visit>
-void visit_smoothed(const ContactMesh& contact_mesh, std::uint32_t smoothing, std::uint32_t surface,
+void visit_smoothed(const ContactMesh& contact_mesh, std::uint32_t smoothing, SurfaceIndex surface,
                     const Visit& visit) {
-  for (std::uint32_t i = contact_mesh.first_face[surface]; i < contact_mesh.first_face[surface + 1]; ++i) {
+  for (const FaceIndex i : contact_mesh.faces_of(surface)) {
     if (contact_mesh.smooth_faces.find(smoothing, i) != nullptr) visit(contact_mesh.faces[i]);
   }
 }
@@ -69,10 +69,10 @@ void warn_of_pairs(const ContactForce& force, const ContactModel& contact, Diagn
 }
 
 void warn_of_shapes(const ContactMesh& contact_mesh, const ContactModel& contact, std::uint32_t smoothing,
-                    std::uint32_t surface, const Mesh& mesh, Diagnostics& warnings) {
+                    SurfaceIndex surface, const Mesh& mesh, Diagnostics& warnings) {
   const SmoothingShapes& shapes = contact.smoothings[smoothing];
   const auto& given = shapes.surfaces[surface].given;
-  if (given.empty() || contact_mesh.first_face[surface] == contact_mesh.first_face[surface + 1]) return;
+  if (given.empty() || contact_mesh.faces_of(surface).size() == 0) return;
   const auto& x = mesh.coordinates();
   std::size_t n = 0, n_askew = 0;
   visit_smoothed(contact_mesh, smoothing, surface, [&](const ContactFace& face) {
@@ -104,7 +104,7 @@ void warn_of_smoothings(const ContactForce& force, const ContactModel& contact, 
                         Diagnostics& warnings) {
   warn_of_pairs(force, contact, warnings);
   for (std::uint32_t s = 0; s < contact.smoothings.size(); ++s) {
-    for (std::uint32_t i = 0; i < contact.surfaces.surfaces.size(); ++i)
+    for (const SurfaceIndex i : indices(contact.surfaces.surfaces))
       warn_of_shapes(force.contact_mesh(), contact, s, i, mesh, warnings);
   }
 }
@@ -112,9 +112,9 @@ void warn_of_smoothings(const ContactForce& force, const ContactModel& contact, 
 void warn_of_strain(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
                     const State& state, Diagnostics& warnings) {
   const ContactMesh& contact_mesh = force.contact_mesh();
-  std::set<std::uint32_t> told;  // surfaces
+  std::set<SurfaceIndex> told;
   for (std::uint32_t s = 0; s < contact.smoothings.size(); ++s) {
-    for (std::uint32_t i = 0; i < contact.surfaces.surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(contact.surfaces.surfaces)) {
       double strain = 0.0;
       visit_smoothed(contact_mesh, s, i, [&](const ContactFace& face) {
         const auto nodes = mesh_nodes_of(contact_mesh, face);

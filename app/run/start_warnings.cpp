@@ -28,24 +28,25 @@ struct TiedSide {
 
 /// Counts what ties of a pair hold of one of its surfaces: of NODE_FACE its nodes, else its faces.
 TiedSide count_tied(const ContactForce& force, PairIndex pair_index, const SurfacePair& pair,
-                    std::uint32_t surface) {
+                    SurfaceIndex surface) {
   const ContactMesh& contact_mesh = force.contact_mesh();
-  std::set<std::uint32_t> tied_faces, tied_nodes;
+  std::set<FaceIndex> tied_faces;
+  std::set<SurfaceNodeIndex> tied_rows;
   force.visit_constraints([&](const InterfaceConstraint& tie) {
     if (tie.pair != pair_index) return;
     if (tie.is_node) {
-      tied_nodes.insert(tie.first_entity);
+      tied_rows.insert(tie.row());
     } else {
-      tied_faces.insert({tie.first_entity, tie.second_entity});
+      tied_faces.insert({tie.first_face(), tie.second});
     }
   });
-  const auto count = [](const std::set<std::uint32_t>& tied, std::uint32_t begin, std::uint32_t end) {
-    const auto first = tied.lower_bound(begin), last = tied.lower_bound(end);
-    return TiedSide{static_cast<std::size_t>(std::distance(first, last)), end - begin, false};
+  const auto count = [](const auto& tied, const auto& range) {
+    const auto first = tied.lower_bound(*range.begin()), last = tied.lower_bound(*range.end());
+    return TiedSide{static_cast<std::size_t>(std::distance(first, last)), range.size(), false};
   };
   if (pair.formulation == ConstraintFormulation::face_face)
-    return count(tied_faces, contact_mesh.first_face[surface], contact_mesh.first_face[surface + 1]);
-  TiedSide side = count(tied_nodes, contact_mesh.first_node[surface], contact_mesh.first_node[surface + 1]);
+    return count(tied_faces, contact_mesh.faces_of(surface));
+  TiedSide side = count(tied_rows, contact_mesh.rows_of(surface));
   side.has_nodes = true;
   return side;
 }
@@ -106,11 +107,11 @@ namespace {
 
 /// The side of sets of a pair of which most is free; nothing when a side is tied as a whole, as the deck
 /// wants it, or none is of sets.
-std::optional<std::pair<std::uint32_t, TiedSide>> find_free_side(const ContactForce& force,
-                                                                 const TiedContact& tied, PairIndex i) {
+std::optional<std::pair<SurfaceIndex, TiedSide>> find_free_side(const ContactForce& force,
+                                                                const TiedContact& tied, PairIndex i) {
   const SurfacePair& pair = tied.contact.pairs[i];
-  std::optional<std::pair<std::uint32_t, TiedSide>> least;
-  for (const std::uint32_t surface : {pair.second, pair.first}) {
+  std::optional<std::pair<SurfaceIndex, TiedSide>> least;
+  for (const SurfaceIndex surface : {pair.second, pair.first}) {
     const bool gives_ties = surface == pair.second || !pair.is_one_sided;
     if (!gives_ties || !is_of_sets(tied.contact.surfaces.surfaces[surface], tied.definition, tied.mesh))
       continue;
@@ -159,13 +160,11 @@ namespace {
 bool has_friction(const FrictionLaw& law) { return law.values.real("friction coefficient") > 0.0; }
 
 /// Whether a surface has sides of shells, by lofts or by side sets.
-bool has_shells(const ContactForce& force, const Mesh& mesh, std::uint32_t surface) {
+bool has_shells(const ContactForce& force, const Mesh& mesh, SurfaceIndex surface) {
   const ContactMesh& contact_mesh = force.contact_mesh();
-  const auto faces = std::span(contact_mesh.faces)
-                         .subspan(contact_mesh.first_face[surface],
-                                  contact_mesh.first_face[surface + 1] - contact_mesh.first_face[surface]);
-  return std::ranges::any_of(faces, [&](const ContactFace& face) {
-    return topology(mesh.blocks()[mesh.block_of(face.side.element())].shape).family == Family::shell;
+  return std::ranges::any_of(contact_mesh.faces_of(surface), [&](FaceIndex face) {
+    const ElementIndex element = contact_mesh.faces[face].side.element();
+    return topology(mesh.blocks()[mesh.block_of(element)].shape).family == Family::shell;
   });
 }
 
@@ -249,9 +248,10 @@ bool keeps_partners(const ContactForce& force, const ContactModel& contact, Pair
   const SurfacePair& pair = contact.pairs[index];
   if (pair.behavior != InteractionBehavior::infinitesimal_sliding || force.rules()[index].only_ties())
     return false;
-  const auto& first_face = force.contact_mesh().first_face;
-  const auto has_faces = [&](std::uint32_t surface) { return first_face[surface] < first_face[surface + 1]; };
-  const auto has_plane = [&](std::uint32_t surface) {
+  const auto has_faces = [&](SurfaceIndex surface) {
+    return force.contact_mesh().faces_of(surface).size() > 0;
+  };
+  const auto has_plane = [&](SurfaceIndex surface) {
     return !contact.surfaces.surfaces[surface].analytic_planes.empty();
   };
   return (has_faces(pair.first) || has_faces(pair.second)) && !has_plane(pair.first) &&
@@ -262,14 +262,13 @@ bool keeps_partners(const ContactForce& force, const ContactModel& contact, Pair
 bool slides_by_larger_side(const ContactForce& force, const SurfacePair& pair) {
   if (pair.behavior != InteractionBehavior::infinitesimal_sliding || !pair.is_one_sided) return false;
   const ContactMesh& contact_mesh = force.contact_mesh();
-  const auto area = [&](std::uint32_t surface) {
+  const auto area = [&](SurfaceIndex surface) {
     double sum = 0.0;
-    for (std::uint32_t row = contact_mesh.first_node[surface]; row < contact_mesh.first_node[surface + 1];
-         ++row)
+    for (const SurfaceNodeIndex row : contact_mesh.rows_of(surface))
       sum += contact_mesh.surface_nodes[row].area;
     return sum;
   };
-  const bool has_faces = contact_mesh.first_face[pair.first] < contact_mesh.first_face[pair.first + 1];
+  const bool has_faces = contact_mesh.faces_of(pair.first).size() > 0;
   return has_faces && area(pair.second) > area(pair.first);
 }
 
@@ -352,7 +351,7 @@ void warn_of_gaps(const ContactForce& force, const ContactModel& contact, Diagno
 }
 
 void warn_of_edges(const ContactForce& force, const ContactModel& contact, Diagnostics& warnings) {
-  std::vector<std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
+  IndexedVector<SurfaceIndex, std::uint8_t> has_edges(contact.surfaces.surfaces.size(), 0);
   for (const ContactEdge& edge : force.contact_mesh().edges) {
     if (!edge.is_particle() && !edge.is_sharp()) has_edges[edge.surface] = 1;
   }

@@ -32,12 +32,12 @@ void ContactDetection::end_start(const Motion& motion, ContactKinematics& kinema
   if (search_.has_start_reach()) find_candidates(motion, kinematics);
 }
 
-std::vector<std::uint32_t> ContactDetection::faces_with_candidates() const {
-  std::vector<std::uint8_t> is_watched(contact_mesh_.faces.size(), 0);
+std::vector<FaceIndex> ContactDetection::faces_with_candidates() const {
+  IndexedVector<FaceIndex, std::uint8_t> is_watched(contact_mesh_.faces.size(), 0);
   for_each_of_points(formulations_, [&](const auto& formulation) { formulation.watch(is_watched); });
-  std::vector<std::uint32_t> watched;
+  std::vector<FaceIndex> watched;
   watched.reserve(static_cast<std::size_t>(std::count(is_watched.begin(), is_watched.end(), 1)));
-  for (std::uint32_t face = 0; face < is_watched.size(); ++face) {
+  for (const FaceIndex face : indices(is_watched)) {
     if (is_watched[face] != 0) watched.push_back(face);
   }
   return watched;
@@ -110,8 +110,8 @@ void ContactDetection::remap(const ContactRemap& remap) {
   search_.remap(remap);
   formulations_.for_each([&](auto& formulation) { formulation.remap(remap); });
   decaying_.remap(remap);
-  for (const ReleasedPartner& face : released_faces()) search_.release_face(face.entity);
-  for (const ReleasedPartner& node : released_nodes()) search_.release_row(node.entity);
+  for (const auto& face : released_faces()) search_.release_face(face.entity);
+  for (const auto& node : released_nodes()) search_.release_row(node.entity);
   has_new_surfaces_ = true;
 }
 

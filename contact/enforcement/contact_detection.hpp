@@ -27,7 +27,7 @@ class ContactDetection {
   /// The broad phase. Bounds of faces without candidates are not kept up to date until the next one.
   void find_candidates(const Motion& motion, ContactKinematics& kinematics);
   /// Faces of which something has to be known until the next search.
-  std::vector<std::uint32_t> faces_with_candidates() const;
+  std::vector<FaceIndex> faces_with_candidates() const;
 
   /// Begins a step: what is known of the last one is kept, and gathered anew.
   void begin_step();
@@ -80,10 +80,10 @@ class ContactDetection {
   /// has to follow.
   void remap(const ContactRemap& remap);
   /// The faces and surface nodes that the last remap() has released from their partners of the start.
-  std::span<const ReleasedPartner> released_faces() const {
+  std::span<const ReleasedPartner<FaceIndex>> released_faces() const {
     return formulations_.get<FaceFaceContacts>().released();
   }
-  std::span<const ReleasedPartner> released_nodes() const {
+  std::span<const ReleasedPartner<SurfaceNodeIndex>> released_nodes() const {
     return formulations_.get<NodeFaceContacts>().released();
   }
   void archive(StateArchive& saved);

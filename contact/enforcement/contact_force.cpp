@@ -143,7 +143,7 @@ double ContactForce::largest_eigenvalue() {
     slips_[i] = rule.friction > 0.0 || has_law || rule.far ? 1 : 0;
   }
   const auto node_rates = mobility_.find_rates(kinematics_, points_, constraint_forces_, slips_);
-  std::vector<double>& of_surface = surface_rates_;
+  IndexedVector<SurfaceIndex, double>& of_surface = surface_rates_;
   of_surface.assign(setup_.contact.surfaces.surfaces.size(), 0.0);
   for (const SurfaceNode& node : contact_mesh_.surface_nodes) {
     double& rate = of_surface[node.surface];
@@ -263,14 +263,14 @@ void ContactForce::foresee(const State& state) {
 
 double ContactForce::thinner_side(const ContactPoint& point) const {
   if (point.is_of_edges) {
-    return std::min(contact_mesh_.edges[point.first_entity].penalty_properties.thickness,
-                    contact_mesh_.edges[point.second_entity].penalty_properties.thickness);
+    return std::min(contact_mesh_.edges[point.first_edge()].penalty_properties.thickness,
+                    contact_mesh_.edges[point.second_edge()].penalty_properties.thickness);
   }
   const double first = point.first.is_node()
-                           ? contact_mesh_.surface_nodes[point.first_entity].penalty_properties.thickness
-                           : contact_mesh_.faces[point.first_entity].penalty_properties.thickness;
+                           ? contact_mesh_.surface_nodes[point.row()].penalty_properties.thickness
+                           : contact_mesh_.faces[point.first_face()].penalty_properties.thickness;
   if (point.second.weights.isZero(0.0)) return first;
-  return std::min(first, contact_mesh_.faces[point.second_entity].penalty_properties.thickness);
+  return std::min(first, contact_mesh_.faces[point.second_face()].penalty_properties.thickness);
 }
 
 std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matrix3Xd& forces) {

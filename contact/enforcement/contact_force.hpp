@@ -131,9 +131,9 @@ class ContactForce final : public ForceTerm {
       free_turning_;  // of contact nodes in the coming step, without these forces
   ContactLoss last_loss_;
   BalanceReport balance_report_;
-  std::vector<ContactPoint> points_;                 // of the step
-  std::vector<ConstraintForces> constraint_forces_;  // of the step
-  std::vector<double> surface_rates_;                // scratch, [n_surfaces]
+  std::vector<ContactPoint> points_;                   // of the step
+  std::vector<ConstraintForces> constraint_forces_;    // of the step
+  IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
   ContactStep step_share_;
   double stored_at_start_ = 0.0;

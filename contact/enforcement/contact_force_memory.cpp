@@ -11,8 +11,8 @@ void ContactForce::archive_faces(StateArchive& saved) {
   for (const ContactFace& face : contact_mesh_.faces)
     digest.add_values(std::span<const std::uint32_t>(face.corners));
   digest.add_values(std::span<const std::uint32_t>(contact_mesh_.mesh_nodes));
-  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.first_face));
-  digest.add_values(std::span<const std::uint32_t>(contact_mesh_.first_node));
+  digest.add_values(std::span<const FaceIndex>(contact_mesh_.first_face));
+  digest.add_values(std::span<const SurfaceNodeIndex>(contact_mesh_.first_node));
   for (const ContactEdge& edge : contact_mesh_.edges)
     digest.add_values(std::span<const std::uint32_t>(edge.nodes));
   saved.expect("contact/surfaces", digest.value(), "contact surfaces");

@@ -35,11 +35,13 @@ void take_off_new_edges(const ContactMesh& before, ContactMesh& contact_mesh) {
 bool keep_point(const ContactRemap& remap, ContactPoint& point) {
   const bool is_node = point.first.is_node() && !point.is_of_edges;
   const bool is_plane = point.second.weights.isZero(0.0);
-  const OptionalIndex<std::uint32_t> first = (point.is_of_edges ? remap.edges
-                                              : is_node         ? remap.rows
-                                                                : remap.faces)[point.first_entity];
+  const auto after = [&](bool is_row, std::uint32_t entity) {
+    if (point.is_of_edges) return number_after(remap.edges, entity);
+    return is_row ? number_after(remap.rows, entity) : number_after(remap.faces, entity);
+  };
+  const auto first = after(is_node, point.first_entity);
   const OptionalIndex<std::uint32_t> second =
-      is_plane ? point.second_entity : (point.is_of_edges ? remap.edges : remap.faces)[point.second_entity];
+      is_plane ? point.second_entity : after(false, point.second_entity);
   if (!first || !second) return false;
   point.first_entity = *first;
   point.second_entity = *second;

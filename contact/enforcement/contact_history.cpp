@@ -64,11 +64,12 @@ void ContactHistory::end() {
 void ContactHistory::remap(const ContactRemap& remap) {
   std::vector<KnownPoint> kept;
   for (KnownPoint known : entries_) {
-    const OptionalIndex<std::uint32_t> first = (known.kind == 0   ? remap.faces
-                                                : known.kind == 2 ? remap.edges
-                                                                  : remap.rows)[known.first];
-    const OptionalIndex<std::uint32_t> second =
-        known.kind == 3 ? known.second : (known.kind == 2 ? remap.edges : remap.faces)[known.second];
+    const auto after = [&](bool is_row, std::uint32_t entity) {
+      if (known.kind == 2) return number_after(remap.edges, entity);
+      return is_row ? number_after(remap.rows, entity) : number_after(remap.faces, entity);
+    };
+    const auto first = after(known.kind != 0, known.first);
+    const OptionalIndex<std::uint32_t> second = known.kind == 3 ? known.second : after(false, known.second);
     if (!first || !second) continue;
     known.first = *first;
     known.second = *second;

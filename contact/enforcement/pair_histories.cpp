@@ -64,14 +64,15 @@ void PairHistories::note_slide(const ContactPoint& point, const ContactMesh& con
   note(point.first, point.second);
 }
 
-void PairHistories::add_released(std::span<const ReleasedPartner> faces,
-                                 std::span<const ReleasedPartner> rows, const ContactMesh& contact_mesh) {
-  const auto add = [&](const ReleasedPartner& released, std::uint32_t node) {
+void PairHistories::add_released(std::span<const ReleasedPartner<FaceIndex>> faces,
+                                 std::span<const ReleasedPartner<SurfaceNodeIndex>> rows,
+                                 const ContactMesh& contact_mesh) {
+  const auto add = [&](const auto& released, std::uint32_t node) {
     PairHistory& history = histories_[released.pair];
     if (history.n_released++ == 0) history.released_node = contact_mesh.mesh_nodes[node];
   };
-  for (const ReleasedPartner& face : faces) add(face, contact_mesh.faces[face.entity].corners[0]);
-  for (const ReleasedPartner& row : rows) add(row, contact_mesh.surface_nodes[row.entity].node);
+  for (const auto& face : faces) add(face, contact_mesh.faces[face.entity].corners[0]);
+  for (const auto& row : rows) add(row, contact_mesh.surface_nodes[row.entity].node);
 }
 
 void PairHistories::forget_stored(std::span<const ContactPoint> points,

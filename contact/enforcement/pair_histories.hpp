@@ -34,8 +34,8 @@ class PairHistories {
   /// Notes how far a contact point of a pair that slides infinitesimally is beyond its face of the start.
   void note_slide(const ContactPoint& point, const ContactMesh& contact_mesh);
   /// Adds what deaths have released from its faces of the start: faces, or surface nodes.
-  void add_released(std::span<const ReleasedPartner> faces, std::span<const ReleasedPartner> rows,
-                    const ContactMesh& contact_mesh);
+  void add_released(std::span<const ReleasedPartner<FaceIndex>> faces,
+                    std::span<const ReleasedPartner<SurfaceNodeIndex>> rows, const ContactMesh& contact_mesh);
   /// What springs stored that deaths have removed is not given back.
   ///   points, constraints  that are left of the last step
   void forget_stored(std::span<const ContactPoint> points, std::span<const ConstraintForces> constraints);

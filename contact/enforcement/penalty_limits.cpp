@@ -19,7 +19,7 @@ class StiffnessLimits {
         mobility_(mobility),
         rate_(4.0 * penalty_share / (stable_step * stable_step)),
         areas_(contact_mesh_.n_nodes(), Eigen::Matrix3d::Zero()) {
-    for (std::uint32_t i = 0; i < contact_mesh_.faces.size(); ++i) {
+    for (const FaceIndex i : indices(contact_mesh_.faces)) {
       const Eigen::Vector3d share = kinematics.corner_area(i);
       normals_.push_back(share.normalized());
       for (const std::uint32_t corner : corners(contact_mesh_.faces[i]))
@@ -33,16 +33,16 @@ class StiffnessLimits {
   bool is_held(std::uint32_t node, const Eigen::Vector3d* normal) const {
     return mobility_.is_held(kinematics_, node, normal);
   }
-  const Eigen::Vector3d& normal(std::uint32_t face) const { return normals_[face]; }
+  const Eigen::Vector3d& normal(FaceIndex face) const { return normals_[face]; }
   /// Whether a node is one of a rigid body or cannot be moved.
   bool is_rigid(std::uint32_t node) const {
     return mobility_.is_of_body(contact_mesh_, node) || is_held(node, nullptr);
   }
-  bool is_rigid(std::uint32_t node, std::uint32_t face) const {
+  bool is_rigid(std::uint32_t node, FaceIndex face) const {
     return mobility_.is_of_body(contact_mesh_, node) || is_held(node, &normals_[face]);
   }
   /// The most that a node may have as a corner of a face.
-  double at_face(std::uint32_t node, std::uint32_t face) const {
+  double at_face(std::uint32_t node, FaceIndex face) const {
     if (is_held(node, &normals_[face])) return std::numeric_limits<double>::infinity();
     return rate_ * contact_mesh_.mass[node] / normals_[face].dot(areas_[node] * normals_[face]);
   }
@@ -58,7 +58,7 @@ class StiffnessLimits {
   const ContactMobility& mobility_;
   double rate_;
   std::vector<Eigen::Matrix3d> areas_;  // of normal x normal, at each node [length^2]
-  std::vector<Eigen::Vector3d> normals_;
+  IndexedVector<FaceIndex, Eigen::Vector3d> normals_;
 };
 
 void limit_node(const StiffnessLimits& limits, const ContactMesh& contact_mesh, SurfaceNode& node) {
@@ -67,8 +67,8 @@ void limit_node(const StiffnessLimits& limits, const ContactMesh& contact_mesh, 
   node.penalty_properties.is_rigid =
       own.empty()
           ? limits.is_rigid(node.node)
-          : std::ranges::all_of(own, [&](std::uint32_t face) { return limits.is_rigid(node.node, face); });
-  for (const std::uint32_t face : own) stiffness = std::min(stiffness, limits.at_face(node.node, face));
+          : std::ranges::all_of(own, [&](FaceIndex face) { return limits.is_rigid(node.node, face); });
+  for (const FaceIndex face : own) stiffness = std::min(stiffness, limits.at_face(node.node, face));
   if (node.radius > 0.0f || node.is_free || own.empty())
     stiffness = std::min(stiffness, limits.all_round(node.node, node.area));
 }
@@ -78,7 +78,7 @@ void limit_node(const StiffnessLimits& limits, const ContactMesh& contact_mesh, 
 void limit_stiffness(const ContactKinematics& kinematics, const ContactMobility& mobility, double stable_step,
                      ContactMesh& contact_mesh) {
   const StiffnessLimits limits(kinematics, mobility, stable_step);
-  for (std::uint32_t i = 0; i < contact_mesh.faces.size(); ++i) {
+  for (const FaceIndex i : indices(contact_mesh.faces)) {
     PenaltyProperties& penalty_properties = contact_mesh.faces[i].penalty_properties;
     const auto corners = StiffnessLimits::corners(contact_mesh.faces[i]);
     penalty_properties.is_rigid =

@@ -10,7 +10,7 @@ void ConstrainedPairs::archive(StateArchive& saved) {
 
 void ConstrainedPairs::remap(const ContactRemap& remap) {
   faces_.remap(remap.faces, remap.faces);
-  nodes_.remap(remap.rows, {});
+  nodes_.remap(remap.rows, Unchanged{});
 }
 
 }  // namespace contactsim

@@ -15,18 +15,18 @@ class ConstrainedPairs {
  public:
   /// Goes over to other faces and nodes: what is removed is held no more.
   void remap(const ContactRemap& remap);
-  bool holds_faces(std::uint32_t first, std::uint32_t second) const { return faces_.has(first, second); }
-  bool holds_node(std::uint32_t row, PairIndex pair) const { return nodes_.has(row, pair.value); }
+  bool holds_faces(FaceIndex first, FaceIndex second) const { return faces_.has(first, second); }
+  bool holds_node(SurfaceNodeIndex row, PairIndex pair) const { return nodes_.has(row, pair); }
   /// Return whether the pair is new.
-  bool add_faces(std::uint32_t first, std::uint32_t second) { return faces_.add(first, second); }
-  bool add_node(std::uint32_t row, PairIndex pair) { return nodes_.add(row, pair.value); }
-  /// The same of a node, by its row and the pair, or of two faces.
-  void add(bool is_node, std::uint32_t a, std::uint32_t b) { (is_node ? nodes_ : faces_).add(a, b); }
-  void remove(bool is_node, std::uint32_t a, std::uint32_t b) { (is_node ? nodes_ : faces_).remove(a, b); }
+  bool add_faces(FaceIndex first, FaceIndex second) { return faces_.add(first, second); }
+  bool add_node(SurfaceNodeIndex row, PairIndex pair) { return nodes_.add(row, pair); }
+  void remove_faces(FaceIndex first, FaceIndex second) { faces_.remove(first, second); }
+  void remove_node(SurfaceNodeIndex row, PairIndex pair) { nodes_.remove(row, pair); }
   void archive(StateArchive& saved);
 
  private:
-  PairSet faces_, nodes_;
+  PairSet<FaceIndex, FaceIndex> faces_;
+  PairSet<SurfaceNodeIndex, PairIndex> nodes_;
 };
 
 }  // namespace contactsim

@@ -28,6 +28,11 @@ struct FormulationSetup {
 /// Rows of candidates [begin, end) that are worked on as one piece: begin is a multiple of rows_per_chunk.
 struct CandidateRows {
   std::size_t begin = 0, end = 0;
+
+  template <class AnIndex>
+  IndexRange<AnIndex> indices() const {
+    return {{static_cast<std::uint32_t>(begin)}, {static_cast<std::uint32_t>(end)}};
+  }
 };
 
 /// What all formulations share.
@@ -46,7 +51,7 @@ concept FormulationBase = requires(F formulation, const ContactRemap& remap, Sta
 ///   n_rows(), n_candidates()
 ///       rows of candidates, and how many there are in all
 ///   watch(is_watched)
-///       marks the faces of which bounds are needed until the next search [n_faces]
+///       marks the faces of which bounds are needed until the next search
 ///   begin_step()
 ///       what was remembered becomes that of the last step
 ///   detect(context, rows, points)
@@ -68,9 +73,9 @@ concept FormulationBase = requires(F formulation, const ContactRemap& remap, Sta
 template <class F>
 concept PointFormulation = FormulationBase<F> && std::constructible_from<F, const FormulationSetup&> &&
     requires(F formulation, const F& is, ContactSearch& search, const ContactKinematics& kinematics,
-             const Motion& motion, const ContactStepContext& context, std::vector<std::uint8_t>& is_watched,
-             std::vector<ContactPoint>& points, std::span<const ContactPoint> found,
-             std::vector<LostContact>& lost) {
+             const Motion& motion, const ContactStepContext& context,
+             IndexedVector<FaceIndex, std::uint8_t>& is_watched, std::vector<ContactPoint>& points,
+             std::span<const ContactPoint> found, std::vector<LostContact>& lost) {
   formulation.find_candidates(search, kinematics, motion);
   { is.n_rows() } -> std::same_as<std::size_t>;
   { is.n_candidates() } -> std::same_as<std::size_t>;

@@ -35,7 +35,7 @@ struct Ahead {
   std::span<const Eigen::Vector3d> points;  ///< [length]
   double share = 1.0;                       ///< of the strip's width that they may lie behind the rim [1]
   std::span<const std::uint32_t> corners;   ///< contact nodes of the other side's entity
-  std::uint32_t surface = 0;                ///< of the other side
+  SurfaceIndex surface;                     ///< of the other side
 };
 
 /// Whether some face at the corners of what lies ahead is facing a direction, and turns away from what
@@ -46,7 +46,7 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   return std::ranges::any_of(ahead.corners, [&](std::uint32_t corner) {
     const Eigen::Vector3d x = context.kinematics.x(corner);
-    return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](std::uint32_t face) {
+    return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](FaceIndex face) {
       const FaceBound& bound = context.kinematics.bound(face);
       return contact_mesh.faces[face].surface == ahead.surface &&
              bound.normal().cast<double>().dot(out) < opposite &&
@@ -56,7 +56,7 @@ bool has_opposite(const ContactStepContext& context, const Ahead& ahead, const E
 }
 
 /// Whether all points lie in the strip of a side face below one of its rims.
-bool lie_in_strip(const ContactStepContext& context, std::uint32_t face, const Ahead& ahead) {
+bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead& ahead) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& side = contact_mesh.faces[face];
   if (side.sharpness < min_rim) return false;
@@ -66,7 +66,7 @@ bool lie_in_strip(const ContactStepContext& context, std::uint32_t face, const A
               context.kinematics.x(side.corners[2]) + context.kinematics.x(side.corners[3]));
   for (const std::uint32_t corner : side.corners) {
     const Eigen::Vector3d x = context.kinematics.x(corner);
-    for (const std::uint32_t beyond : contact_mesh.faces_of_node.of(corner)) {
+    for (const FaceIndex beyond : contact_mesh.faces_of_node.of(corner)) {
       if (contact_mesh.faces[beyond].surface != side.surface || beyond == face) continue;
       const Eigen::Vector3d out = context.kinematics.area(contact_mesh.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
@@ -85,11 +85,11 @@ bool lie_in_strip(const ContactStepContext& context, std::uint32_t face, const A
 
 }  // namespace
 
-double flush_width(const ContactStepContext& context, std::uint32_t face) {
+double flush_width(const ContactStepContext& context, FaceIndex face) {
   return context.depths != nullptr ? over_depth * context.depths->of(face) : 0.0;
 }
 
-bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t first, std::uint32_t second,
+bool is_at_flush_rim(const ContactStepContext& context, FaceIndex first, FaceIndex second,
                      const FaceFaceContact& contact) {
   const ContactFace &a_face = context.kinematics.contact_mesh().faces[first],
                     &b_face = context.kinematics.contact_mesh().faces[second];
@@ -118,18 +118,18 @@ bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t first, std
                        a_face.surface});
 }
 
-bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t row, std::uint32_t face,
+bool is_at_flush_rim(const ContactStepContext& context, SurfaceNodeIndex row, FaceIndex face,
                      const Eigen::Vector3d& normal) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const SurfaceNode& node = contact_mesh.surface_nodes[row];
-  const auto has_rim = [&](std::uint32_t index) { return contact_mesh.faces[index].sharpness >= min_rim; };
+  const auto has_rim = [&](FaceIndex index) { return contact_mesh.faces[index].sharpness >= min_rim; };
   if (!has_rim(face) && std::ranges::none_of(contact_mesh.faces_of_node.of(node.node), has_rim)) return false;
   const Eigen::Vector3d closing =
       context.kinematics.v(node.node) - context.kinematics.bound(face).velocity().cast<double>();
   const FaceCorners other = context.kinematics.face(face).x;
   const std::array<Eigen::Vector3d, 4> corners{other.col(0), other.col(1), other.col(2), other.col(3)};
   std::vector<Eigen::Vector3d> own_points;
-  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+  for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
     if (!(context.kinematics.bound(own).normal().cast<double>().dot(normal) < max_skew)) continue;
     const ContactFace& opposed = contact_mesh.faces[face];

@@ -14,16 +14,16 @@ namespace contactsim {
 
 /// Whether the overlap of two faces lies in a flush strip of either.
 ///   contact  overlaps
-bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t first, std::uint32_t second,
+bool is_at_flush_rim(const ContactStepContext& context, FaceIndex first, FaceIndex second,
                      const FaceFaceContact& contact);
 
 /// The same of a surface node that meets a face: whether the face does not rise above the node's own rim by
 /// more than the strip, or the faces of the node not above the face's.
 ///   normal  of the face at the node's closest point, unit [1]
-bool is_at_flush_rim(const ContactStepContext& context, std::uint32_t row, std::uint32_t face,
+bool is_at_flush_rim(const ContactStepContext& context, SurfaceNodeIndex row, FaceIndex face,
                      const Eigen::Vector3d& normal);
 
 /// How wide the strip below a face may be for its penetration in the last step [length].
-double flush_width(const ContactStepContext& context, std::uint32_t face);
+double flush_width(const ContactStepContext& context, FaceIndex face);
 
 }  // namespace contactsim

@@ -81,8 +81,8 @@ std::array<Eigen::Matrix3d, 4> carry_point(const FaceCorners& x, const Eigen::Ve
 
 const PairRule& rule_of(const ContactStepContext& context, const InterfaceConstraint& constraint) {
   return constraint.is_node
-             ? context.rules.of_node(constraint.pair, constraint.first_entity)
-             : context.rules.of_faces(constraint.pair, constraint.first_entity, constraint.second_entity);
+             ? context.rules.of_node(constraint.pair, constraint.row())
+             : context.rules.of_faces(constraint.pair, constraint.first_face(), constraint.second);
 }
 
 CornerVectors corners_of(const ContactStepContext& context, const InterfaceConstraint& constraint) {
@@ -93,18 +93,18 @@ CornerVectors corners_of(const ContactStepContext& context, const InterfaceConst
 }
 
 bool keep_constraint(const ContactRemap& remap, InterfaceConstraint& constraint) {
-  const OptionalIndex<std::uint32_t> first =
-      (constraint.is_node ? remap.rows : remap.faces)[constraint.first_entity];
-  const OptionalIndex<std::uint32_t> second = remap.faces[constraint.second_entity];
+  const auto first = constraint.is_node ? number_after(remap.rows, constraint.first_entity)
+                                        : number_after(remap.faces, constraint.first_entity);
+  const OptionalIndex<FaceIndex> second = remap.faces[constraint.second];
   if (!first || !second) return false;
   constraint.first_entity = *first;
-  constraint.second_entity = *second;
+  constraint.second = *second;
   for (std::uint32_t& node : constraint.nodes) node = *remap.nodes[node];
   return true;
 }
 
 void visit_constraint(InterfaceConstraint& constraint, RowNumbers& row) {
-  row(constraint.pair.value, constraint.is_swapped, constraint.first_entity, constraint.second_entity,
+  row(constraint.pair.value, constraint.is_swapped, constraint.first_entity, constraint.second.value,
       constraint.is_node, constraint.nodes, constraint.springs, constraint.area, constraint.share);
 }
 

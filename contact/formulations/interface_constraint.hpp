@@ -18,14 +18,18 @@ using CornerVectors = Eigen::Matrix<double, 3, 8>;
 /// A face, or a node, that something holds to a face.
 struct InterfaceConstraint {
   PairIndex pair;
-  bool is_swapped = false;                            ///< the first side is of the pair's second surface
-  std::uint32_t first_entity = 0, second_entity = 0;  ///< face or surface node; face
-  bool is_node = false;                               ///< the first side is a node
-  std::array<std::uint32_t, 8> nodes{};               ///< contact nodes of the corners
+  bool is_swapped = false;         ///< the first side is of the pair's second surface
+  std::uint32_t first_entity = 0;  ///< face or surface node
+  FaceIndex second;
+  bool is_node = false;                  ///< the first side is a node
+  std::array<std::uint32_t, 8> nodes{};  ///< contact nodes of the corners
   Eigen::Matrix<double, 8, 1> springs =
       Eigen::Matrix<double, 8, 1>::Zero();  ///< each corner's share of the springs [force/length]
   double area = 0.0;                        ///< [length^2]
   double share = 1.0;  ///< of a whole constraint, where pairs that go both ways share it [1]
+
+  FaceIndex first_face() const { return {first_entity}; }
+  SurfaceNodeIndex row() const { return {first_entity}; }
 };
 
 /// The forces of an interface constraint on its corners; all 0 of a tie that does not act.

@@ -30,14 +30,14 @@ class ReachMarker {
  public:
   ReachMarker(const ContactKinematics& start, PairRules& rules)
       : start_(start), contact_mesh_(start.contact_mesh()), rules_(rules) {
-    reach_.assign(contact_mesh_.first_face.size() - 1, 0.0);
+    reach_.assign(contact_mesh_.n_surfaces(), 0.0);
     for (const PairIndex i : indices(rules.rules())) {
       const SurfacePair& pair = *rules[i].pair;
       if (!pair.search_distance) continue;
       const double distance = find_search_distance(start, pair);
       rules.start_reach().set_distance(i, distance);
       limited_[std::minmax(pair.first, pair.second)].push_back(i);
-      for (const std::uint32_t surface : {pair.first, pair.second})
+      for (const SurfaceIndex surface : {pair.first, pair.second})
         reach_[surface] = std::max(reach_[surface], distance);
     }
   }
@@ -48,28 +48,28 @@ class ReachMarker {
   void mark_before_planes(const ContactModel& contact);
 
  private:
-  using Surfaces = std::pair<std::uint32_t, std::uint32_t>;
+  using Surfaces = std::pair<SurfaceIndex, SurfaceIndex>;
 
   double distance(PairIndex pair) const { return rules_.start_reach().distance(pair); }
   /// The limited pairs of two surfaces.
-  std::span<const PairIndex> pairs_of(std::uint32_t first, std::uint32_t second) const {
+  std::span<const PairIndex> pairs_of(SurfaceIndex first, SurfaceIndex second) const {
     const auto found = limited_.find(std::minmax(first, second));
     return found != limited_.end() ? std::span<const PairIndex>(found->second) : std::span<const PairIndex>();
   }
   /// The widest of their distances, < 0 without any [length].
-  double widest(std::uint32_t first, std::uint32_t second) const {
+  double widest(SurfaceIndex first, SurfaceIndex second) const {
     double most = -1.0;
     for (const PairIndex pair : pairs_of(first, second)) most = std::max(most, distance(pair));
     return most;
   }
   /// Calls mark(pair) for the limited pairs of two surfaces within whose distance something is.
   template <class Mark>
-  void for_each_within(std::uint32_t first, std::uint32_t second, double apart, const Mark& mark) {
+  void for_each_within(SurfaceIndex first, SurfaceIndex second, double apart, const Mark& mark) {
     for (const PairIndex pair : pairs_of(first, second)) {
       if (apart <= distance(pair)) mark(pair);
     }
   }
-  double way_between(std::uint32_t first, std::uint32_t second) const;
+  double way_between(FaceIndex first, FaceIndex second) const;
   double way_of_node(const SurfaceNode& node, const ContactFace& face) const;
   double way_of_edges(const ContactEdge& first, const ContactEdge& second) const;
   bool are_opposed(const ContactFace& a, const ContactFace& b) const;
@@ -82,7 +82,7 @@ class ReachMarker {
   const ContactMesh& contact_mesh_;
   PairRules& rules_;
   std::map<Surfaces, std::vector<PairIndex>> limited_;
-  std::vector<double> reach_;  // [n_surfaces] [length]
+  IndexedVector<SurfaceIndex, double> reach_;  // [length]
   BroadPhase faces_, nodes_, edges_;
 };
 
@@ -98,7 +98,7 @@ bool ReachMarker::are_opposed(const ContactFace& a, const ContactFace& b) const 
 }
 
 /// 0 of faces that overlap by no more than the thinner element behind them [length].
-double ReachMarker::way_between(std::uint32_t first, std::uint32_t second) const {
+double ReachMarker::way_between(FaceIndex first, FaceIndex second) const {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   if (a.side.element() == b.side.element() || contact_mesh_.share_node(a, b)) return far;
   const bool opposed = are_opposed(a, b);
@@ -115,7 +115,7 @@ double ReachMarker::way_between(std::uint32_t first, std::uint32_t second) const
 double ReachMarker::way_of_node(const SurfaceNode& node, const ContactFace& face) const {
   if (std::ranges::find(face.corners, node.node) != face.corners.end()) return far;
   const auto own_faces = contact_mesh_.faces_of_node.of(node.node);
-  const auto is_opposed = [&](std::uint32_t own) { return are_opposed(contact_mesh_.faces[own], face); };
+  const auto is_opposed = [&](FaceIndex own) { return are_opposed(contact_mesh_.faces[own], face); };
   if (node.surface == face.surface && !own_faces.empty() && std::ranges::none_of(own_faces, is_opposed))
     return far;
   const FaceCorners x = corners(face);
@@ -143,25 +143,25 @@ double ReachMarker::way_of_edges(const ContactEdge& first, const ContactEdge& se
 }
 
 void ReachMarker::place_faces() {
-  const auto box_of = [&](std::uint32_t i) {
+  const auto box_of = [&](FaceIndex i) {
     const ContactFace& face = contact_mesh_.faces[i];
     const FaceCorners x = corners(face);
     return box_around(x.rowwise().minCoeff(), x.rowwise().maxCoeff(),
                       0.5 * std::max(reach_[face.surface], face.penalty_properties.thickness));
   };
-  static_cast<void>(faces_.update(static_cast<std::uint32_t>(contact_mesh_.faces.size()), box_of));
+  static_cast<void>(faces_.update(indices(contact_mesh_.faces), box_of));
 }
 
 void ReachMarker::mark_faces() {
   place_faces();
-  PairLists near;
-  const auto is_near = [&](std::uint32_t a, std::uint32_t b) {
+  FacePairLists near;
+  const auto is_near = [&](FaceIndex a, FaceIndex b) {
     const double most = widest(contact_mesh_.faces[a].surface, contact_mesh_.faces[b].surface);
     return most >= 0.0 && way_between(a, b) <= most;
   };
   faces_.find_pairs(is_near, near);
-  for (std::uint32_t first = 0; first < near.n_rows(); ++first) {
-    for (const std::uint32_t second : near.of(first)) {
+  for (const FaceIndex first : near.rows()) {
+    for (const FaceIndex second : near.of(first)) {
       for_each_within(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface,
                       way_between(first, second), [&](PairIndex pair) {
                         rules_.start_reach().mark_face(pair, first);
@@ -173,24 +173,24 @@ void ReachMarker::mark_faces() {
 
 /// After mark_faces(), whose boxes these nodes meet.
 void ReachMarker::mark_nodes() {
-  const auto box_of = [&](std::uint32_t row) {
+  const auto box_of = [&](SurfaceNodeIndex row) {
     const SurfaceNode& node = contact_mesh_.surface_nodes[row];
     const double thickness = 0.5 * node.penalty_properties.thickness;
     const Eigen::Vector3d x = start_.x(node.node);
     return box_around(x, x, node.radius + std::max(0.5 * reach_[node.surface], thickness));
   };
-  static_cast<void>(nodes_.update(static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size()), box_of));
-  PairLists near;
-  const auto way = [&](std::uint32_t row, std::uint32_t face) {
+  static_cast<void>(nodes_.update(indices(contact_mesh_.surface_nodes), box_of));
+  NodeFaceLists near;
+  const auto way = [&](SurfaceNodeIndex row, FaceIndex face) {
     return way_of_node(contact_mesh_.surface_nodes[row], contact_mesh_.faces[face]);
   };
-  const auto is_near = [&](std::uint32_t row, std::uint32_t face) {
+  const auto is_near = [&](SurfaceNodeIndex row, FaceIndex face) {
     const double most = widest(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface);
     return most >= 0.0 && way(row, face) <= most;
   };
   nodes_.find_pairs(faces_, is_near, near);
-  for (std::uint32_t row = 0; row < near.n_rows(); ++row) {
-    for (const std::uint32_t face : near.of(row)) {
+  for (const SurfaceNodeIndex row : near.rows()) {
+    for (const FaceIndex face : near.of(row)) {
       for_each_within(contact_mesh_.surface_nodes[row].surface, contact_mesh_.faces[face].surface,
                       way(row, face), [&](PairIndex pair) {
                         rules_.start_reach().mark_node(pair, row);
@@ -201,23 +201,23 @@ void ReachMarker::mark_nodes() {
 }
 
 void ReachMarker::mark_edges() {
-  const auto box_of = [&](std::uint32_t i) {
+  const auto box_of = [&](EdgeIndex i) {
     const ContactEdge& edge = contact_mesh_.edges[i];
     const Eigen::Vector3d a = start_.x(edge.nodes[0]), b = start_.x(edge.nodes[1]);
     return box_around(a.cwiseMin(b), a.cwiseMax(b), edge.radius + 0.5 * reach_[edge.surface]);
   };
-  static_cast<void>(edges_.update(static_cast<std::uint32_t>(contact_mesh_.edges.size()), box_of));
-  PairLists near;
-  const auto way = [&](std::uint32_t a, std::uint32_t b) {
+  static_cast<void>(edges_.update(indices(contact_mesh_.edges), box_of));
+  EdgePairLists near;
+  const auto way = [&](EdgeIndex a, EdgeIndex b) {
     return way_of_edges(contact_mesh_.edges[a], contact_mesh_.edges[b]);
   };
-  const auto is_near = [&](std::uint32_t a, std::uint32_t b) {
+  const auto is_near = [&](EdgeIndex a, EdgeIndex b) {
     const double most = widest(contact_mesh_.edges[a].surface, contact_mesh_.edges[b].surface);
     return most >= 0.0 && way(a, b) <= most;
   };
   edges_.find_pairs(is_near, near);
-  for (std::uint32_t first = 0; first < near.n_rows(); ++first) {
-    for (const std::uint32_t second : near.of(first)) {
+  for (const EdgeIndex first : near.rows()) {
+    for (const EdgeIndex second : near.of(first)) {
       for_each_within(contact_mesh_.edges[first].surface, contact_mesh_.edges[second].surface,
                       way(first, second), [&](PairIndex pair) {
                         rules_.start_reach().mark_edge(pair, first);
@@ -233,8 +233,7 @@ void ReachMarker::mark_before_planes(const ContactModel& contact) {
       for (const std::uint32_t index : contact.surfaces.surfaces[with_plane].analytic_planes) {
         const AnalyticPlane& plane = contact.planes[index];
         const Eigen::Vector3d normal = plane.normal.normalized();
-        for (std::uint32_t row = contact_mesh_.first_node[other]; row < contact_mesh_.first_node[other + 1];
-             ++row) {
+        for (const SurfaceNodeIndex row : contact_mesh_.rows_of(other)) {
           const SurfaceNode& node = contact_mesh_.surface_nodes[row];
           const double gap = (start_.x(node.node) - plane.origin).dot(normal) - node.radius;
           for_each_within(surfaces.first, surfaces.second, gap,

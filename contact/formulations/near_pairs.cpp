@@ -18,9 +18,9 @@ constexpr double side_of_radius = 1.4142135623730951;
 constexpr double beside = 0.05;
 
 /// Whether a node projects inside some face of a surface.
-bool projects_inside(const ContactStepContext& context, const PairLists& node_faces, std::uint32_t row,
-                     std::uint32_t surface, double tolerance) {
-  return std::ranges::any_of(node_faces.of(row), [&](std::uint32_t face) {
+bool projects_inside(const ContactStepContext& context, const NodeFaceLists& node_faces, SurfaceNodeIndex row,
+                     SurfaceIndex surface, double tolerance) {
+  return std::ranges::any_of(node_faces.of(row), [&](FaceIndex face) {
     return context.kinematics.contact_mesh().faces[face].surface == surface &&
            find_closest_point(context, row, face, tolerance).has_value();
   });
@@ -36,7 +36,7 @@ double capture_tolerance_of(const SurfacePair& pair, const FaceBound& face, doub
 bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, const Eigen::Vector3d& normal) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   bool has_faces = false;
-  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+  for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
     const Eigen::Vector3d area = kinematics.area(contact_mesh.faces[own]);
     if (area.dot(normal) < max_facing_cosine * area.norm()) return true;
@@ -45,12 +45,12 @@ bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, con
   return !has_faces;
 }
 
-double share_of_node(const ContactStepContext& context, const PairLists& node_faces,
+double share_of_node(const ContactStepContext& context, const NodeFaceLists& node_faces,
                      const NearPair& near_pair, const Eigen::Vector4d& weights) {
   if (context.rules[near_pair.pair].pair->is_one_sided) return 1.0;
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& face = contact_mesh.faces[near_pair.second];
-  const std::uint32_t own = contact_mesh.surface_nodes[near_pair.first].surface;
+  const SurfaceIndex own = contact_mesh.surface_nodes[near_pair.row()].surface;
   double covered = 0.0;
   for (std::size_t k = 0; k < (face.is_triangle() ? 3u : 4u); ++k) {
     const auto row = contact_mesh.find_row(face.corners[k], face.surface);
@@ -60,8 +60,8 @@ double share_of_node(const ContactStepContext& context, const PairLists& node_fa
   return 1.0 - 0.5 * std::clamp(covered, 0.0, 1.0);
 }
 
-std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, std::uint32_t row,
-                                               std::uint32_t face, double tolerance) {
+std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, SurfaceNodeIndex row,
+                                               FaceIndex face, double tolerance) {
   const MovingFace moving = context.kinematics.face(face);
   const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
   auto point = project_onto_face(moving.x, moving.is_triangle, context.kinematics.x(node.node));
@@ -72,30 +72,30 @@ std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context
   return point;
 }
 
-InterfaceConstraint constraint_of_faces(const ContactStepContext& context, std::uint32_t first,
-                                        std::uint32_t second) {
+InterfaceConstraint constraint_of_faces(const ContactStepContext& context, FaceIndex first,
+                                        FaceIndex second) {
   const ContactFace &a = context.kinematics.contact_mesh().faces[first],
                     &b = context.kinematics.contact_mesh().faces[second];
   InterfaceConstraint constraint;
   constraint.pair = *context.rules.find(a.surface, b.surface);
   constraint.is_swapped = a.surface != context.rules[constraint.pair].pair->first;
-  constraint.first_entity = first;
-  constraint.second_entity = second;
+  constraint.first_entity = first.value;
+  constraint.second = second;
   std::copy(a.corners.begin(), a.corners.end(), constraint.nodes.begin());
   std::copy(b.corners.begin(), b.corners.end(), constraint.nodes.begin() + 4);
   return constraint;
 }
 
-InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::uint32_t row,
-                                       std::uint32_t face) {
+InterfaceConstraint constraint_of_node(const ContactStepContext& context, SurfaceNodeIndex row,
+                                       FaceIndex face) {
   const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[row];
   const ContactFace& other = context.kinematics.contact_mesh().faces[face];
   InterfaceConstraint constraint;
   constraint.is_node = true;
   constraint.pair = *context.rules.find(node.surface, other.surface);
   constraint.is_swapped = node.surface != context.rules[constraint.pair].pair->first;
-  constraint.first_entity = row;
-  constraint.second_entity = face;
+  constraint.first_entity = row.value;
+  constraint.second = face;
   std::fill_n(constraint.nodes.begin(), 4, node.node);
   std::copy(other.corners.begin(), other.corners.end(), constraint.nodes.begin() + 4);
   return constraint;
@@ -106,14 +106,14 @@ namespace {
 /// The nearest of the faces that a node projects inside and is held to; one that looks at the node's own
 /// faces before all others. On the rim of a joint the sides of the other body are as near as what the joint
 /// joins.
-std::optional<NearPair> find_nearest(const ContactStepContext& context, const PairLists& node_faces,
-                                     std::uint32_t row, double size_share, const HoldsPair& holds) {
+std::optional<NearPair> find_nearest(const ContactStepContext& context, const NodeFaceLists& node_faces,
+                                     SurfaceNodeIndex row, double size_share, const HoldsPair& holds) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   std::optional<NearPair> best;
   Eigen::Vector4d weights;
   double nearest = std::numeric_limits<double>::infinity();
   bool faces_best = false;
-  for (const std::uint32_t face : node_faces.of(row)) {
+  for (const FaceIndex face : node_faces.of(row)) {
     const OptionalIndex<PairIndex> found =
         context.rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
     if (!found) continue;
@@ -128,7 +128,7 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
     if (faces_node == faces_best ? distance >= nearest : faces_best) continue;
     nearest = distance;
     faces_best = faces_node;
-    best = {row, face, pair, true, tolerance};
+    best = {row.value, face, pair, true, tolerance};
     best->is_facing = faces_node;
     weights = corner_weights(closest->xi, closest->eta, contact_mesh.faces[face].is_triangle());
   }
@@ -138,13 +138,13 @@ std::optional<NearPair> find_nearest(const ContactStepContext& context, const Pa
 
 }  // namespace
 
-std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const PairLists& face_partners,
-                                      const PairLists& node_faces, double size_share,
+std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const FacePairLists& face_partners,
+                                      const NodeFaceLists& node_faces, double size_share,
                                       const HoldsPair& holds) {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   std::vector<NearPair> near_pairs;
-  for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
-    for (const std::uint32_t second : face_partners.of(first)) {
+  for (const FaceIndex first : face_partners.rows()) {
+    for (const FaceIndex second : face_partners.of(first)) {
       const OptionalIndex<PairIndex> found =
           context.rules.find(contact_mesh.faces[first].surface, contact_mesh.faces[second].surface);
       if (!found || !context.rules[*found].is_active) continue;
@@ -152,10 +152,10 @@ std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const P
       if (!holds(context.rules.of_faces(pair, first, second))) continue;
       const double tolerance =
           capture_tolerance_of(*context.rules[pair].pair, context.kinematics.bound(first), size_share);
-      near_pairs.push_back({first, second, pair, false, tolerance});
+      near_pairs.push_back({first.value, second, pair, false, tolerance});
     }
   }
-  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
+  for (const SurfaceNodeIndex row : node_faces.rows()) {
     if (const auto nearest = find_nearest(context, node_faces, row, size_share, holds))
       near_pairs.push_back(*nearest);
   }

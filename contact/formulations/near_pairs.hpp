@@ -14,8 +14,8 @@ namespace contactsim {
 
 /// What may be near each other.
 struct NearCandidates {
-  const PairLists& face_partners;
-  const PairLists& node_faces;
+  const FacePairLists& face_partners;
+  const NodeFaceLists& node_faces;
   double size_share = 0.0;  ///< automatic tolerance over the square root of a face's area [1]
 };
 
@@ -24,13 +24,16 @@ using HoldsPair = std::function<bool(const PairRule&)>;
 
 /// Two faces that may be, or a node and a face that are near enough to be held together.
 struct NearPair {
-  std::uint32_t first = 0;   ///< face, or surface node
-  std::uint32_t second = 0;  ///< face
+  std::uint32_t first = 0;  ///< face, or surface node
+  FaceIndex second;
   PairIndex pair;
   bool is_node = false;
   double tolerance = 0.0;  ///< of the gap either way [length]
   double share = 1.0;      ///< of nodes as share_of_node() [1]
   bool is_facing = true;   ///< of a node: one of its own faces is turned towards the face
+
+  FaceIndex first_face() const { return {first}; }
+  SurfaceNodeIndex row() const { return {first}; }
 };
 
 /// A node that stands this share of a face's size beyond its edge counts as over it: bodies whose edges lie
@@ -46,22 +49,22 @@ double capture_tolerance_of(const SurfacePair& pair, const FaceBound& face, doub
 /// projects inside; faces need not overlap within the tolerance yet. In the order of the candidates.
 ///   face_partners, node_faces  candidates of a search
 ///   size_share                 of the square root of a face's area [1]
-std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const PairLists& face_partners,
-                                      const PairLists& node_faces, double size_share, const HoldsPair& holds);
+std::vector<NearPair> find_near_pairs(const ContactStepContext& context, const FacePairLists& face_partners,
+                                      const NodeFaceLists& node_faces, double size_share,
+                                      const HoldsPair& holds);
 
 /// Whether a rule has one model for what is close at the start and another for the rest: HYBRID MODEL.
 inline bool is_hybrid(const PairRule& rule) { return rule.model.far != nullptr; }
 
 /// What ties and bonds of two faces, or of a surface node and a face, have in common.
-InterfaceConstraint constraint_of_faces(const ContactStepContext& context, std::uint32_t first,
-                                        std::uint32_t second);
-InterfaceConstraint constraint_of_node(const ContactStepContext& context, std::uint32_t row,
-                                       std::uint32_t face);
+InterfaceConstraint constraint_of_faces(const ContactStepContext& context, FaceIndex first, FaceIndex second);
+InterfaceConstraint constraint_of_node(const ContactStepContext& context, SurfaceNodeIndex row,
+                                       FaceIndex face);
 
 /// Where a surface node projects inside a face; nothing when it does not, or the gap is beyond the tolerance.
 /// The gap of a sphere counts from its surface.
-std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, std::uint32_t row,
-                                               std::uint32_t face, double tolerance);
+std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, SurfaceNodeIndex row,
+                                               FaceIndex face, double tolerance);
 
 /// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
 bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, const Eigen::Vector3d& normal);
@@ -72,7 +75,7 @@ bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, con
 ///   node_faces  candidates of a search
 ///   near_pair   of the node; its tolerance holds for the corners' gaps as well
 ///   weights     of the face's corners at the node's closest point, sum 1 [1]
-double share_of_node(const ContactStepContext& context, const PairLists& node_faces,
+double share_of_node(const ContactStepContext& context, const NodeFaceLists& node_faces,
                      const NearPair& near_pair, const Eigen::Vector4d& weights);
 
 /// The means over what of two faces lies over each other.

@@ -33,7 +33,7 @@ class NodeGaps {
   }
 
   /// Looks at a node as one of a surface before a face.
-  void add(std::uint32_t row, std::uint32_t face_index, double offset) {
+  void add(SurfaceNodeIndex row, FaceIndex face_index, double offset) {
     const SurfaceNode& node = contact_mesh_.surface_nodes[row];
     const ContactFace& face = contact_mesh_.faces[face_index];
     const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
@@ -64,9 +64,8 @@ class NodeGaps {
     return rule.pair->tracking_distance.value_or(search_.margin_of(node));
   }
   /// Nothing is known to be nearer than the limit.
-  void begin(const PairRule& rule, std::uint32_t surface) {
-    for (std::uint32_t row = contact_mesh_.first_node[surface]; row < contact_mesh_.first_node[surface + 1];
-         ++row) {
+  void begin(const PairRule& rule, SurfaceIndex surface) {
+    for (const SurfaceNodeIndex row : contact_mesh_.rows_of(surface)) {
       const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
       gaps_[node] = std::min(gaps_[node], limit(rule, node));
     }
@@ -85,11 +84,12 @@ std::vector<double> find_node_gaps(const ContactKinematics& kinematics, const Me
                                    const PairRules& rules, const DashOptions& dash, const Motion& motion) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   ContactSearch search(contact_mesh, mesh, rules, {}, dash);
-  PairLists face_partners, node_faces;
+  FacePairLists face_partners;
+  NodeFaceLists node_faces;
   search.find_face_pairs(kinematics, motion, {}, face_partners);
   search.find_node_faces(kinematics, motion, {}, node_faces);
   NodeGaps gaps(kinematics, rules, search);
-  const auto add_corners = [&](std::uint32_t of, std::uint32_t before) {
+  const auto add_corners = [&](FaceIndex of, FaceIndex before) {
     const ContactFace& face = contact_mesh.faces[of];
     const PairIndex pair = *rules.find(face.surface, contact_mesh.faces[before].surface);
     const double offset = rules.gap_offsets().of_faces(pair, of, before);
@@ -98,14 +98,14 @@ std::vector<double> find_node_gaps(const ContactKinematics& kinematics, const Me
       if (row) gaps.add(*row, before, offset);
     }
   };
-  for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
-    for (const std::uint32_t second : face_partners.of(first)) {
+  for (const FaceIndex first : face_partners.rows()) {
+    for (const FaceIndex second : face_partners.of(first)) {
       add_corners(first, second);
       add_corners(second, first);
     }
   }
-  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    for (const std::uint32_t face : node_faces.of(row)) {
+  for (const SurfaceNodeIndex row : node_faces.rows()) {
+    for (const FaceIndex face : node_faces.of(row)) {
       const PairIndex pair =
           *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
       gaps.add(row, face, rules.gap_offsets().of_node(pair, row));

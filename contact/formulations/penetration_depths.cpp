@@ -21,12 +21,12 @@ void PenetrationDepths::note(const ContactKinematics& kinematics, const ContactP
   if (!touches || point.is_of_edges) return;
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   const double depth = std::max(-point.gap, std::numeric_limits<double>::min());
-  const auto deepen = [&](std::uint32_t face) { next_[face] = std::max(next_[face], depth); };
+  const auto deepen = [&](FaceIndex face) { next_[face] = std::max(next_[face], depth); };
   const bool has_second_face = !point.second.weights.isZero(0.0);
-  if (has_second_face) deepen(point.second_entity);
-  if (!point.first.is_node()) return deepen(point.first_entity);
-  const SurfaceNode& node = contact_mesh.surface_nodes[point.first_entity];
-  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+  if (has_second_face) deepen(point.second_face());
+  if (!point.first.is_node()) return deepen(point.first_face());
+  const SurfaceNode& node = contact_mesh.surface_nodes[point.row()];
+  for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     if (contact_mesh.faces[own].surface != node.surface) continue;
     if (kinematics.bound(own).normal().cast<double>().dot(point.normal) < max_facing_cosine) deepen(own);
   }

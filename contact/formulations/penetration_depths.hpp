@@ -13,7 +13,7 @@ namespace contactsim {
 class PenetrationDepths {
  public:
   /// The depth of a face in the last step; > 0 of all that touched, 0 of one that did not [length].
-  double of(std::uint32_t face) const { return face < last_.size() ? last_[face] : 0.0; }
+  double of(FaceIndex face) const { return face < last_.next() ? last_[face] : 0.0; }
 
   /// Begins a step: what was noted becomes what is known.
   void begin_step(std::size_t n_faces);
@@ -25,7 +25,7 @@ class PenetrationDepths {
   void archive(StateArchive& saved);
 
  private:
-  std::vector<double> last_, next_;  // [n_faces] [length]
+  IndexedVector<FaceIndex, double> last_, next_;  // [length]
 };
 
 }  // namespace contactsim

@@ -18,10 +18,10 @@ void deepen(double depth, PenaltyProperties& penalty_properties) {
   penalty_properties.start_depth = std::max(penalty_properties.start_depth, depth);
 }
 
-template <class Item>
-void transfer_of(std::span<const OptionalIndex<std::uint32_t>> positions, std::span<const Item> before,
-                 std::span<Item> after) {
-  for (std::size_t i = 0; i < before.size(); ++i) {
+template <class AnIndex, class Item>
+void transfer_of(const NewPositions<AnIndex>& positions, const IndexedVector<AnIndex, Item>& before,
+                 IndexedVector<AnIndex, Item>& after) {
+  for (const AnIndex i : indices(before)) {
     if (positions[i])
       after[*positions[i]].penalty_properties.start_depth = before[i].penalty_properties.start_depth;
   }
@@ -36,23 +36,22 @@ void forget_start_depths(ContactMesh& contact_mesh) {
 void set_start_depths(std::span<const ContactPoint> points, ContactMesh& contact_mesh) {
   set_all(0.0, contact_mesh);
   for (const ContactPoint& point : points) {
-    const std::uint32_t first = point.first_entity, second = point.second_entity;
     const bool is_plane = point.second.weights.isZero(0.0);
     if (point.is_of_edges) {
-      deepen(point.deepest, contact_mesh.edges[first].penalty_properties);
-      deepen(point.deepest, contact_mesh.edges[second].penalty_properties);
+      deepen(point.deepest, contact_mesh.edges[point.first_edge()].penalty_properties);
+      deepen(point.deepest, contact_mesh.edges[point.second_edge()].penalty_properties);
       continue;
     }
-    deepen(point.deepest, point.first.is_node() ? contact_mesh.surface_nodes[first].penalty_properties
-                                                : contact_mesh.faces[first].penalty_properties);
-    if (!is_plane) deepen(point.deepest, contact_mesh.faces[second].penalty_properties);
+    deepen(point.deepest, point.first.is_node() ? contact_mesh.surface_nodes[point.row()].penalty_properties
+                                                : contact_mesh.faces[point.first_face()].penalty_properties);
+    if (!is_plane) deepen(point.deepest, contact_mesh.faces[point.second_face()].penalty_properties);
   }
 }
 
 void transfer_start_depths(const ContactRemap& remap, const ContactMesh& before, ContactMesh& after) {
-  transfer_of<ContactFace>(remap.faces, before.faces, after.faces);
-  transfer_of<SurfaceNode>(remap.rows, before.surface_nodes, after.surface_nodes);
-  transfer_of<ContactEdge>(remap.edges, before.edges, after.edges);
+  transfer_of(remap.faces, before.faces, after.faces);
+  transfer_of(remap.rows, before.surface_nodes, after.surface_nodes);
+  transfer_of(remap.edges, before.edges, after.edges);
 }
 
 }  // namespace contactsim

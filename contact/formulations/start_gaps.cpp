@@ -15,7 +15,7 @@ namespace contactsim {
 namespace {
 
 std::optional<double> gap_of_node(const ContactKinematics& kinematics, const SurfacePair& pair,
-                                  std::uint32_t row, std::uint32_t face) {
+                                  SurfaceNodeIndex row, FaceIndex face) {
   const MovingFace moving = kinematics.face(face);
   const SurfaceNode& node = kinematics.contact_mesh().surface_nodes[row];
   const SmoothFace* round = kinematics.contact_mesh().smooth_faces.find(pair.smoothing, face);
@@ -30,7 +30,7 @@ std::optional<double> gap_of_node(const ContactKinematics& kinematics, const Sur
 }
 
 std::optional<SmoothGap> gap_of_faces(const ContactKinematics& kinematics, const SurfacePair& pair,
-                                      std::uint32_t first, std::uint32_t second) {
+                                      FaceIndex first, FaceIndex second) {
   const MovingFace a = kinematics.face(first), b = kinematics.face(second);
   const SmoothFaces& smooth = kinematics.contact_mesh().smooth_faces;
   const SmoothFace *round_a = smooth.find(pair.smoothing, first),
@@ -54,10 +54,10 @@ std::optional<SmoothGap> gap_of_faces(const ContactKinematics& kinematics, const
 }  // namespace
 
 std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const SurfacePair& pair,
-                                       std::uint32_t first, std::uint32_t second) {
+                                       FaceIndex first, FaceIndex second) {
   const auto found = gap_of_faces(kinematics, pair, first, second);
   if (!found) return std::nullopt;
-  const StartGap gap{first, 0, found->mean, found->smallest, found->area};
+  const StartGap gap{first.value, {}, found->mean, found->smallest, found->area};
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   const double depth = make_pair_penalty(contact_mesh.faces[first].penalty_properties,
                                          &contact_mesh.faces[second].penalty_properties, pair)
@@ -67,15 +67,15 @@ std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, cons
 }
 
 std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const PairRules& rules,
-                                       std::uint32_t row, std::span<const std::uint32_t> faces) {
+                                       SurfaceNodeIndex row, IndexView<FaceIndex> faces) {
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   std::optional<StartGap> nearest;
-  for (const std::uint32_t face : faces) {
+  for (const FaceIndex face : faces) {
     const PairIndex pair =
         *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface);
     const auto gap = gap_of_node(kinematics, *rules[pair].pair, row, face);
     if (!gap || (nearest && std::abs(*gap) >= std::abs(nearest->mean))) continue;
-    nearest = StartGap{row, pair, *gap, *gap, contact_mesh.surface_nodes[row].area};
+    nearest = StartGap{row.value, pair, *gap, *gap, contact_mesh.surface_nodes[row].area};
   }
   return nearest;
 }

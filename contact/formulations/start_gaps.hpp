@@ -12,12 +12,12 @@ namespace contactsim {
 /// or deeper than wide as the sides of two bodies that overlap at an edge.
 /// Returns a gap of the first face.
 std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const SurfacePair& pair,
-                                       std::uint32_t first, std::uint32_t second);
+                                       FaceIndex first, FaceIndex second);
 
 /// The gap of a surface node to the nearest face, either way, among those that it projects inside and looks
 /// at with a face of its own; nothing without one. The gap of a sphere counts from its surface.
 ///   faces  that may be near
 std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const PairRules& rules,
-                                       std::uint32_t row, std::span<const std::uint32_t> faces);
+                                       SurfaceNodeIndex row, IndexView<FaceIndex> faces);
 
 }  // namespace contactsim

@@ -43,19 +43,19 @@ class SlidingSides {
  public:
   SlidingSides(const ContactKinematics& start, const PairRules& rules) : start_(start), rules_(rules) {
     const ContactMesh& contact_mesh = start.contact_mesh();
-    area_.assign(contact_mesh.first_face.size() - 1, 0.0);
+    area_.assign(contact_mesh.n_surfaces(), 0.0);
     for (const ContactFace& face : contact_mesh.faces) area_[face.surface] += start.area(face).norm();
   }
 
   /// The rule of two surfaces that slide infinitesimally; null otherwise.
-  const PairRule* find(std::uint32_t surface, std::uint32_t other) const {
+  const PairRule* find(SurfaceIndex surface, SurfaceIndex other) const {
     const OptionalIndex<PairIndex> pair = rules_.find(surface, other);
     if (!pair || rules_[*pair].only_ties()) return nullptr;
     const bool is_small = rules_[*pair].pair->behavior == InteractionBehavior::infinitesimal_sliding;
     return is_small ? &rules_[*pair] : nullptr;
   }
   /// Whether a surface slides on another one.
-  bool slides(const SurfacePair& pair, std::uint32_t surface, std::uint32_t other) const {
+  bool slides(const SurfacePair& pair, SurfaceIndex surface, SurfaceIndex other) const {
     if (surface == other) return true;
     if (pair.side_b && pair.formulation == ConstraintFormulation::node_face) return surface == *pair.side_b;
     return area_[surface] < area_[other] || (area_[surface] == area_[other] && surface > other);
@@ -69,13 +69,13 @@ class SlidingSides {
  private:
   const ContactKinematics& start_;
   const PairRules& rules_;
-  std::vector<double> area_;  // [n_surfaces] [length^2]
+  IndexedVector<SurfaceIndex, double> area_;  // [length^2]
 };
 
 Eigen::Vector3d centre_of(const MovingFace& face) { return face.x.rowwise().mean(); }
 
 /// Whether two faces lie over each other, neither behind the material of the other.
-bool lie_over(const ContactKinematics& start, std::uint32_t first, std::uint32_t second) {
+bool lie_over(const ContactKinematics& start, FaceIndex first, FaceIndex second) {
   const auto found = find_face_face_points(start.face(first), start.face(second));
   if (!found) return false;
   const ContactFace &a = start.contact_mesh().faces[first], &b = start.contact_mesh().faces[second];
@@ -89,13 +89,13 @@ bool lie_over(const ContactKinematics& start, std::uint32_t first, std::uint32_t
 
 /// A face that a node stands over.
 struct Over {
-  std::uint32_t face = 0;
+  FaceIndex face;
   Eigen::Vector3d normal;
   double distance = 0.0, size = 0.0;
 };
 
-std::optional<Over> find_over(const ContactKinematics& start, const SurfacePair& pair, std::uint32_t row,
-                              std::uint32_t index) {
+std::optional<Over> find_over(const ContactKinematics& start, const SurfacePair& pair, SurfaceNodeIndex row,
+                              FaceIndex index) {
   const SurfaceNode& node = start.contact_mesh().surface_nodes[row];
   const MovingFace face = start.face(index);
   const auto point = project_onto_face(face.x, face.is_triangle, start.x(node.node));
@@ -107,44 +107,32 @@ std::optional<Over> find_over(const ContactKinematics& start, const SurfacePair&
   return Over{index, point->normal, std::abs(point->gap), size};
 }
 
-}  // namespace
-
-void StartPartners::begin_faces(const ContactKinematics& start, const PairRules& rules,
-                                const PairLists& candidates) {
-  const SlidingSides sides(start, rules);
+/// The faces that others lie over on which they slide infinitesimally.
+FacePairLists find_over(const SlidingSides& sides, const ContactKinematics& start,
+                        const FacePairLists& candidates) {
   const auto& faces = start.contact_mesh().faces;
   const auto visit = [&](const auto& take) {
-    for (std::uint32_t first = 0; first < candidates.n_rows(); ++first) {
-      for (const std::uint32_t second : candidates.of(first)) {
+    for (const FaceIndex first : candidates.rows()) {
+      for (const FaceIndex second : candidates.of(first)) {
         if (sides.find(faces[first].surface, faces[second].surface) != nullptr &&
             lie_over(start, first, second))
           take(first, second);
       }
     }
   };
-  lists_ = list_by_row(candidates.n_rows(), visit);
-  for (std::uint32_t first = 0; first < lists_.n_rows(); ++first) {
-    for (const std::uint32_t second : lists_.of(first)) {
-      const PairRule& rule = *sides.find(faces[first].surface, faces[second].surface);
-      const bool slides_first = sides.slides_first(*rule.pair, faces[first], faces[second]);
-      const MovingFace a = start.face(first), b = start.face(second);
-      const MovingFace &slides = slides_first ? a : b, &still = slides_first ? b : a;
-      starts_.push_back({axes_of(still.x).transpose() * (centre_of(slides) - centre_of(still)), slides_first,
-                         *rules.find(faces[first].surface, faces[second].surface)});
-    }
-  }
+  return list_by_row<FaceIndex, FaceIndex>(candidates.n_rows(), visit);
 }
 
-void StartPartners::begin_nodes(const ContactKinematics& start, const PairRules& rules,
-                                const PairLists& candidates) {
-  const SlidingSides sides(start, rules);
+/// The faces that nodes stand over on which they slide infinitesimally: of each wall the nearest.
+NodeFaceLists find_over(const SlidingSides& sides, const ContactKinematics& start,
+                        const NodeFaceLists& candidates) {
   const ContactMesh& contact_mesh = start.contact_mesh();
-  std::vector<std::vector<std::uint32_t>> kept(candidates.n_rows());
-  for (std::uint32_t row = 0; row < candidates.n_rows(); ++row) {
-    const std::uint32_t surface = contact_mesh.surface_nodes[row].surface;
+  IndexedVector<SurfaceNodeIndex, std::vector<FaceIndex>> kept(candidates.n_rows());
+  for (const SurfaceNodeIndex row : candidates.rows()) {
+    const SurfaceIndex surface = contact_mesh.surface_nodes[row].surface;
     std::vector<Over> over;
-    for (const std::uint32_t face : candidates.of(row)) {
-      const std::uint32_t other = contact_mesh.faces[face].surface;
+    for (const FaceIndex face : candidates.of(row)) {
+      const SurfaceIndex other = contact_mesh.faces[face].surface;
       const PairRule* rule = sides.find(surface, other);
       if (rule == nullptr || !sides.slides(*rule->pair, surface, other)) continue;
       if (const auto found = find_over(start, *rule->pair, row, face)) over.push_back(*found);
@@ -157,33 +145,63 @@ void StartPartners::begin_nodes(const ContactKinematics& start, const PairRules&
       if (!is_behind) kept[row].push_back(one.face);
     }
   }
-  lists_ = list_by_row(candidates.n_rows(), [&](const auto& take) {
-    for (std::uint32_t row = 0; row < kept.size(); ++row) {
-      for (const std::uint32_t face : kept[row]) take(row, face);
+  return list_by_row<SurfaceNodeIndex, FaceIndex>(candidates.n_rows(), [&](const auto& take) {
+    for (const SurfaceNodeIndex row : indices(kept)) {
+      for (const FaceIndex face : kept[row]) take(row, face);
     }
   });
-  for (std::uint32_t row = 0; row < lists_.n_rows(); ++row) {
-    for (const std::uint32_t face : lists_.of(row))
+}
+
+}  // namespace
+
+template <class Row>
+void StartPartners<Row>::begin_faces(const ContactKinematics& start, const PairRules& rules,
+                                     const Lists& candidates) requires std::same_as<Row, FaceIndex> {
+  const SlidingSides sides(start, rules);
+  const auto& faces = start.contact_mesh().faces;
+  lists_ = find_over(sides, start, candidates);
+  for (const FaceIndex first : lists_.rows()) {
+    for (const FaceIndex second : lists_.of(first)) {
+      const PairRule& rule = *sides.find(faces[first].surface, faces[second].surface);
+      const bool slides_first = sides.slides_first(*rule.pair, faces[first], faces[second]);
+      const MovingFace a = start.face(first), b = start.face(second);
+      const MovingFace &slides = slides_first ? a : b, &still = slides_first ? b : a;
+      starts_.push_back({axes_of(still.x).transpose() * (centre_of(slides) - centre_of(still)), slides_first,
+                         *rules.find(faces[first].surface, faces[second].surface)});
+    }
+  }
+}
+
+template <class Row>
+void StartPartners<Row>::begin_nodes(const ContactKinematics& start, const PairRules& rules,
+                                     const Lists& candidates) requires std::same_as<Row, SurfaceNodeIndex> {
+  const SlidingSides sides(start, rules);
+  const ContactMesh& contact_mesh = start.contact_mesh();
+  lists_ = find_over(sides, start, candidates);
+  for (const SurfaceNodeIndex row : lists_.rows()) {
+    for (const FaceIndex face : lists_.of(row))
       starts_.push_back(
           {Eigen::Vector3d::Zero(), true,
            *rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface)});
   }
 }
 
-PairLists StartPartners::restricted(const PairRules& rules, const ContactMesh& contact_mesh,
-                                    const PairLists& candidates) const {
+template <class Row>
+typename StartPartners<Row>::Lists StartPartners<Row>::restricted(
+    const PairRules& rules, const ContactMesh& contact_mesh,
+    const Lists& candidates) const requires std::same_as<Row, FaceIndex> {
   // By surface: a face may stand over one surface and be free against others.
-  std::map<std::pair<std::uint32_t, PairIndex>, bool> stands;  // by face and pair
-  const auto pair_of = [&](std::uint32_t a, std::uint32_t b) {
+  std::map<std::pair<FaceIndex, PairIndex>, bool> stands;  // by face and pair
+  const auto pair_of = [&](FaceIndex a, FaceIndex b) {
     return *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
   };
-  for (std::uint32_t row = 0; row < lists_.n_rows(); ++row) {
-    for (std::size_t k = lists_.begin[row]; k < lists_.begin[row + 1]; ++k)
-      stands[{sliding(k, row), pair_of(row, lists_.partners[k])}] = true;
+  for (const FaceIndex row : lists_.rows()) {
+    for (std::size_t k = lists_.first_pair(row); k < lists_.end_pair(row); ++k)
+      stands[{sliding(k, row), pair_of(row, lists_.partner(k))}] = true;
   }
-  return list_by_row(candidates.n_rows(), [&](const auto& take) {
-    for (std::uint32_t row = 0; row < candidates.n_rows(); ++row) {
-      for (const std::uint32_t partner : candidates.of(row)) {
+  return list_by_row<FaceIndex, FaceIndex>(candidates.n_rows(), [&](const auto& take) {
+    for (const FaceIndex row : candidates.rows()) {
+      for (const FaceIndex partner : candidates.of(row)) {
         const PairIndex pair = pair_of(row, partner);
         if (has(row, partner) || (!stands.contains({row, pair}) && !stands.contains({partner, pair})))
           take(row, partner);
@@ -192,39 +210,45 @@ PairLists StartPartners::restricted(const PairRules& rules, const ContactMesh& c
   });
 }
 
-PairLists StartPartners::united_with(const PairRules& rules, const PairLists& candidates) const {
+template <class Row>
+typename StartPartners<Row>::Lists StartPartners<Row>::united_with(const PairRules& rules,
+                                                                   const Lists& candidates) const {
   const auto keeps = [&](std::size_t k) {
     const SurfacePair& own = *rules[starts_[k].pair].pair;
     return rules.find(own.first, own.second) == starts_[k].pair;
   };
-  return list_by_row(candidates.n_rows(), [&](const auto& take) {
-    for (std::uint32_t row = 0; row < candidates.n_rows(); ++row) {
-      std::size_t k = row < lists_.n_rows() ? lists_.begin[row] : 0;
-      const std::size_t end = row < lists_.n_rows() ? lists_.begin[row + 1] : 0;
-      const auto take_own_before = [&](std::uint32_t partner) {
-        for (; k < end && lists_.partners[k] < partner; ++k) {
-          if (keeps(k)) take(row, lists_.partners[k]);
+  return list_by_row<Row, FaceIndex>(candidates.n_rows(), [&](const auto& take) {
+    for (const Row row : candidates.rows()) {
+      const bool has_own = row.value < lists_.n_rows();
+      std::size_t k = has_own ? lists_.first_pair(row) : 0;
+      const std::size_t end = has_own ? lists_.end_pair(row) : 0;
+      const auto take_own_before = [&](FaceIndex partner) {
+        for (; k < end && lists_.partner(k) < partner; ++k) {
+          if (keeps(k)) take(row, lists_.partner(k));
         }
       };
-      for (const std::uint32_t partner : candidates.of(row)) {
+      for (const FaceIndex partner : candidates.of(row)) {
         take_own_before(partner);
-        if (k < end && lists_.partners[k] == partner) ++k;
+        if (k < end && lists_.partner(k) == partner) ++k;
         take(row, partner);
       }
-      take_own_before(std::numeric_limits<std::uint32_t>::max());
+      take_own_before({std::numeric_limits<std::uint32_t>::max()});
     }
   });
 }
 
-std::optional<std::size_t> StartPartners::find(std::uint32_t row, std::uint32_t partner) const {
-  if (row >= lists_.n_rows()) return std::nullopt;
+template <class Row>
+std::optional<std::size_t> StartPartners<Row>::find(Row row, FaceIndex partner) const {
+  if (row.value >= lists_.n_rows()) return std::nullopt;
   const std::size_t k = lists_.position(row, partner);
-  const bool is_there = k < lists_.begin[row + 1] && lists_.partners[k] == partner;
+  const bool is_there = k < lists_.end_pair(row) && lists_.partner(k) == partner;
   return is_there ? std::optional(k) : std::nullopt;
 }
 
-std::optional<PartnerCarry> StartPartners::find_carry(const ContactKinematics& kinematics,
-                                                      std::uint32_t first, std::uint32_t second) const {
+template <class Row>
+std::optional<PartnerCarry> StartPartners<Row>::find_carry(
+    const ContactKinematics& kinematics, FaceIndex first,
+    FaceIndex second) const requires std::same_as<Row, FaceIndex> {
   const auto k = find(first, second);
   if (!k) return std::nullopt;
   const Start& start = starts_[*k];
@@ -236,16 +260,17 @@ std::optional<PartnerCarry> StartPartners::find_carry(const ContactKinematics& k
   return PartnerCarry{!start.slides_first, weights_of_way(still, axes * slip)};
 }
 
-std::vector<ReleasedPartner> StartPartners::remap(std::span<const OptionalIndex<std::uint32_t>> rows,
-                                                  std::span<const OptionalIndex<std::uint32_t>> faces,
-                                                  std::size_t n_rows_after) {
+template <class Row>
+std::vector<ReleasedPartner<Row>> StartPartners<Row>::remap(const NewPositions<Row>& rows,
+                                                            const NewPositions<FaceIndex>& faces,
+                                                            std::size_t n_rows_after) {
   if (empty()) return {};
-  std::map<std::pair<std::uint32_t, PairIndex>, std::size_t> n_left;  // by what slides and pair, before
-  for (std::uint32_t row = 0; row < lists_.n_rows(); ++row) {
-    for (std::size_t k = lists_.begin[row]; k < lists_.begin[row + 1]; ++k)
-      n_left[{sliding(k, row), starts_[k].pair}] += rows[row] && faces[lists_.partners[k]] ? 1 : 0;
+  std::map<std::pair<Row, PairIndex>, std::size_t> n_left;  // by what slides and pair, before
+  for (const Row row : lists_.rows()) {
+    for (std::size_t k = lists_.first_pair(row); k < lists_.end_pair(row); ++k)
+      n_left[{sliding(k, row), starts_[k].pair}] += rows[row] && faces[lists_.partner(k)] ? 1 : 0;
   }
-  std::vector<ReleasedPartner> released;
+  std::vector<ReleasedPartner<Row>> released;
   for (const auto& [slides, n] : n_left) {
     if (n == 0 && rows[slides.first]) released.push_back({*rows[slides.first], slides.second});
   }
@@ -257,13 +282,17 @@ std::vector<ReleasedPartner> StartPartners::remap(std::span<const OptionalIndex<
   return released;
 }
 
-void StartPartners::archive(const std::string& name, StateArchive& saved) {
+template <class Row>
+void StartPartners<Row>::archive(const std::string& name, StateArchive& saved) {
   // Most runs have none, and states of such runs nothing of them.
   if (saved.restores() ? !saved.has(name + "/begin") : empty()) return;
   contactsim::archive(name, lists_, saved);
   saved.rows(name + "/starts", starts_,
              [](Start& start, RowNumbers& row) { row(start.apart, start.slides_first, start.pair.value); });
 }
+
+template class StartPartners<FaceIndex>;
+template class StartPartners<SurfaceNodeIndex>;
 
 PlanePoint project_onto_plane(const MovingFace& face, const Eigen::Vector3d& point) {
   const FaceMap map = make_face_map(face.x, face.is_triangle);

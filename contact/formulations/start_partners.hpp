@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <concepts>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "contact/geometry/face_face.hpp"
@@ -31,8 +31,9 @@ struct PartnerCarry {
 };
 
 /// A face, or a surface node, whose faces of the start are dead.
+template <class AnIndex>
 struct ReleasedPartner {
-  std::uint32_t entity = 0;
+  AnIndex entity;
   PairIndex pair;
 };
 
@@ -43,32 +44,37 @@ struct ReleasedPartner {
 /// they lie over each other as they did. The corners of the still face bear what its plane beyond them would:
 /// their weights are those of the linear extension, so that forces leave no moment. Source: small sliding of
 /// Abaqus (contact planes that do not end).
+///   Row  FaceIndex, or SurfaceNodeIndex
+template <class Row>
 class StartPartners {
  public:
+  using Lists = PairLists<Row, FaceIndex>;
+
   /// Looks for the partners of rows, and takes them: of faces with faces of greater number, or of nodes.
   ///   candidates  of the first search
   ///   start       the contact nodes before the first step
-  void begin_faces(const ContactKinematics& start, const PairRules& rules, const PairLists& candidates);
-  void begin_nodes(const ContactKinematics& start, const PairRules& rules, const PairLists& candidates);
+  void begin_faces(const ContactKinematics& start, const PairRules& rules,
+                   const Lists& candidates) requires std::same_as<Row, FaceIndex>;
+  void begin_nodes(const ContactKinematics& start, const PairRules& rules,
+                   const Lists& candidates) requires std::same_as<Row, SurfaceNodeIndex>;
 
   bool empty() const { return lists_.partners.empty(); }
   /// Candidates without those of sliding faces that stand over others.
-  PairLists restricted(const PairRules& rules, const ContactMesh& contact_mesh,
-                       const PairLists& candidates) const;
+  Lists restricted(const PairRules& rules, const ContactMesh& contact_mesh,
+                   const Lists& candidates) const requires std::same_as<Row, FaceIndex>;
   /// Candidates with the partners, which stay candidates wherever they are while their pair keeps them.
-  PairLists united_with(const PairRules& rules, const PairLists& candidates) const;
+  Lists united_with(const PairRules& rules, const Lists& candidates) const;
 
   /// Whether a row keeps a partner.
-  bool has(std::uint32_t row, std::uint32_t partner) const { return find(row, partner).has_value(); }
+  bool has(Row row, FaceIndex partner) const { return find(row, partner).has_value(); }
   /// How far a face is to be carried where two are partners.
-  std::optional<PartnerCarry> find_carry(const ContactKinematics& kinematics, std::uint32_t first,
-                                         std::uint32_t second) const;
+  std::optional<PartnerCarry> find_carry(const ContactKinematics& kinematics, FaceIndex first,
+                                         FaceIndex second) const requires std::same_as<Row, FaceIndex>;
 
   /// Goes over to other faces and nodes. Returns what has lost the last of its partners and slides freely
   /// now.
-  std::vector<ReleasedPartner> remap(std::span<const OptionalIndex<std::uint32_t>> rows,
-                                     std::span<const OptionalIndex<std::uint32_t>> faces,
-                                     std::size_t n_rows_after);
+  std::vector<ReleasedPartner<Row>> remap(const NewPositions<Row>& rows, const NewPositions<FaceIndex>& faces,
+                                          std::size_t n_rows_after);
   void archive(const std::string& name, StateArchive& saved);
 
  private:
@@ -77,12 +83,13 @@ class StartPartners {
     bool slides_first = true;                         // the first one slides
     PairIndex pair;
   };
-  std::optional<std::size_t> find(std::uint32_t row, std::uint32_t partner) const;
-  std::uint32_t sliding(std::size_t k, std::uint32_t row) const {
-    return starts_[k].slides_first ? row : lists_.partners[k];
+  std::optional<std::size_t> find(Row row, FaceIndex partner) const;
+  Row sliding(std::size_t k, Row row) const {
+    if constexpr (std::same_as<Row, FaceIndex>) return starts_[k].slides_first ? row : lists_.partner(k);
+    return row;
   }
 
-  PairLists lists_;
+  Lists lists_;
   std::vector<Start> starts_;  // [n_pairs]
 };
 

@@ -50,6 +50,13 @@ struct ContactPoint {
   double work_after = 0.0;                         ///< the same in the half step to come [energy]
   double beyond_spring = 0.0;                      ///< stored besides what springs would store [energy]
 
+  /// Its entities by what they are.
+  FaceIndex first_face() const { return {first_entity}; }
+  FaceIndex second_face() const { return {second_entity}; }
+  SurfaceNodeIndex row() const { return {first_entity}; }
+  EdgeIndex first_edge() const { return {first_entity}; }
+  EdgeIndex second_edge() const { return {second_entity}; }
+
   bool touches() const { return force != 0.0 || is_held_apart; }
   /// Whether it touches, or would at the end of the coming step without a force.
   bool is_met() const { return touches() || pulls || (is_balanced && gap < closing); }

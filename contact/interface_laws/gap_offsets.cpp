@@ -23,11 +23,11 @@ void add(const StartGap& more, StartGap& gap) {
 }
 
 /// The gaps of what is still there, by its new numbers.
-std::vector<StartGap> kept(std::span<const OptionalIndex<std::uint32_t>> positions,
-                           std::span<const StartGap> gaps) {
+template <class AnIndex>
+std::vector<StartGap> kept(const NewPositions<AnIndex>& positions, std::span<const StartGap> gaps) {
   std::vector<StartGap> after;
   for (StartGap gap : gaps) {
-    const OptionalIndex<std::uint32_t> now = positions[gap.entity];
+    const OptionalIndex<std::uint32_t> now = number_after(positions, gap.entity);
     if (!now) continue;
     gap.entity = *now;
     after.push_back(gap);

@@ -17,7 +17,7 @@ class StateArchive;
 
 /// The gap between a face, surface node or edge and the other side of a pair at the start.
 struct StartGap {
-  std::uint32_t entity = 0;
+  std::uint32_t entity = 0;  ///< of the kind of the list that it is in
   PairIndex pair;
   double mean = 0.0;      ///< over the area in which the sides face each other [length]
   double smallest = 0.0;  ///< < 0 overlaps [length]
@@ -71,12 +71,14 @@ class GapOffsets {
   explicit GapOffsets(std::span<const SurfacePair> pairs);
 
   /// What is taken off the gap of two faces, of a surface node, or of two edges, now [length].
-  double of_faces(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
-    return of(faces_, pair, first, second);
+  double of_faces(PairIndex pair, FaceIndex first, FaceIndex second) const {
+    return of(faces_, pair, first.value, second.value);
   }
-  double of_node(PairIndex pair, std::uint32_t row) const { return of(nodes_, pair, row, row); }
-  double of_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
-    return of(edges_, pair, first, second);
+  double of_node(PairIndex pair, SurfaceNodeIndex row) const {
+    return of(nodes_, pair, row.value, row.value);
+  }
+  double of_edges(PairIndex pair, EdgeIndex first, EdgeIndex second) const {
+    return of(edges_, pair, first.value, second.value);
   }
   /// How far apart on the mesh the sides of a pair may touch, at most [length].
   double reach(PairIndex pair) const { return rules_[pair].reach; }

@@ -18,8 +18,8 @@ PairRules::PairRules(const SurfacePairs& pairs, std::vector<ActiveTimes> times, 
     rule.times = std::move(times[i.value]);
     rules_.push_back(std::move(rule));
     // Of two that take turns the interaction comes first; activate() tells whose turn it is.
-    OptionalIndex<PairIndex>& entry = table_[pairs[i].first * n_surfaces + pairs[i].second];
-    if (!entry) entry = table_[pairs[i].second * n_surfaces + pairs[i].first] = i;
+    OptionalIndex<PairIndex>& known = entry(pairs[i].first, pairs[i].second);
+    if (!known) known = entry(pairs[i].second, pairs[i].first) = i;
   }
 }
 
@@ -78,10 +78,10 @@ void PairRules::activate(double time, bool is_on) {
   for (const PairIndex i : indices(rules_)) {
     const SurfacePair& pair = *rules_[i].pair;
     if (!rules_[i].is_active || (pair.periods.active.empty() && pair.periods.inactive.empty())) continue;
-    OptionalIndex<PairIndex>& entry = table_[pair.first * n_surfaces_ + pair.second];
-    if (entry == i) continue;
-    rules_[i].has_changed = rules_[*entry].has_changed = true;
-    entry = table_[pair.second * n_surfaces_ + pair.first] = i;
+    OptionalIndex<PairIndex>& known = entry(pair.first, pair.second);
+    if (known == i) continue;
+    rules_[i].has_changed = rules_[*known].has_changed = true;
+    known = entry(pair.second, pair.first) = i;
   }
 }
 
@@ -117,23 +117,21 @@ void PairRules::archive(StateArchive& saved) {
 }
 
 void PairRules::remap(const ContactRemap& remap) {
-  close_faces_.remap({}, remap.faces);
-  close_nodes_.remap({}, remap.rows);
-  close_edges_.remap({}, remap.edges);
+  close_faces_.remap(Unchanged{}, remap.faces);
+  close_nodes_.remap(Unchanged{}, remap.rows);
+  close_edges_.remap(Unchanged{}, remap.edges);
   gap_offsets_.remap(remap);
   start_reach_.remap(remap);
 }
 
-bool PairRules::are_close(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
-  return close_faces_.has(pair.value, first) && close_faces_.has(pair.value, second);
+bool PairRules::are_close(PairIndex pair, FaceIndex first, FaceIndex second) const {
+  return close_faces_.has(pair, first) && close_faces_.has(pair, second);
 }
 
-bool PairRules::are_close_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
-  return close_edges_.has(pair.value, first) && close_edges_.has(pair.value, second);
+bool PairRules::are_close_edges(PairIndex pair, EdgeIndex first, EdgeIndex second) const {
+  return close_edges_.has(pair, first) && close_edges_.has(pair, second);
 }
 
-bool PairRules::is_close(PairIndex pair, std::uint32_t row) const {
-  return close_nodes_.has(pair.value, row);
-}
+bool PairRules::is_close(PairIndex pair, SurfaceNodeIndex row) const { return close_nodes_.has(pair, row); }
 
 }  // namespace contactsim

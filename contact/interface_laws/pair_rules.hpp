@@ -70,28 +70,28 @@ class PairRules {
   void remap(const ContactRemap& remap);
   /// Remembers that a face, a surface node or an edge of a HYBRID pair was close to the other side at the
   /// start.
-  void mark_close_face(PairIndex pair, std::uint32_t face) { close_faces_.add(pair.value, face); }
-  void mark_close_node(PairIndex pair, std::uint32_t row) { close_nodes_.add(pair.value, row); }
-  void mark_close_edge(PairIndex pair, std::uint32_t edge) { close_edges_.add(pair.value, edge); }
+  void mark_close_face(PairIndex pair, FaceIndex face) { close_faces_.add(pair, face); }
+  void mark_close_node(PairIndex pair, SurfaceNodeIndex row) { close_nodes_.add(pair, row); }
+  void mark_close_edge(PairIndex pair, EdgeIndex edge) { close_edges_.add(pair, edge); }
   /// The rule of two faces of a pair, of a surface node, or of two edges: for HYBRID that of both close, or
   /// not.
-  const PairRule& of_faces(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
+  const PairRule& of_faces(PairIndex pair, FaceIndex first, FaceIndex second) const {
     const PairRule& rule = rules_[pair];
     return !rule.far || are_close(pair, first, second) ? rule : far_rules_[*rule.far];
   }
-  const PairRule& of_node(PairIndex pair, std::uint32_t row) const {
+  const PairRule& of_node(PairIndex pair, SurfaceNodeIndex row) const {
     const PairRule& rule = rules_[pair];
     return !rule.far || is_close(pair, row) ? rule : far_rules_[*rule.far];
   }
-  const PairRule& of_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const {
+  const PairRule& of_edges(PairIndex pair, EdgeIndex first, EdgeIndex second) const {
     const PairRule& rule = rules_[pair];
     return !rule.far || are_close_edges(pair, first, second) ? rule : far_rules_[*rule.far];
   }
   /// The rule of a contact point: for HYBRID that of what was close at the start, or not.
   const PairRule& of(const ContactPoint& point) const {
-    if (point.is_of_edges) return of_edges(point.pair, point.first_entity, point.second_entity);
-    if (point.first.is_node()) return of_node(point.pair, point.first_entity);
-    return of_faces(point.pair, point.first_entity, point.second_entity);
+    if (point.is_of_edges) return of_edges(point.pair, point.first_edge(), point.second_edge());
+    if (point.first.is_node()) return of_node(point.pair, point.row());
+    return of_faces(point.pair, point.first_face(), point.second_face());
   }
   /// The largest gap that a pair's models may ever act over, or begin to press at [length].
   double max_activation_distance(PairIndex pair) const;
@@ -100,8 +100,8 @@ class PairRules {
   IndexedSpan<PairIndex, const PairRule> rules() const { return rules_; }
   const PairRule& operator[](PairIndex pair) const { return rules_[pair]; }
   /// The pair of two surfaces in either order; nothing if they do not meet.
-  OptionalIndex<PairIndex> find(std::uint32_t surface, std::uint32_t other) const {
-    return table_[surface * n_surfaces_ + other];
+  OptionalIndex<PairIndex> find(SurfaceIndex surface, SurfaceIndex other) const {
+    return table_[surface.value * n_surfaces_ + other.value];
   }
   bool has_friction() const;
   /// Whether what has touched may not part in some pair.
@@ -118,13 +118,18 @@ class PairRules {
   void archive(StateArchive& saved);
 
  private:
-  bool are_close(PairIndex pair, std::uint32_t first, std::uint32_t second) const;
-  bool are_close_edges(PairIndex pair, std::uint32_t first, std::uint32_t second) const;
-  bool is_close(PairIndex pair, std::uint32_t row) const;
+  bool are_close(PairIndex pair, FaceIndex first, FaceIndex second) const;
+  bool are_close_edges(PairIndex pair, EdgeIndex first, EdgeIndex second) const;
+  bool is_close(PairIndex pair, SurfaceNodeIndex row) const;
+  OptionalIndex<PairIndex>& entry(SurfaceIndex first, SurfaceIndex second) {
+    return table_[first.value * n_surfaces_ + second.value];
+  }
 
   IndexedVector<PairIndex, PairRule> rules_;
   std::vector<PairRule> far_rules_;
-  PairSet close_faces_, close_nodes_, close_edges_;
+  PairSet<PairIndex, FaceIndex> close_faces_;
+  PairSet<PairIndex, SurfaceNodeIndex> close_nodes_;
+  PairSet<PairIndex, EdgeIndex> close_edges_;
   double largest_begin_gap_ = 0.0;  // of all models [length]
   GapOffsets gap_offsets_;
   StartReach start_reach_;

@@ -21,7 +21,7 @@ bool holds(const PairInterfaceLaw& law) {
 
 }  // namespace
 
-void refuse_laws(const SurfacePairs& pairs, std::span<const ContactSurface> surfaces, const LawScope& scope,
+void refuse_laws(const SurfacePairs& pairs, const SurfaceList& surfaces, const LawScope& scope,
                  Diagnostics& diagnostics) {
   const auto laws = make_pair_laws(pairs, scope, diagnostics);
   for (const PairIndex i : indices(pairs)) {

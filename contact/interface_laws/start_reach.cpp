@@ -15,37 +15,29 @@ StartReach::StartReach(const SurfacePairs& pairs) : limits_(pairs.size()) {
 }
 
 bool StartReach::has_any(PairIndex pair) const {
-  return faces_.has_any(pair.value) || nodes_.has_any(pair.value) || edges_.has_any(pair.value);
+  return faces_.has_any(pair) || nodes_.has_any(pair) || edges_.has_any(pair);
 }
 
-bool StartReach::may_meet(PairIndex pair, const PairSet& near, std::uint32_t first, std::uint32_t second,
-                          std::uint32_t surface_of_first) const {
+bool StartReach::may_meet_node(PairIndex pair, SurfaceNodeIndex row, FaceIndex face,
+                               SurfaceIndex surface_of_row) const {
   const Limit& limit = limits_[pair];
   if (!limit.is_set()) return true;
-  if (!limit.side_b) return near.has(pair.value, first) || near.has(pair.value, second);
-  return near.has(pair.value, limit.side_b == surface_of_first ? first : second);
-}
-
-bool StartReach::may_meet_node(PairIndex pair, std::uint32_t row, std::uint32_t face,
-                               std::uint32_t surface_of_row) const {
-  const Limit& limit = limits_[pair];
-  if (!limit.is_set()) return true;
-  if (!limit.side_b) return nodes_.has(pair.value, row) || faces_.has(pair.value, face);
-  return limit.side_b == surface_of_row ? nodes_.has(pair.value, row) : faces_.has(pair.value, face);
+  if (!limit.side_b) return nodes_.has(pair, row) || faces_.has(pair, face);
+  return limit.side_b == surface_of_row ? nodes_.has(pair, row) : faces_.has(pair, face);
 }
 
 void StartReach::remap(const ContactRemap& remap) {
-  const auto go_over = [&](PairSet& near, std::span<const OptionalIndex<std::uint32_t>> positions,
-                           std::size_t n_after) {
-    near.remap({}, positions);
-    std::vector<std::uint8_t> is_new(n_after, 1);
-    for (const OptionalIndex<std::uint32_t> position : positions) {
+  const auto go_over = [&]<class AnIndex>(PairSet<PairIndex, AnIndex>& near,
+                                          const NewPositions<AnIndex>& positions, std::size_t n_after) {
+    near.remap(Unchanged{}, positions);
+    IndexedVector<AnIndex, std::uint8_t> is_new(n_after, 1);
+    for (const OptionalIndex<AnIndex> position : positions) {
       if (position) is_new[*position] = 0;
     }
     for (const PairIndex pair : indices(limits_)) {
       if (!limits_[pair].is_set()) continue;
-      for (std::uint32_t i = 0; i < n_after; ++i) {
-        if (is_new[i] != 0) near.add(pair.value, i);
+      for (const AnIndex i : indices(is_new)) {
+        if (is_new[i] != 0) near.add(pair, i);
       }
     }
   };

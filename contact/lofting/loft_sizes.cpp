@@ -24,11 +24,11 @@ struct LoftOptions {
   const SurfaceOptions* of_shells = nullptr;
 };
 
-/// [n_surfaces]; of the blocks that are for a surface a later one overrides what earlier ones give.
-std::vector<LoftOptions> find_loft_options(const std::vector<SurfaceOptions>& blocks,
-                                           std::span<const ContactSurface> surfaces) {
-  std::vector<LoftOptions> found(surfaces.size());
-  visit_surface_options(blocks, surfaces, [&](std::size_t i, const SurfaceOptions& options) {
+/// Of the blocks that are for a surface a later one overrides what earlier ones give.
+IndexedVector<SurfaceIndex, LoftOptions> find_loft_options(const std::vector<SurfaceOptions>& blocks,
+                                                           const SurfaceList& surfaces) {
+  IndexedVector<SurfaceIndex, LoftOptions> found(surfaces.size());
+  visit_surface_options(blocks, surfaces, [&](SurfaceIndex i, const SurfaceOptions& options) {
     if (options.beam_radius) found[i].beam_radius = options.beam_radius;
     found[i].of_shells = &options;
   });
@@ -101,7 +101,7 @@ double limit_thickness(double thickness, const Mesh& mesh, ElementIndex element,
 class SizeFinder {
  public:
   SizeFinder(const SimulationDefinition& definition, const Region& region, const Mesh& mesh,
-             std::span<const ContactSurface> surfaces, Diagnostics& diagnostics)
+             const SurfaceList& surfaces, Diagnostics& diagnostics)
       : mesh_(mesh),
         surfaces_(surfaces),
         diagnostics_(diagnostics),
@@ -114,9 +114,9 @@ class SizeFinder {
   void report(const OwnedElement& owned, std::uint32_t block, const Measure& measure);
 
   const Mesh& mesh_;
-  std::span<const ContactSurface> surfaces_;
+  const SurfaceList& surfaces_;
   Diagnostics& diagnostics_;
-  std::vector<LoftOptions> options_;   ///< [n_surfaces]
+  IndexedVector<SurfaceIndex, LoftOptions> options_;
   std::vector<SectionSize> sections_;  ///< [n_blocks]
   std::set<std::uint32_t> reported_;   ///< blocks that an error was given for
 };

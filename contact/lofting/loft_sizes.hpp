@@ -15,13 +15,13 @@ namespace contactsim {
 /// A lofted element and the contact surface that owns it.
 struct OwnedElement {
   ElementIndex element;
-  std::uint32_t surface = 0;
+  SurfaceIndex surface;
   auto operator<=>(const OwnedElement&) const = default;
 };
 
 /// Lofted elements of some contact surfaces.
 struct OwnedElements {
-  std::span<const ContactSurface> surfaces;
+  const SurfaceList& surfaces;
   std::span<const OwnedElement> elements;  ///< ascending
 };
 

@@ -33,9 +33,8 @@ void AdjacentFaces::renew(const Mesh& mesh) {
   const ContactMesh& contact_mesh = contact_mesh_;
   pieces_of_node_ = {};
   if (contact_mesh.loft.size() == 0 && contact_mesh.edges.empty()) return;
-  pieces_of_node_ = list_by_row(contact_mesh.n_nodes(), [&](const auto& take) {
-    const auto n_pieces = static_cast<std::uint32_t>(contact_mesh.faces.size() + contact_mesh.edges.size());
-    for (std::uint32_t i = 0; i < n_pieces; ++i) {
+  pieces_of_node_ = list_by_row<std::uint32_t, PieceIndex>(contact_mesh.n_nodes(), [&](const auto& take) {
+    for (const PieceIndex i : pieces()) {
       for (const std::uint32_t node : piece(i).nodes) take(node, i);
     }
   });
@@ -52,8 +51,7 @@ void AdjacentFaces::find_bodies() {
     while (body_[node] != node) node = body_[node] = body_[body_[node]];
     return node;
   };
-  const auto n_pieces = static_cast<std::uint32_t>(contact_mesh_.faces.size() + contact_mesh_.edges.size());
-  for (std::uint32_t i = 0; i < n_pieces; ++i) {
+  for (const PieceIndex i : pieces()) {
     const auto nodes = piece(i).nodes;
     for (const std::uint32_t node : nodes) {
       const auto [low, high] = std::minmax({first_of(nodes[0]), first_of(node)});
@@ -63,10 +61,10 @@ void AdjacentFaces::find_bodies() {
   for (std::uint32_t i = 0; i < body_.size(); ++i) body_[i] = first_of(i);
 }
 
-AdjacentFaces::Piece AdjacentFaces::piece(std::uint32_t index) const {
-  const std::size_t n_faces = contact_mesh_.faces.size();
-  return index < n_faces ? piece_of(contact_mesh_.faces[index])
-                         : piece_of(contact_mesh_.edges[index - n_faces]);
+AdjacentFaces::Piece AdjacentFaces::piece(PieceIndex index) const {
+  const std::uint32_t n_faces = contact_mesh_.faces.next().value;
+  return index.value < n_faces ? piece_of(contact_mesh_.faces[{index.value}])
+                               : piece_of(contact_mesh_.edges[{index.value - n_faces}]);
 }
 
 AdjacentFaces::Piece AdjacentFaces::piece_of(const ContactEdge& edge) const {
@@ -103,12 +101,12 @@ FaceCorners AdjacentFaces::corners(const Piece& piece) const {
   return corners;
 }
 
-bool AdjacentFaces::are_adjacent(std::uint32_t first, std::uint32_t second) const {
+bool AdjacentFaces::are_adjacent(FaceIndex first, FaceIndex second) const {
   if (pieces_of_node_.n_rows() == 0) return false;
   return are_adjacent(piece_of(contact_mesh_.faces[first]), piece_of(contact_mesh_.faces[second]));
 }
 
-bool AdjacentFaces::are_adjacent(const SurfaceNode& node, std::uint32_t face) const {
+bool AdjacentFaces::are_adjacent(const SurfaceNode& node, FaceIndex face) const {
   if (pieces_of_node_.n_rows() == 0) return false;
   return are_adjacent(piece_of(node), piece_of(contact_mesh_.faces[face]));
 }
@@ -125,7 +123,7 @@ bool AdjacentFaces::are_adjacent(const Piece& a, const Piece& b) const {
   const double farthest = radius(at_a) + offset + radius(at_b);
   std::vector<std::uint32_t> seen(a.nodes.begin(), a.nodes.end());
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    for (const std::uint32_t neighbour : pieces_of_node_.of(seen[i])) {
+    for (const PieceIndex neighbour : pieces_of_node_.of(seen[i])) {
       for (const std::uint32_t node : piece(neighbour).nodes) {
         if (std::ranges::find(b.nodes, node) != b.nodes.end()) return true;
         const bool is_near = (x_.col(node) - at_a.col(0)).norm() <= farthest;

@@ -20,9 +20,9 @@ class AdjacentFaces {
 
   /// Whether one of two faces is of a loft, their shells or solids lay within the thickness of their lofts of
   /// each other at the start, and faces join them that lie no farther away.
-  bool are_adjacent(std::uint32_t first, std::uint32_t second) const;
+  bool are_adjacent(FaceIndex first, FaceIndex second) const;
   /// The same of a surface node and a face, and of two edges.
-  bool are_adjacent(const SurfaceNode& node, std::uint32_t face) const;
+  bool are_adjacent(const SurfaceNode& node, FaceIndex face) const;
   bool are_adjacent(const ContactEdge& first, const ContactEdge& second) const;
 
  private:
@@ -34,8 +34,12 @@ class AdjacentFaces {
   Piece piece_of(const ContactFace& face) const;
   Piece piece_of(const SurfaceNode& node) const;
   Piece piece_of(const ContactEdge& edge) const;
-  /// The faces, then the edges.
-  Piece piece(std::uint32_t index) const;
+  /// Position among the faces, then the edges.
+  using PieceIndex = Index<Piece>;
+  IndexRange<PieceIndex> pieces() const {
+    return {{}, {static_cast<std::uint32_t>(contact_mesh_.faces.size() + contact_mesh_.edges.size())}};
+  }
+  Piece piece(PieceIndex index) const;
   double offset_of(std::uint32_t node) const;
   /// Finds which nodes pieces join to one body.
   void find_bodies();
@@ -45,7 +49,8 @@ class AdjacentFaces {
   const ContactMesh& contact_mesh_;
   Eigen::Matrix3Xd x_;  // 3 x n_contact_nodes at the start, of lofts the nodes that they hang on [length]
   std::vector<std::uint32_t> body_;  // [n_contact_nodes] by first_alike: the first node of its body
-  PairLists pieces_of_node_;         // [n_contact_nodes] by first_alike; empty without lofts
+  PairLists<std::uint32_t, PieceIndex>
+      pieces_of_node_;  // [n_contact_nodes] by first_alike; empty without lofts
 };
 
 }  // namespace contactsim

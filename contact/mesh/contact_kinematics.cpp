@@ -66,7 +66,7 @@ const Eigen::Matrix3Xd* ContactKinematics::find_turning(const Motion& motion,
   return &turning;
 }
 
-MovingFace ContactKinematics::last_face(std::uint32_t index) const {
+MovingFace ContactKinematics::last_face(FaceIndex index) const {
   const ContactFace& face = contact_mesh_.faces[index];
   MovingFace moving = this->face(index);
   moving.v = gather(face.corners, [this](std::uint32_t node) { return last_v(node); });
@@ -147,7 +147,7 @@ void ContactKinematics::bound_all() {
   bounds_.resize(contact_mesh_.faces.size());
   const auto n = static_cast<std::int64_t>(bounds_.size());
 #pragma omp parallel for schedule(static) num_threads(threads_for(bounds_.size()))
-  for (std::int64_t i = 0; i < n; ++i) set_bound(static_cast<std::size_t>(i));
+  for (std::int64_t i = 0; i < n; ++i) set_bound({static_cast<std::uint32_t>(i)});
 }
 
 void ContactKinematics::bound_watched() {
@@ -164,18 +164,18 @@ FaceCorners ContactKinematics::velocities(const ContactFace& face) const {
   return gather(face.corners, [this](std::uint32_t node) { return v(node); });
 }
 
-void ContactKinematics::set_bound(std::size_t index) {
+void ContactKinematics::set_bound(FaceIndex index) {
   const ContactFace& face = contact_mesh_.faces[index];
-  const SmoothFaces::Extent extent = contact_mesh_.smooth_faces.extent(static_cast<std::uint32_t>(index));
+  const SmoothFaces::Extent extent = contact_mesh_.smooth_faces.extent(index);
   bounds_[index] = FaceBound(corners(face), velocities(face), face.is_triangle(), extent.height, extent.lean);
 }
 
-MovingFace ContactKinematics::face(std::uint32_t index) const {
+MovingFace ContactKinematics::face(FaceIndex index) const {
   const ContactFace& face = contact_mesh_.faces[index];
   return {corners(face), velocities(face), face.is_triangle(), static_cast<double>(face.sharpness)};
 }
 
-Eigen::Vector3d ContactKinematics::corner_area(std::uint32_t index) const {
+Eigen::Vector3d ContactKinematics::corner_area(FaceIndex index) const {
   const ContactFace& face = contact_mesh_.faces[index];
   return area(face) / (face.is_triangle() ? 3.0 : 4.0);
 }
@@ -185,7 +185,7 @@ double ContactKinematics::area_against(const SurfaceNode& node, const Eigen::Vec
   constexpr double min_share = 0.01;
   double area = 0.0;
   bool has_faces = false;
-  for (const std::uint32_t face : contact_mesh_.faces_of_node.of(node.node)) {
+  for (const FaceIndex face : contact_mesh_.faces_of_node.of(node.node)) {
     if (contact_mesh_.faces[face].surface != node.surface) continue;
     const Eigen::Vector3d own = corner_area(face);
     const double against = -own.dot(normal);

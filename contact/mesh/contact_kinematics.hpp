@@ -46,7 +46,7 @@ class ContactKinematics {
   void bound_all();
   void bound_watched();
   /// The faces that may touch something for now.
-  void watch(std::vector<std::uint32_t> faces) { watched_ = std::move(faces); }
+  void watch(std::vector<FaceIndex> faces) { watched_ = std::move(faces); }
 
   /// The memory of positions and bounds [bytes].
   std::size_t bytes() const {
@@ -86,14 +86,14 @@ class ContactKinematics {
   }
   /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
   const Eigen::Matrix3Xd& offsets() const { return offsets_; }
-  const FaceBound& bound(std::uint32_t face) const { return bounds_[face]; }
-  MovingFace face(std::uint32_t face) const;
-  FaceCorners face_corners(std::uint32_t face) const { return corners(contact_mesh_.faces[face]); }
+  const FaceBound& bound(FaceIndex face) const { return bounds_[face]; }
+  MovingFace face(FaceIndex face) const;
+  FaceCorners face_corners(FaceIndex face) const { return corners(contact_mesh_.faces[face]); }
   /// The same with the velocities of the step before, whatever is foreseen.
-  MovingFace last_face(std::uint32_t face) const;
+  MovingFace last_face(FaceIndex face) const;
   /// The area vector of a face, and the share of it that each corner has [length^2].
   Eigen::Vector3d area(const ContactFace& face) const { return area_vector(corners(face)); }
-  Eigen::Vector3d corner_area(std::uint32_t face) const;
+  Eigen::Vector3d corner_area(FaceIndex face) const;
   /// How much of its surface a node has as seen against a normal: the sides of an edge do not count for what
   /// its top touches. At least a hundredth of its share of the area at the start, which is that of nodes
   /// without faces.
@@ -105,10 +105,10 @@ class ContactKinematics {
  private:
   FaceCorners corners(const ContactFace& face) const;
   FaceCorners velocities(const ContactFace& face) const;
-  void set_bound(std::size_t face);
+  void set_bound(FaceIndex face);
 
   const ContactMesh& contact_mesh_;
-  std::vector<std::uint32_t> watched_;
+  std::vector<FaceIndex> watched_;
   void turn_offsets(const Motion& motion);
   void move_lofts(const Motion& motion);
   const Eigen::Matrix3Xd* find_turning(const Motion& motion, Eigen::Matrix3Xd& turning) const;
@@ -123,7 +123,7 @@ class ContactKinematics {
   LoftSpins spins_;
   std::vector<Eigen::Matrix3d> turns_;              // scratch, by spins in the step before
   Eigen::Matrix3Xd coming_turning_, past_turning_;  // of the mesh's nodes where there are spins [1/time]
-  std::vector<FaceBound> bounds_;                   // [n_faces]
+  IndexedVector<FaceIndex, FaceBound> bounds_;
 };
 
 /// The contact nodes where the mesh has them; velocities mean nothing. Both must outlive it.

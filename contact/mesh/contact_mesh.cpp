@@ -42,9 +42,10 @@ std::vector<std::uint32_t> collect_nodes(const ContactModel& contact, const Mesh
   return nodes;
 }
 
-PairLists list_faces_of_nodes(std::span<const ContactFace> faces, std::size_t n_nodes) {
-  return list_by_row(n_nodes, [&](const auto& take) {
-    for (std::uint32_t f = 0; f < faces.size(); ++f) {
+PairLists<std::uint32_t, FaceIndex> list_faces_of_nodes(const IndexedVector<FaceIndex, ContactFace>& faces,
+                                                        std::size_t n_nodes) {
+  return list_by_row<std::uint32_t, FaceIndex>(n_nodes, [&](const auto& take) {
+    for (const FaceIndex f : indices(faces)) {
       const std::size_t n = faces[f].is_triangle() ? 3 : 4;
       for (std::size_t k = 0; k < n; ++k) take(faces[f].corners[k], f);
     }
@@ -60,19 +61,19 @@ std::vector<std::size_t> first_facets(const ContactSurface& surface, const Mesh&
 }
 
 /// Numbers the facets of a surface's faces, with the thickness behind them.
-void add_faces(const ContactSurface& surface, std::uint32_t position, const ContactNumbers& numbers,
+void add_faces(const ContactSurface& surface, SurfaceIndex position, const ContactNumbers& numbers,
                ContactMesh& made) {
   const std::vector<std::size_t> places = first_facets(surface, numbers.mesh());
-  const std::size_t first = made.faces.size();
-  made.faces.resize(first + places.back());
+  made.faces.resize(made.faces.size() + places.back());
+  const auto faces = std::span(made.faces).last(places.back());
   const auto n = static_cast<std::int64_t>(surface.faces.size());
 #pragma omp parallel for schedule(static) num_threads(threads_for(surface.faces.size()))
   for (std::int64_t i = 0; i < n; ++i) {
     const ElementSide side = surface.faces[static_cast<std::size_t>(i)];
     const double thickness = thickness_behind(numbers.mesh(), side);
-    std::size_t place = first + places[static_cast<std::size_t>(i)];
+    std::size_t place = places[static_cast<std::size_t>(i)];
     for (const auto& facet : numbers.mesh().side_facets(side)) {
-      ContactFace& face = made.faces[place++];
+      ContactFace& face = faces[place++];
       for (std::size_t k = 0; k < 4; ++k) face.corners[k] = numbers[facet[k]];
       face.surface = position;
       face.side = side;
@@ -146,12 +147,12 @@ std::uint32_t ContactMesh::find_node(NodeIndex node) const {
   return static_cast<std::uint32_t>(std::lower_bound(begin, end, node.value) - begin);
 }
 
-std::optional<std::uint32_t> ContactMesh::find_row(std::uint32_t node, std::uint32_t surface) const {
-  const auto begin = surface_nodes.begin() + first_node[surface];
-  const auto end = surface_nodes.begin() + first_node[surface + 1];
+std::optional<SurfaceNodeIndex> ContactMesh::find_row(std::uint32_t node, SurfaceIndex surface) const {
+  const auto begin = surface_nodes.begin() + first_node[surface.value].value;
+  const auto end = surface_nodes.begin() + first_node[surface.value + 1].value;
   const auto found = std::ranges::lower_bound(begin, end, node, {}, &SurfaceNode::node);
   if (found == end || found->node != node) return std::nullopt;
-  return static_cast<std::uint32_t>(found - surface_nodes.begin());
+  return index_of(surface_nodes, found);
 }
 
 std::size_t ContactMesh::bytes() const {
@@ -173,18 +174,18 @@ ContactMesh make_contact_mesh(const ContactModel& contact, const Mesh& mesh,
   ContactMesh made;
   made.mesh_nodes = collect_nodes(contact, mesh, eroded_nodes);
   add_loft_points(contact, mesh, made);
-  made.first_face.push_back(0);
-  made.first_node.push_back(0);
+  made.first_face.emplace_back();
+  made.first_node.emplace_back();
   const ContactNumbers numbers(mesh, std::span(made.mesh_nodes).first(made.n_mesh_points()));
   SurfaceNodes nodes(numbers);
   const std::vector<double> radii = least_radii(contact, mesh);
-  for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
+  for (const SurfaceIndex s : indices(surfaces)) {
     add_faces(surfaces[s], s, numbers, made);
     nodes.add(surfaces[s], s, made);
     if (!eroded_nodes.empty()) nodes.add_free(eroded_nodes, s, surfaces[s].kind == SurfaceKind::node, made);
     add_lofts(contact, mesh, s, radii, made);
-    made.first_face.push_back(static_cast<std::uint32_t>(made.faces.size()));
-    made.first_node.push_back(static_cast<std::uint32_t>(made.surface_nodes.size()));
+    made.first_face.push_back(made.faces.next());
+    made.first_node.push_back(made.surface_nodes.next());
   }
   made.faces.shrink_to_fit();
   made.surface_nodes.shrink_to_fit();

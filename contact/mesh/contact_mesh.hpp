@@ -10,6 +10,8 @@
 #include "contact/lofting/loft_points.hpp"
 #include "contact/mesh/pair_lists.hpp"
 #include "contact/smoothing/smooth_faces.hpp"
+#include "core/base/contact_indices.hpp"
+#include "core/base/indexed_vector.hpp"
 #include "core/mesh/mesh.hpp"
 
 namespace contactsim {
@@ -36,7 +38,7 @@ inline constexpr double penalty_over_element = 10.0;
 struct ContactFace {
   std::array<std::uint32_t, 4>
       corners{};  ///< contact nodes, outward right-hand order; a triangle repeats its last
-  std::uint32_t surface = 0;
+  SurfaceIndex surface;
   ElementSide side;
   float sharpness = 0.0f;  ///< see measure_sharpness [degrees]
   PenaltyProperties penalty_properties;
@@ -47,7 +49,7 @@ struct ContactFace {
 /// A node of a contact surface that meets faces as a node.
 struct SurfaceNode {
   std::uint32_t node = 0;  ///< contact node
-  std::uint32_t surface = 0;
+  SurfaceIndex surface;
   ElementSide side;     ///< a face that has it; side 1 of a line or particle
   float radius = 0.0f;  ///< of the sphere around a line's or particle's node [length]
   double area =
@@ -60,8 +62,8 @@ struct SurfaceNode {
 /// A node that has stayed in contact though all its elements are dead.
 struct ErodedNode {
   NodeIndex node;
-  std::uint32_t surface = 0;  ///< that had it
-  ElementSide side;           ///< of a dead element: what it stands for in area and backing
+  SurfaceIndex surface;  ///< that had it
+  ElementSide side;      ///< of a dead element: what it stands for in area and backing
 };
 
 /// A line between two nodes that meets other lines. A round one is all that is within the radius of a beam's
@@ -69,14 +71,14 @@ struct ErodedNode {
 /// radii meet, each of them has the least of these there, and tapers towards it.
 struct ContactEdge {
   std::array<std::uint32_t, 2> nodes{};  ///< contact nodes; of a particle the same twice
-  std::uint32_t surface = 0;
+  SurfaceIndex surface;
   ElementSide side;     ///< side 1 of the element; of a sharp edge that of its first face
   double radius = 0.0;  ///< 0 of sharp edges [length]
   double width = 0.0;   ///< of the strip that touches another edge [length]
   PenaltyProperties penalty_properties;
-  std::optional<std::array<std::uint32_t, 2>> faces = {};  ///< of sharp edges
-  bool is_feature = false;                                 ///< a sharp edge that meets other sharp ones
-  std::array<double, 2> less{};  ///< by which the radius is less at each end [length]
+  std::optional<std::array<FaceIndex, 2>> faces = {};  ///< of sharp edges
+  bool is_feature = false;                             ///< a sharp edge that meets other sharp ones
+  std::array<double, 2> less{};                        ///< by which the radius is less at each end [length]
 
   bool is_sharp() const { return faces.has_value(); }
   /// The radius at a point, by its share of the way from the first end to the second [length].
@@ -88,23 +90,33 @@ struct ContactEdge {
 /// mesh, ascending as there, then points of lofts, which hang on nodes of the mesh. Const between deaths of
 /// elements.
 struct ContactMesh {
-  std::vector<std::uint32_t> mesh_nodes;   ///< [n_contact_nodes] of the mesh; of lofts what they hang on
-  LoftPoints loft;                         ///< the last of the contact nodes
-  std::vector<std::uint32_t> first_alike;  ///< [n_contact_nodes] the first one with the same mesh node
-  std::vector<ContactFace> faces;          ///< by surface, then as the surface has them, facet by facet
-  std::vector<SurfaceNode> surface_nodes;  ///< by surface, then by node
-  std::vector<ContactEdge> edges;          ///< round ones by surface, then sharp ones
-  std::vector<std::uint32_t> first_face;   ///< [n_surfaces + 1] in faces
-  std::vector<std::uint32_t> first_node;   ///< [n_surfaces + 1] in surface_nodes
-  std::vector<double> mass;                ///< [n_contact_nodes] [mass]
-  PairLists faces_of_node;                 ///< [n_contact_nodes] faces that have the node as a corner
-  SmoothFaces smooth_faces;                ///< that stand for round surfaces
+  std::vector<std::uint32_t> mesh_nodes;        ///< [n_contact_nodes] of the mesh; of lofts what they hang on
+  LoftPoints loft;                              ///< the last of the contact nodes
+  std::vector<std::uint32_t> first_alike;       ///< [n_contact_nodes] the first one with the same mesh node
+  IndexedVector<FaceIndex, ContactFace> faces;  ///< by surface, then as the surface has them, facet by facet
+  IndexedVector<SurfaceNodeIndex, SurfaceNode> surface_nodes;  ///< by surface, then by node
+  IndexedVector<EdgeIndex, ContactEdge> edges;                 ///< round ones by surface, then sharp ones
+  std::vector<FaceIndex> first_face;                           ///< [n_surfaces + 1], see faces_of()
+  std::vector<SurfaceNodeIndex> first_node;                    ///< [n_surfaces + 1], see rows_of()
+  std::vector<double> mass;                                    ///< [n_contact_nodes] [mass]
+  PairLists<std::uint32_t, FaceIndex>
+      faces_of_node;         ///< [n_contact_nodes] faces that have the node as a corner
+  SmoothFaces smooth_faces;  ///< that stand for round surfaces
 
   std::size_t n_nodes() const { return mesh_nodes.size(); }
   /// Position of a node of the mesh that is in contact.
   std::uint32_t find_node(NodeIndex node) const;
-  /// Position of a contact node in surface_nodes as a node of a surface.
-  std::optional<std::uint32_t> find_row(std::uint32_t node, std::uint32_t surface) const;
+  std::size_t n_surfaces() const { return first_face.size() - 1; }
+  IndexRange<SurfaceIndex> surfaces() const { return {{}, {static_cast<std::uint32_t>(n_surfaces())}}; }
+  /// The faces of a surface, and its nodes.
+  IndexRange<FaceIndex> faces_of(SurfaceIndex surface) const {
+    return {first_face[surface.value], first_face[surface.value + 1]};
+  }
+  IndexRange<SurfaceNodeIndex> rows_of(SurfaceIndex surface) const {
+    return {first_node[surface.value], first_node[surface.value + 1]};
+  }
+  /// A contact node as a node of a surface.
+  std::optional<SurfaceNodeIndex> find_row(std::uint32_t node, SurfaceIndex surface) const;
   /// Contact nodes that are nodes of the mesh; those of lofts follow.
   std::size_t n_mesh_points() const { return mesh_nodes.size() - loft.size(); }
   bool is_lofted(const ContactFace& face) const { return face.corners[0] >= n_mesh_points(); }
@@ -113,6 +125,11 @@ struct ContactMesh {
   /// Whether two faces hang on a common node of the mesh.
   bool share_node(const ContactFace& a, const ContactFace& b) const;
 };
+
+/// Candidates of contact.
+using FacePairLists = PairLists<FaceIndex, FaceIndex>;
+using NodeFaceLists = PairLists<SurfaceNodeIndex, FaceIndex>;
+using EdgePairLists = PairLists<EdgeIndex, EdgeIndex>;
 
 /// Thickness of the solid behind a face: its volume over the face's area. Behind the face of a shell, whose
 /// own thickness its side sets do not have, the square root of the area [length].

@@ -16,9 +16,9 @@ namespace contactsim {
 namespace {
 
 /// Every lofted element that a surface owns, ascending.
-std::vector<OwnedElement> owned_elements(std::span<const ContactSurface> surfaces) {
+std::vector<OwnedElement> owned_elements(const SurfaceList& surfaces) {
   std::vector<OwnedElement> owned;
-  for (std::uint32_t surface = 0; surface < surfaces.size(); ++surface) {
+  for (const SurfaceIndex surface : indices(surfaces)) {
     for (const ElementIndex element : surfaces[surface].lofted_elements) owned.push_back({element, surface});
   }
   std::sort(owned.begin(), owned.end());
@@ -27,8 +27,8 @@ std::vector<OwnedElement> owned_elements(std::span<const ContactSurface> surface
 
 /// The owners of parts of lofts; owned elements ascend.
 template <class Part>
-std::vector<std::uint32_t> owners_of(const std::vector<Part>& parts, const std::vector<OwnedElement>& owned) {
-  std::vector<std::uint32_t> owners;
+std::vector<SurfaceIndex> owners_of(const std::vector<Part>& parts, const std::vector<OwnedElement>& owned) {
+  std::vector<SurfaceIndex> owners;
   owners.reserve(parts.size());
   for (const Part& part : parts)
     owners.push_back(std::ranges::lower_bound(owned, part.element, {}, &OwnedElement::element)->surface);

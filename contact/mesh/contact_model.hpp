@@ -20,13 +20,13 @@ namespace contactsim {
 /// only when elements die.
 struct ContactModel {
   ContactSurfaces surfaces;
-  LoftGeometry loft;                              ///< of all lofted elements that surfaces own
-  std::vector<std::uint32_t> surface_of_facet;    ///< [n_loft_facets]
-  std::vector<std::uint32_t> surface_of_sphere;   ///< [n_loft_spheres]
-  std::vector<std::uint32_t> surface_of_capsule;  ///< [n_loft_capsules]
-  std::vector<AnalyticPlane> planes;              ///< those of the region
-  SurfacePairs pairs;                             ///< sorted by their surfaces
-  std::vector<SmoothingShapes> smoothings;        ///< that pairs use
+  LoftGeometry loft;                             ///< of all lofted elements that surfaces own
+  std::vector<SurfaceIndex> surface_of_facet;    ///< [n_loft_facets]
+  std::vector<SurfaceIndex> surface_of_sphere;   ///< [n_loft_spheres]
+  std::vector<SurfaceIndex> surface_of_capsule;  ///< [n_loft_capsules]
+  std::vector<AnalyticPlane> planes;             ///< those of the region
+  SurfacePairs pairs;                            ///< sorted by their surfaces
+  std::vector<SmoothingShapes> smoothings;       ///< that pairs use
 };
 
 /// Resolves the surfaces of a region's contact definition, pairs them and builds their lofts.

@@ -16,7 +16,7 @@ std::size_t ErodedNodes::n_nodes() const {
 
 void ErodedNodes::add_of_faces(NodeIndex node, std::vector<ErodedNode>& found) const {
   const Mesh& mesh = faces_.mesh();
-  std::optional<std::uint32_t> best;
+  std::optional<SurfaceIndex> best;
   ElementSide stands_for;
   std::vector<ElementSide> own;
   for (const ElementIndex element : faces_.elements().of(node)) {

@@ -37,13 +37,14 @@ constexpr double cosine_of_border = 0.0;
 
 /// An edge of a face, whichever way it runs.
 struct FaceEdge {
-  std::uint32_t low, high, face;
+  std::uint32_t low, high;
+  FaceIndex face;
   auto operator<=>(const FaceEdge&) const = default;
 };
 
-std::vector<FaceEdge> list_edges(std::span<const ContactFace> faces) {
+std::vector<FaceEdge> list_edges(const IndexedVector<FaceIndex, ContactFace>& faces) {
   std::vector<FaceEdge> edges;
-  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+  for (const FaceIndex f : indices(faces)) {
     const std::size_t n = faces[f].is_triangle() ? 3 : 4;
     for (std::size_t k = 0; k < n; ++k) {
       const auto [low, high] = std::minmax(faces[f].corners[k], faces[f].corners[(k + 1) % n]);
@@ -115,23 +116,22 @@ std::optional<EdgeGap> gap_of_sharp(const ContactKinematics& kinematics, const C
 
 }  // namespace
 
-void choose_feature_edges(const std::vector<SurfaceOptions>& options,
-                          std::span<const ContactSurface> surfaces, const ContactKinematics& start,
-                          ContactMesh& contact_mesh) {
+void choose_feature_edges(const std::vector<SurfaceOptions>& options, const SurfaceList& surfaces,
+                          const ContactKinematics& start, ContactMesh& contact_mesh) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const auto is_line = [](const ContactEdge& edge) { return !edge.is_particle(); };
   const bool has_lines = std::ranges::any_of(contact_mesh.edges, is_line);
-  std::vector<double> feature_angle(surfaces.size(), usual_feature_angle);
-  std::vector<double> line_angle(surfaces.size(), has_lines ? usual_angle : infinite);
-  std::vector<std::uint8_t> meets(surfaces.size(), 1);
-  visit_surface_options(options, surfaces, [&](std::size_t i, const SurfaceOptions& of) {
+  IndexedVector<SurfaceIndex, double> feature_angle(surfaces.size(), usual_feature_angle);
+  IndexedVector<SurfaceIndex, double> line_angle(surfaces.size(), has_lines ? usual_angle : infinite);
+  IndexedVector<SurfaceIndex, std::uint8_t> meets(surfaces.size(), 1);
+  visit_surface_options(options, surfaces, [&](SurfaceIndex i, const SurfaceOptions& of) {
     if (of.feature_angle) feature_angle[i] = *of.feature_angle;
     if (of.feature_angle && std::isfinite(*of.feature_angle)) line_angle[i] = infinite;
     if (of.has_edge_contact) meets[i] = *of.has_edge_contact ? 1 : 0;
   });
   std::erase_if(contact_mesh.edges, [&](const ContactEdge& edge) { return meets[edge.surface] == 0; });
-  std::vector<double> angle(surfaces.size(), infinite);
-  for (std::size_t i = 0; i < angle.size(); ++i) {
+  IndexedVector<SurfaceIndex, double> angle(surfaces.size(), infinite);
+  for (const SurfaceIndex i : indices(angle)) {
     if (meets[i] != 0) angle[i] = std::min(feature_angle[i], line_angle[i]);
   }
   if (std::ranges::all_of(angle, [](double a) { return std::isinf(a); })) return;
@@ -148,9 +148,9 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options,
   }
 }
 
-std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, std::uint32_t face,
-                                              const std::array<std::uint32_t, 2>& edge) {
-  for (const std::uint32_t other : contact_mesh.faces_of_node.of(edge[0])) {
+std::optional<FaceIndex> find_face_beyond(const ContactMesh& contact_mesh, FaceIndex face,
+                                          const std::array<std::uint32_t, 2>& edge) {
+  for (const FaceIndex other : contact_mesh.faces_of_node.of(edge[0])) {
     const ContactFace& candidate = contact_mesh.faces[other];
     if (other == face || candidate.surface != contact_mesh.faces[face].surface) continue;
     if (std::ranges::count(candidate.corners, edge[1]) > 0) return other;
@@ -161,15 +161,15 @@ std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, s
 void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh) {
   const auto n_faces = static_cast<std::int64_t>(contact_mesh.faces.size());
   const int n_threads = threads_for(contact_mesh.faces.size());
-  std::vector<StartFace> starts(contact_mesh.faces.size());
+  IndexedVector<FaceIndex, StartFace> starts(contact_mesh.faces.size());
 #pragma omp parallel for schedule(static) num_threads(n_threads)
   for (std::int64_t i = 0; i < n_faces; ++i) {
-    const auto f = static_cast<std::size_t>(i);
+    const FaceIndex f{static_cast<std::uint32_t>(i)};
     starts[f] = start_of(start, contact_mesh.faces[f]);
   }
 #pragma omp parallel for schedule(static) num_threads(n_threads)
   for (std::int64_t i = 0; i < n_faces; ++i) {
-    const auto f = static_cast<std::uint32_t>(i);
+    const FaceIndex f{static_cast<std::uint32_t>(i)};
     ContactFace& face = contact_mesh.faces[f];
     const std::size_t n = face.is_triangle() ? 3 : 4;
     double least = 1.0;
@@ -181,8 +181,8 @@ void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh
   }
 }
 
-double sharpness_of(const ContactKinematics& start, std::uint32_t index,
-                    const std::function<bool(std::uint32_t)>& goes_on) {
+double sharpness_of(const ContactKinematics& start, FaceIndex index,
+                    const std::function<bool(FaceIndex)>& goes_on) {
   const ContactMesh& contact_mesh = start.contact_mesh();
   const ContactFace& face = contact_mesh.faces[index];
   const std::size_t n = face.is_triangle() ? 3 : 4;

@@ -19,9 +19,8 @@ namespace contactsim {
 /// more than 30 degrees meet beams and trusses where there are any; with OFF sharp edges meet nothing else.
 /// Source: feature edges of Abaqus/Explicit general contact, 36.4.2.
 ///   start  the faces at the start
-void choose_feature_edges(const std::vector<SurfaceOptions>& options,
-                          std::span<const ContactSurface> surfaces, const ContactKinematics& start,
-                          ContactMesh& contact_mesh);
+void choose_feature_edges(const std::vector<SurfaceOptions>& options, const SurfaceList& surfaces,
+                          const ContactKinematics& start, ContactMesh& contact_mesh);
 
 /// Sets the sharpness of faces: the greatest angle by which a face and one which shares an edge with it on
 /// the same surface turn away from each other, a right angle at the border of a surface. Whole degrees, so
@@ -30,12 +29,12 @@ void choose_feature_edges(const std::vector<SurfaceOptions>& options,
 void measure_sharpness(const ContactKinematics& start, ContactMesh& contact_mesh);
 
 /// The sharpness of one face, but for the edges beyond which its surface goes on with a face.
-double sharpness_of(const ContactKinematics& start, std::uint32_t face,
-                    const std::function<bool(std::uint32_t)>& goes_on);
+double sharpness_of(const ContactKinematics& start, FaceIndex face,
+                    const std::function<bool(FaceIndex)>& goes_on);
 
 /// The face of the same surface that shares an edge with a face, by contact nodes.
-std::optional<std::uint32_t> find_face_beyond(const ContactMesh& contact_mesh, std::uint32_t face,
-                                              const std::array<std::uint32_t, 2>& edge);
+std::optional<FaceIndex> find_face_beyond(const ContactMesh& contact_mesh, FaceIndex face,
+                                          const std::array<std::uint32_t, 2>& edge);
 
 /// How two edges stand to each other at a point.
 struct EdgeGap {

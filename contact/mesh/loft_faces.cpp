@@ -14,7 +14,7 @@ namespace contactsim {
 namespace {
 
 /// The facets of a surface's bricks, and their corners as nodes.
-void add_bricks(const ContactModel& contact, std::uint32_t position, ContactMesh& made) {
+void add_bricks(const ContactModel& contact, SurfaceIndex position, ContactMesh& made) {
   const LoftGeometry& loft = contact.loft;
   const auto first = static_cast<std::uint32_t>(made.n_mesh_points());
   std::map<std::uint32_t, SurfaceNode> nodes;
@@ -42,7 +42,7 @@ void add_bricks(const ContactModel& contact, std::uint32_t position, ContactMesh
 
 /// The capsules of a surface, and spheres around their ends: a node has the smallest radius of its rods.
 ///   radii  [n_nodes] of the mesh's nodes
-void add_capsules(const ContactModel& contact, const Mesh& mesh, std::uint32_t position,
+void add_capsules(const ContactModel& contact, const Mesh& mesh, SurfaceIndex position,
                   std::span<const double> radii, ContactMesh& made) {
   std::map<std::uint32_t, SurfaceNode> nodes;
   for (std::size_t i = 0; i < contact.loft.capsules.size(); ++i) {
@@ -74,7 +74,7 @@ void add_capsules(const ContactModel& contact, const Mesh& mesh, std::uint32_t p
 }
 
 /// The particles of a surface.
-void add_spheres(const ContactModel& contact, std::uint32_t position, ContactMesh& made) {
+void add_spheres(const ContactModel& contact, SurfaceIndex position, ContactMesh& made) {
   for (std::size_t i = 0; i < contact.loft.spheres.size(); ++i) {
     if (contact.surface_of_sphere[i] != position) continue;
     const LoftSphere& sphere = contact.loft.spheres[i];
@@ -127,7 +127,7 @@ std::vector<double> least_radii(const ContactModel& contact, const Mesh& mesh) {
   return radii;
 }
 
-void add_lofts(const ContactModel& contact, const Mesh& mesh, std::uint32_t surface,
+void add_lofts(const ContactModel& contact, const Mesh& mesh, SurfaceIndex surface,
                std::span<const double> radii, ContactMesh& made) {
   add_bricks(contact, surface, made);
   add_capsules(contact, mesh, surface, radii, made);

@@ -17,7 +17,7 @@ std::vector<double> least_radii(const ContactModel& contact, const Mesh& mesh);
 /// particles.
 ///   radii  least_radii()
 ///   made   has all contact nodes
-void add_lofts(const ContactModel& contact, const Mesh& mesh, std::uint32_t surface,
+void add_lofts(const ContactModel& contact, const Mesh& mesh, SurfaceIndex surface,
                std::span<const double> radii, ContactMesh& made);
 
 }  // namespace contactsim

@@ -15,9 +15,9 @@ struct EdgeSum {
   std::size_t n = 0;
 };
 
-void add_edges(const ContactKinematics& start, std::uint32_t surface, EdgeSum& sum) {
+void add_edges(const ContactKinematics& start, SurfaceIndex surface, EdgeSum& sum) {
   const ContactMesh& contact_mesh = start.contact_mesh();
-  for (std::uint32_t i = contact_mesh.first_face[surface]; i < contact_mesh.first_face[surface + 1]; ++i) {
+  for (const FaceIndex i : contact_mesh.faces_of(surface)) {
     const ContactFace& face = contact_mesh.faces[i];
     const std::size_t n_corners = face.is_triangle() ? 3 : 4;
     for (std::size_t k = 0; k < n_corners; ++k, ++sum.n)
@@ -26,7 +26,7 @@ void add_edges(const ContactKinematics& start, std::uint32_t surface, EdgeSum& s
 }
 
 /// Rods count as their edges, particles as their diameters.
-void add_lines(const ContactKinematics& start, std::uint32_t surface, EdgeSum& sum) {
+void add_lines(const ContactKinematics& start, SurfaceIndex surface, EdgeSum& sum) {
   for (const ContactEdge& edge : start.contact_mesh().edges) {
     if (edge.surface != surface || edge.is_sharp()) continue;
     sum.length +=
@@ -39,12 +39,12 @@ void add_lines(const ContactKinematics& start, std::uint32_t surface, EdgeSum& s
 
 double mean_edge(const ContactKinematics& start, const SurfacePair& pair) {
   EdgeSum sum;
-  for (const std::uint32_t surface : std::array{pair.first, pair.second}) {
+  for (const SurfaceIndex surface : std::array{pair.first, pair.second}) {
     if (pair.side_b != surface || pair.first == pair.second) add_edges(start, surface, sum);
   }
   if (sum.n == 0 && pair.side_b) add_edges(start, *pair.side_b, sum);
   if (sum.n == 0) {
-    for (const std::uint32_t surface : std::array{pair.first, pair.second}) add_lines(start, surface, sum);
+    for (const SurfaceIndex surface : std::array{pair.first, pair.second}) add_lines(start, surface, sum);
   }
   return sum.n > 0 ? sum.length / static_cast<double>(sum.n) : 0.0;
 }

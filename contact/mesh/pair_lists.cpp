@@ -34,7 +34,7 @@ void count_pairs(std::span<const FoundPairs> parts, RowRange rows, std::vector<s
 
 /// Puts the partners of each row together. The place after a row holds where its next partner goes, in the
 /// end where those of the next row begin.
-void place_pairs(std::span<const FoundPairs> parts, RowRange rows, PairLists& lists) {
+void place_pairs(std::span<const FoundPairs> parts, RowRange rows, PairTable& lists) {
   for (const FoundPairs& part : parts) {
     for (const RowPartner& pair : part.pairs) {
       if (rows.holds(pair.row)) lists.partners[lists.begin[pair.row + 1]++] = pair.partner;
@@ -42,7 +42,7 @@ void place_pairs(std::span<const FoundPairs> parts, RowRange rows, PairLists& li
   }
 }
 
-void sort_rows(RowRange rows, PairLists& lists) {
+void sort_rows(RowRange rows, PairTable& lists) {
   const auto partners = lists.partners.begin();
   for (std::uint32_t row = rows.first; row < rows.end; ++row) {
     std::sort(partners + static_cast<std::ptrdiff_t>(lists.begin[row]),
@@ -62,7 +62,7 @@ void sum_counts(std::vector<std::uint32_t>& begin) {
 
 }  // namespace
 
-void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLists& lists) {
+void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairTable& lists) {
   std::size_t n_pairs = 0;
   for (const FoundPairs& part : parts) n_pairs += part.pairs.size();
   if (n_pairs > std::numeric_limits<std::uint32_t>::max())
@@ -81,7 +81,7 @@ void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLis
   for (int i = 0; i < n; ++i) sort_rows(share(n_rows, i, n), lists);
 }
 
-void archive(const std::string& name, PairLists& lists, StateArchive& saved) {
+void archive(const std::string& name, PairTable& lists, StateArchive& saved) {
   saved.list(name + "/begin", lists.begin);
   saved.list(name + "/partners", lists.partners);
 }

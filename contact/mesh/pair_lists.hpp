@@ -3,18 +3,21 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/bytes_of.hpp"
+#include "core/base/index.hpp"
 
 namespace contactsim {
 
 class StateArchive;
 
-/// Pairs row by row: those of row i are partners[begin[i]] to partners[begin[i + 1] - 1], ascending.
-struct PairLists {
+/// Pairs of numbers row by row: those of row i are partners[begin[i]] to partners[begin[i + 1] - 1],
+/// ascending.
+struct PairTable {
   std::vector<std::uint32_t> begin = {0};  ///< [n_rows + 1]
   std::vector<std::uint32_t> partners;     ///< [n_pairs]
 
@@ -24,15 +27,36 @@ struct PairLists {
   std::span<const std::uint32_t> of(std::size_t row) const {
     return std::span(partners).subspan(begin[row], begin[row + 1] - begin[row]);
   }
-  /// Where in `partners` a pair of the lists stands.
-  std::size_t position(std::size_t row, std::uint32_t partner) const {
-    const auto of_row = of(row);
-    return begin[row] + static_cast<std::size_t>(std::ranges::lower_bound(of_row, partner) - of_row.begin());
+};
+
+/// Numbers seen as positions.
+template <class AnIndex>
+struct AsIndex {
+  constexpr AnIndex operator()(std::uint32_t number) const { return {number}; }
+};
+template <class AnIndex>
+using IndexView = std::ranges::transform_view<std::span<const std::uint32_t>, AsIndex<AnIndex>>;
+
+/// Pairs of positions row by row.
+template <class Row, class Partner>
+struct PairLists : PairTable {
+  IndexRange<Row> rows() const { return {{}, {static_cast<std::uint32_t>(n_rows())}}; }
+  /// The partners of one row, ascending.
+  IndexView<Partner> of(Row row) const { return {PairTable::of(number_of(row)), {}}; }
+  /// Pairs are counted through; those of a row, and the partner of one.
+  std::size_t first_pair(Row row) const { return begin[number_of(row)]; }
+  std::size_t end_pair(Row row) const { return begin[number_of(row) + 1]; }
+  Partner partner(std::size_t pair) const { return {partners[pair]}; }
+  /// Which pair of the lists these are.
+  std::size_t position(Row row, Partner partner) const {
+    const auto of_row = PairTable::of(number_of(row));
+    return first_pair(row) +
+           static_cast<std::size_t>(std::ranges::lower_bound(of_row, number_of(partner)) - of_row.begin());
   }
 };
 
 /// Saves or restores lists.
-void archive(const std::string& name, PairLists& lists, StateArchive& saved);
+void archive(const std::string& name, PairTable& lists, StateArchive& saved);
 
 /// Two boxes that may meet.
 struct RowPartner {
@@ -51,26 +75,26 @@ struct FoundPairs {
 ///   n_rows  above every row
 ///   lists   overwritten, its memory reused
 /// Throws std::length_error from 2^32 pairs on.
-void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairLists& lists);
+void list_pairs(std::span<const FoundPairs> parts, std::uint32_t n_rows, PairTable& lists);
 
 /// Lists partners by rows.
 ///   visit(take)  calls take(row, partner) for every entry, in the same order each time
-template <class Visit>
-PairLists list_by_row(std::size_t n_rows, const Visit& visit) {
-  PairLists lists;
+template <class Row, class Partner, class Visit>
+PairLists<Row, Partner> list_by_row(std::size_t n_rows, const Visit& visit) {
+  PairLists<Row, Partner> lists;
   lists.begin.assign(n_rows + 1, 0);
-  visit([&](std::uint32_t row, std::uint32_t) { ++lists.begin[row + 1]; });
+  visit([&](Row row, Partner) { ++lists.begin[number_of(row) + 1]; });
   for (std::size_t i = 0; i < n_rows; ++i) lists.begin[i + 1] += lists.begin[i];
   lists.partners.resize(lists.begin.back());
   std::vector<std::uint32_t> next(lists.begin.begin(), lists.begin.end() - 1);
-  visit([&](std::uint32_t row, std::uint32_t partner) { lists.partners[next[row]++] = partner; });
+  visit([&](Row row, Partner partner) { lists.partners[next[number_of(row)]++] = number_of(partner); });
   return lists;
 }
 
 /// What is known of the pairs of some lists, for other lists: that of the pairs in both, else a value.
 ///   known  [n_pairs of `old`]
 template <class Value>
-std::vector<Value> transfer_pairs(const PairLists& old, std::span<const Value> known, const PairLists& lists,
+std::vector<Value> transfer_pairs(const PairTable& old, std::span<const Value> known, const PairTable& lists,
                                   const Value& otherwise) {
   std::vector<Value> transferred(lists.partners.size(), otherwise);
   const std::size_t n_rows = std::min(old.n_rows(), lists.n_rows());

@@ -88,12 +88,13 @@ class ShapeReader {
 SmoothingShapes shapes_of_deck(const SurfaceSmoothing& smoothing, const ContactModel& model,
                                const ShapeReader& reader) {
   const auto& surfaces = model.surfaces.surfaces;
-  SmoothingShapes made{smoothing.name.text, false, std::vector<SurfaceShapes>(surfaces.size())};
+  SmoothingShapes made{smoothing.name.text, false,
+                       IndexedVector<SurfaceIndex, SurfaceShapes>(surfaces.size())};
   for (const SmoothingRegion& region : smoothing.regions) {
     if (!region.shape) continue;
     const auto shape = reader.shape_of(region);
     if (!shape) continue;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(surfaces)) {
       const auto names = [&](const DeckName& name) {
         return fold(name.text) == "all" || fold(name.text) == fold(surfaces[i].name);
       };
@@ -104,27 +105,26 @@ SmoothingShapes shapes_of_deck(const SurfaceSmoothing& smoothing, const ContactM
 }
 
 /// The parts of a surface that are connected by edges at which it turns smoothly, as lists of faces.
-std::vector<std::vector<std::uint32_t>> smooth_parts(const ContactKinematics& start, std::uint32_t surface) {
+std::vector<std::vector<FaceIndex>> smooth_parts(const ContactKinematics& start, SurfaceIndex surface) {
   const ContactMesh& contact_mesh = start.contact_mesh();
-  const std::uint32_t first = contact_mesh.first_face[surface], end = contact_mesh.first_face[surface + 1];
-  std::vector<std::uint8_t> is_taken(end - first, 0);
-  const auto normal_of = [&](std::uint32_t face) -> Eigen::Vector3d {
+  IndexedVector<FaceIndex, std::uint8_t> is_taken(contact_mesh.faces.size(), 0);
+  const auto normal_of = [&](FaceIndex face) -> Eigen::Vector3d {
     return start.area(contact_mesh.faces[face]).normalized();
   };
-  std::vector<std::vector<std::uint32_t>> parts;
-  for (std::uint32_t seed = first; seed < end; ++seed) {
-    if (is_taken[seed - first] != 0) continue;
-    std::vector<std::uint32_t>& part = parts.emplace_back(1, seed);
-    is_taken[seed - first] = 1;
+  std::vector<std::vector<FaceIndex>> parts;
+  for (const FaceIndex seed : contact_mesh.faces_of(surface)) {
+    if (is_taken[seed] != 0) continue;
+    std::vector<FaceIndex>& part = parts.emplace_back(1, seed);
+    is_taken[seed] = 1;
     for (std::size_t i = 0; i < part.size(); ++i) {
       const ContactFace& face = contact_mesh.faces[part[i]];
       const std::size_t n = face.is_triangle() ? 3 : 4;
       for (std::size_t k = 0; k < n; ++k) {
         const auto beyond =
             find_face_beyond(contact_mesh, part[i], {face.corners[k], face.corners[(k + 1) % n]});
-        if (!beyond || is_taken[*beyond - first] != 0) continue;
+        if (!beyond || is_taken[*beyond] != 0) continue;
         if (!(normal_of(part[i]).dot(normal_of(*beyond)) > smooth_turn)) continue;
-        is_taken[*beyond - first] = 1;
+        is_taken[*beyond] = 1;
         part.push_back(*beyond);
       }
     }
@@ -132,10 +132,10 @@ std::vector<std::vector<std::uint32_t>> smooth_parts(const ContactKinematics& st
   return parts;
 }
 
-SurfacePart part_of(const ContactKinematics& start, const std::vector<std::uint32_t>& faces) {
+SurfacePart part_of(const ContactKinematics& start, const std::vector<FaceIndex>& faces) {
   SurfacePart part;
   std::set<std::uint32_t> nodes;
-  for (const std::uint32_t index : faces) {
+  for (const FaceIndex index : faces) {
     const ContactFace& face = start.contact_mesh().faces[index];
     const std::size_t n = face.is_triangle() ? 3 : 4;
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -148,7 +148,7 @@ SurfacePart part_of(const ContactKinematics& start, const std::vector<std::uint3
   return part;
 }
 
-SurfaceShapes fitted_shapes(const ContactKinematics& start, std::uint32_t surface) {
+SurfaceShapes fitted_shapes(const ContactKinematics& start, SurfaceIndex surface) {
   SurfaceShapes shapes;
   for (const auto& faces : smooth_parts(start, surface)) {
     const PartFit fit = fit_part(part_of(start, faces));
@@ -167,10 +167,11 @@ SurfaceShapes fitted_shapes(const ContactKinematics& start, std::uint32_t surfac
 }
 
 SmoothingShapes shapes_of_mesh(const ContactModel& model, const Mesh& mesh) {
-  SmoothingShapes made{"AUTO", true, std::vector<SurfaceShapes>(model.surfaces.surfaces.size())};
+  SmoothingShapes made{"AUTO", true,
+                       IndexedVector<SurfaceIndex, SurfaceShapes>(model.surfaces.surfaces.size())};
   const ContactMesh contact_mesh = make_contact_mesh(model, mesh);
   const ContactKinematics start = kinematics_of_mesh(contact_mesh, mesh);
-  for (std::uint32_t i = 0; i < made.surfaces.size(); ++i) {
+  for (const SurfaceIndex i : indices(made.surfaces)) {
     const bool is_asked_for = std::ranges::any_of(model.pairs, [&](const SurfacePair& pair) {
       return pair.smoothing_choice.kind == SmoothingChoice::Kind::automatic &&
              (pair.first == i || pair.second == i);
@@ -215,7 +216,7 @@ class SmoothingFinder {
 
 /// Whether a smoothing has a shape for a side that has faces.
 bool smooths(const ContactModel& model, const SurfacePair& pair) {
-  return std::ranges::any_of(std::array{pair.first, pair.second}, [&](std::uint32_t surface) {
+  return std::ranges::any_of(std::array{pair.first, pair.second}, [&](SurfaceIndex surface) {
     return model.surfaces.surfaces[surface].kind == SurfaceKind::face &&
            !model.smoothings[*pair.smoothing].surfaces[surface].is_empty();
   });
@@ -276,10 +277,9 @@ void find_smoothings(const SimulationDefinition& definition, const ContactDefini
 
 void add_smooth_faces(const ContactModel& model, const ContactKinematics& start, ContactMesh& contact_mesh) {
   if (model.smoothings.empty()) return;
-  const auto n_faces = static_cast<std::uint32_t>(contact_mesh.faces.size());
-  SmoothFaces smooth(model.smoothings.size(), n_faces);
+  SmoothFaces smooth(model.smoothings.size(), contact_mesh.faces.size());
   for (std::uint32_t s = 0; s < model.smoothings.size(); ++s) {
-    for (std::uint32_t i = 0; i < n_faces; ++i) {
+    for (const FaceIndex i : indices(contact_mesh.faces)) {
       const ContactFace& face = contact_mesh.faces[i];
       const FaceCorners corners = start.face_corners(i);
       const auto found = find_shape(model.smoothings[s].surfaces[face.surface], corners);
@@ -287,11 +287,10 @@ void add_smooth_faces(const ContactModel& model, const ContactKinematics& start,
       auto made = SmoothFace::make(*found->shape, corners, face.is_triangle());
       if (made) smooth.add(s, i, found->number, std::move(*made));
     }
-    for (std::uint32_t i = 0; i < n_faces; ++i) {
+    for (const FaceIndex i : indices(contact_mesh.faces)) {
       SmoothFace* face = smooth.find(s, i);
       if (face == nullptr) continue;
-      face->sharpness =
-          sharpness_of(start, i, [&](std::uint32_t beyond) { return smooth.go_on(s, i, beyond); });
+      face->sharpness = sharpness_of(start, i, [&](FaceIndex beyond) { return smooth.go_on(s, i, beyond); });
     }
   }
   contact_mesh.smooth_faces = std::move(smooth);

@@ -130,11 +130,11 @@ std::vector<std::uint32_t> SurfaceNodes::take_set(std::span<const NodeIndex> nod
   return taken;
 }
 
-void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made) {
+void SurfaceNodes::add(const ContactSurface& surface, SurfaceIndex position, ContactMesh& made) {
   const auto nodes =
       surface.kind == SurfaceKind::node
           ? take_set(surface.nodes)
-          : take_faces(std::span<const ContactFace>(made.faces).subspan(made.first_face.back()),
+          : take_faces(std::span<const ContactFace>(made.faces).subspan(made.first_face.back().value),
                        made.mesh_nodes);
   for (const std::uint32_t node : nodes) {
     SurfaceNode own = of_node_[node];
@@ -149,10 +149,10 @@ void SurfaceNodes::add(const ContactSurface& surface, std::uint32_t position, Co
   }
 }
 
-void SurfaceNodes::add_free(std::span<const ErodedNode> eroded_nodes, std::uint32_t position,
-                            bool is_of_nodes, ContactMesh& made) const {
+void SurfaceNodes::add_free(std::span<const ErodedNode> eroded_nodes, SurfaceIndex position, bool is_of_nodes,
+                            ContactMesh& made) const {
   const Mesh& mesh = numbers_.mesh();
-  const auto first = static_cast<std::ptrdiff_t>(made.first_node.back());
+  const auto first = static_cast<std::ptrdiff_t>(made.first_node.back().value);
   for (const ErodedNode& free : eroded_nodes) {
     if (free.surface != position) continue;
     SurfaceNode own;

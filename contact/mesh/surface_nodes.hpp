@@ -35,11 +35,11 @@ class SurfaceNodes {
 
   /// Adds the nodes of a surface, those of its faces or its own.
   ///   made  has the faces of the surface as its last, first_face not yet their end
-  void add(const ContactSurface& surface, std::uint32_t position, ContactMesh& made);
+  void add(const ContactSurface& surface, SurfaceIndex position, ContactMesh& made);
 
   /// Adds free nodes of a surface, among its nodes.
   ///   is_of_nodes  whether it is a surface of nodes, which stand for their masses
-  void add_free(std::span<const ErodedNode> eroded_nodes, std::uint32_t position, bool is_of_nodes,
+  void add_free(std::span<const ErodedNode> eroded_nodes, SurfaceIndex position, bool is_of_nodes,
                 ContactMesh& made) const;
 
  private:

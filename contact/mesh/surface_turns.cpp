@@ -22,7 +22,7 @@ Eigen::Matrix3d axes_about(const ContactMesh& contact_mesh, std::uint32_t node, 
   const auto faces = contact_mesh.faces_of_node.of(node);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   double size = 0.0;
-  for (const std::uint32_t face : faces) {
+  for (const FaceIndex face : faces) {
     const Eigen::Vector3d area = doubled_area(contact_mesh.faces[face], x);
     sum += area;
     size += area.norm();
@@ -55,7 +55,7 @@ Eigen::Matrix3d SurfaceTurns::turn(const ContactKinematics& now, std::uint32_t n
                         to = axes_about(*contact_mesh_, node, x_now);
   // The angle that maximizes the sum of w_start . R w_now over the ways w along the surface.
   double along = 0.0, across = 0.0;
-  for (const std::uint32_t face : contact_mesh_->faces_of_node.of(node)) {
+  for (const FaceIndex face : contact_mesh_->faces_of_node.of(node)) {
     for (const std::uint32_t corner : contact_mesh_->faces[face].corners) {
       const Eigen::Vector3d before = from.transpose() * (x_start(corner) - x_start(node)),
                             after = to.transpose() * (x_now(corner) - x_now(node));

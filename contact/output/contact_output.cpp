@@ -112,7 +112,7 @@ std::vector<OutputVariable> ContactOutput::variables() {
   add_side_sets(made);
   for (const ContactTotalRow& row : contact_total_rows()) {
     const auto& surfaces = contact_.surfaces.surfaces;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(surfaces)) {
       const auto of_surface = [this, i](const State& state) -> const ContactTotal& {
         return evaluate(state), surfaces_[i];
       };

@@ -125,7 +125,7 @@ class ContactOutput {
   std::vector<double> rest_status_;                         // [n_nodes] of nodes that touch nothing
   std::vector<OptionalIndex<std::uint32_t>> contact_node_;  // [n_nodes] position among the contact nodes
   std::vector<NodeContact> nodes_;                          // [n_contact_nodes]
-  std::vector<ContactTotal> surfaces_;
+  IndexedVector<SurfaceIndex, ContactTotal> surfaces_;
   IndexedVector<PairIndex, ContactTotal> pairs_;
 
   /// What is known of a side set of the mesh.

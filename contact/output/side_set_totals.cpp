@@ -33,8 +33,8 @@ class SideSum {
     const CornerForces& forces = held.forces;
     if (forces.normal.isZero()) return;
     const double first =
-        tie.is_node ? share_of_node(tie.first_entity, forces.normal) : share_of_face(tie.first_entity);
-    const double second = share_of_face(tie.second_entity);
+        tie.is_node ? share_of_node(tie.row(), forces.normal) : share_of_face(tie.first_face());
+    const double second = share_of_face(tie.second);
     const double net = first - second, both = first + second;
     if (both == 0.0) return;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -52,9 +52,9 @@ class SideSum {
 
  private:
   bool holds(ElementSide side) const { return std::ranges::binary_search(sides_, side); }
-  double share_of_face(std::uint32_t face) const { return holds(contact_mesh_.faces[face].side) ? 1.0 : 0.0; }
+  double share_of_face(FaceIndex face) const { return holds(contact_mesh_.faces[face].side) ? 1.0 : 0.0; }
 
-  double share_of_edge(std::uint32_t index) const {
+  double share_of_edge(EdgeIndex index) const {
     const ContactEdge& edge = contact_mesh_.edges[index];
     if (!edge.faces) return holds(edge.side) ? 1.0 : 0.0;
     return 0.5 * (share_of_face((*edge.faces)[0]) + share_of_face((*edge.faces)[1]));
@@ -67,10 +67,10 @@ class SideSum {
 
   /// The part of a surface node's force that its faces in the set get.
   ///   normal  towards the node [1]
-  double share_of_node(std::uint32_t row, const Eigen::Vector3d& normal) const {
+  double share_of_node(SurfaceNodeIndex row, const Eigen::Vector3d& normal) const {
     const SurfaceNode& node = contact_mesh_.surface_nodes[row];
     double against = 0.0, against_in = 0.0, area = 0.0, area_in = 0.0;
-    for (const std::uint32_t index : contact_mesh_.faces_of_node.of(node.node)) {
+    for (const FaceIndex index : contact_mesh_.faces_of_node.of(node.node)) {
       const ContactFace& face = contact_mesh_.faces[index];
       if (face.surface != node.surface) continue;
       const Eigen::Vector3d vector = area_vector(face);
@@ -86,14 +86,14 @@ class SideSum {
   }
 
   double share_of_first(const ContactPoint& point) const {
-    if (point.is_of_edges) return share_of_edge(point.first_entity);
-    return point.first.is_node() ? share_of_node(point.first_entity, point.normal)
-                                 : share_of_face(point.first_entity);
+    if (point.is_of_edges) return share_of_edge(point.first_edge());
+    return point.first.is_node() ? share_of_node(point.row(), point.normal)
+                                 : share_of_face(point.first_face());
   }
 
   double share_of_second(const ContactPoint& point) const {
     if (point.second.weights.isZero(0.0)) return 0.0;
-    return point.is_of_edges ? share_of_edge(point.second_entity) : share_of_face(point.second_entity);
+    return point.is_of_edges ? share_of_edge(point.second_edge()) : share_of_face(point.second_face());
   }
 
   const ContactForce& force_;

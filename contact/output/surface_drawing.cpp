@@ -31,7 +31,7 @@ class SurfaceDrawing {
   }
 
   FacetMesh draw() {
-    for (std::uint32_t i = 0; i < model_.surfaces.surfaces.size(); ++i) draw_mesh_parts(i);
+    for (const SurfaceIndex surface : indices(model_.surfaces.surfaces)) draw_mesh_parts(surface);
     draw_lofts();
     draw_edges();
     drawing_.coordinates.resize(3, static_cast<Eigen::Index>(points_.size()));
@@ -55,9 +55,9 @@ class SurfaceDrawing {
     return *point;
   }
 
-  void draw_mesh_parts(std::uint32_t index) {
+  void draw_mesh_parts(SurfaceIndex index) {
     const ContactSurface& surface = model_.surfaces.surfaces[index];
-    FacetBlock& block = drawing_.blocks[index];
+    FacetBlock& block = drawing_.blocks[index.value];
     for (const ElementSide face : surface.faces) {
       for (const auto& nodes : mesh_.side_facets(face)) {
         Facet facet{};
@@ -81,10 +81,10 @@ class SurfaceDrawing {
     for (std::size_t i = 0; i < model_.loft.facets.size(); ++i) {
       Facet facet = model_.loft.facets[i].vertices;
       for (std::uint32_t& vertex : facet) vertex += first;
-      drawing_.blocks[model_.surface_of_facet[i]].facets.push_back(facet);
+      drawing_.blocks[model_.surface_of_facet[i].value].facets.push_back(facet);
     }
     for (std::size_t i = 0; i < model_.loft.spheres.size(); ++i) {
-      draw_sphere(model_.loft.spheres[i], drawing_.blocks[model_.surface_of_sphere[i]]);
+      draw_sphere(model_.loft.spheres[i], drawing_.blocks[model_.surface_of_sphere[i].value]);
     }
   }
 
@@ -128,7 +128,7 @@ class SurfaceDrawing {
       return node < n_mesh_points ? point_of({contact_mesh_.mesh_nodes[node]})
                                   : drawn_loft_points_[node - n_mesh_points];
     };
-    for (std::uint32_t i = 0; i < model_.surfaces.surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(model_.surfaces.surfaces)) {
       FacetBlock block{find_free_name(model_.surfaces.surfaces[i].name + "_edges"), {}, {}, {}};
       for (const ContactEdge& edge : contact_mesh_.edges) {
         if (edge.surface != i || edge.is_particle() || (edge.is_sharp() && !edge.is_feature)) continue;

@@ -48,7 +48,7 @@ SurfaceSummary summarize_mesh_parts(const ContactSurface& surface, const Mesh& m
   return summary;
 }
 
-void add_loft_parts(const ContactModel& model, std::vector<SurfaceSummary>& summaries) {
+void add_loft_parts(const ContactModel& model, SurfaceSummaries& summaries) {
   for (std::size_t i = 0; i < model.loft.facets.size(); ++i) {
     const LoftFacet& facet = model.loft.facets[i];
     SurfaceSummary& summary = summaries[model.surface_of_facet[i]];
@@ -107,7 +107,7 @@ class FacetLister {
   FacetLister(const ContactModel& model, const Mesh& mesh) : model_(model), mesh_(mesh) {}
 
   std::vector<FacetRow> list() {
-    for (std::uint32_t i = 0; i < model_.surfaces.surfaces.size(); ++i) add_mesh_parts(i);
+    for (const SurfaceIndex surface : indices(model_.surfaces.surfaces)) add_mesh_parts(surface);
     add_lofts();
     std::stable_sort(rows_.begin(), rows_.end(),
                      [](const auto& a, const auto& b) { return a.key() < b.key(); });
@@ -117,14 +117,14 @@ class FacetLister {
   }
 
  private:
-  void add(std::uint32_t surface, ElementIndex element, int side, std::string_view kind, double area) {
+  void add(SurfaceIndex surface, ElementIndex element, int side, std::string_view kind, double area) {
     const std::uint32_t block = mesh_.block_of(element);
     rows_.push_back(
         {block,
          {surface, mesh_.name({EntityKind::block, block}), mesh_.element_id(element), side, kind, area}});
   }
 
-  void add_mesh_parts(std::uint32_t index) {
+  void add_mesh_parts(SurfaceIndex index) {
     const ContactSurface& surface = model_.surfaces.surfaces[index];
     for (const ElementSide face : surface.faces) {
       add(index, face.element(), face.side(), "face", face_area(mesh_, face));
@@ -161,8 +161,8 @@ class FacetLister {
 
 }  // namespace
 
-std::vector<SurfaceSummary> summarize(const ContactModel& model, const Mesh& mesh) {
-  std::vector<SurfaceSummary> summaries;
+SurfaceSummaries summarize(const ContactModel& model, const Mesh& mesh) {
+  SurfaceSummaries summaries;
   for (const ContactSurface& surface : model.surfaces.surfaces) {
     summaries.push_back(summarize_mesh_parts(surface, mesh));
   }

@@ -21,12 +21,13 @@ struct SurfaceSummary {
   double area = 0.0;        ///< of element faces and lofts [length^2]
 };
 
-/// [n_surfaces]
-std::vector<SurfaceSummary> summarize(const ContactModel& model, const Mesh& mesh);
+using SurfaceSummaries = IndexedVector<SurfaceIndex, SurfaceSummary>;
+
+SurfaceSummaries summarize(const ContactModel& model, const Mesh& mesh);
 
 /// One owned facet, as the face table shows it.
 struct FacetRow {
-  std::uint32_t surface = 0;
+  SurfaceIndex surface;
   std::string block;         ///< name; "" for nodes, the object's name for analytic planes
   std::int64_t element = 0;  ///< Exodus id of the element, or of the node; 0 for analytic planes
   int side = 0;           ///< Exodus side number; 1 for prisms and spheres, 0 for nodes and analytic planes

@@ -14,10 +14,10 @@ namespace {
 /// Half the element behind a face: of contact that has not begun, and of overlaps that are removed.
 constexpr double overlap_share = 0.5;
 
-AutomaticLengths lengths_of(const ContactKinematics& start, std::uint32_t surface, double size_share) {
+AutomaticLengths lengths_of(const ContactKinematics& start, SurfaceIndex surface, double size_share) {
   const ContactMesh& contact_mesh = start.contact_mesh();
   AutomaticLengths lengths;
-  for (std::uint32_t i = contact_mesh.first_face[surface]; i < contact_mesh.first_face[surface + 1]; ++i) {
+  for (const FaceIndex i : contact_mesh.faces_of(surface)) {
     const ContactFace& face = contact_mesh.faces[i];
     const FaceBound& bound = start.bound(i);
     lengths.normal.add(size_share * std::sqrt(start.area(face).norm()));
@@ -26,7 +26,7 @@ AutomaticLengths lengths_of(const ContactKinematics& start, std::uint32_t surfac
     lengths.capture.add(capture_tolerance_of({}, bound, size_share));
   }
   if (lengths.normal.exists()) return lengths;
-  for (std::uint32_t i = contact_mesh.first_node[surface]; i < contact_mesh.first_node[surface + 1]; ++i)
+  for (const SurfaceNodeIndex i : contact_mesh.rows_of(surface))
     lengths.normal.add(size_share * std::sqrt(contact_mesh.surface_nodes[i].area));
   return lengths;
 }
@@ -46,13 +46,13 @@ IndexedVector<PairIndex, AutomaticLengths> find_automatic_lengths(const ContactM
   const ContactMesh contact_mesh = make_contact_mesh(model, mesh);
   ContactKinematics start = kinematics_of_mesh(contact_mesh, mesh);
   start.bound_all();
-  std::vector<AutomaticLengths> of_surface;
-  for (std::uint32_t surface = 0; surface < model.surfaces.surfaces.size(); ++surface)
+  IndexedVector<SurfaceIndex, AutomaticLengths> of_surface;
+  for (const SurfaceIndex surface : indices(model.surfaces.surfaces))
     of_surface.push_back(lengths_of(start, surface, dash.search_length_scaling));
   IndexedVector<PairIndex, AutomaticLengths> lengths;
   for (const SurfacePair& pair : model.pairs) {
     AutomaticLengths& own = lengths.emplace_back();
-    for (const std::uint32_t surface : std::array{pair.first, pair.second}) own.add(of_surface[surface]);
+    for (const SurfaceIndex surface : std::array{pair.first, pair.second}) own.add(of_surface[surface]);
     if (pair.search_distance || pair.gap_closure) own.edge.add(mean_edge(start, pair));
   }
   return lengths;

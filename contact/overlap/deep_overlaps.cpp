@@ -123,9 +123,9 @@ std::vector<DeepOverlaps::Volume> DeepOverlaps::volumes_near(const Eigen::Matrix
 
 std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3Xd& coordinates,
                                                             const ContactKinematics& kinematics) const {
-  const auto n_rows = static_cast<std::uint32_t>(contact_mesh().surface_nodes.size());
-  if (n_rows == 0 || thick_bodies_.empty()) return {};
-  const auto box_of_row = [&](std::uint32_t row) {
+  const auto all_rows = indices(contact_mesh().surface_nodes);
+  if (all_rows.size() == 0 || thick_bodies_.empty()) return {};
+  const auto box_of_row = [&](SurfaceNodeIndex row) {
     Box box = empty_box();
     add(kinematics.x(contact_mesh().surface_nodes[row].node), box);
     return box;
@@ -140,13 +140,14 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
     for (const std::uint32_t point : loft) extend(contact_mesh().mesh_nodes[point], kinematics.x(point));
   }
   BroadPhase rows, around, inner;
-  if (rows.update(n_rows, box_of_row) || around.update(body_boxes)) return {};
-  PairLists near;
+  if (rows.update(all_rows, box_of_row) || around.update(body_boxes)) return {};
+  PairLists<SurfaceNodeIndex, std::uint32_t> near;
   rows.find_pairs(
-      around, [&](std::uint32_t row, std::uint32_t body) { return body_of_row(row) != thick_bodies_[body]; },
+      around,
+      [&](SurfaceNodeIndex row, std::uint32_t body) { return body_of_row(row) != thick_bodies_[body]; },
       near);
   std::vector<Box> boxes(thick_bodies_.size(), empty_box());
-  for (std::uint32_t row = 0; row < n_rows; ++row) {
+  for (const SurfaceNodeIndex row : all_rows) {
     for (const std::uint32_t body : near.of(row))
       add(kinematics.x(contact_mesh().surface_nodes[row].node), boxes[body]);
   }
@@ -159,7 +160,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
     return box;
   };
   if (inner.update(static_cast<std::uint32_t>(volumes.size()), box_of_volume)) return {};
-  const auto is_inside = [&](std::uint32_t row, std::uint32_t i) {
+  const auto is_inside = [&](SurfaceNodeIndex row, std::uint32_t i) {
     const Volume& volume = volumes[i];
     if (volume.body == body_of_row(row)) return false;
     return is_in_solid(volume.corners, topology(volume.shape),
@@ -167,7 +168,7 @@ std::vector<DeepOverlaps::Inside> DeepOverlaps::find_inside(const Eigen::Matrix3
   };
   rows.find_pairs(inner, is_inside, near);
   std::vector<Inside> inside;
-  for (std::uint32_t row = 0; row < n_rows; ++row) {
+  for (const SurfaceNodeIndex row : all_rows) {
     for (const std::uint32_t i : near.of(row)) {
       const std::uint32_t body = *number_of_body_[volumes[i].body];
       const bool is_known = !inside.empty() && inside.back().row == row && inside.back().body == body;
@@ -182,16 +183,16 @@ bool DeepOverlaps::is_facing(const ContactKinematics& kinematics, const SurfaceN
                              const Eigen::Vector3d& normal) const {
   if (node.radius > 0.0f) return true;
   const auto own_faces = contact_mesh().faces_of_node.of(node.node);
-  return own_faces.empty() || std::ranges::any_of(own_faces, [&](std::uint32_t index) {
+  return own_faces.empty() || std::ranges::any_of(own_faces, [&](FaceIndex index) {
            const ContactFace& face = contact_mesh().faces[index];
            const Eigen::Vector3d area = kinematics.area(face);
            return face.surface == node.surface && area.dot(normal) < facing_cosine * area.norm();
          });
 }
 
-std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& kinematics,
-                                                      const Inside& inside,
-                                                      const PairLists& faces_of_body) const {
+std::optional<DeepOverlap> DeepOverlaps::find_way_out(
+    const ContactKinematics& kinematics, const Inside& inside,
+    const PairLists<std::uint32_t, FaceIndex>& faces_of_body) const {
   const SurfaceNode& node = contact_mesh().surface_nodes[inside.row];
   const Eigen::Vector3d point = kinematics.x(node.node);
   const OverlapNode& own = parts_.of_node[inside.row];
@@ -199,7 +200,7 @@ std::optional<DeepOverlap> DeepOverlaps::find_way_out(const ContactKinematics& k
   const bool has_normal = !parts_.is_lofted(node) && own.normal.norm() > smallest_share * own.size * own.size;
   std::optional<DeepOverlap> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const std::uint32_t index : faces_of_body.of(inside.body)) {
+  for (const FaceIndex index : faces_of_body.of(inside.body)) {
     const ContactFace& face = contact_mesh().faces[index];
     const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
     if (!pair || !takes_part(*rules_[*pair].pair, face, contact_mesh(), mesh_)) continue;
@@ -243,12 +244,13 @@ std::vector<DeepOverlap> DeepOverlaps::find(const Eigen::Matrix3Xd& coordinates,
                                             const ContactKinematics& kinematics) const {
   const std::vector<Inside> inside = find_inside(coordinates, kinematics);
   if (inside.empty()) return {};
-  const PairLists faces_of_body = list_by_row(thick_bodies_.size(), [&](const auto& take) {
-    for (std::uint32_t i = 0; i < contact_mesh().faces.size(); ++i) {
-      const OptionalIndex<std::uint32_t> number = number_of_body_[body_of(contact_mesh().faces[i])];
-      if (number) take(*number, i);
-    }
-  });
+  const auto faces_of_body =
+      list_by_row<std::uint32_t, FaceIndex>(thick_bodies_.size(), [&](const auto& take) {
+        for (const FaceIndex i : indices(contact_mesh().faces)) {
+          const OptionalIndex<std::uint32_t> number = number_of_body_[body_of(contact_mesh().faces[i])];
+          if (number) take(*number, i);
+        }
+      });
   std::vector<std::optional<DeepOverlap>> ways(inside.size());
 #pragma omp parallel for schedule(dynamic, 16) num_threads(threads_for(inside.size() * 100))
   for (std::size_t i = 0; i < inside.size(); ++i)

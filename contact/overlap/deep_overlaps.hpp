@@ -17,8 +17,8 @@ namespace contactsim {
 /// A node of a contact surface that lies inside the solids, or the lofted shells, of another body.
 struct DeepOverlap {
   PairIndex pair;
-  std::uint32_t row = 0;                             ///< surface node
-  std::uint32_t face = 0;                            ///< through which its way out leads
+  SurfaceNodeIndex row;
+  FaceIndex face;                                    ///< through which its way out leads
   double depth = 0.0;                                ///< along the face's normal, > 0 [length]
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< of the face: the node's way out [1]
   bool is_deep = false;  ///< by more than half the thinner element; always inside a lofted shell
@@ -48,7 +48,8 @@ class DeepOverlaps {
 
  private:
   struct Inside {
-    std::uint32_t row, body;
+    SurfaceNodeIndex row;
+    std::uint32_t body;  // in thick_bodies_
   };
   /// A solid, or the room between the top and the bottom of a lofted shell.
   struct Volume {
@@ -62,13 +63,13 @@ class DeepOverlaps {
   std::vector<Volume> volumes_near(const Eigen::Matrix3Xd& coordinates, const ContactKinematics& kinematics,
                                    std::span<const Box> boxes) const;
   std::optional<DeepOverlap> find_way_out(const ContactKinematics& kinematics, const Inside& inside,
-                                          const PairLists& faces_of_body) const;
+                                          const PairLists<std::uint32_t, FaceIndex>& faces_of_body) const;
   bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node,
                  const Eigen::Vector3d& normal) const;
   std::uint32_t body_of(const ContactFace& face) const {
     return bodies_[contact_mesh().mesh_nodes[face.corners[0]]];
   }
-  std::uint32_t body_of_row(std::uint32_t row) const {
+  std::uint32_t body_of_row(SurfaceNodeIndex row) const {
     return bodies_[contact_mesh().mesh_nodes[contact_mesh().surface_nodes[row].node]];
   }
   const ContactMesh& contact_mesh() const { return parts_.contact_mesh; }

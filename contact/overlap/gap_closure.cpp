@@ -38,7 +38,7 @@ GapClosure::GapClosure(const ContactModel& model, const Mesh& mesh, const Overla
   }
 }
 
-bool GapClosure::may_go(const SurfacePair& pair, std::uint32_t row) const {
+bool GapClosure::may_go(const SurfacePair& pair, SurfaceNodeIndex row) const {
   return !pair.side_b || parts_.contact_mesh.surface_nodes[row].surface == *pair.side_b;
 }
 
@@ -47,14 +47,14 @@ void GapClosure::add(ClosingNode node) {
 }
 
 void GapClosure::add_near(PairIndex pair, const OverlapSites& sites, double tolerance) {
-  const std::span<const OverlapCandidate> faces = sites.faces;
+  const std::span<const NodeFaceCandidate> faces = sites.faces;
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].entity == faces[begin].entity) ++end;
     const auto of_node = faces.subspan(begin, end - begin);
     if (may_go(model_.pairs[pair], faces[begin].entity))
       add({pair, tolerance, {of_node.begin(), of_node.end()}, {}});
   }
-  for (const OverlapCandidate& candidate : sites.planes) {
+  for (const NodePlaneCandidate& candidate : sites.planes) {
     if (may_go(model_.pairs[pair], candidate.entity)) add({pair, tolerance, {}, {candidate}});
   }
 }
@@ -69,12 +69,11 @@ void GapClosure::add_set(PairIndex index, const Mesh& mesh, std::uint32_t set) {
     return std::ranges::find(mesh.node_sets()[set].nodes, own) != mesh.node_sets()[set].nodes.end();
   };
   for (const auto& [own, other] : {std::pair(pair.first, pair.second), std::pair(pair.second, pair.first)}) {
-    for (std::uint32_t row = contact_mesh.first_node[own]; row < contact_mesh.first_node[own + 1]; ++row) {
+    for (const SurfaceNodeIndex row : contact_mesh.rows_of(own)) {
       const SurfaceNode& node = contact_mesh.surface_nodes[row];
       if (!is_in_set(node)) continue;
       ClosingNode closing{index, far, {}, {}};
-      for (std::uint32_t face = contact_mesh.first_face[other]; face < contact_mesh.first_face[other + 1];
-           ++face) {
+      for (const FaceIndex face : contact_mesh.faces_of(other)) {
         const auto& corners = contact_mesh.faces[face].corners;
         if (std::ranges::find(corners, node.node) != corners.end()) continue;
         const FaceBound bound(points_.corners(contact_mesh.faces[face]), FaceCorners::Zero(),
@@ -95,7 +94,7 @@ std::optional<Overlap> GapClosure::find_gap(const ClosingNode& node) const {
     if (const auto found = detection_.find_before_faces(model_.pairs[node.pair], node.faces, node.reach))
       return found;
   }
-  for (const OverlapCandidate& plane : node.planes) {
+  for (const NodePlaneCandidate& plane : node.planes) {
     if (const auto found = detection_.find_before_plane(plane, node.reach)) return found;
   }
   return std::nullopt;

@@ -34,13 +34,14 @@ class GapClosure {
   struct ClosingNode {
     PairIndex pair;
     double reach = 0.0;  ///< [length]
-    std::vector<OverlapCandidate> faces, planes;
+    std::vector<NodeFaceCandidate> faces;
+    std::vector<NodePlaneCandidate> planes;
   };
 
   void add_near(PairIndex pair, const OverlapSites& sites, double tolerance);
   void add_set(PairIndex pair, const Mesh& mesh, std::uint32_t set);
   void add(ClosingNode node);
-  bool may_go(const SurfacePair& pair, std::uint32_t row) const;
+  bool may_go(const SurfacePair& pair, SurfaceNodeIndex row) const;
   std::optional<Overlap> find_gap(const ClosingNode& node) const;
 
   const ContactModel& model_;

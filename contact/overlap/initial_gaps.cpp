@@ -27,12 +27,12 @@ void add_planes(const ContactModel& model, const ContactKinematics& kinematics, 
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
   for (const PairIndex i : indices(model.pairs)) {
     const SurfacePair& pair = model.pairs[i];
-    const auto add = [&](std::uint32_t with_plane, std::uint32_t other) {
+    const auto add = [&](SurfaceIndex with_plane, SurfaceIndex other) {
       for (const std::uint32_t plane : model.surfaces.surfaces[with_plane].analytic_planes) {
         const AnalyticPlane& wall = model.planes[plane];
-        for (std::uint32_t n = contact_mesh.first_node[other]; n < contact_mesh.first_node[other + 1]; ++n) {
-          const Eigen::Vector3d away = kinematics.x(contact_mesh.surface_nodes[n].node) - wall.origin;
-          note(away.dot(wall.normal.normalized()) - contact_mesh.surface_nodes[n].radius, starts[i]);
+        for (const SurfaceNodeIndex row : contact_mesh.rows_of(other)) {
+          const Eigen::Vector3d away = kinematics.x(contact_mesh.surface_nodes[row].node) - wall.origin;
+          note(away.dot(wall.normal.normalized()) - contact_mesh.surface_nodes[row].radius, starts[i]);
         }
       }
     };
@@ -55,18 +55,19 @@ InitialGaps find_initial_gaps(const ContactModel& model, const Mesh& mesh, const
   kinematics.move_nodes(motion);
   kinematics.bound_all();
   ContactSearch search(contact_mesh, mesh, rules, {}, dash);
-  PairLists face_partners, node_faces;
+  FacePairLists face_partners;
+  NodeFaceLists node_faces;
   search.find_face_pairs(kinematics, motion, {}, face_partners);
   search.find_node_faces(kinematics, motion, {}, node_faces);
-  for (std::uint32_t a = 0; a < face_partners.n_rows(); ++a) {
-    for (const std::uint32_t b : face_partners.of(a)) {
+  for (const FaceIndex a : face_partners.rows()) {
+    for (const FaceIndex b : face_partners.of(a)) {
       const PairIndex pair = *rules.find(contact_mesh.faces[a].surface, contact_mesh.faces[b].surface);
       const auto gap = find_start_gap(kinematics, *rules[pair].pair, a, b);
       note(gap ? std::optional(gap->smallest) : std::nullopt, starts[pair]);
     }
   }
-  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    for (const std::uint32_t face : node_faces.of(row))
+  for (const SurfaceNodeIndex row : node_faces.rows()) {
+    for (const FaceIndex face : node_faces.of(row))
       ++starts[*rules.find(contact_mesh.surface_nodes[row].surface, contact_mesh.faces[face].surface)]
             .n_in_reach;
     const auto nearest = find_start_gap(kinematics, rules, row, node_faces.of(row));

@@ -86,20 +86,20 @@ void OverlapDetection::visit_nodes(PairIndex index, OverlapKind kind, const Visi
   const bool is_lofted = kind == OverlapKind::lofted;
   const OverlapSites& sites = is_lofted ? sites_[index].lofted : sites_[index].meshed;
   const double left = is_lofted ? tolerance_ : 0.0;
-  const std::span<const OverlapCandidate> faces = sites.faces;
+  const std::span<const NodeFaceCandidate> faces = sites.faces;
   for (std::size_t begin = 0, end = 0; begin < faces.size(); begin = end) {
     while (end < faces.size() && faces[end].entity == faces[begin].entity) ++end;
     const auto found = find_behind_faces(pair, faces.subspan(begin, end - begin));
     if (found && found->depth > left) visit(*found);
   }
-  for (const OverlapCandidate& candidate : sites.planes) {
+  for (const NodePlaneCandidate& candidate : sites.planes) {
     const auto found = find_behind_plane(pair, candidate);
     if (found && found->depth > left) visit(*found);
   }
 }
 
 void OverlapDetection::visit_edges(PairIndex pair, const Visit& visit) const {
-  for (const OverlapCandidate& candidate : sites_[pair].edges) {
+  for (const EdgePairCandidate& candidate : sites_[pair].edges) {
     const ContactEdge& first = parts_.contact_mesh.edges[candidate.entity];
     const ContactEdge& second = parts_.contact_mesh.edges[candidate.partner];
     const EdgePairPoints places(segment_of(points_.renewed(), first.nodes),
@@ -112,14 +112,14 @@ void OverlapDetection::visit_edges(PairIndex pair, const Visit& visit) const {
 }
 
 void OverlapDetection::visit_rims(PairIndex pair, const Visit& visit) const {
-  for (const OverlapCandidate& candidate : sites_[pair].rims) {
+  for (const FacePairCandidate& candidate : sites_[pair].rims) {
     const double half_thickness = std::min(parts_.of_face[candidate.entity].half_thickness,
                                            parts_.of_face[candidate.partner].half_thickness);
     visit_crossings(candidate, model_.pairs[pair].overlap_normal_tolerance.value_or(half_thickness), visit);
   }
 }
 
-void OverlapDetection::visit_crossings(const OverlapCandidate& faces, double deepest,
+void OverlapDetection::visit_crossings(const FacePairCandidate& faces, double deepest,
                                        const Visit& visit) const {
   const ContactKinematics& kinematics = points_.renewed();
   const ContactFace& first = parts_.contact_mesh.faces[faces.entity];
@@ -139,9 +139,9 @@ void OverlapDetection::visit_crossings(const OverlapCandidate& faces, double dee
 }
 
 std::optional<Overlap> OverlapDetection::find_behind_faces(const SurfacePair& pair,
-                                                           std::span<const OverlapCandidate> of_node) const {
+                                                           std::span<const NodeFaceCandidate> of_node) const {
   std::vector<NearOverlap> near;
-  for (const OverlapCandidate& candidate : of_node) {
+  for (const NodeFaceCandidate& candidate : of_node) {
     if (const auto found = find_near_face(pair, candidate)) near.push_back({candidate.partner, *found});
   }
   // What is joined takes long to find out, and most nodes are in front of everything.
@@ -152,10 +152,10 @@ std::optional<Overlap> OverlapDetection::find_behind_faces(const SurfacePair& pa
 }
 
 std::optional<Overlap> OverlapDetection::find_before_faces(const SurfacePair& pair,
-                                                           std::span<const OverlapCandidate> of_node,
+                                                           std::span<const NodeFaceCandidate> of_node,
                                                            double reach) const {
   std::vector<NearOverlap> near;
-  for (const OverlapCandidate& candidate : of_node) {
+  for (const NodeFaceCandidate& candidate : of_node) {
     if (const auto found = find_near_face(pair, candidate, reach))
       near.push_back({candidate.partner, *found});
   }
@@ -163,7 +163,7 @@ std::optional<Overlap> OverlapDetection::find_before_faces(const SurfacePair& pa
   return least && least->depth < 0.0 ? least : std::nullopt;
 }
 
-std::optional<Overlap> OverlapDetection::nearest_of(std::uint32_t row,
+std::optional<Overlap> OverlapDetection::nearest_of(SurfaceNodeIndex row,
                                                     std::span<const NearOverlap> near) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[row];
   std::optional<Overlap> least;
@@ -175,7 +175,7 @@ std::optional<Overlap> OverlapDetection::nearest_of(std::uint32_t row,
 }
 
 std::optional<Overlap> OverlapDetection::find_near_face(const SurfacePair& pair,
-                                                        const OverlapCandidate& candidate,
+                                                        const NodeFaceCandidate& candidate,
                                                         std::optional<double> reach) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[candidate.entity];
   const ContactFace& face = parts_.contact_mesh.faces[candidate.partner];
@@ -210,14 +210,14 @@ std::optional<Overlap> OverlapDetection::find_near_face(const SurfacePair& pair,
                  radius > 0.0 ? OverlapMover::ball : OverlapMover::first};
 }
 
-bool OverlapDetection::is_facing(std::uint32_t row, const Eigen::Vector3d& normal, bool is_lofted) const {
+bool OverlapDetection::is_facing(SurfaceNodeIndex row, const Eigen::Vector3d& normal, bool is_lofted) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[row];
   const OverlapNode& of_node = parts_.of_node[row];
   const bool has_faces = of_node.size > 0.0;
   if (!has_faces) return true;
   if (!is_lofted) return of_node.normal.dot(normal) < against_cosine * of_node.normal.norm();
   // The rim of a shell is too narrow to count in a mean.
-  return std::ranges::any_of(parts_.contact_mesh.faces_of_node.of(node.node), [&](std::uint32_t index) {
+  return std::ranges::any_of(parts_.contact_mesh.faces_of_node.of(node.node), [&](FaceIndex index) {
     const ContactFace& face = parts_.contact_mesh.faces[index];
     const Eigen::Vector3d area = area_vector(points_.corners(face));
     return face.surface == node.surface && area.dot(normal) < against_cosine * area.norm();
@@ -225,7 +225,7 @@ bool OverlapDetection::is_facing(std::uint32_t row, const Eigen::Vector3d& norma
 }
 
 std::optional<Overlap> OverlapDetection::find_behind_plane(const SurfacePair& pair,
-                                                           const OverlapCandidate& candidate) const {
+                                                           const NodePlaneCandidate& candidate) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[candidate.entity];
   const OverlapNode& of_node = parts_.of_node[candidate.entity];
   const AnalyticPlane& plane = model_.planes[candidate.partner];
@@ -238,7 +238,7 @@ std::optional<Overlap> OverlapDetection::find_behind_plane(const SurfacePair& pa
   return Overlap{side_of(node), {}, depth, normal, depth, OverlapMover::first};
 }
 
-std::optional<Overlap> OverlapDetection::find_before_plane(const OverlapCandidate& candidate,
+std::optional<Overlap> OverlapDetection::find_before_plane(const NodePlaneCandidate& candidate,
                                                            double reach) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[candidate.entity];
   const double size = std::max<double>(parts_.of_node[candidate.entity].size, node.radius);
@@ -251,7 +251,7 @@ std::optional<Overlap> OverlapDetection::find_before_plane(const OverlapCandidat
 }
 
 std::optional<Overlap> OverlapDetection::find_between(const SurfacePair& pair,
-                                                      const OverlapCandidate& candidate,
+                                                      const EdgePairCandidate& candidate,
                                                       const EdgePairPoint& pair_point) const {
   const ContactEdge& first = parts_.contact_mesh.edges[candidate.entity];
   const ContactEdge& second = parts_.contact_mesh.edges[candidate.partner];

@@ -52,10 +52,10 @@ class OverlapDetection {
   void visit_nodes(PairIndex pair, OverlapKind kind, const Visit& visit) const;
   /// The way of a node onto the nearest of some faces that it is in front of, as an overlap of negative
   /// depth; nothing when it is behind one, or no nearer than the reach.
-  std::optional<Overlap> find_before_faces(const SurfacePair& pair, std::span<const OverlapCandidate> of_node,
-                                           double reach) const;
+  std::optional<Overlap> find_before_faces(const SurfacePair& pair,
+                                           std::span<const NodeFaceCandidate> of_node, double reach) const;
   /// The same before a plane.
-  std::optional<Overlap> find_before_plane(const OverlapCandidate& candidate, double reach) const;
+  std::optional<Overlap> find_before_plane(const NodePlaneCandidate& candidate, double reach) const;
   /// Capsules, spheres and sharp edges in each other, as they stood when the points were renewed.
   void visit_edges(PairIndex pair, const Visit& visit) const;
   /// Edges of faces that cross with none of their nodes in between, as they stood then.
@@ -64,24 +64,25 @@ class OverlapDetection {
  private:
   /// The way out of several faces is the shortest one; in front of the nearest face a node is outside.
   std::optional<Overlap> find_behind_faces(const SurfacePair& pair,
-                                           std::span<const OverlapCandidate> of_node) const;
+                                           std::span<const NodeFaceCandidate> of_node) const;
   /// A face that a node is near to.
   struct NearOverlap {
-    std::uint32_t face = 0;
+    FaceIndex face;
     Overlap overlap;
   };
   /// The nearest; faces that the node is joined to are none.
-  std::optional<Overlap> nearest_of(std::uint32_t row, std::span<const NearOverlap> near) const;
+  std::optional<Overlap> nearest_of(SurfaceNodeIndex row, std::span<const NearOverlap> near) const;
   ///   reach  off the face, either way; absent: as deep as counts as overlap [length]
-  std::optional<Overlap> find_near_face(const SurfacePair& pair, const OverlapCandidate& candidate,
+  std::optional<Overlap> find_near_face(const SurfacePair& pair, const NodeFaceCandidate& candidate,
                                         std::optional<double> reach = {}) const;
-  std::optional<Overlap> find_behind_plane(const SurfacePair& pair, const OverlapCandidate& candidate) const;
-  std::optional<Overlap> find_between(const SurfacePair& pair, const OverlapCandidate& candidate,
+  std::optional<Overlap> find_behind_plane(const SurfacePair& pair,
+                                           const NodePlaneCandidate& candidate) const;
+  std::optional<Overlap> find_between(const SurfacePair& pair, const EdgePairCandidate& candidate,
                                       const EdgePairPoint& pair_point) const;
-  void visit_crossings(const OverlapCandidate& faces, double deepest, const Visit& visit) const;
+  void visit_crossings(const FacePairCandidate& faces, double deepest, const Visit& visit) const;
   /// Whether the surface of a node faces a face, so that the node is about to pass through it: by its
   /// mean normal, or where one side is lofted by one of its faces.
-  bool is_facing(std::uint32_t row, const Eigen::Vector3d& normal, bool is_lofted) const;
+  bool is_facing(SurfaceNodeIndex row, const Eigen::Vector3d& normal, bool is_lofted) const;
 
   const ContactModel& model_;
   const OverlapParts& parts_;

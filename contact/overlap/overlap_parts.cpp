@@ -14,8 +14,8 @@ namespace contactsim {
 
 namespace {
 
-std::vector<OverlapFace> measure_faces(const ContactKinematics& start, const Mesh& mesh) {
-  std::vector<OverlapFace> measured;
+IndexedVector<FaceIndex, OverlapFace> measure_faces(const ContactKinematics& start, const Mesh& mesh) {
+  IndexedVector<FaceIndex, OverlapFace> measured;
   for (const ContactFace& face : start.contact_mesh().faces) {
     const double area = start.area(face).norm();
     const bool has_thickness = start.contact_mesh().is_lofted(face) || is_solid(mesh, face.side);
@@ -25,15 +25,16 @@ std::vector<OverlapFace> measure_faces(const ContactKinematics& start, const Mes
   return measured;
 }
 
-std::vector<OverlapNode> measure_nodes(const ContactKinematics& start, std::span<const OverlapFace> of_face) {
+IndexedVector<SurfaceNodeIndex, OverlapNode> measure_nodes(
+    const ContactKinematics& start, const IndexedVector<FaceIndex, OverlapFace>& of_face) {
   const ContactMesh& contact_mesh = start.contact_mesh();
-  std::vector<OverlapNode> measured;
+  IndexedVector<SurfaceNodeIndex, OverlapNode> measured;
   for (const SurfaceNode& node : contact_mesh.surface_nodes) {
     OverlapNode& made = measured.emplace_back();
     made.half_thickness = node.radius;
     if (node.radius > 0.0f) continue;
     bool is_first = true;
-    for (const std::uint32_t face : contact_mesh.faces_of_node.of(node.node)) {
+    for (const FaceIndex face : contact_mesh.faces_of_node.of(node.node)) {
       if (contact_mesh.faces[face].surface != node.surface) continue;
       made.normal += start.area(contact_mesh.faces[face]);
       made.size = std::max(made.size, of_face[face].size);

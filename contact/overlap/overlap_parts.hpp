@@ -31,8 +31,8 @@ struct OverlapNode {
 /// What the surfaces of a model are made of, as overlap removal needs it.
 struct OverlapParts {
   ContactMesh contact_mesh;
-  std::vector<OverlapFace> of_face;  ///< [n_faces]
-  std::vector<OverlapNode> of_node;  ///< [n_surface_nodes]
+  IndexedVector<FaceIndex, OverlapFace> of_face;
+  IndexedVector<SurfaceNodeIndex, OverlapNode> of_node;
 
   bool is_lofted(const SurfaceNode& node) const {
     return node.radius > 0.0f || node.node >= contact_mesh.n_mesh_points();

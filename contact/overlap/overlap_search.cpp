@@ -37,7 +37,7 @@ OverlapSearch::OverlapSearch(const ContactModel& model, const ContactDefinition&
   for (const SurfacePair& pair : model.pairs)
     deepest_ = std::max(deepest_, pair.overlap_normal_tolerance.value_or(0.0));
   spare_ = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < parts.contact_mesh.faces.size(); ++i) {
+  for (const FaceIndex i : indices(parts.contact_mesh.faces)) {
     if (parts.contact_mesh.is_lofted(parts.contact_mesh.faces[i]))
       spare_ = std::min(spare_, 0.5 * parts.of_face[i].half_thickness);
   }
@@ -85,10 +85,9 @@ bool OverlapSearch::is_due(const ContactKinematics& kinematics) const {
 
 void OverlapSearch::add_planes() {
   const ContactMesh& contact_mesh = parts_.contact_mesh;
-  const auto add = [&](std::uint32_t with_planes, std::uint32_t with_nodes, PairSites& sites) {
+  const auto add = [&](SurfaceIndex with_planes, SurfaceIndex with_nodes, PairSites& sites) {
     for (const std::uint32_t plane : model_.surfaces.surfaces[with_planes].analytic_planes) {
-      for (std::uint32_t i = contact_mesh.first_node[with_nodes]; i < contact_mesh.first_node[with_nodes + 1];
-           ++i) {
+      for (const SurfaceNodeIndex i : contact_mesh.rows_of(with_nodes)) {
         const bool is_lofted = parts_.is_lofted(contact_mesh.surface_nodes[i]);
         (is_lofted ? sites.lofted : sites.meshed).planes.push_back({i, plane});
       }
@@ -101,13 +100,13 @@ void OverlapSearch::add_planes() {
   }
 }
 
-Box OverlapSearch::box_of_node(const ContactKinematics& kinematics, std::uint32_t row) const {
+Box OverlapSearch::box_of_node(const ContactKinematics& kinematics, SurfaceNodeIndex row) const {
   const SurfaceNode& node = parts_.contact_mesh.surface_nodes[row];
   // A sphere may be pushed on by as much as it is thick.
   return box_around(kinematics.x(node.node), 2.0 * static_cast<double>(node.radius));
 }
 
-Box OverlapSearch::box_of_face(const ContactKinematics& kinematics, std::uint32_t face) const {
+Box OverlapSearch::box_of_face(const ContactKinematics& kinematics, FaceIndex face) const {
   const auto& corners = parts_.contact_mesh.faces[face].corners;
   FaceCorners x;
   for (std::size_t k = 0; k < 4; ++k) x.col(static_cast<Eigen::Index>(k)) = kinematics.x(corners[k]);
@@ -116,7 +115,7 @@ Box OverlapSearch::box_of_face(const ContactKinematics& kinematics, std::uint32_
                            parts_.contact_mesh.smooth_faces.extent(face).height);
 }
 
-bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {
+bool OverlapSearch::may_meet(SurfaceNodeIndex row, FaceIndex index) const {
   const ContactMesh& contact_mesh = parts_.contact_mesh;
   const SurfaceNode& node = contact_mesh.surface_nodes[row];
   const ContactFace& face = contact_mesh.faces[index];
@@ -131,18 +130,20 @@ bool OverlapSearch::may_meet(std::uint32_t row, std::uint32_t index) const {
 void OverlapSearch::add_faces(const ContactKinematics& kinematics, bool is_of_lofts_only) {
   const ContactMesh& contact_mesh = parts_.contact_mesh;
   if (contact_mesh.faces.empty() || contact_mesh.surface_nodes.empty()) return;
-  const auto n_nodes = static_cast<std::uint32_t>(contact_mesh.surface_nodes.size());
-  const auto n_faces = static_cast<std::uint32_t>(contact_mesh.faces.size());
-  if (nodes_.update(n_nodes, [&](std::uint32_t row) { return box_of_node(kinematics, row); })) return;
-  if (faces_.update(n_faces, [&](std::uint32_t face) { return box_of_face(kinematics, face); })) return;
-  const auto may_meet_now = [&](std::uint32_t row, std::uint32_t face) {
+  if (nodes_.update(indices(contact_mesh.surface_nodes),
+                    [&](SurfaceNodeIndex row) { return box_of_node(kinematics, row); }))
+    return;
+  if (faces_.update(indices(contact_mesh.faces),
+                    [&](FaceIndex face) { return box_of_face(kinematics, face); }))
+    return;
+  const auto may_meet_now = [&](SurfaceNodeIndex row, FaceIndex face) {
     return (!is_of_lofts_only || is_lofted(row, face)) && may_meet(row, face);
   };
-  PairLists near;
+  NodeFaceLists near;
   nodes_.find_pairs(faces_, may_meet_now, near);
-  for (std::uint32_t row = 0; row < near.n_rows(); ++row) {
-    const std::uint32_t own = contact_mesh.surface_nodes[row].surface;
-    for (const std::uint32_t face : near.of(row)) {
+  for (const SurfaceNodeIndex row : near.rows()) {
+    const SurfaceIndex own = contact_mesh.surface_nodes[row].surface;
+    for (const FaceIndex face : near.of(row)) {
       PairSites& sites = sites_[*rules_.find(own, contact_mesh.faces[face].surface)];
       (is_lofted(row, face) ? sites.lofted : sites.meshed).faces.push_back({row, face});
     }
@@ -152,18 +153,17 @@ void OverlapSearch::add_faces(const ContactKinematics& kinematics, bool is_of_lo
 void OverlapSearch::add_edges(const ContactKinematics& kinematics) {
   if (!edges_) return;
   const auto& edges = parts_.contact_mesh.edges;
-  PairLists near;
+  EdgePairLists near;
   edges_->find_edge_pairs(kinematics, {0.0, 0.0, mesh_.coordinates(), mesh_.coordinates()}, {}, near);
-  for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
-    for (const std::uint32_t other : near.of(i)) {
+  for (const EdgeIndex i : near.rows()) {
+    for (const EdgeIndex other : near.of(i)) {
       if (edges[i].is_sharp() && edges[other].is_sharp()) continue;
       sites_[*rules_.find(edges[i].surface, edges[other].surface)].edges.push_back({i, other});
     }
   }
 }
 
-bool OverlapSearch::may_cross(const ContactKinematics& kinematics, std::uint32_t first,
-                              std::uint32_t second) const {
+bool OverlapSearch::may_cross(const ContactKinematics& kinematics, FaceIndex first, FaceIndex second) const {
   const ContactFace &a = parts_.contact_mesh.faces[first], &b = parts_.contact_mesh.faces[second];
   if (!parts_.contact_mesh.is_lofted(a) && !parts_.contact_mesh.is_lofted(b)) return false;
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
@@ -179,10 +179,10 @@ bool OverlapSearch::may_cross(const ContactKinematics& kinematics, std::uint32_t
 void OverlapSearch::add_rims(const ContactKinematics& kinematics) {
   const auto& faces = parts_.contact_mesh.faces;
   if (faces.empty()) return;
-  PairLists near;
-  faces_.find_pairs([&](std::uint32_t a, std::uint32_t b) { return may_cross(kinematics, a, b); }, near);
-  for (std::uint32_t i = 0; i < near.n_rows(); ++i) {
-    for (const std::uint32_t other : near.of(i))
+  FacePairLists near;
+  faces_.find_pairs([&](FaceIndex a, FaceIndex b) { return may_cross(kinematics, a, b); }, near);
+  for (const FaceIndex i : near.rows()) {
+    for (const FaceIndex other : near.of(i))
       sites_[*rules_.find(faces[i].surface, faces[other].surface)].rims.push_back({i, other});
   }
 }

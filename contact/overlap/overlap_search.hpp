@@ -13,23 +13,28 @@
 namespace contactsim {
 
 /// Two things that may lie in each other.
+template <class Entity, class Partner>
 struct OverlapCandidate {
-  std::uint32_t entity = 0;   ///< a surface node, an edge or a face
-  std::uint32_t partner = 0;  ///< a face, a plane of the region or another edge
+  Entity entity;
+  Partner partner;
 };
+using NodeFaceCandidate = OverlapCandidate<SurfaceNodeIndex, FaceIndex>;
+using NodePlaneCandidate = OverlapCandidate<SurfaceNodeIndex, std::uint32_t>;  ///< with a plane of the region
+using EdgePairCandidate = OverlapCandidate<EdgeIndex, EdgeIndex>;
+using FacePairCandidate = OverlapCandidate<FaceIndex, FaceIndex>;
 
 /// Where to look for nodes behind something.
 struct OverlapSites {
-  std::vector<OverlapCandidate> faces;   ///< ascending by node, then by face
-  std::vector<OverlapCandidate> planes;  ///< of every node with every plane
+  std::vector<NodeFaceCandidate> faces;    ///< ascending by node, then by face
+  std::vector<NodePlaneCandidate> planes;  ///< of every node with every plane
 };
 
 /// Where a pair of surfaces has to be looked at.
 struct PairSites {
-  OverlapSites meshed;                  ///< neither side is lofted
-  OverlapSites lofted;                  ///< one of them is: a point or a face of a brick, a sphere
-  std::vector<OverlapCandidate> edges;  ///< capsules and spheres with each other and with sharp edges
-  std::vector<OverlapCandidate> rims;   ///< faces, one of them lofted, whose edges may cross
+  OverlapSites meshed;                   ///< neither side is lofted
+  OverlapSites lofted;                   ///< one of them is: a point or a face of a brick, a sphere
+  std::vector<EdgePairCandidate> edges;  ///< capsules and spheres with each other and with sharp edges
+  std::vector<FacePairCandidate> rims;   ///< faces, one of them lofted, whose edges may cross
 
   bool has_lofts() const {
     return !lofted.faces.empty() || !lofted.planes.empty() || !edges.empty() || !rims.empty();
@@ -67,11 +72,11 @@ class OverlapSearch {
   /// Whether a contact node has moved by more than the spare way since faces were searched.
   bool is_due(const ContactKinematics& kinematics) const;
   void note_positions(const ContactKinematics& kinematics);
-  Box box_of_node(const ContactKinematics& kinematics, std::uint32_t row) const;
-  Box box_of_face(const ContactKinematics& kinematics, std::uint32_t face) const;
-  bool may_meet(std::uint32_t row, std::uint32_t face) const;
-  bool may_cross(const ContactKinematics& kinematics, std::uint32_t first, std::uint32_t second) const;
-  bool is_lofted(std::uint32_t row, std::uint32_t face) const {
+  Box box_of_node(const ContactKinematics& kinematics, SurfaceNodeIndex row) const;
+  Box box_of_face(const ContactKinematics& kinematics, FaceIndex face) const;
+  bool may_meet(SurfaceNodeIndex row, FaceIndex face) const;
+  bool may_cross(const ContactKinematics& kinematics, FaceIndex first, FaceIndex second) const;
+  bool is_lofted(SurfaceNodeIndex row, FaceIndex face) const {
     return parts_.is_lofted(parts_.contact_mesh.surface_nodes[row]) ||
            parts_.contact_mesh.is_lofted(parts_.contact_mesh.faces[face]);
   }

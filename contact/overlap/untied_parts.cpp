@@ -40,13 +40,13 @@ class UntiedGatherer {
     for (const PairIndex i : indices(parts_)) parts_[i].surface = smaller(*rules.rules()[i].pair);
   }
 
-  void add_faces(std::uint32_t first, std::uint32_t second);
-  void add_node(std::uint32_t row, std::uint32_t face);
+  void add_faces(FaceIndex first, FaceIndex second);
+  void add_node(SurfaceNodeIndex row, FaceIndex face);
   UntiedParts take();
 
  private:
-  std::uint32_t smaller(const SurfacePair& pair) const;
-  void note_node(PairIndex pair, std::uint32_t row, std::uint32_t face, double tolerance);
+  SurfaceIndex smaller(const SurfacePair& pair) const;
+  void note_node(PairIndex pair, SurfaceNodeIndex row, FaceIndex face, double tolerance);
 
   const ContactKinematics& start_;
   const ContactMesh& contact_mesh_;
@@ -56,15 +56,16 @@ class UntiedGatherer {
   ConstrainedPairs nothing_;
   ContactStepContext context_;
   UntiedParts parts_;
-  IndexedVector<PairIndex, std::map<std::uint32_t, Held>> held_faces_, held_rows_;
+  IndexedVector<PairIndex, std::map<FaceIndex, Held>> held_faces_;
+  IndexedVector<PairIndex, std::map<SurfaceNodeIndex, Held>> held_rows_;
   IndexedVector<PairIndex, std::map<std::uint32_t, bool>> nodes_;  // by mesh node: it is held
 };
 
-std::uint32_t UntiedGatherer::smaller(const SurfacePair& pair) const {
+SurfaceIndex UntiedGatherer::smaller(const SurfacePair& pair) const {
   if (pair.is_one_sided) return pair.second;
-  const auto area = [&](std::uint32_t surface) {
+  const auto area = [&](SurfaceIndex surface) {
     double sum = 0.0;
-    for (std::uint32_t i = contact_mesh_.first_face[surface]; i < contact_mesh_.first_face[surface + 1]; ++i)
+    for (const FaceIndex i : contact_mesh_.faces_of(surface))
       sum += start_.area(contact_mesh_.faces[i]).norm();
     return sum;
   };
@@ -72,7 +73,7 @@ std::uint32_t UntiedGatherer::smaller(const SurfacePair& pair) const {
 }
 
 /// Nodes stand before the other side where they project inside one of its faces and look at it.
-void UntiedGatherer::note_node(PairIndex pair, std::uint32_t row, std::uint32_t face, double tolerance) {
+void UntiedGatherer::note_node(PairIndex pair, SurfaceNodeIndex row, FaceIndex face, double tolerance) {
   const auto closest = find_closest_point(context_, row, face, reach_[pair]);
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   if (!closest || closest->gap < -tolerance || !is_facing(start_, node, closest->normal)) return;
@@ -80,7 +81,7 @@ void UntiedGatherer::note_node(PairIndex pair, std::uint32_t row, std::uint32_t 
   is_held = is_held || std::abs(closest->gap) <= tolerance;
 }
 
-void UntiedGatherer::add_faces(std::uint32_t first, std::uint32_t second) {
+void UntiedGatherer::add_faces(FaceIndex first, FaceIndex second) {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   const PairIndex pair = *rules_.find(a.surface, b.surface);
   if (!holds(*rules_[pair].pair)) return;
@@ -106,7 +107,7 @@ void UntiedGatherer::add_faces(std::uint32_t first, std::uint32_t second) {
   }
 }
 
-void UntiedGatherer::add_node(std::uint32_t row, std::uint32_t face) {
+void UntiedGatherer::add_node(SurfaceNodeIndex row, FaceIndex face) {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const PairIndex pair = *rules_.find(node.surface, contact_mesh_.faces[face].surface);
   UntiedPart& part = parts_[pair];
@@ -163,15 +164,16 @@ UntiedParts find_untied_parts(const ContactModel& model, const Mesh& mesh, const
   }
   const PairRules rules(pairs, std::vector<ActiveTimes>(pairs.size()), model.surfaces.surfaces.size());
   ContactSearch search(contact_mesh, mesh, rules, {}, dash);
-  PairLists face_partners, node_faces;
+  FacePairLists face_partners;
+  NodeFaceLists node_faces;
   search.find_face_pairs(start, motion, {}, face_partners);
   search.find_node_faces(start, motion, {}, node_faces);
   UntiedGatherer gatherer(start, rules, reach, dash.search_length_scaling);
-  for (std::uint32_t first = 0; first < face_partners.n_rows(); ++first) {
-    for (const std::uint32_t second : face_partners.of(first)) gatherer.add_faces(first, second);
+  for (const FaceIndex first : face_partners.rows()) {
+    for (const FaceIndex second : face_partners.of(first)) gatherer.add_faces(first, second);
   }
-  for (std::uint32_t row = 0; row < node_faces.n_rows(); ++row) {
-    for (const std::uint32_t face : node_faces.of(row)) gatherer.add_node(row, face);
+  for (const SurfaceNodeIndex row : node_faces.rows()) {
+    for (const FaceIndex face : node_faces.of(row)) gatherer.add_node(row, face);
   }
   return gatherer.take();
 }

@@ -11,7 +11,7 @@ namespace contactsim {
 
 /// What of a pair that is held at the start is too far apart for it.
 struct UntiedPart {
-  std::uint32_t surface = 0;     ///< the smaller one, of one-sided pairs that with the nodes
+  SurfaceIndex surface;          ///< the smaller one, of one-sided pairs that with the nodes
   double tied = 0.0;             ///< area of it that is held [length^2]
   double untied = 0.0;           ///< area of it before the other side that is not [length^2]
   double widest_gap = 0.0;       ///< of that, either way [length]

@@ -52,6 +52,13 @@ class BroadPhase {
     effort_ = 0.0;
     return unsound;
   }
+  /// The same of boxes by typed positions.
+  template <class AnIndex, class BoxOf>
+  [[nodiscard]] std::optional<AnIndex> update(IndexRange<AnIndex> boxes, const BoxOf& box_of) {
+    const auto unsound =
+        update(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return box_of(AnIndex{i}); });
+    return unsound ? std::optional(AnIndex{*unsound}) : std::nullopt;
+  }
   /// The same of boxes that are at hand.
   [[nodiscard]] std::optional<std::uint32_t> update(std::span<const Box> boxes) {
     return update(static_cast<std::uint32_t>(boxes.size()), [&](std::uint32_t i) { return boxes[i]; });
@@ -64,7 +71,7 @@ class BroadPhase {
   ///   partners  another broad phase, not this one
   ///   lists     overwritten, its memory reused; a row for each of these boxes
   template <class Keep>
-  void find_pairs(BroadPhase& partners, const Keep& keep, PairLists& lists) {
+  void find_pairs(BroadPhase& partners, const Keep& keep, PairTable& lists) {
     assert(&partners != this);
     const auto parts = find_bvh_pairs<false>(tree_, partners.tree_, keep);
     list_pairs(parts, tree_.n_boxes(), lists);
@@ -73,10 +80,24 @@ class BroadPhase {
 
   /// The same among these boxes, each pair once: partners have greater numbers than their row.
   template <class Keep>
-  void find_pairs(const Keep& keep, PairLists& lists) {
+  void find_pairs(const Keep& keep, PairTable& lists) {
     const auto parts = find_bvh_pairs<true>(tree_, tree_, keep);
     list_pairs(parts, tree_.n_boxes(), lists);
     count_search(parts, lists.partners.size(), 0);
+  }
+
+  /// Both into lists of typed positions, which keep is asked for.
+  template <class Row, class Partner, class Keep>
+  void find_pairs(BroadPhase& partners, const Keep& keep, PairLists<Row, Partner>& lists) {
+    PairTable& table = lists;
+    find_pairs(
+        partners, [&](std::uint32_t row, std::uint32_t partner) { return keep(Row{row}, Partner{partner}); },
+        table);
+  }
+  template <class Row, class Keep>
+  void find_pairs(const Keep& keep, PairLists<Row, Row>& lists) {
+    PairTable& table = lists;
+    find_pairs([&](std::uint32_t row, std::uint32_t partner) { return keep(Row{row}, Row{partner}); }, table);
   }
 
   const BroadPhaseCounts& counts() const { return counts_; }

@@ -42,15 +42,19 @@ void widen(double margin, Box& box) {
   }
 }
 
-double depth_of(std::span<const float> depths, std::uint32_t i) { return depths.empty() ? 0.0 : depths[i]; }
+template <class AnIndex>
+double depth_of(std::span<const float> depths, AnIndex i) {
+  return depths.empty() ? 0.0 : depths[i.value];
+}
 
-bool is_marked(const std::vector<std::uint8_t>& marks, std::uint32_t i) {
+template <class AnIndex>
+bool is_marked(const IndexedVector<AnIndex, std::uint8_t>& marks, AnIndex i) {
   return !marks.empty() && marks[i] != 0;
 }
 
-bool holds(const PairLists& lists, std::uint32_t row, std::uint32_t partner) {
-  const auto partners = lists.of(row);
-  return std::binary_search(partners.begin(), partners.end(), partner);
+template <class Row>
+bool holds(const PairLists<Row, FaceIndex>& lists, Row row, FaceIndex partner) {
+  return std::ranges::binary_search(lists.of(row), partner);
 }
 
 }  // namespace
@@ -92,74 +96,75 @@ bool ContactSearch::is_due(const ContactKinematics& kinematics) const {
   if (n_searches_ == 0) return true;
   if (is_once_ || !(has_face_pairs_ || has_node_pairs_)) return false;
   // Two sides share their margins: one may use up what the other, at rest, does not need.
-  const std::vector<double> used = used_margins(kinematics);
+  const auto used = used_margins(kinematics);
   return !std::ranges::all_of(rules_.rules(), [&](const PairRule& rule) {
-    const std::uint32_t first = rule.pair->first, second = rule.pair->second;
+    const SurfaceIndex first = rule.pair->first, second = rule.pair->second;
     return has_room(first, used[first], second, used[second]) &&
            has_room(second, used[second], first, used[first]);
   });
 }
 
-bool ContactSearch::has_room(std::uint32_t first, double first_used, std::uint32_t second,
+bool ContactSearch::has_room(SurfaceIndex first, double first_used, SurfaceIndex second,
                              double second_used) const {
   if (first_used <= 1.0) return true;
   return (first_used - 1.0) * widest_margin_[first] <= (1.0 - second_used) * narrowest_margin_[second];
 }
 
-std::vector<double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
-  const auto n_surfaces = static_cast<std::int64_t>(contact_mesh_.first_node.size()) - 1;
-  std::vector<double> used(static_cast<std::size_t>(n_surfaces), 0.0);
+IndexedVector<SurfaceIndex, double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
+  const auto n_surfaces = static_cast<std::uint32_t>(contact_mesh_.n_surfaces());
+  IndexedVector<SurfaceIndex, double> used(n_surfaces, 0.0);
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(contact_mesh_.n_nodes()))
-  for (std::int64_t i = 0; i < n_surfaces; ++i) {
-    const auto s = static_cast<std::size_t>(i);
+  for (std::uint32_t i = 0; i < n_surfaces; ++i) {
     double most = 0.0;
-    for (std::uint32_t n = contact_mesh_.first_node[s]; n < contact_mesh_.first_node[s + 1]; ++n) {
-      const std::uint32_t node = contact_mesh_.surface_nodes[n].node;
+    for (const SurfaceNodeIndex row : contact_mesh_.rows_of({i})) {
+      const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
       const Eigen::Vector3d now = kinematics.x(node) - searched_from_;
       const double moved = (now - searched_at_[node].cast<double>()).norm() + rounding * now.lpNorm<1>();
       const double share = moved / node_margin_[node];
       most = share <= most ? most : share;  // what is not a number stays
     }
-    used[s] = most;
+    used[{i}] = most;
   }
   return used;
 }
 
-template <class SurfaceOf>
-void ContactSearch::keep_first_partners(const std::vector<std::uint8_t>& is_new, const SurfaceOf& surface_of,
-                                        PairLists& first, PairLists& lists) const {
+template <class Row, class SurfaceOf>
+void ContactSearch::keep_first_partners(const IndexedVector<Row, std::uint8_t>& is_new,
+                                        const SurfaceOf& surface_of, PairLists<Row, FaceIndex>& first,
+                                        PairLists<Row, FaceIndex>& lists) const {
   if (n_searches_ == 0) {
     first = lists;
     return;
   }
-  std::uint32_t n = 0;
-  for (std::uint32_t row = 0, begin = 0; row < lists.n_rows(); ++row) {
-    const std::uint32_t end = lists.begin[row + 1];
+  std::uint32_t n = 0, begin = 0;
+  for (const Row row : lists.rows()) {
+    const std::uint32_t end = lists.begin[row.value + 1];
     for (std::uint32_t k = begin; k < end; ++k) {
-      const std::uint32_t partner = lists.partners[k];
+      const FaceIndex partner = lists.partner(k);
       const PairRule& rule = rules_[*rules_.find(surface_of(row), contact_mesh_.faces[partner].surface)];
       const bool may_change = rule.pair->behavior != InteractionBehavior::infinitesimal_sliding;
       if (may_change || is_marked(is_new, row) || is_marked(is_new_face_, partner) ||
           holds(first, row, partner))
-        lists.partners[n++] = partner;
+        lists.partners[n++] = partner.value;
     }
     begin = end;
-    lists.begin[row + 1] = n;
+    lists.begin[row.value + 1] = n;
   }
   lists.partners.resize(n);
 }
 
 bool ContactSearch::has_first_partners(PairIndex pair) const {
-  const auto has = [&](const PairLists& lists, const auto& surface_of) {
-    for (std::uint32_t row = 0; row < lists.n_rows(); ++row) {
-      for (const std::uint32_t partner : lists.of(row)) {
+  const auto has = [&](const auto& lists, const auto& surface_of) {
+    for (const auto row : lists.rows()) {
+      for (const FaceIndex partner : lists.of(row)) {
         if (rules_.find(surface_of(row), contact_mesh_.faces[partner].surface) == pair) return true;
       }
     }
     return false;
   };
-  return has(first_face_partners_, [&](std::uint32_t face) { return contact_mesh_.faces[face].surface; }) ||
-         has(first_node_faces_, [&](std::uint32_t row) { return contact_mesh_.surface_nodes[row].surface; });
+  return has(first_face_partners_, [&](FaceIndex face) { return contact_mesh_.faces[face].surface; }) ||
+         has(first_node_faces_,
+             [&](SurfaceNodeIndex row) { return contact_mesh_.surface_nodes[row].surface; });
 }
 
 void ContactSearch::stop_at(const Motion& motion, std::uint32_t node) const {
@@ -168,54 +173,48 @@ void ContactSearch::stop_at(const Motion& motion, std::uint32_t node) const {
 }
 
 void ContactSearch::find_face_pairs(const ContactKinematics& kinematics, const Motion& motion,
-                                    std::span<const float> depths, PairLists& partners) {
-  const auto n_faces = static_cast<std::uint32_t>(contact_mesh_.faces.size());
-  const auto box_of = [&](std::uint32_t face) {
+                                    std::span<const float> depths, FacePairLists& partners) {
+  const auto box_of = [&](FaceIndex face) {
     return face_box(kinematics, face, motion.dt, depth_of(depths, face));
   };
-  if (const auto bad = faces_phase_.update(n_faces, box_of)) {
+  if (const auto bad = faces_phase_.update(indices(contact_mesh_.faces), box_of)) {
     for (const std::uint32_t corner : contact_mesh_.faces[*bad].corners) {
       if (!kinematics.x(corner).allFinite() || !kinematics.v(corner).allFinite()) stop_at(motion, corner);
     }
     stop_at(motion, contact_mesh_.faces[*bad].corners[0]);
   }
   if (!has_face_pairs_) return;
-  faces_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return faces_may_meet(a, b); },
-                          partners);
+  faces_phase_.find_pairs([this](FaceIndex a, FaceIndex b) { return faces_may_meet(a, b); }, partners);
   if (has_small_sliding_)
     keep_first_partners(
-        is_new_face_, [this](std::uint32_t face) { return contact_mesh_.faces[face].surface; },
+        is_new_face_, [this](FaceIndex face) { return contact_mesh_.faces[face].surface; },
         first_face_partners_, partners);
 }
 
 void ContactSearch::find_node_faces(const ContactKinematics& kinematics, const Motion& motion,
-                                    std::span<const float> depths, PairLists& faces) {
+                                    std::span<const float> depths, NodeFaceLists& faces) {
   if (!has_node_pairs_ && !has_eroded_nodes_) return;
-  const auto n_rows = static_cast<std::uint32_t>(contact_mesh_.surface_nodes.size());
-  const auto box_of = [&](std::uint32_t row) {
+  const auto box_of = [&](SurfaceNodeIndex row) {
     return node_box(kinematics, row, motion.dt, depth_of(depths, row));
   };
-  if (const auto bad = nodes_phase_.update(n_rows, box_of))
+  if (const auto bad = nodes_phase_.update(indices(contact_mesh_.surface_nodes), box_of))
     stop_at(motion, contact_mesh_.surface_nodes[*bad].node);
   nodes_phase_.find_pairs(
-      faces_phase_, [this](std::uint32_t row, std::uint32_t face) { return node_may_meet(row, face); },
-      faces);
+      faces_phase_, [this](SurfaceNodeIndex row, FaceIndex face) { return node_may_meet(row, face); }, faces);
   if (has_small_sliding_)
     keep_first_partners(
-        is_new_row_, [this](std::uint32_t row) { return contact_mesh_.surface_nodes[row].surface; },
+        is_new_row_, [this](SurfaceNodeIndex row) { return contact_mesh_.surface_nodes[row].surface; },
         first_node_faces_, faces);
 }
 
 void ContactSearch::find_edge_pairs(const ContactKinematics& kinematics, const Motion& motion,
-                                    std::span<const float> depths, PairLists& partners) {
-  const auto n_edges = static_cast<std::uint32_t>(contact_mesh_.edges.size());
-  const auto box_of = [&](std::uint32_t edge) {
+                                    std::span<const float> depths, EdgePairLists& partners) {
+  const auto box_of = [&](EdgeIndex edge) {
     return edge_box(kinematics, edge, motion.dt, depth_of(depths, edge));
   };
-  if (const auto bad = edges_phase_.update(n_edges, box_of))
+  if (const auto bad = edges_phase_.update(indices(contact_mesh_.edges), box_of))
     stop_at(motion, contact_mesh_.edges[*bad].nodes[0]);
-  edges_phase_.find_pairs([this](std::uint32_t a, std::uint32_t b) { return edges_may_meet(a, b); },
-                          partners);
+  edges_phase_.find_pairs([this](EdgeIndex a, EdgeIndex b) { return edges_may_meet(a, b); }, partners);
 }
 
 void ContactSearch::finish(const ContactKinematics& kinematics) {
@@ -226,7 +225,7 @@ void ContactSearch::finish(const ContactKinematics& kinematics) {
     searched_at_[i] = (kinematics.x(i) - searched_from_).cast<float>();
 }
 
-Box ContactSearch::face_box(const ContactKinematics& kinematics, std::uint32_t index, double dt,
+Box ContactSearch::face_box(const ContactKinematics& kinematics, FaceIndex index, double dt,
                             double deep) const {
   const ContactFace& face = contact_mesh_.faces[index];
   const Eigen::Vector3d inward = -std::max(depth_share * face.penalty_properties.thickness, deep) *
@@ -243,7 +242,7 @@ Box ContactSearch::face_box(const ContactKinematics& kinematics, std::uint32_t i
   return box;
 }
 
-Box ContactSearch::node_box(const ContactKinematics& kinematics, std::uint32_t row, double dt,
+Box ContactSearch::node_box(const ContactKinematics& kinematics, SurfaceNodeIndex row, double dt,
                             double deep) const {
   const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
   Box box = box_at(kinematics.x(node));
@@ -254,7 +253,7 @@ Box ContactSearch::node_box(const ContactKinematics& kinematics, std::uint32_t r
   return box;
 }
 
-Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t index, double dt,
+Box ContactSearch::edge_box(const ContactKinematics& kinematics, EdgeIndex index, double dt,
                             double deep) const {
   const ContactEdge& edge = contact_mesh_.edges[index];
   Box box = box_at(kinematics.x(edge.nodes[0]));
@@ -268,7 +267,7 @@ Box ContactSearch::edge_box(const ContactKinematics& kinematics, std::uint32_t i
   return box;
 }
 
-bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) const {
+bool ContactSearch::faces_may_meet(FaceIndex first, FaceIndex second) const {
   const ContactFace &a = contact_mesh_.faces[first], &b = contact_mesh_.faces[second];
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair) return false;
@@ -283,7 +282,7 @@ bool ContactSearch::faces_may_meet(std::uint32_t first, std::uint32_t second) co
   return !adjacent_.are_adjacent(first, second);
 }
 
-bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const {
+bool ContactSearch::node_may_meet(SurfaceNodeIndex row, FaceIndex index) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[index];
   const OptionalIndex<PairIndex> pair = rules_.find(node.surface, face.surface);
@@ -300,7 +299,7 @@ bool ContactSearch::node_may_meet(std::uint32_t row, std::uint32_t index) const 
   return !has_element_of(node.node, face) && !adjacent_.are_adjacent(node, index);
 }
 
-bool ContactSearch::edges_may_meet(std::uint32_t first, std::uint32_t second) const {
+bool ContactSearch::edges_may_meet(EdgeIndex first, EdgeIndex second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
   const OptionalIndex<PairIndex> pair = rules_.find(a.surface, b.surface);
   if (!pair || rules_[*pair].only_ties()) return false;

@@ -50,15 +50,15 @@ class ContactSearch {
   /// Finds pairs of faces that may meet before the next search, and the boxes of faces that nodes meet.
   ///   partners  [n_faces] faces of greater number
   void find_face_pairs(const ContactKinematics& kinematics, const Motion& motion,
-                       std::span<const float> depths, PairLists& partners);
+                       std::span<const float> depths, FacePairLists& partners);
   /// Finds faces that surface nodes may meet before the next search.
   ///   faces  [n_surface_nodes]
   void find_node_faces(const ContactKinematics& kinematics, const Motion& motion,
-                       std::span<const float> depths, PairLists& faces);
+                       std::span<const float> depths, NodeFaceLists& faces);
   /// Finds pairs of edges that may meet before the next search.
   ///   partners  [n_edges] edges of greater number
   void find_edge_pairs(const ContactKinematics& kinematics, const Motion& motion,
-                       std::span<const float> depths, PairLists& partners);
+                       std::span<const float> depths, EdgePairLists& partners);
   /// Ends a search: margins count from here.
   void finish(const ContactKinematics& kinematics);
 
@@ -67,10 +67,10 @@ class ContactSearch {
   /// Whether a pair has any of them.
   bool has_first_partners(PairIndex pair) const;
   /// Keeps these of the first search alone.
-  void keep_face_partners(PairLists lists) { first_face_partners_ = std::move(lists); }
+  void keep_face_partners(FacePairLists lists) { first_face_partners_ = std::move(lists); }
   /// Has faces, or surface nodes, that kept their partners meet whatever they may, as what is new does.
-  void release_face(std::uint32_t face) { release(face, contact_mesh_.faces.size(), is_new_face_); }
-  void release_row(std::uint32_t row) { release(row, contact_mesh_.surface_nodes.size(), is_new_row_); }
+  void release_face(FaceIndex face) { release(face, contact_mesh_.faces.size(), is_new_face_); }
+  void release_row(SurfaceNodeIndex row) { release(row, contact_mesh_.surface_nodes.size(), is_new_row_); }
 
   void archive(StateArchive& saved);
 
@@ -94,19 +94,19 @@ class ContactSearch {
  private:
   void set_margins();
   void set_surface_margins();
-  /// [n_surfaces] how far some node of each has moved since the last search, over its margin [1]
-  std::vector<double> used_margins(const ContactKinematics& kinematics) const;
+  /// How far some node of each surface has moved since the last search, over its margin [1]
+  IndexedVector<SurfaceIndex, double> used_margins(const ContactKinematics& kinematics) const;
   /// Whether the margins that two surfaces have used up leave room between all their faces: what one has used
   /// beyond its own, at its widest, the other has left at its narrowest.
-  bool has_room(std::uint32_t first, double first_used, std::uint32_t second, double second_used) const;
-  Box face_box(const ContactKinematics& kinematics, std::uint32_t face, double dt, double deep) const;
-  Box node_box(const ContactKinematics& kinematics, std::uint32_t row, double dt, double deep) const;
-  bool faces_may_meet(std::uint32_t first, std::uint32_t second) const;
-  bool node_may_meet(std::uint32_t row, std::uint32_t face) const;
-  Box edge_box(const ContactKinematics& kinematics, std::uint32_t edge, double dt, double deep) const;
+  bool has_room(SurfaceIndex first, double first_used, SurfaceIndex second, double second_used) const;
+  Box face_box(const ContactKinematics& kinematics, FaceIndex face, double dt, double deep) const;
+  Box node_box(const ContactKinematics& kinematics, SurfaceNodeIndex row, double dt, double deep) const;
+  bool faces_may_meet(FaceIndex first, FaceIndex second) const;
+  bool node_may_meet(SurfaceNodeIndex row, FaceIndex face) const;
+  Box edge_box(const ContactKinematics& kinematics, EdgeIndex edge, double dt, double deep) const;
   /// Whether a sharp edge is none in a pair: both its faces stand for one round surface.
   bool is_smoothed(const ContactEdge& edge, PairIndex pair) const;
-  bool edges_may_meet(std::uint32_t first, std::uint32_t second) const;
+  bool edges_may_meet(EdgeIndex first, EdgeIndex second) const;
   /// The rigid body that has all of these contact nodes, < 0 if none has.
   std::int32_t rigid_body_of(std::span<const std::uint32_t> nodes) const;
   bool are_of_one_rigid_body(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b) const {
@@ -123,12 +123,13 @@ class ContactSearch {
   /// Of pairs that slide infinitesimally keeps the partners of the first search; what deaths have exposed
   /// slides as it will.
   ///   first        of the first search; taken over from the lists there
-  ///   is_new       [n_rows] 1 of rows that deaths have exposed, or empty
+  ///   is_new       1 of rows that deaths have exposed, or empty
   ///   surface_of   surface of a row
-  template <class SurfaceOf>
-  void keep_first_partners(const std::vector<std::uint8_t>& is_new, const SurfaceOf& surface_of,
-                           PairLists& first, PairLists& lists) const;
-  static void release(std::uint32_t entity, std::size_t n, std::vector<std::uint8_t>& is_new) {
+  template <class Row, class SurfaceOf>
+  void keep_first_partners(const IndexedVector<Row, std::uint8_t>& is_new, const SurfaceOf& surface_of,
+                           PairLists<Row, FaceIndex>& first, PairLists<Row, FaceIndex>& lists) const;
+  template <class AnIndex>
+  static void release(AnIndex entity, std::size_t n, IndexedVector<AnIndex, std::uint8_t>& is_new) {
     is_new.resize(n, 0);
     is_new[entity] = 1;
   }
@@ -144,16 +145,20 @@ class ContactSearch {
   bool has_face_pairs_ = false, has_node_pairs_ = false, has_small_sliding_ = false;
   bool has_eroded_nodes_ = false;
   bool has_start_reach_ = false, reaches_for_start_ = true;
-  std::vector<double> activation_distance_;                  // [n_surfaces] of the models [length]
-  std::vector<float> face_margin_, node_margin_;             // [n_faces], [n_contact_nodes] [length]
-  std::vector<double> widest_margin_, narrowest_margin_;     // [n_surfaces] [length]
-  Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();  // a place near the nodes [length]
+  IndexedVector<SurfaceIndex, double> activation_distance_;               // of the models [length]
+  IndexedVector<FaceIndex, float> face_margin_;                           // [length]
+  std::vector<float> node_margin_;                                        // [n_contact_nodes] [length]
+  IndexedVector<SurfaceIndex, double> widest_margin_, narrowest_margin_;  // [length]
+  Eigen::Vector3d searched_from_ = Eigen::Vector3d::Zero();               // a place near the nodes [length]
   std::vector<Eigen::Vector3f>
       searched_at_;  // [n_contact_nodes] where the last search was, from there [length]
   BroadPhase faces_phase_, nodes_phase_, edges_phase_;
-  PairLists first_face_partners_, first_node_faces_;  // of the first search, if pairs keep their partners
-  // [n_faces], [n_surface_nodes] 1 of what deaths have exposed since: it has no first partners. Empty before.
-  std::vector<std::uint8_t> is_new_face_, is_new_row_;
+  // Of the first search, if pairs keep their partners.
+  FacePairLists first_face_partners_;
+  NodeFaceLists first_node_faces_;
+  // 1 of what deaths have exposed since: it has no first partners. Empty before.
+  IndexedVector<FaceIndex, std::uint8_t> is_new_face_;
+  IndexedVector<SurfaceNodeIndex, std::uint8_t> is_new_row_;
   std::uint64_t n_searches_ = 0;
 };
 

@@ -9,22 +9,22 @@ namespace contactsim {
 namespace {
 
 /// Marks what was not there before besides what is marked already.
-///   positions  [n before] of ContactRemap
-///   is_new     [n before], or empty when nothing was; gets [n_after]
-void mark_new(std::span<const OptionalIndex<std::uint32_t>> positions, std::size_t n_after,
-              std::vector<std::uint8_t>& is_new) {
+///   is_new  [n before], or empty when nothing was; gets [n_after]
+template <class AnIndex>
+void mark_new(const NewPositions<AnIndex>& positions, std::size_t n_after,
+              IndexedVector<AnIndex, std::uint8_t>& is_new) {
   is_new.resize(positions.size(), 0);
-  std::vector<std::uint8_t> marks(n_after, 1);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  IndexedVector<AnIndex, std::uint8_t> marks(n_after, 1);
+  for (const AnIndex i : indices(positions)) {
     if (positions[i]) marks[*positions[i]] = is_new[i];
   }
   is_new = std::move(marks);
 }
 
-/// [n_surfaces] the largest thickness behind faces and nodes of each [length].
-std::vector<double> thickest_elements(const ContactMesh& contact_mesh) {
-  std::vector<double> thickest(contact_mesh.first_face.size() - 1, 0.0);
-  const auto look_at = [&](std::uint32_t surface, double thickness) {
+/// The largest thickness behind faces and nodes of each surface [length].
+IndexedVector<SurfaceIndex, double> thickest_elements(const ContactMesh& contact_mesh) {
+  IndexedVector<SurfaceIndex, double> thickest(contact_mesh.n_surfaces(), 0.0);
+  const auto look_at = [&](SurfaceIndex surface, double thickness) {
     thickest[surface] = std::max(thickest[surface], thickness);
   };
   for (const ContactFace& face : contact_mesh.faces) look_at(face.surface, face.penalty_properties.thickness);
@@ -54,10 +54,10 @@ void ContactSearch::set_margins() {
 
 void ContactSearch::set_surface_margins() {
   const ContactMesh& contact_mesh = contact_mesh_;
-  const std::size_t n_surfaces = contact_mesh.first_face.size() - 1;
+  const std::size_t n_surfaces = contact_mesh.n_surfaces();
   activation_distance_.assign(n_surfaces, 0.0);
   has_start_reach_ = false;
-  const std::vector<double> thickest = thickest_elements(contact_mesh);
+  const IndexedVector<SurfaceIndex, double> thickest = thickest_elements(contact_mesh);
   for (const PairIndex i : indices(rules_.rules())) {
     const SurfacePair& pair = *rules_[i].pair;
     const double given = std::max(pair.normal_tolerance.value_or(0.0), pair.tracking_distance.value_or(0.0));
@@ -67,7 +67,7 @@ void ContactSearch::set_surface_margins() {
                                      keeps_partners ? rules_.start_reach().distance(i) : 0.0);
     has_start_reach_ = has_start_reach_ || at_start > 0.0;
     const double held = pair.held_gap(std::min(thickest[pair.first], thickest[pair.second]));
-    for (const std::uint32_t surface : {pair.first, pair.second})
+    for (const SurfaceIndex surface : {pair.first, pair.second})
       activation_distance_[surface] =
           std::max({activation_distance_[surface], given, held, reaches_for_start_ ? at_start : 0.0,
                     rules_.max_activation_distance(i) + rules_.gap_offsets().reach(i)});
@@ -80,7 +80,7 @@ void ContactSearch::set_surface_margins() {
     narrowest = std::min<double>(narrowest, node_margin_[node.node]);
     widest = std::max<double>(widest, node_margin_[node.node]);
   }
-  for (std::size_t i = 0; i < contact_mesh.faces.size(); ++i) {
+  for (const FaceIndex i : indices(contact_mesh.faces)) {
     double& widest = widest_margin_[contact_mesh.faces[i].surface];
     widest = std::max<double>(widest, face_margin_[i]);
   }

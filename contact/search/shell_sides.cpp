@@ -7,7 +7,7 @@ namespace contactsim {
 
 namespace {
 
-ShellSides sides_of(const SurfacePair& pair, std::uint32_t surface) {
+ShellSides sides_of(const SurfacePair& pair, SurfaceIndex surface) {
   return pair.sides[surface == pair.first ? 0 : 1];
 }
 
@@ -24,7 +24,7 @@ bool takes_part(const SurfacePair& pair, const ContactFace& face, const ContactM
   if (face.side.side() <= last_rim) return face.side.side() == wanted;
   // Joints close what skins leave open at a fold: they are of the skins that they go on from.
   return std::ranges::any_of(face.corners, [&](std::uint32_t corner) {
-    return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](std::uint32_t other) {
+    return std::ranges::any_of(contact_mesh.faces_of_node.of(corner), [&](FaceIndex other) {
       return contact_mesh.faces[other].side.side() == wanted;
     });
   });
@@ -34,7 +34,7 @@ bool takes_part(const SurfacePair& pair, const SurfaceNode& node, const ContactM
                 const Mesh& mesh) {
   if (sides_of(pair, node.surface) == ShellSides::both) return true;
   const auto own = contact_mesh.faces_of_node.of(node.node);
-  return own.empty() || std::ranges::any_of(own, [&](std::uint32_t face) {
+  return own.empty() || std::ranges::any_of(own, [&](FaceIndex face) {
            return contact_mesh.faces[face].surface == node.surface &&
                   takes_part(pair, contact_mesh.faces[face], contact_mesh, mesh);
          });

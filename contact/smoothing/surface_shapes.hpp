@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "contact/smoothing/round_shape.hpp"
+#include "core/base/contact_indices.hpp"
+#include "core/base/indexed_vector.hpp"
 
 namespace contactsim {
 
@@ -32,7 +34,7 @@ struct SurfaceShapes {
 struct SmoothingShapes {
   std::string name;  ///< of the deck; AUTO
   bool is_automatic = false;
-  std::vector<SurfaceShapes> surfaces;  ///< [n_surfaces]
+  IndexedVector<SurfaceIndex, SurfaceShapes> surfaces;
 };
 
 }  // namespace contactsim

@@ -5,24 +5,25 @@
 #include <optional>
 #include <vector>
 
+#include "core/base/contact_indices.hpp"
 #include "core/base/indices.hpp"
 
 namespace contactsim {
 
-/// Who owns one face, lofted element or node, and who claims it in vain: surfaces by position.
+/// Who owns one face, lofted element or node, and who claims it in vain.
 struct Claim {
   /// A surface that claimed in vain, and who had it already.
   struct Lost {
-    std::uint32_t loser, winner;
+    SurfaceIndex loser, winner;
   };
-  std::optional<std::uint32_t> owner;
+  std::optional<SurfaceIndex> owner;
   std::vector<Lost> lost;
 
   /// A request claims, after all that stand before it in the deck.
   ///   surface  the first that the request makes: it counts what is lost
   ///   part     the one that gets the thing: `surface` or a subset of it
   ///   other    who has it already in another way
-  void add(std::uint32_t surface, std::uint32_t part, std::optional<std::uint32_t> other = std::nullopt) {
+  void add(SurfaceIndex surface, SurfaceIndex part, std::optional<SurfaceIndex> other = std::nullopt) {
     const auto winner = owner ? owner : other;
     if (winner) {
       lost.push_back({surface, *winner});
@@ -40,7 +41,7 @@ struct LoftedClaim {
   std::vector<Claim> of_sides;     ///< [sides]
 
   /// The owner of the first side that has one.
-  std::optional<std::uint32_t> owner_of_sides() const {
+  std::optional<SurfaceIndex> owner_of_sides() const {
     for (const Claim& of_side : of_sides) {
       if (of_side.owner) return of_side.owner;
     }

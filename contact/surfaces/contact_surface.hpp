@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/contact_indices.hpp"
 #include "core/base/deck_location.hpp"
+#include "core/base/indexed_vector.hpp"
 #include "core/base/indices.hpp"
 
 namespace contactsim {
@@ -16,7 +18,7 @@ enum class SurfaceKind : std::uint8_t { face, node };
 
 /// What a surface claimed in vain, because one other surface, earlier in the deck, has it.
 struct LostClaims {
-  std::uint32_t winner = 0;  ///< position of the other surface
+  SurfaceIndex winner;
   std::uint32_t faces = 0, lofted = 0, nodes = 0;
 };
 
@@ -39,6 +41,8 @@ struct ContactSurface {
   }
 };
 
+using SurfaceList = IndexedVector<SurfaceIndex, ContactSurface>;
+
 /// Something about a surface that the user should decide about.
 struct SurfaceWarning {
   std::string id;  ///< stable: "surface-empty", "surface-overlap", ...
@@ -50,7 +54,7 @@ struct SurfaceWarning {
 
 /// All contact surfaces of a definition, subsets right after the surface that they were cut from.
 struct ContactSurfaces {
-  std::vector<ContactSurface> surfaces;  ///< deck order
+  SurfaceList surfaces;  ///< deck order
   /// Faces that block forms would build from single skins and then ignore: they lie between present blocks.
   /// Source: Sierra/SM 5.22, 8.4.4.2.
   std::uint32_t interior_faces_ignored = 0;

@@ -38,7 +38,7 @@ class NodeOwnershipRules {
   };
   /// What one request makes, and whole blocks that it names.
   struct Named {
-    std::uint32_t surface = 0;
+    SurfaceIndex surface;
     std::vector<std::uint32_t> blocks;  // ascending
   };
 

@@ -114,12 +114,12 @@ bool OwnershipRules::is_removed(std::span<const SetSide> set_sides, std::uint32_
   });
 }
 
-void OwnershipRules::add_face(std::uint32_t request, ElementSide face, std::optional<std::uint32_t> other,
+void OwnershipRules::add_face(std::uint32_t request, ElementSide face, std::optional<SurfaceIndex> other,
                               Claim& claim) const {
-  const std::uint32_t surface = requests_[request].first_surface;
+  const SurfaceIndex surface = requests_[request].first_surface;
   const bool is_free = !claim.owner && !other;
   const std::uint32_t subset = is_free ? choose_subset(requests_[request].subsets, mesh_, face) : 0;
-  claim.add(surface, surface + subset, other);
+  claim.add(surface, {surface.value + subset}, other);
 }
 
 Claim OwnershipRules::of_face(ElementSide face, bool is_exterior) const {
@@ -153,7 +153,7 @@ LoftedClaim OwnershipRules::of_lofted(ElementIndex element) const {
   Requests joined;
   const auto& lofting = of_block_[mesh_.block_of(element)];
   for (const std::uint32_t request : join(lofting, picks_of(element), set_sides, joined)) {
-    const std::uint32_t surface = requests_[request].first_surface;
+    const SurfaceIndex surface = requests_[request].first_surface;
     if (claims_body(request, element)) claim.body.add(surface, surface, claim.owner_of_sides());
     if (claim.body.owner == surface) continue;  // its sides are lofted here already
     for (std::size_t i = 0; i < claim.sides.size(); ++i) {

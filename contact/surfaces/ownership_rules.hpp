@@ -64,7 +64,7 @@ class OwnershipRules {
   bool is_held(std::span<const SetSide> set_sides, std::uint32_t request) const;
   bool is_removed(std::span<const SetSide> set_sides, std::uint32_t request) const;
   bool claims_body(std::uint32_t request, ElementIndex element) const;
-  void add_face(std::uint32_t request, ElementSide face, std::optional<std::uint32_t> other,
+  void add_face(std::uint32_t request, ElementSide face, std::optional<SurfaceIndex> other,
                 Claim& claim) const;
 
   std::vector<SurfaceRequest> requests_;

@@ -14,11 +14,11 @@ void PairWarnings::note(const PairKey& pair, const PairLayers::Overridden& overr
   overridden_[{overridden.is_by_exclusion, overridden.by, overridden.interaction}].push_back(pair);
 }
 
-void PairWarnings::note_both_sides(std::size_t interaction, std::uint32_t surface) {
+void PairWarnings::note_both_sides(std::size_t interaction, SurfaceIndex surface) {
   both_sides_[interaction].insert(surface);
 }
 
-void PairWarnings::note_nodes(std::size_t interaction, std::uint32_t surface) {
+void PairWarnings::note_nodes(std::size_t interaction, SurfaceIndex surface) {
   nodes_[interaction].insert(surface);
 }
 
@@ -52,7 +52,7 @@ void PairWarnings::add_overridden(const Case& by, const std::vector<PairKey>& pa
                       : "the earlier one stands at " + place);
 }
 
-void PairWarnings::add_both_sides(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+void PairWarnings::add_both_sides(std::size_t interaction, const std::set<SurfaceIndex>& surfaces,
                                   Diagnostics& diagnostics) const {
   diagnostics.add_warning("one-sided-self", contact_.interactions[interaction].name.location,
                           fmt::format("'{}' has {} on both sides; both give faces and nodes",
@@ -60,7 +60,7 @@ void PairWarnings::add_both_sides(std::size_t interaction, const std::set<std::u
                           "a surface meets itself both ways: SURFACES with its name alone says so");
 }
 
-void PairWarnings::add_nodes(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+void PairWarnings::add_nodes(std::size_t interaction, const std::set<SurfaceIndex>& surfaces,
                              Diagnostics& diagnostics) const {
   diagnostics.add_warning("node-set-face-face", contact_.interactions[interaction].name.location,
                           fmt::format("'{}' asks for FACE_FACE of {}, a surface of nodes; NODE_FACE is taken",
@@ -68,7 +68,7 @@ void PairWarnings::add_nodes(std::size_t interaction, const std::set<std::uint32
                           "write CONSTRAINT FORMULATION = NODE_FACE, or make it a surface of faces");
 }
 
-std::string PairWarnings::list(const std::set<std::uint32_t>& surfaces) const {
+std::string PairWarnings::list(const std::set<SurfaceIndex>& surfaces) const {
   const std::string more = surfaces.size() > 1 ? fmt::format(" and {} more", surfaces.size() - 1) : "";
   return fmt::format("'{}'{}", surfaces_[*surfaces.begin()].name, more);
 }

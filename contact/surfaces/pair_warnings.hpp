@@ -31,14 +31,14 @@ std::string name_of_interaction(const ContactDefinition& contact, std::size_t in
 class PairWarnings {
  public:
   /// Both must outlive this.
-  PairWarnings(const ContactDefinition& contact, const std::vector<ContactSurface>& surfaces)
+  PairWarnings(const ContactDefinition& contact, const SurfaceList& surfaces)
       : contact_(contact), surfaces_(surfaces) {}
 
   void note(const PairKey& pair, const PairLayers::Overridden& overridden);
   /// An interaction puts a surface on both sides of NODE_FACE.
-  void note_both_sides(std::size_t interaction, std::uint32_t surface);
+  void note_both_sides(std::size_t interaction, SurfaceIndex surface);
   /// An interaction asks for FACE_FACE of a surface without faces.
-  void note_nodes(std::size_t interaction, std::uint32_t surface);
+  void note_nodes(std::size_t interaction, SurfaceIndex surface);
   /// Warnings "interaction-overridden", "exclusion-without-effect", "one-sided-self" and
   /// "node-set-face-face".
   void add_to(const std::vector<PairExclusion>& exclusions, Diagnostics& diagnostics) const;
@@ -49,16 +49,16 @@ class PairWarnings {
   void add_overridden(const Case& by, const std::vector<PairKey>& pairs,
                       const std::vector<PairExclusion>& exclusions, Diagnostics& diagnostics) const;
 
-  void add_both_sides(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+  void add_both_sides(std::size_t interaction, const std::set<SurfaceIndex>& surfaces,
                       Diagnostics& diagnostics) const;
-  void add_nodes(std::size_t interaction, const std::set<std::uint32_t>& surfaces,
+  void add_nodes(std::size_t interaction, const std::set<SurfaceIndex>& surfaces,
                  Diagnostics& diagnostics) const;
-  std::string list(const std::set<std::uint32_t>& surfaces) const;
+  std::string list(const std::set<SurfaceIndex>& surfaces) const;
 
   const ContactDefinition& contact_;
-  const std::vector<ContactSurface>& surfaces_;
+  const SurfaceList& surfaces_;
   std::map<Case, std::vector<PairKey>> overridden_;
-  std::map<std::size_t, std::set<std::uint32_t>> both_sides_, nodes_;  // by interaction
+  std::map<std::size_t, std::set<SurfaceIndex>> both_sides_, nodes_;  // by interaction
 };
 
 }  // namespace contactsim

@@ -16,8 +16,8 @@ namespace contactsim {
 namespace {
 
 /// What each request makes: a surface and its subsets, that own nothing yet.
-std::vector<ContactSurface> make_surfaces(std::span<const SurfaceRequest> requests) {
-  std::vector<ContactSurface> surfaces;
+SurfaceList make_surfaces(std::span<const SurfaceRequest> requests) {
+  SurfaceList surfaces;
   for (const SurfaceRequest& request : requests) {
     ContactSurface made;
     made.kind = request.kind;

@@ -73,9 +73,9 @@ void SurfaceEdits::apply_lost_claims(ContactSurfaces& surfaces) const {
   }
 }
 
-std::vector<SurfaceChange> SurfaceEdits::apply(ContactSurfaces& surfaces) {
-  std::vector<SurfaceChange> changes;
-  for (std::size_t s = 0; s < edits_.size(); ++s) {
+SurfaceChanges SurfaceEdits::apply(ContactSurfaces& surfaces) {
+  SurfaceChanges changes;
+  for (const SurfaceIndex s : indices(edits_)) {
     auto& [faces, lofted, nodes] = edits_[s];
     changes.push_back({size_of(faces.gained), size_of(faces.lost), size_of(lofted.lost),
                        size_of(nodes.gained), size_of(nodes.lost)});

@@ -20,6 +20,8 @@ struct SurfaceChange {
   bool is_any() const { return faces_gained + faces_lost + lofted_lost + nodes_gained + nodes_lost > 0; }
 };
 
+using SurfaceChanges = IndexedVector<SurfaceIndex, SurfaceChange>;
+
 /// Gathers how claims of faces, lofted elements and nodes change, each of which is told once, and carries
 /// them over into surfaces.
 class SurfaceEdits {
@@ -30,9 +32,8 @@ class SurfaceEdits {
   void change_lofted(ElementIndex element, const Claim& before, const Claim& after);
   void change_node(NodeIndex node, const Claim& before, const Claim& after);
 
-  /// Changes what the surfaces own and have lost. Returns [n_surfaces]. Time proportional to the surfaces
-  /// that change.
-  std::vector<SurfaceChange> apply(ContactSurfaces& surfaces);
+  /// Changes what the surfaces own and have lost. Time proportional to the surfaces that change.
+  SurfaceChanges apply(ContactSurfaces& surfaces);
 
  private:
   template <class T>
@@ -50,9 +51,9 @@ class SurfaceEdits {
               std::uint32_t LostClaims::*count);
   void apply_lost_claims(ContactSurfaces& surfaces) const;
 
-  std::vector<Edits> edits_;  // [n_surfaces]
+  IndexedVector<SurfaceIndex, Edits> edits_;
   // By loser and winner; counts modulo 2^32, so that adding them takes away as well.
-  std::map<std::pair<std::uint32_t, std::uint32_t>, LostClaims> lost_;
+  std::map<std::pair<SurfaceIndex, SurfaceIndex>, LostClaims> lost_;
 };
 
 }  // namespace contactsim

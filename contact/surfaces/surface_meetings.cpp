@@ -2,7 +2,6 @@
 #include "contact/surfaces/surface_meetings.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/names.hpp"
 
@@ -13,7 +12,7 @@ namespace {
 /// Adds every pair among listed surfaces; of a list of one name it with itself.
 ///   positions  of those that there are
 template <class Add>
-void add_among(const std::vector<DeckName>& names, const std::vector<std::uint32_t>& positions,
+void add_among(const std::vector<DeckName>& names, const std::vector<SurfaceIndex>& positions,
                const Add& add) {
   if (names.size() == 1 && positions.size() == 1) add(Meeting{positions[0], positions[0]});
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -23,17 +22,17 @@ void add_among(const std::vector<DeckName>& names, const std::vector<std::uint32
 
 }  // namespace
 
-SurfaceMeetings::SurfaceMeetings(const std::vector<ContactSurface>& surfaces) : surfaces_(surfaces) {
+SurfaceMeetings::SurfaceMeetings(const SurfaceList& surfaces) : surfaces_(surfaces) {
   for (const ContactSurface& surface : surfaces) {
     const bool has_faces =
         !surface.faces.empty() || !surface.lofted_elements.empty() || surface.may_gain_faces;
-    positions_.try_emplace(fold(surface.name), static_cast<std::uint32_t>(parts_.size()));
+    positions_.try_emplace(fold(surface.name), parts_.next());
     parts_.push_back({has_faces, !surface.nodes.empty(), !surface.analytic_planes.empty()});
   }
 }
 
-std::vector<std::uint32_t> SurfaceMeetings::positions_of(const std::vector<DeckName>& names) const {
-  std::vector<std::uint32_t> positions;
+std::vector<SurfaceIndex> SurfaceMeetings::positions_of(const std::vector<DeckName>& names) const {
+  std::vector<SurfaceIndex> positions;
   for (const DeckName& name : names) {
     const auto found = positions_.find(fold(name.text));
     if (found != positions_.end()) positions.push_back(found->second);
@@ -74,12 +73,11 @@ bool SurfaceMeetings::is_all(const DeckName& name) const {
   return fold(name.text) == "all" && !positions_.contains("all");
 }
 
-std::vector<std::uint32_t> SurfaceMeetings::positions_with_all(const std::vector<DeckName>& names) const {
-  std::vector<std::uint32_t> positions = positions_of(names);
+std::vector<SurfaceIndex> SurfaceMeetings::positions_with_all(const std::vector<DeckName>& names) const {
+  std::vector<SurfaceIndex> positions = positions_of(names);
   if (std::ranges::none_of(names, [&](const DeckName& name) { return is_all(name); })) return positions;
-  positions.resize(surfaces_.size());
-  std::iota(positions.begin(), positions.end(), 0U);
-  return positions;
+  const auto all = indices(surfaces_);
+  return {all.begin(), all.end()};
 }
 
 std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const Interaction& interaction) const {
@@ -92,11 +90,11 @@ std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const Interaction& inter
   };
   const bool excludes = interaction.pair.behavior == InteractionBehavior::no_interaction;
   const auto named_a = positions_of(interaction.side_a), named_b = positions_of(interaction.side_b);
-  const auto is_named_twice = [&](std::uint32_t i) {
+  const auto is_named_twice = [&](SurfaceIndex i) {
     return std::ranges::count(named_a, i) > 0 && std::ranges::count(named_b, i) > 0;
   };
-  for (const std::uint32_t a : positions_with_all(interaction.side_a)) {
-    for (const std::uint32_t b : positions_with_all(interaction.side_b)) {
+  for (const SurfaceIndex a : positions_with_all(interaction.side_a)) {
+    for (const SurfaceIndex b : positions_with_all(interaction.side_b)) {
       if (a != b || excludes || is_named_twice(a)) add({a, b, true});
     }
   }
@@ -115,8 +113,8 @@ std::map<PairKey, Meeting> SurfaceMeetings::meetings_of(const SurfaceExclusion& 
     return meetings;
   }
   const auto all = positions_with_all(exclusion.surfaces);
-  for (const std::uint32_t a : named.empty() ? all : named) {
-    for (const std::uint32_t b : all) add({a, b});
+  for (const SurfaceIndex a : named.empty() ? all : named) {
+    for (const SurfaceIndex b : all) add({a, b});
   }
   return meetings;
 }

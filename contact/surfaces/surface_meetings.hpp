@@ -16,22 +16,22 @@ namespace contactsim {
 
 /// Two surfaces in the order in which an interaction names them.
 struct Meeting {
-  std::uint32_t first = 0, second = 0;
+  SurfaceIndex first, second;
   bool has_sides = false;
 };
 
 /// Two surfaces in either order.
-using PairKey = std::pair<std::uint32_t, std::uint32_t>;
+using PairKey = std::pair<SurfaceIndex, SurfaceIndex>;
 
 /// Which surfaces can meet, and who of two gives faces and who nodes: nodes meet faces and planes only,
 /// planes never each other. Source: Sierra/SM 5.22, 8.6.
 class SurfaceMeetings {
  public:
   /// `surfaces` must outlive this.
-  explicit SurfaceMeetings(const std::vector<ContactSurface>& surfaces);
+  explicit SurfaceMeetings(const SurfaceList& surfaces);
 
-  /// Positions of the surfaces with these names; names that there are not are passed over.
-  std::vector<std::uint32_t> positions_of(const std::vector<DeckName>& names) const;
+  /// The surfaces with these names; names that there are not are passed over.
+  std::vector<SurfaceIndex> positions_of(const std::vector<DeckName>& names) const;
   /// All that an interaction names. Two surfaces that both ways name have no sides. ALL of a side is every
   /// surface; by it alone a surface meets itself only where that is excluded.
   std::map<PairKey, Meeting> meetings_of(const Interaction& interaction) const;
@@ -50,15 +50,15 @@ class SurfaceMeetings {
     bool planes = false;
   };
   /// The same with every surface for ALL, unless a surface has that name.
-  std::vector<std::uint32_t> positions_with_all(const std::vector<DeckName>& names) const;
+  std::vector<SurfaceIndex> positions_with_all(const std::vector<DeckName>& names) const;
   bool is_all(const DeckName& name) const;
   static bool can_meet_one_way(const Parts& faces, const Parts& nodes) {
     return (faces.faces || faces.planes) && (nodes.faces || nodes.nodes);
   }
 
-  const std::vector<ContactSurface>& surfaces_;
-  std::vector<Parts> parts_;                                  // [n_surfaces]
-  std::unordered_map<std::string, std::uint32_t> positions_;  // by folded name
+  const SurfaceList& surfaces_;
+  IndexedVector<SurfaceIndex, Parts> parts_;
+  std::unordered_map<std::string, SurfaceIndex> positions_;  // by folded name
 };
 
 }  // namespace contactsim

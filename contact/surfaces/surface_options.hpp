@@ -12,11 +12,11 @@
 
 namespace contactsim {
 
-/// Calls visit(surface position, options) for every block of SURFACE OPTIONS and each surface that it is for,
+/// Calls visit(surface, options) for every block of SURFACE OPTIONS and each surface that it is for,
 /// in deck order: a later one overrides what earlier ones give.
 template <class Visit>
-void visit_surface_options(const std::vector<SurfaceOptions>& blocks,
-                           std::span<const ContactSurface> surfaces, const Visit& visit) {
+void visit_surface_options(const std::vector<SurfaceOptions>& blocks, const SurfaceList& surfaces,
+                           const Visit& visit) {
   const auto fold_all = [](const std::vector<DeckName>& names) {
     std::set<std::string> folded;
     for (const DeckName& name : names) folded.insert(fold(name.text));
@@ -24,7 +24,7 @@ void visit_surface_options(const std::vector<SurfaceOptions>& blocks,
   };
   for (const SurfaceOptions& options : blocks) {
     const auto included = fold_all(options.surfaces), removed = fold_all(options.removed_surfaces);
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(surfaces)) {
       const std::string name = fold(surfaces[i].name);
       const bool is_included = included.empty() || included.contains(name);
       if (is_included && !removed.contains(name)) visit(i, options);

@@ -89,7 +89,7 @@ class PairMaker {
   void note_what_differs(std::size_t index, const Meeting& meeting, const SurfacePair& settled);
 
   const ContactDefinition& contact_;
-  const std::vector<ContactSurface>& surfaces_;
+  const SurfaceList& surfaces_;
   Diagnostics& diagnostics_;
   SurfaceMeetings meetings_;
   PairSettings defaults_;
@@ -110,14 +110,14 @@ PairMaker::PairMaker(const ContactDefinition& contact, const ContactSurfaces& su
 }
 
 void PairMaker::add_defaults(const InteractionDefaults& defaults) {
-  std::vector<std::uint32_t> members = meetings_.positions_of(defaults.surfaces);
+  std::vector<SurfaceIndex> members = meetings_.positions_of(defaults.surfaces);
   if (defaults.surfaces.empty()) {
-    for (std::uint32_t i = 0; i < surfaces_.size(); ++i) members.push_back(i);
+    for (const SurfaceIndex surface : indices(surfaces_)) members.push_back(surface);
   }
   SurfacePair pair = common_pair(defaults_, contact_);
   pair.location = defaults.name.location;
   pair.is_from_defaults = true;
-  const auto add = [&](std::uint32_t a, std::uint32_t b) {
+  const auto add = [&](SurfaceIndex a, SurfaceIndex b) {
     const Meeting meeting{std::min(a, b), std::max(a, b)};
     if (!meetings_.can_meet(meeting)) return;
     pair.interaction = a == b ? "self contact" : "general contact";
@@ -181,7 +181,7 @@ void PairMaker::note_what_differs(std::size_t index, const Meeting& meeting, con
   if (settled.formulation == ConstraintFormulation::face_face) return;
   if (meeting.has_sides && meeting.first == meeting.second) warnings_.note_both_sides(index, meeting.first);
   if (contact_.interactions[index].pair.formulation != ConstraintFormulation::face_face) return;
-  for (const std::uint32_t surface : {meeting.first, meeting.second}) {
+  for (const SurfaceIndex surface : {meeting.first, meeting.second}) {
     if (surfaces_[surface].kind == SurfaceKind::node) warnings_.note_nodes(index, surface);
   }
 }

@@ -24,9 +24,9 @@ std::shared_ptr<const FrictionLaw> frictionless_law();
 /// Two contact surfaces that may touch each other, and how: the deck's settings, with what it leaves out
 /// taken from its defaults and then from the program's.
 struct SurfacePair {
-  /// Positions of the surfaces; equal for self contact. One-sided: `first` gives the faces (a plane counts as
+  /// Equal for self contact. One-sided: `first` gives the faces (a plane counts as
   /// one), `second` the nodes. Else first <= second.
-  std::uint32_t first = 0, second = 0;
+  SurfaceIndex first, second;
   bool is_one_sided = false;  ///< NODE_FACE with sides, or one of the two cannot give the faces or the nodes
   std::string interaction;    ///< its name, "interaction 3" without one, "general contact", "self contact"
   DeckLocation location;      ///< of the interaction, or of the defaults
@@ -50,7 +50,7 @@ struct SurfacePair {
   OptionalIndex<std::uint32_t> adjusted_node_set;  ///< of the mesh, with that name
   SmoothingChoice smoothing_choice;                ///< of the deck
   OptionalIndex<std::uint32_t> smoothing;          ///< of the contact model, by that choice
-  OptionalIndex<std::uint32_t>
+  OptionalIndex<SurfaceIndex>
       side_b;  ///< surface that SIDE B names, or that gives the nodes; its nodes are moved then
   Enforcement enforcement = Enforcement::penalty;
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]

@@ -115,8 +115,7 @@ void RequestMaker::finish(SurfaceRequest request, const DeckName& name) {
   sort_once(request.blocks);
   sort_once(request.side_sets);
   sort_once(request.node_sets);
-  if (!requests_.empty())
-    request.first_surface = requests_.back().first_surface + requests_.back().n_surfaces();
+  if (!requests_.empty()) request.first_surface = *requests_.back().surfaces().end();
   requests_.push_back(std::move(request));
 }
 

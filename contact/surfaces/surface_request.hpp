@@ -30,7 +30,7 @@ struct SurfaceRequest {
   SurfaceKind kind = SurfaceKind::face;
   std::string command;
   DeckLocation location;
-  std::uint32_t first_surface = 0;    ///< position of the first surface that it makes; its subsets follow
+  SurfaceIndex first_surface;         ///< the first that it makes; its subsets follow
   std::vector<std::uint32_t> blocks;  ///< skinned or lofted; of a surface of nodes: all their nodes
   std::vector<std::uint32_t> side_sets;
   std::vector<std::uint32_t> node_sets;       ///< of surfaces of nodes only
@@ -42,8 +42,10 @@ struct SurfaceRequest {
   bool is_block_form = false;
   std::vector<std::uint32_t> particle_blocks_left_out;  ///< by INCLUDE ALL BLOCKS
 
-  /// How many surfaces it makes: its own and its subsets.
-  std::uint32_t n_surfaces() const { return 1 + static_cast<std::uint32_t>(subsets.size()); }
+  /// The surfaces that it makes: its own and its subsets.
+  IndexRange<SurfaceIndex> surfaces() const {
+    return {first_surface, {first_surface.value + 1 + static_cast<std::uint32_t>(subsets.size())}};
+  }
 };
 
 /// Names that a region adds to those of the mesh.

@@ -71,8 +71,8 @@ Claim SurfaceTracker::claim_of(NodeIndex node) const {
   return rules_.nodes().of_node(node, faces_.elements().of(node), alive_);
 }
 
-std::vector<SurfaceChange> SurfaceTracker::update_for_deaths(std::span<const ElementIndex> dead,
-                                                             ContactSurfaces& surfaces) {
+SurfaceChanges SurfaceTracker::update_for_deaths(std::span<const ElementIndex> dead,
+                                                 ContactSurfaces& surfaces) {
   SurfaceEdits edits(surfaces.surfaces.size());
   change_faces(dead, edits, surfaces);
   for (const ElementIndex element : dead) {
@@ -84,7 +84,7 @@ std::vector<SurfaceChange> SurfaceTracker::update_for_deaths(std::span<const Ele
   for (const ElementIndex element : dead) alive_[element.value] = present_[element.value] = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     edits.change_node(nodes[i], before[i], has_eroded(nodes[i]) ? Claim{} : claim_of(nodes[i]));
-  const std::vector<SurfaceChange> changes = edits.apply(surfaces);
+  SurfaceChanges changes = edits.apply(surfaces);
   set_surface_warnings(rules_.requests(), faces_.mesh(), surfaces);
   return changes;
 }

@@ -23,9 +23,9 @@ class SurfaceTracker {
   ///           without such elements
   SurfaceTracker(OwnershipRules rules, const FaceGroups& faces, std::vector<std::uint8_t> erodes = {});
 
-  /// Takes deaths over into the surfaces. Returns [n_surfaces].
+  /// Takes deaths over into the surfaces.
   ///   dead  elements that lived so far, ascending
-  std::vector<SurfaceChange> update_for_deaths(std::span<const ElementIndex> dead, ContactSurfaces& surfaces);
+  SurfaceChanges update_for_deaths(std::span<const ElementIndex> dead, ContactSurfaces& surfaces);
 
   const OwnershipRules& rules() const { return rules_; }
 

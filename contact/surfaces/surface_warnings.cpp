@@ -52,8 +52,7 @@ void set_surface_warnings(std::span<const SurfaceRequest> requests, const Mesh& 
   result.warnings.clear();
   for (const SurfaceRequest& request : requests) {
     add_left_out_warning(request, mesh, result);
-    for (std::uint32_t i = 0; i < request.n_surfaces(); ++i)
-      add_warnings(result.surfaces[request.first_surface + i], result);
+    for (const SurfaceIndex surface : request.surfaces()) add_warnings(result.surfaces[surface], result);
   }
 }
 

@@ -17,6 +17,13 @@ struct Index {
   auto operator<=>(const Index&) const = default;
 };
 
+/// The number of a position, typed or not.
+constexpr std::uint32_t number_of(std::uint32_t position) { return position; }
+template <class Kind>
+constexpr std::uint32_t number_of(Index<Kind> position) {
+  return position.value;
+}
+
 /// The positions from one up to before another, for loops.
 template <class AnIndex>
 class IndexRange {

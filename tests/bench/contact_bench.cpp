@@ -87,7 +87,7 @@ ContactModel make_pair(ContactSurface first, ContactSurface second, ConstraintFo
   ContactModel contact;
   contact.surfaces.surfaces = {std::move(first), std::move(second)};
   SurfacePair pair;
-  pair.second = 1;
+  pair.second = {1};
   pair.formulation = formulation;
   pair.enforcement = enforcement;
   contact.pairs.push_back(pair);

@@ -107,7 +107,7 @@ void mass_death(benchmark::State& bench) {
     bench.counters["death_and_step"] = death;
     bench.counters["death_in_steps"] = (death - step) / step;
   }
-  bench.counters["faces"] = static_cast<double>(contact.surfaces.surfaces[0].faces.size());
+  bench.counters["faces"] = static_cast<double>(contact.surfaces.surfaces[{0}].faces.size());
 }
 BENCHMARK(mass_death)->Arg(1)->Arg(2)->Iterations(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 

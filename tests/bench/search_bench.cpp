@@ -91,7 +91,7 @@ void search(benchmark::State& bench) {
   omp_set_num_threads(static_cast<int>(bench.range(1)));
   Spheres spheres(bench);
   BroadPhase nodes, faces;
-  PairLists lists;
+  PairTable lists;
   const auto search_all = [&] {
     if (nodes.update(spheres.nodes()) || faces.update(spheres.faces())) bench.SkipWithError("bad boxes");
     nodes.find_pairs(

@@ -87,7 +87,8 @@ struct ContactParts {
   FormulationSetup setup() const { return {contact_mesh, model, rules}; }
   /// The candidates of a search now.
   ///   depths  of faces and surface nodes that are in something already
-  PairLists face_partners, node_faces;
+  FacePairLists face_partners;
+  NodeFaceLists node_faces;
   void search(std::span<const float> face_depths = {}, std::span<const float> node_depths = {});
   /// The same by a search that may have found some before.
   void find_candidates(ContactSearch& search, double dt = 0.0, std::span<const float> face_depths = {},

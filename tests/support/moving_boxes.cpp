@@ -31,8 +31,8 @@ void MovingBoxes::step() {
   }
 }
 
-PairLists sweep(const std::vector<contactsim::Box>& rows, const std::vector<contactsim::Box>& partners) {
-  PairLists lists;
+PairTable sweep(const std::vector<contactsim::Box>& rows, const std::vector<contactsim::Box>& partners) {
+  PairTable lists;
   for (const contactsim::Box& row : rows) {
     for (std::uint32_t j = 0; j < partners.size(); ++j) {
       if (do_overlap(row, partners[j])) lists.partners.push_back(j);
@@ -42,8 +42,8 @@ PairLists sweep(const std::vector<contactsim::Box>& rows, const std::vector<cont
   return lists;
 }
 
-PairLists sweep(const std::vector<contactsim::Box>& boxes) {
-  PairLists lists;
+PairTable sweep(const std::vector<contactsim::Box>& boxes) {
+  PairTable lists;
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (std::uint32_t j = i + 1; j < boxes.size(); ++j) {
       if (do_overlap(boxes[i], boxes[j])) lists.partners.push_back(j);
@@ -53,11 +53,11 @@ PairLists sweep(const std::vector<contactsim::Box>& boxes) {
   return lists;
 }
 
-PairLists in_rows(std::vector<RowPartner> pairs, std::size_t n_rows) {
+PairTable in_rows(std::vector<RowPartner> pairs, std::size_t n_rows) {
   std::sort(pairs.begin(), pairs.end(), [](const RowPartner& a, const RowPartner& b) {
     return std::tie(a.row, a.partner) < std::tie(b.row, b.partner);
   });
-  PairLists lists;
+  PairTable lists;
   std::size_t next = 0;
   for (std::uint32_t row = 0; row < n_rows; ++row) {
     for (; next < pairs.size() && pairs[next].row == row; ++next)

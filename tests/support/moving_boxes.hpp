@@ -26,12 +26,12 @@ class MovingBoxes {
 };
 
 /// The overlapping pairs of all rows with all partners, one test each.
-PairLists sweep(const std::vector<contactsim::Box>& rows, const std::vector<contactsim::Box>& partners);
+PairTable sweep(const std::vector<contactsim::Box>& rows, const std::vector<contactsim::Box>& partners);
 
 /// The overlapping pairs among the boxes, each once, partners with the greater number.
-PairLists sweep(const std::vector<contactsim::Box>& boxes);
+PairTable sweep(const std::vector<contactsim::Box>& boxes);
 
 /// Pairs in any order as lists.
-PairLists in_rows(std::vector<RowPartner> pairs, std::size_t n_rows);
+PairTable in_rows(std::vector<RowPartner> pairs, std::size_t n_rows);
 
 }  // namespace contactsim::test

@@ -34,9 +34,9 @@ class SlowSurfaces {
   std::vector<std::uint8_t> find_present(std::span<const SurfaceRequest> requests) const;
   void count_ignored_faces(std::span<const SurfaceRequest> requests);
   void add(const SurfaceRequest& request);
-  void claim_lofted(const SurfaceRequest& request, std::uint32_t surface);
-  void claim_faces(const SurfaceRequest& request, std::uint32_t surface);
-  void claim_nodes(const SurfaceRequest& request, std::uint32_t surface);
+  void claim_lofted(const SurfaceRequest& request, SurfaceIndex surface);
+  void claim_faces(const SurfaceRequest& request, SurfaceIndex surface);
+  void claim_nodes(const SurfaceRequest& request, SurfaceIndex surface);
 
   /// The living elements of some blocks.
   std::vector<ElementIndex> elements_of(const std::vector<std::uint32_t>& blocks) const;
@@ -63,10 +63,10 @@ class SlowSurfaces {
   Skin skin_;
   std::set<ElementSide> exterior_;
   ContactSurfaces result_;
-  std::map<ElementSide, std::uint32_t> face_owner_;
-  std::map<ElementIndex, std::uint32_t> loft_owner_;
-  std::map<NodeIndex, std::uint32_t> node_owner_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, LostClaims> lost_;  // by loser and winner
+  std::map<ElementSide, SurfaceIndex> face_owner_;
+  std::map<ElementIndex, SurfaceIndex> loft_owner_;
+  std::map<NodeIndex, SurfaceIndex> node_owner_;
+  std::map<std::pair<SurfaceIndex, SurfaceIndex>, LostClaims> lost_;  // by loser and winner
 };
 
 std::vector<std::uint8_t> SlowSurfaces::find_present(std::span<const SurfaceRequest> requests) const {
@@ -107,7 +107,7 @@ std::set<ElementSide> SlowSurfaces::sides_of(const std::vector<std::uint32_t>& s
 }
 
 void SlowSurfaces::add(const SurfaceRequest& request) {
-  const auto surface = static_cast<std::uint32_t>(result_.surfaces.size());
+  const SurfaceIndex surface = result_.surfaces.next();
   const bool is_of_nodes = request.kind == SurfaceKind::node;
   ContactSurface made;
   made.name = request.name;
@@ -127,7 +127,7 @@ void SlowSurfaces::add(const SurfaceRequest& request) {
   claim_faces(request, surface);
 }
 
-void SlowSurfaces::claim_lofted(const SurfaceRequest& request, std::uint32_t surface) {
+void SlowSurfaces::claim_lofted(const SurfaceRequest& request, SurfaceIndex surface) {
   std::set<ElementIndex> claimed;
   for (const ElementIndex element : elements_of(request.blocks)) claimed.insert(element);
   for (const ElementIndex element : request.elements) {
@@ -136,7 +136,7 @@ void SlowSurfaces::claim_lofted(const SurfaceRequest& request, std::uint32_t sur
   for (const ElementSide side : sides_of(request.removed_side_sets)) claimed.erase(side.element());
   for (const ElementIndex element : claimed) {
     if (family_of(element) == Family::solid || !is_inside(mesh_.element_nodes(element))) continue;
-    std::optional<std::uint32_t> owner;
+    std::optional<SurfaceIndex> owner;
     for (const int side : {2, 1}) {
       if (const auto of_side = face_owner_.find({element, side}); of_side != face_owner_.end())
         owner = of_side->second;
@@ -150,7 +150,7 @@ void SlowSurfaces::claim_lofted(const SurfaceRequest& request, std::uint32_t sur
   }
 }
 
-void SlowSurfaces::claim_faces(const SurfaceRequest& request, std::uint32_t surface) {
+void SlowSurfaces::claim_faces(const SurfaceRequest& request, SurfaceIndex surface) {
   std::set<ElementSide> claimed = sides_of(request.side_sets);
   for (const ElementSide face : exterior_) {
     if (std::ranges::find(request.blocks, mesh_.block_of(face.element())) != request.blocks.end())
@@ -164,14 +164,14 @@ void SlowSurfaces::claim_faces(const SurfaceRequest& request, std::uint32_t surf
     if (of_face != face_owner_.end()) {
       ++lost_[{surface, of_face->second}].faces;
     } else if (of_loft == loft_owner_.end()) {
-      face_owner_[face] = surface + choose_subset(request.subsets, mesh_, face);
+      face_owner_[face] = {surface.value + choose_subset(request.subsets, mesh_, face)};
     } else if (of_loft->second != surface) {
       ++lost_[{surface, of_loft->second}].faces;
     }
   }
 }
 
-void SlowSurfaces::claim_nodes(const SurfaceRequest& request, std::uint32_t surface) {
+void SlowSurfaces::claim_nodes(const SurfaceRequest& request, SurfaceIndex surface) {
   std::set<NodeIndex> claimed;
   const auto add = [&](const auto& nodes) { claimed.insert(nodes.begin(), nodes.end()); };
   for (const std::uint32_t set : request.node_sets) add(mesh_.node_sets()[set].nodes);

@@ -17,9 +17,9 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
   const MovingFace moving = context.kinematics.face(near.second);
   Bond bond;
   if (near.is_node) {
-    const SurfaceNode& node = contact_mesh.surface_nodes[near.first];
-    static_cast<InterfaceConstraint&>(bond) = constraint_of_node(context, near.first, near.second);
-    const auto closest = find_closest_point(context, near.first, near.second, near.tolerance);
+    const SurfaceNode& node = contact_mesh.surface_nodes[near.row()];
+    static_cast<InterfaceConstraint&>(bond) = constraint_of_node(context, near.row(), near.second);
+    const auto closest = find_closest_point(context, near.row(), near.second, near.tolerance);
     if (!closest) return std::nullopt;
     bond.weights_1 = Eigen::Vector4d::UnitX();
     bond.weights_2 = corner_weights(closest->xi, closest->eta, moving.is_triangle);
@@ -28,17 +28,17 @@ std::optional<Bond> make_bond(const ContactStepContext& context, const NearPair&
     bond.area = near.share * context.kinematics.area_against(node, closest->normal);
     bond.penalty = make_pair_penalty(node.penalty_properties, &second.penalty_properties, pair).stiffness;
   } else {
-    static_cast<InterfaceConstraint&>(bond) = constraint_of_faces(context, near.first, near.second);
-    const MovingFace first = context.kinematics.face(near.first);
+    static_cast<InterfaceConstraint&>(bond) = constraint_of_faces(context, near.first_face(), near.second);
+    const MovingFace first = context.kinematics.face(near.first_face());
     const auto overlap = find_mean_overlap(first, moving, near.tolerance);
     if (!overlap) return std::nullopt;
     bond.weights_1 = overlap->weights_1;
     bond.weights_2 = overlap->weights_2;
     bond.area = overlap->area;
     bond.rest = axes_of(moving.x).transpose() * (first.x * bond.weights_1 - moving.x * bond.weights_2);
-    bond.penalty =
-        make_pair_penalty(contact_mesh.faces[near.first].penalty_properties, &second.penalty_properties, pair)
-            .stiffness;
+    bond.penalty = make_pair_penalty(contact_mesh.faces[near.first_face()].penalty_properties,
+                                     &second.penalty_properties, pair)
+                       .stiffness;
   }
   const BondLaw& bond_law = *rule_of(context, bond).interface_law->bond_law;
   bond.size = bond_law.is_in_forces ? bond.share : bond.area;

@@ -67,10 +67,10 @@ bool may_cross(const ContactKinematics& kinematics, const ContactEdge& first, co
 }
 
 /// Lines and sharp edges by first_alike of their nodes; nothing without any edges.
-PairLists list_edges_of_nodes(const ContactMesh& contact_mesh) {
+PairLists<std::uint32_t, EdgeIndex> list_edges_of_nodes(const ContactMesh& contact_mesh) {
   if (contact_mesh.edges.empty()) return {};
-  return list_by_row(contact_mesh.n_nodes(), [&](const auto& take) {
-    for (std::uint32_t i = 0; i < contact_mesh.edges.size(); ++i) {
+  return list_by_row<std::uint32_t, EdgeIndex>(contact_mesh.n_nodes(), [&](const auto& take) {
+    for (const EdgeIndex i : indices(contact_mesh.edges)) {
       const ContactEdge& edge = contact_mesh.edges[i];
       if (edge.is_particle()) continue;
       for (const std::uint32_t node : edge.nodes) take(contact_mesh.first_alike[node], i);
@@ -86,14 +86,14 @@ EdgeEdgeContacts::EdgeEdgeContacts(const FormulationSetup& setup)
       depth_before_(contact_mesh_.edges.size(), 0.0f),
       depth_now_(contact_mesh_.edges.size(), 0.0f) {}
 
-bool EdgeEdgeContacts::owns(const ContactStepContext& context, std::uint32_t index, double share,
+bool EdgeEdgeContacts::owns(const ContactStepContext& context, EdgeIndex index, double share,
                             const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const {
   constexpr double alike = 1e-6;  // cosine of directions that count as square to the way
   const ContactEdge& edge = contact_mesh_.edges[index];
   if (edge.is_sharp() || edge.is_particle() || (share > 0.0 && share < 1.0) || pair_point.length > 0.0)
     return true;
   const std::uint32_t node = contact_mesh_.first_alike[edge.nodes[share > 0.0 ? 1 : 0]];
-  for (const std::uint32_t other : edges_of_node_.of(node)) {
+  for (const EdgeIndex other : edges_of_node_.of(node)) {
     const ContactEdge& next = contact_mesh_.edges[other];
     if (other == index || next.surface != edge.surface || next.is_sharp() != edge.is_sharp()) continue;
     const bool is_first = contact_mesh_.first_alike[next.nodes[0]] == node;
@@ -108,12 +108,12 @@ bool EdgeEdgeContacts::owns(const ContactStepContext& context, std::uint32_t ind
 void EdgeEdgeContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
                                        const Motion& motion) {
   if (contact_mesh_.edges.empty()) return;
-  PairLists next;
+  EdgePairLists next;
   search.find_edge_pairs(kinematics, motion, depth_now_, next);
   take_candidates(std::move(next));
 }
 
-void EdgeEdgeContacts::take_candidates(PairLists candidates) {
+void EdgeEdgeContacts::take_candidates(EdgePairLists candidates) {
   slips_now_ = transfer_pairs<ElasticSlips>(candidates_, slips_now_, candidates, no_slip);
   candidates_ = std::move(candidates);
 }
@@ -128,11 +128,11 @@ void EdgeEdgeContacts::begin_step() {
 void EdgeEdgeContacts::update(const ContactStepContext& /*context*/, CandidateRows /*rows*/,
                               std::span<const ContactPoint> points) {
   for (const ContactPoint& point : points) {
-    const std::size_t candidate = candidates_.position(point.first_entity, point.second_entity);
+    const std::size_t candidate = candidates_.position(point.first_edge(), point.second_edge());
     slips_now_[candidate][point.part] = point.elastic_slip;
     if (!point.is_met()) continue;
     const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());
-    for (const std::uint32_t edge : {point.first_entity, point.second_entity})
+    for (const EdgeIndex edge : {point.first_edge(), point.second_edge()})
       depth_now_[edge] = std::max(depth_now_[edge], depth);
   }
 }
@@ -151,9 +151,9 @@ void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size
                ? 2.0 * edge.radius
                : (context.kinematics.x(edge.nodes[1]) - context.kinematics.x(edge.nodes[0])).norm();
   };
-  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+  for (const EdgeIndex row : candidates_.rows()) {
     const ContactEdge& first = contact_mesh_.edges[row];
-    for (const std::uint32_t partner : candidates_.of(row)) {
+    for (const EdgeIndex partner : candidates_.of(row)) {
       const ContactEdge& second = contact_mesh_.edges[partner];
       const PairIndex pair = *context.rules.find(first.surface, second.surface);
       if (!context.rules[pair].far) continue;
@@ -174,9 +174,9 @@ void EdgeEdgeContacts::mark_close(const ContactStepContext& context, double size
 
 void EdgeEdgeContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+  for (const EdgeIndex row : candidates_.rows()) {
     const ContactEdge& first = contact_mesh_.edges[row];
-    for (const std::uint32_t partner : candidates_.of(row)) {
+    for (const EdgeIndex partner : candidates_.of(row)) {
       const ContactEdge& second = contact_mesh_.edges[partner];
       const PairIndex pair = *context.rules.find(first.surface, second.surface);
       if (!context.rules.gap_offsets().needs_start(pair)) continue;
@@ -184,17 +184,17 @@ void EdgeEdgeContacts::add_start_gaps(const ContactStepContext& context, FoundSt
           nearest_points(segment_of(context.kinematics, first), segment_of(context.kinematics, second));
       const auto found = find_edge_gap(context.kinematics, first, second, nearest, infinite);
       if (!found) continue;
-      for (const std::uint32_t edge : {row, partner})
-        gaps.edges.push_back({edge, pair, found->gap, found->gap, 1.0});
+      for (const EdgeIndex edge : {row, partner})
+        gaps.edges.push_back({edge.value, pair, found->gap, found->gap, 1.0});
     }
   }
 }
 
-bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pair, std::uint32_t first,
-                                std::uint32_t second) const {
+bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pair, EdgeIndex first,
+                                EdgeIndex second) const {
   const ContactEdge &a = contact_mesh_.edges[first], &b = contact_mesh_.edges[second];
-  for (const std::uint32_t of_a : *a.faces) {
-    for (const std::uint32_t of_b : *b.faces) {
+  for (const FaceIndex of_a : *a.faces) {
+    for (const FaceIndex of_b : *b.faces) {
       if (context.constrained.holds_faces(of_a, of_b) || context.constrained.holds_faces(of_b, of_a))
         return true;
     }
@@ -209,11 +209,10 @@ bool EdgeEdgeContacts::are_held(const ContactStepContext& context, PairIndex pai
 }
 
 void EdgeEdgeContacts::remap(const ContactRemap& remap) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, ElasticSlips> kept;
-  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
-    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
-      const OptionalIndex<std::uint32_t> first = remap.edges[row],
-                                         second = remap.edges[candidates_.partners[k]];
+  std::map<std::pair<EdgeIndex, EdgeIndex>, ElasticSlips> kept;
+  for (const EdgeIndex row : candidates_.rows()) {
+    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k) {
+      const OptionalIndex<EdgeIndex> first = remap.edges[row], second = remap.edges[candidates_.partner(k)];
       // Of edges that have changed their order the slip would be seen from the other side.
       if (first && second && *first < *second) kept[{*first, *second}] = slips_now_[k];
     }
@@ -221,9 +220,9 @@ void EdgeEdgeContacts::remap(const ContactRemap& remap) {
   candidates_ = {};
   slips_now_.clear();
   auto pair = kept.begin();
-  for (std::uint32_t row = 0; row < remap.n_edges_after; ++row) {
+  for (const EdgeIndex row : indices(contact_mesh_.edges)) {
     for (; pair != kept.end() && pair->first.first == row; ++pair) {
-      candidates_.partners.push_back(pair->first.second);
+      candidates_.partners.push_back(pair->first.second.value);
       slips_now_.push_back(pair->second);
     }
     candidates_.begin.push_back(static_cast<std::uint32_t>(candidates_.partners.size()));
@@ -235,15 +234,15 @@ void EdgeEdgeContacts::remap(const ContactRemap& remap) {
 
 void EdgeEdgeContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
-  for (std::size_t row = rows.begin; row < rows.end; ++row) {
-    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k)
-      detect_one(context, static_cast<std::uint32_t>(row), k, points);
+  for (const EdgeIndex row : rows.indices<EdgeIndex>()) {
+    for (std::size_t k = candidates_.first_pair(row); k < candidates_.end_pair(row); ++k)
+      detect_one(context, row, k, points);
   }
 }
 
-void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32_t first_edge,
+void EdgeEdgeContacts::detect_one(const ContactStepContext& context, EdgeIndex first_edge,
                                   std::size_t candidate, std::vector<ContactPoint>& points) const {
-  const std::uint32_t second_edge = candidates_.partners[candidate];
+  const EdgeIndex second_edge = candidates_.partner(candidate);
   const ContactEdge &first = contact_mesh_.edges[first_edge], &second = contact_mesh_.edges[second_edge];
   const double before = std::max(depth_before_[first_edge], depth_before_[second_edge]);
   const bool are_sharp = first.is_sharp() && second.is_sharp();
@@ -273,8 +272,8 @@ void EdgeEdgeContacts::detect_one(const ContactStepContext& context, std::uint32
     if (point.stiffness == 0.0 && !point.is_balanced) continue;
     point.part = static_cast<std::uint8_t>(i);
     point.pair = pair;
-    point.first_entity = first_edge;
-    point.second_entity = second_edge;
+    point.first_entity = first_edge.value;
+    point.second_entity = second_edge.value;
     if (point.touches() && rule.friction > 0.0) {
       point.elastic_slip = slips_before_[candidate][i];
       const double stiffness =

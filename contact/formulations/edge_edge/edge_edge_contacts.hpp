@@ -22,11 +22,11 @@ class EdgeEdgeContacts {
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates, with what is remembered of pairs that were candidates before.
   ///   candidates  rows of edges with others of greater number
-  void take_candidates(PairLists candidates);
+  void take_candidates(EdgePairLists candidates);
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
   /// Edges need no bounds of faces.
-  void watch(std::vector<std::uint8_t>& /*is_watched*/) const {}
+  void watch(IndexedVector<FaceIndex, std::uint8_t>& /*is_watched*/) const {}
 
   void begin_step();
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
@@ -52,27 +52,26 @@ class EdgeEdgeContacts {
     double offset = 0.0;  ///< taken off the gap [length]
   };
 
-  void detect_one(const ContactStepContext& context, std::uint32_t first, std::size_t candidate,
+  void detect_one(const ContactStepContext& context, EdgeIndex first, std::size_t candidate,
                   std::vector<ContactPoint>& points) const;
   /// Whether ties hold faces or nodes of two sharp edges together.
-  bool are_held(const ContactStepContext& context, PairIndex pair, std::uint32_t first,
-                std::uint32_t second) const;
+  bool are_held(const ContactStepContext& context, PairIndex pair, EdgeIndex first, EdgeIndex second) const;
   /// Whether a point of an edge is its own: at a node that several have, only the edge that is nearest there
   /// has it, the first of them if they are alike.
   ///   way  to the other edge [length]
-  bool owns(const ContactStepContext& context, std::uint32_t edge, double share,
-            const EdgePairPoint& pair_point, const Eigen::Vector3d& way) const;
+  bool owns(const ContactStepContext& context, EdgeIndex edge, double share, const EdgePairPoint& pair_point,
+            const Eigen::Vector3d& way) const;
   /// The contact point of two edges; without stiffness when the edges are not near.
   static ContactPoint make_contact_point(const ContactStepContext& context, const Pair& pair,
                                          const EdgePairPoint& pair_point);
 
   const ContactMesh& contact_mesh_;
-  PairLists candidates_;
-  PairLists edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
+  EdgePairLists candidates_;
+  PairLists<std::uint32_t, EdgeIndex> edges_of_node_;  // [n_contact_nodes] round ones, by first_alike
   // [n_candidates] in the last step and in this one
   std::vector<ElasticSlips> slips_before_, slips_now_;
-  // [n_edges] penetration, 0 where nothing touches, in the last step and in this one [length]
-  std::vector<float> depth_before_, depth_now_;
+  // Penetration, 0 where nothing touches, in the last step and in this one [length]
+  IndexedVector<EdgeIndex, float> depth_before_, depth_now_;
 };
 
 }  // namespace contactsim

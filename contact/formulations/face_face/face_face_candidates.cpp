@@ -9,7 +9,7 @@ namespace contactsim {
 
 void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
                                        const Motion& motion) {
-  PairLists next;
+  FacePairLists next;
   search.find_face_pairs(kinematics, motion, depths(), next);
   if (search.keeps_first_partners() && search.n_searches() == 0) {
     start_partners_.begin_faces(kinematics, rules_, next);
@@ -19,40 +19,40 @@ void FaceFaceContacts::find_candidates(ContactSearch& search, const ContactKinem
   take_candidates(start_partners_.empty() ? std::move(next) : start_partners_.united_with(rules_, next));
 }
 
-void FaceFaceContacts::take_candidates(PairLists candidates) {
+void FaceFaceContacts::take_candidates(FacePairLists candidates) {
   history_.transfer(candidates_, candidates);
   candidates_ = std::move(candidates);
 }
 
-void FaceFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
-  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+void FaceFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
+  for (const FaceIndex row : candidates_.rows()) {
     if (!candidates_.of(row).empty()) is_watched[row] = 1;
-    for (const std::uint32_t partner : candidates_.of(row)) is_watched[partner] = 1;
+    for (const FaceIndex partner : candidates_.of(row)) is_watched[partner] = 1;
   }
 }
 
 void FaceFaceContacts::mark_close(const ContactStepContext& context, double size_share,
                                   PairRules& rules) const {
   for (const NearPair& near : find_near_pairs(context, candidates_, {}, size_share, is_hybrid)) {
-    const MovingFace first = context.kinematics.face(near.first),
+    const MovingFace first = context.kinematics.face(near.first_face()),
                      second = context.kinematics.face(near.second);
     if (!find_mean_overlap(first, second, near.tolerance)) continue;
-    rules.mark_close_face(near.pair, near.first);
+    rules.mark_close_face(near.pair, near.first_face());
     rules.mark_close_face(near.pair, near.second);
   }
 }
 
 void FaceFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
-  for (std::uint32_t first = 0; first < candidates_.n_rows(); ++first) {
-    for (const std::uint32_t second : candidates_.of(first)) {
+  for (const FaceIndex first : candidates_.rows()) {
+    for (const FaceIndex second : candidates_.of(first)) {
       const PairIndex pair =
           *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
       if (!context.rules.gap_offsets().needs_start(pair)) continue;
       auto gap = find_start_gap(context.kinematics, *context.rules[pair].pair, first, second);
       if (!gap) continue;
       gap->pair = pair;
-      for (const std::uint32_t face : {first, second}) {
-        gap->entity = face;
+      for (const FaceIndex face : {first, second}) {
+        gap->entity = face.value;
         gaps.faces.push_back(*gap);
       }
     }
@@ -73,9 +73,8 @@ void FaceFaceContacts::archive(StateArchive& saved) {
 }
 
 FaceFaceContacts::Candidate FaceFaceContacts::make_candidate(const ContactStepContext& context,
-                                                             std::uint32_t first,
-                                                             std::size_t position) const {
-  const std::uint32_t second = candidates_.partners[position];
+                                                             FaceIndex first, std::size_t position) const {
+  const FaceIndex second = candidates_.partner(position);
   const PairIndex pair =
       *context.rules.find(contact_mesh_.faces[first].surface, contact_mesh_.faces[second].surface);
   Candidate candidate{first, second, pair, position, context.rules.of_faces(pair, first, second)};

@@ -59,9 +59,8 @@ FaceFaceContact contact_of(const OverlapShare& share, const MovingFace& first, c
 
 void FaceFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
-  for (std::size_t row = rows.begin; row < rows.end; ++row) {
-    const auto first = static_cast<std::uint32_t>(row);
-    for (std::size_t k = candidates_.begin[row]; k < candidates_.begin[row + 1]; ++k) {
+  for (const FaceIndex first : rows.indices<FaceIndex>()) {
+    for (std::size_t k = candidates_.first_pair(first); k < candidates_.end_pair(first); ++k) {
       const Candidate candidate = make_candidate(context, first, k);
       detect_one(context, candidate, points);
       if (candidate.rule.acts_apart()) add_pull(context, candidate, points);
@@ -263,8 +262,8 @@ ContactPoint FaceFaceContacts::make_contact_point(const Candidate& candidate,
   ContactPoint contact_point;
   contact_point.pair = candidate.pair;
   contact_point.is_swapped = first.surface != candidate.rule.pair->first;
-  contact_point.first_entity = candidate.first;
-  contact_point.second_entity = candidate.second;
+  contact_point.first_entity = candidate.first.value;
+  contact_point.second_entity = candidate.second.value;
   contact_point.first = {first.corners, contact.weights_1};
   contact_point.second = {second.corners, contact.weights_2};
   carry(candidate.carry, contact_point);
@@ -297,8 +296,8 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
   if (!add_face_traction(*rule.interface_law, push, contact_point)) return;
   contact_point.pair = candidate.pair;
   contact_point.is_swapped = first.surface != rule.pair->first;
-  contact_point.first_entity = candidate.first;
-  contact_point.second_entity = candidate.second;
+  contact_point.first_entity = candidate.first.value;
+  contact_point.second_entity = candidate.second.value;
   contact_point.first.nodes = first.corners;
   contact_point.second.nodes = second.corners;
   carry(candidate.carry, contact_point);

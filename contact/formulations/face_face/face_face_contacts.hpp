@@ -23,12 +23,12 @@ class FaceFaceContacts {
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates, with what is remembered of pairs that were candidates before.
   ///   candidates  rows of first faces with their second ones, greater than the first
-  void take_candidates(PairLists candidates);
+  void take_candidates(FacePairLists candidates);
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
-  const PairLists& candidates() const { return candidates_; }
+  const FacePairLists& candidates() const { return candidates_; }
   std::size_t bytes() const { return candidates_.bytes() + history_.bytes(); }
-  void watch(std::vector<std::uint8_t>& is_watched) const;
+  void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
@@ -48,19 +48,18 @@ class FaceFaceContacts {
 
   void remap(const ContactRemap& remap);
   /// The faces that the last remap() has released from their partners of the start.
-  std::span<const ReleasedPartner> released() const { return released_; }
+  std::span<const ReleasedPartner<FaceIndex>> released() const { return released_; }
   void archive(StateArchive& saved);
 
  private:
   struct Candidate {
-    std::uint32_t first, second;
+    FaceIndex first, second;
     PairIndex pair;
     std::size_t position;  ///< in candidates_
     const PairRule& rule;
     PartnerCarry carry = {};
   };
-  Candidate make_candidate(const ContactStepContext& context, std::uint32_t first,
-                           std::size_t position) const;
+  Candidate make_candidate(const ContactStepContext& context, FaceIndex first, std::size_t position) const;
   /// Two faces that the elastic penalty parts.
   struct PenaltyPush {
     const MovingFace &first, &second;
@@ -117,9 +116,9 @@ class FaceFaceContacts {
 
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
-  PairLists candidates_;
-  StartPartners start_partners_;
-  std::vector<ReleasedPartner> released_;
+  FacePairLists candidates_;
+  StartPartners<FaceIndex> start_partners_;
+  std::vector<ReleasedPartner<FaceIndex>> released_;
   FaceFaceHistory history_;
 };
 

@@ -17,11 +17,11 @@ bool are_of_one_pair(const ContactPoint& a, const ContactPoint& b) {
 
 /// Numbers of the corners of faces.
 constexpr std::uint32_t n_corners = 4;
-std::uint32_t corner_of(std::uint32_t face, Eigen::Index corner) {
-  return n_corners * face + static_cast<std::uint32_t>(corner);
+FaceCornerIndex corner_of(FaceIndex face, Eigen::Index corner) {
+  return {n_corners * face.value + static_cast<std::uint32_t>(corner)};
 }
 
-std::uint32_t nearest_corner(std::uint32_t face, const Eigen::Vector4d& weights) {
+FaceCornerIndex nearest_corner(FaceIndex face, const Eigen::Vector4d& weights) {
   Eigen::Index nearest = 0;
   weights.maxCoeff(&nearest);
   return corner_of(face, nearest);
@@ -30,21 +30,20 @@ std::uint32_t nearest_corner(std::uint32_t face, const Eigen::Vector4d& weights)
 }  // namespace
 
 bool FaceFaceHistory::is_held(const ContactPoint& point) const {
-  return held_before_.has(point.pair.value, nearest_corner(point.first_entity, point.first.weights)) ||
-         held_before_.has(point.pair.value, nearest_corner(point.second_entity, point.second.weights));
+  return held_before_.has(point.pair, nearest_corner(point.first_face(), point.first.weights)) ||
+         held_before_.has(point.pair, nearest_corner(point.second_face(), point.second.weights));
 }
 
 /// Corners that are about as near count too, or a place between them would be lost as it slides.
 void FaceFaceHistory::hold(const ContactPoint& point) {
   constexpr double about_as_near = 0.75;
-  const auto add = [&](std::uint32_t face, const Eigen::Vector4d& weights) {
+  const auto add = [&](FaceIndex face, const Eigen::Vector4d& weights) {
     for (Eigen::Index k = 0; k < n_corners; ++k) {
-      if (weights[k] >= about_as_near * weights.maxCoeff())
-        held_now_.add(point.pair.value, corner_of(face, k));
+      if (weights[k] >= about_as_near * weights.maxCoeff()) held_now_.add(point.pair, corner_of(face, k));
     }
   };
-  add(point.first_entity, point.first.weights);
-  add(point.second_entity, point.second.weights);
+  add(point.first_face(), point.first.weights);
+  add(point.second_face(), point.second.weights);
 }
 
 Eigen::Vector3d FaceFaceHistory::elastic_slip(std::size_t candidate) const {
@@ -52,19 +51,19 @@ Eigen::Vector3d FaceFaceHistory::elastic_slip(std::size_t candidate) const {
   return elastic_slips_[candidate];
 }
 
-Eigen::Vector3d FaceFaceHistory::mean_slip(std::uint32_t first, std::uint32_t second) const {
+Eigen::Vector3d FaceFaceHistory::mean_slip(FaceIndex first, FaceIndex second) const {
   const Eigen::Vector4d &of_first = means_[first], &of_second = means_[second];
   if (of_first[3] > 0.0) return of_first.head<3>() / of_first[3];
   if (of_second[3] > 0.0) return -of_second.head<3>() / of_second[3];
   return Eigen::Vector3d::Zero();
 }
 
-double FaceFaceHistory::depth_before(std::uint32_t first, std::uint32_t second) const {
+double FaceFaceHistory::depth_before(FaceIndex first, FaceIndex second) const {
   if (depth_before_.empty()) return 0.0;
   return std::max(depth_before_[first], depth_before_[second]);
 }
 
-void FaceFaceHistory::transfer(const PairLists& before, const PairLists& after) {
+void FaceFaceHistory::transfer(const FacePairLists& before, const FacePairLists& after) {
   touched_now_ = transfer_pairs<std::uint8_t>(before, touched_now_, after, 0);
   if (has_friction_)
     elastic_slips_ = transfer_pairs<Eigen::Vector3d>(before, elastic_slips_, after, Eigen::Vector3d::Zero());
@@ -83,18 +82,18 @@ void FaceFaceHistory::remap(const ContactRemap& remap, std::span<const std::size
   contactsim::transfer(remap.faces, remap.n_faces_after, no_slip, next_means_);
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_before_);
   contactsim::transfer(remap.faces, remap.n_faces_after, 0.0f, depth_now_);
-  std::vector<OptionalIndex<std::uint32_t>> corners;
-  for (const OptionalIndex<std::uint32_t> face : remap.faces) {
+  NewPositions<FaceCornerIndex> corners;
+  for (const OptionalIndex<FaceIndex> face : remap.faces) {
     for (Eigen::Index k = 0; k < n_corners; ++k)
-      corners.push_back(face ? OptionalIndex<std::uint32_t>(corner_of(*face, k)) : std::nullopt);
+      corners.push_back(face ? OptionalIndex<FaceCornerIndex>(corner_of(*face, k)) : std::nullopt);
   }
-  if (may_hold_) held_now_.remap({}, corners);
+  if (may_hold_) held_now_.remap(Unchanged{}, corners);
   // Contacts that deaths end are not lost.
-  for (std::vector<OptionalIndex<std::uint32_t>>* partners : {&partner_before_, &partner_now_})
+  for (NewPositions<FaceIndex>* partners : {&partner_before_, &partner_now_})
     partners->assign(depth_now_.size(), std::nullopt);
 }
 
-void FaceFaceHistory::begin_step(const PairLists& candidates, std::size_t n_faces) {
+void FaceFaceHistory::begin_step(const FacePairLists& candidates, std::size_t n_faces) {
   std::swap(touched_before_, touched_now_);
   touched_now_.assign(candidates.partners.size(), 0);
   std::swap(held_before_, held_now_);
@@ -111,12 +110,12 @@ void FaceFaceHistory::begin_step(const PairLists& candidates, std::size_t n_face
   next_means_.assign(n_faces, Eigen::Vector4d::Zero());
 }
 
-void FaceFaceHistory::update(const ContactStepContext& context, const PairLists& candidates,
+void FaceFaceHistory::update(const ContactStepContext& context, const FacePairLists& candidates,
                              std::span<const ContactPoint> points) {
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
     const ContactPoint& first = points[begin];
     while (end < points.size() && are_of_one_pair(first, points[end])) ++end;
-    const std::size_t candidate = candidates.position(first.first_entity, first.second_entity);
+    const std::size_t candidate = candidates.position(first.first_face(), first.second_face());
     update_pair(context, candidate, points.subspan(begin, end - begin));
   }
   for (const ContactPoint& point : points) update_faces(point);
@@ -127,7 +126,7 @@ void FaceFaceHistory::update(const ContactStepContext& context, const PairLists&
 void FaceFaceHistory::update_pair(const ContactStepContext& context, std::size_t candidate,
                                   std::span<const ContactPoint> points) {
   const PairRule& rule =
-      context.rules.of_faces(points[0].pair, points[0].first_entity, points[0].second_entity);
+      context.rules.of_faces(points[0].pair, points[0].first_face(), points[0].second_face());
   const bool has_junction = rule.acts_apart() && rule.interface_law->rate_limit;
   if (has_junction) elastic_slips_[candidate].setZero();
   double area = 0.0;
@@ -150,27 +149,27 @@ void FaceFaceHistory::update_pair(const ContactStepContext& context, std::size_t
 
 void FaceFaceHistory::update_faces(const ContactPoint& point) {
   if (!point.is_met() || point.is_held_apart) return;
-  const auto deepen = [&](std::uint32_t face, std::uint32_t partner) {
+  const auto deepen = [&](FaceIndex face, FaceIndex partner) {
     const float depth = std::max(static_cast<float>(-point.gap), std::numeric_limits<float>::min());
     if (!(depth > depth_now_[face])) return;
     depth_now_[face] = depth;
     partner_now_[face] = partner;
   };
-  deepen(point.first_entity, point.second_entity);
-  deepen(point.second_entity, point.first_entity);
+  deepen(point.first_face(), point.second_face());
+  deepen(point.second_face(), point.first_face());
   if (!has_friction_ || point.is_balanced) return;
   Eigen::Vector4d share;
   share << point.area * point.elastic_slip, 0.0;
   const Eigen::Vector4d area(0.0, 0.0, 0.0, point.area);
-  next_means_[point.first_entity] += share + area;
-  next_means_[point.second_entity] += area - share;
+  next_means_[point.first_face()] += share + area;
+  next_means_[point.second_face()] += area - share;
 }
 
 void FaceFaceHistory::find_lost(const ContactMesh& contact_mesh, const PairRules& rules,
                                 std::vector<LostContact>& lost) const {
-  for (std::uint32_t face = 0; face < partner_before_.size(); ++face) {
+  for (const FaceIndex face : indices(partner_before_)) {
     if (!partner_before_[face] || *partner_before_[face] < face) continue;
-    const std::uint32_t partner = *partner_before_[face];
+    const FaceIndex partner = *partner_before_[face];
     if (partner_now_[face] || partner_now_[partner]) continue;
     const ContactFace &a = contact_mesh.faces[face], &b = contact_mesh.faces[partner];
     const double depth = depth_before_[face];

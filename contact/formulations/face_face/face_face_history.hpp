@@ -15,6 +15,9 @@ namespace contactsim {
 
 class StateArchive;
 
+/// Position of a corner among those of all faces, four of each.
+using FaceCornerIndex = Index<struct FaceCornerKind>;
+
 /// What contact of faces remembers from step to step: of pairs whether they touched and the slip that their
 /// tangential spring holds, of faces the mean slip and how deep they were in which other face.
 class FaceFaceHistory {
@@ -31,19 +34,19 @@ class FaceFaceHistory {
   bool is_held(const ContactPoint& point) const;
   /// The mean slip of the first face against what it touched, else that of the second, as the first sees it
   /// [length].
-  Eigen::Vector3d mean_slip(std::uint32_t first, std::uint32_t second) const;
+  Eigen::Vector3d mean_slip(FaceIndex first, FaceIndex second) const;
   /// How deep one of two faces was in the last step, in whatever it touched; 0 if they touched nothing
   /// [length].
-  double depth_before(std::uint32_t first, std::uint32_t second) const;
+  double depth_before(FaceIndex first, FaceIndex second) const;
   /// How deep each face is in the step that has been updated [n_faces], 0 where it does not touch; nothing
   /// before the first [length].
   std::span<const float> depths() const { return depth_now_; }
 
   /// Goes over to other candidates.
-  void transfer(const PairLists& before, const PairLists& after);
-  void begin_step(const PairLists& candidates, std::size_t n_faces);
+  void transfer(const FacePairLists& before, const FacePairLists& after);
+  void begin_step(const FacePairLists& candidates, std::size_t n_faces);
   /// Takes contact points over, those of one pair of faces together.
-  void update(const ContactStepContext& context, const PairLists& candidates,
+  void update(const ContactStepContext& context, const FacePairLists& candidates,
               std::span<const ContactPoint> points);
   /// Appends the contacts that ended though they were deep.
   void find_lost(const ContactMesh& contact_mesh, const PairRules& rules,
@@ -71,14 +74,14 @@ class FaceFaceHistory {
   bool has_friction_, may_hold_;
   std::vector<std::uint8_t> touched_before_, touched_now_;  // [n_candidates] in the last step, in this one
   std::vector<Eigen::Vector3d> elastic_slips_;              // [n_candidates] [length]; empty without friction
-  /// [n_faces] of the last step and of this one: slip times area, as the face sees it, and area; empty
+  /// Of the last step and of this one: slip times area, as the face sees it, and area; empty
   /// without friction.
-  std::vector<Eigen::Vector4d> means_, next_means_;
-  // [n_faces] penetration, 0 where nothing touches, in the last step and in this one [length]
-  std::vector<float> depth_before_, depth_now_;
-  std::vector<OptionalIndex<std::uint32_t>> partner_before_,
-      partner_now_;                 // [n_faces] by which each is deepest
-  PairSet held_before_, held_now_;  // pairs of surfaces with corners of faces, of those that may not part
+  IndexedVector<FaceIndex, Eigen::Vector4d> means_, next_means_;
+  // Penetration, 0 where nothing touches, in the last step and in this one [length]
+  IndexedVector<FaceIndex, float> depth_before_, depth_now_;
+  NewPositions<FaceIndex> partner_before_, partner_now_;  // by which each is deepest
+  // Pairs of surfaces with corners of faces, of those that may not part.
+  PairSet<PairIndex, FaceCornerIndex> held_before_, held_now_;
 };
 
 }  // namespace contactsim

@@ -20,16 +20,16 @@ bool goes_both_ways(const ContactStepContext& context, const ContactPoint& conta
   if (!(contact_point.area > 0.0) || contact_point.first.radius > 0.0 || contact_point.is_held_apart)
     return false;
   return !context.rules[contact_point.pair].pair->is_one_sided &&
-         !context.rules.of_node(contact_point.pair, contact_point.first_entity).acts_apart();
+         !context.rules.of_node(contact_point.pair, contact_point.row()).acts_apart();
 }
 
 /// Whether a face has no smooth neighbour beyond one of its edges.
-bool is_border(const ContactStepContext& context, std::uint32_t index, std::size_t edge) {
+bool is_border(const ContactStepContext& context, FaceIndex index, std::size_t edge) {
   constexpr float smooth = 0.7f;
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
   const ContactFace& face = contact_mesh.faces[index];
   const std::uint32_t a = face.corners[edge], b = face.corners[(edge + 1) % (face.is_triangle() ? 3 : 4)];
-  return std::ranges::none_of(contact_mesh.faces_of_node.of(a), [&](std::uint32_t other) {
+  return std::ranges::none_of(contact_mesh.faces_of_node.of(a), [&](FaceIndex other) {
     const ContactFace& beyond = contact_mesh.faces[other];
     return other != index && beyond.surface == face.surface &&
            std::ranges::find(beyond.corners, b) != beyond.corners.end() &&
@@ -40,13 +40,13 @@ bool is_border(const ContactStepContext& context, std::uint32_t index, std::size
 /// How far a contact point is inside the border of the surface that its face is of, over the node's width;
 /// 1 at most.
 double inside_border(const ContactStepContext& context, const ContactPoint& contact_point, double width) {
-  const ContactFace& face = context.kinematics.contact_mesh().faces[contact_point.second_entity];
-  const FaceCorners x = context.kinematics.face(contact_point.second_entity).x;
+  const ContactFace& face = context.kinematics.contact_mesh().faces[contact_point.second_face()];
+  const FaceCorners x = context.kinematics.face(contact_point.second_face()).x;
   const Eigen::Vector3d point = x * contact_point.second.weights;
   const std::size_t n = face.is_triangle() ? 3 : 4;
   double least = 1.0;
   for (std::size_t k = 0; k < n; ++k) {
-    if (!is_border(context, contact_point.second_entity, k)) continue;
+    if (!is_border(context, contact_point.second_face(), k)) continue;
     const Eigen::Vector3d from = x.col(static_cast<Eigen::Index>(k));
     const Eigen::Vector3d along = x.col(static_cast<Eigen::Index>((k + 1) % n)) - from;
     const double distance = contact_point.normal.cross(along).normalized().dot(point - from);
@@ -66,8 +66,8 @@ void scale(double factor, ContactPoint& contact_point) {
 /// Whether all nodes of the node's own faces that are turned towards the other side have contact points.
 bool NodeAreas::is_covered(const ContactStepContext& context, const ContactPoint& contact_point) const {
   const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
-  const SurfaceNode& node = contact_mesh.surface_nodes[contact_point.first_entity];
-  for (const std::uint32_t own : contact_mesh.faces_of_node.of(node.node)) {
+  const SurfaceNode& node = contact_mesh.surface_nodes[contact_point.row()];
+  for (const FaceIndex own : contact_mesh.faces_of_node.of(node.node)) {
     const ContactFace& face = contact_mesh.faces[own];
     if (face.surface != node.surface) continue;
     if (!(context.kinematics.bound(own).normal().cast<double>().dot(contact_point.normal) <

@@ -33,7 +33,7 @@ bool has_corner(const ContactFace& face, std::uint32_t node) {
 
 /// A face that a node may touch.
 struct NodeFaceContacts::NearFace {
-  std::uint32_t face = 0;
+  FaceIndex face;
   PairIndex pair;
   ClosestPoint point;
   /// Of the face's corners at the point, sum 1 [1]. Sorting copies to memory that is aligned for numbers
@@ -110,16 +110,15 @@ void NodeFaceContacts::find_candidates(ContactSearch& search, const ContactKinem
   if (!start_partners_.empty()) candidates_ = start_partners_.united_with(rules_, candidates_);
 }
 
-void NodeFaceContacts::watch(std::vector<std::uint8_t>& is_watched) const {
-  for (std::size_t row = 0; row < candidates_.n_rows(); ++row) {
+void NodeFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
+  for (const SurfaceNodeIndex row : candidates_.rows()) {
     if (candidates_.of(row).empty()) continue;
-    for (const std::uint32_t own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
+    for (const FaceIndex own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
       is_watched[own] = 1;
-    for (const std::uint32_t face : candidates_.of(row)) {
+    for (const FaceIndex face : candidates_.of(row)) {
       is_watched[face] = 1;
       for (const std::uint32_t corner : contact_mesh_.faces[face].corners) {
-        for (const std::uint32_t neighbour : contact_mesh_.faces_of_node.of(corner))
-          is_watched[neighbour] = 1;
+        for (const FaceIndex neighbour : contact_mesh_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
       }
     }
   }
@@ -129,12 +128,12 @@ void NodeFaceContacts::mark_close(const ContactStepContext& context, double size
                                   PairRules& rules) const {
   for (const NearPair& near : find_near_pairs(context, {}, candidates_, size_share, is_hybrid)) {
     // A rim is as near to the sides of the other body as to what it looks at.
-    if (near.is_facing) rules.mark_close_node(near.pair, near.first);
+    if (near.is_facing) rules.mark_close_node(near.pair, near.row());
   }
 }
 
 void NodeFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
-  for (std::uint32_t row = 0; row < candidates_.n_rows(); ++row) {
+  for (const SurfaceNodeIndex row : candidates_.rows()) {
     const auto gap = find_start_gap(context.kinematics, context.rules, row, candidates_.of(row));
     if (gap && context.rules.gap_offsets().needs_start(gap->pair)) gaps.nodes.push_back(*gap);
   }
@@ -156,16 +155,16 @@ void NodeFaceContacts::archive(StateArchive& saved) {
 void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
   NearFaces near_faces;
-  for (auto row = static_cast<std::uint32_t>(rows.begin); row < rows.end; ++row) {
+  for (const SurfaceNodeIndex row : rows.indices<SurfaceNodeIndex>()) {
     if (!candidates_.of(row).empty()) detect_one(context, row, near_faces, points);
   }
 }
 
-void NodeFaceContacts::detect_one(const ContactStepContext& context, std::uint32_t row, NearFaces& near_faces,
-                                  std::vector<ContactPoint>& points) const {
+void NodeFaceContacts::detect_one(const ContactStepContext& context, SurfaceNodeIndex row,
+                                  NearFaces& near_faces, std::vector<ContactPoint>& points) const {
   const NodeHistory node_history = history_.of(row);
   near_faces.n = 0;
-  for (const std::uint32_t face : candidates_.of(row))
+  for (const FaceIndex face : candidates_.of(row))
     add_near_face(context, row, face, node_history, near_faces);
   if (!start_partners_.empty()) choose_planes(near_faces);
   if (near_faces.n > 1) choose(context, row, node_history, near_faces);
@@ -184,8 +183,8 @@ void NodeFaceContacts::detect_one(const ContactStepContext& context, std::uint32
   }
 }
 
-void NodeFaceContacts::add_near_face(const ContactStepContext& context, std::uint32_t row,
-                                     std::uint32_t face_index, const NodeHistory& node_history,
+void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceNodeIndex row,
+                                     FaceIndex face_index, const NodeHistory& node_history,
                                      NearFaces& near_faces) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[face_index];
@@ -284,7 +283,7 @@ bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, con
 bool NodeFaceContacts::is_facing(const ContactStepContext& context, const SurfaceNode& node,
                                  const Eigen::Vector3d& normal) const {
   bool has_faces = false;
-  for (const std::uint32_t own : contact_mesh_.faces_of_node.of(node.node)) {
+  for (const FaceIndex own : contact_mesh_.faces_of_node.of(node.node)) {
     if (contact_mesh_.faces[own].surface != node.surface) continue;
     if (context.kinematics.bound(own).normal().dot(normal.cast<float>()) <
         static_cast<float>(max_facing_cosine))
@@ -294,7 +293,7 @@ bool NodeFaceContacts::is_facing(const ContactStepContext& context, const Surfac
   return !has_faces;
 }
 
-bool NodeFaceContacts::projects_inside(const ContactStepContext& context, std::uint32_t face_index,
+bool NodeFaceContacts::projects_inside(const ContactStepContext& context, FaceIndex face_index,
                                        const NearFace& near_face) const {
   if (near_face.point.edge < 0) return true;
   const ContactFace& face = contact_mesh_.faces[face_index];
@@ -303,7 +302,7 @@ bool NodeFaceContacts::projects_inside(const ContactStepContext& context, std::u
   // Behind the edge of a hollow there is a wedge that no face projects inside.
   const std::size_t n = face.is_triangle() ? 3 : 4, k = static_cast<std::size_t>(near_face.point.edge);
   const std::uint32_t a = face.corners[k], b = face.corners[(k + 1) % n];
-  for (const std::uint32_t other : contact_mesh_.faces_of_node.of(a)) {
+  for (const FaceIndex other : contact_mesh_.faces_of_node.of(a)) {
     if (other == face_index || !has_corner(contact_mesh_.faces[other], b)) continue;
     if (bound.is_in_front(context.kinematics.bound(other).centre()))
       allowed += std::max(0.0, -near_face.point.gap);
@@ -330,7 +329,7 @@ std::size_t NodeFaceContacts::share_at_edge(double thickness, NearFaces& near_fa
   return n;
 }
 
-void NodeFaceContacts::choose(const ContactStepContext& context, std::uint32_t row,
+void NodeFaceContacts::choose(const ContactStepContext& context, SurfaceNodeIndex row,
                               const NodeHistory& node_history, NearFaces& near_faces) const {
   const bool is_sphere = contact_mesh_.surface_nodes[row].radius > 0.0f;
   const auto went_in_here = [&](const NearFace& near_face) {
@@ -363,17 +362,17 @@ void NodeFaceContacts::choose(const ContactStepContext& context, std::uint32_t r
 
 /// The node's share in what both ways of the pair do together. To forces along the gap that only the sum of
 /// both ways matters to, half will do; a pull has the traction that its law says on all of the area.
-double NodeFaceContacts::share_of(const ContactStepContext& context, std::uint32_t row,
+double NodeFaceContacts::share_of(const ContactStepContext& context, SurfaceNodeIndex row,
                                   const NearFace& near_face) const {
   if (contact_mesh_.surface_nodes[row].radius > 0.0f) return 1.0;  // no face's nodes meet spheres in turn
   const PairRule& rule = context.rules.of_node(near_face.pair, row);
   if (!rule.acts_apart()) return rule.pair->node_share();
-  const NearPair near_pair{row, near_face.face, near_face.pair, true,
+  const NearPair near_pair{row.value, near_face.face, near_face.pair, true,
                            std::max(rule.activation_distance, near_face.penalty.depth)};
   return share_of_node(context, candidates_, near_pair, near_face.weights);
 }
 
-ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& context, std::uint32_t row,
+ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& context, SurfaceNodeIndex row,
                                                   const NearFace& near_face) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];
   const ContactFace& face = contact_mesh_.faces[near_face.face];
@@ -381,8 +380,8 @@ ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& cont
   ContactPoint contact_point;
   contact_point.pair = near_face.pair;
   contact_point.is_swapped = node.surface != rule.pair->first;
-  contact_point.first_entity = row;
-  contact_point.second_entity = near_face.face;
+  contact_point.first_entity = row.value;
+  contact_point.second_entity = near_face.face.value;
   contact_point.first.nodes.fill(node.node);
   contact_point.first.weights = Eigen::Vector4d::UnitX();
   contact_point.first.radius = node.radius;
@@ -395,7 +394,7 @@ ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& cont
   return contact_point;
 }
 
-NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, std::uint32_t row,
+NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, SurfaceNodeIndex row,
                                              const NearFace& near_face,
                                              const ContactPoint& contact_point) const {
   const SurfaceNode& node = contact_mesh_.surface_nodes[row];

@@ -25,13 +25,13 @@ class NodeFaceContacts {
 
   void find_candidates(ContactSearch& search, const ContactKinematics& kinematics, const Motion& motion);
   /// Goes over to candidates: rows of surface nodes with faces.
-  void take_candidates(PairLists candidates) { candidates_ = std::move(candidates); }
+  void take_candidates(NodeFaceLists candidates) { candidates_ = std::move(candidates); }
   std::size_t n_rows() const { return candidates_.n_rows(); }
   std::size_t n_candidates() const { return candidates_.partners.size(); }
-  const PairLists& candidates() const { return candidates_; }
+  const NodeFaceLists& candidates() const { return candidates_; }
   std::size_t bytes() const { return candidates_.bytes(); }
   /// A node looks at its own faces, too, and at those around the faces that it may touch.
-  void watch(std::vector<std::uint8_t>& is_watched) const;
+  void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(); }
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
@@ -54,7 +54,7 @@ class NodeFaceContacts {
 
   void remap(const ContactRemap& remap);
   /// The surface nodes that the last remap() has released from their partners of the start.
-  std::span<const ReleasedPartner> released() const { return released_; }
+  std::span<const ReleasedPartner<SurfaceNodeIndex>> released() const { return released_; }
   void archive(StateArchive& saved);
 
  private:
@@ -63,9 +63,9 @@ class NodeFaceContacts {
   struct NearFace;
   struct NearFaces;
 
-  void detect_one(const ContactStepContext& context, std::uint32_t row, NearFaces& near_faces,
+  void detect_one(const ContactStepContext& context, SurfaceNodeIndex row, NearFaces& near_faces,
                   std::vector<ContactPoint>& points) const;
-  void add_near_face(const ContactStepContext& context, std::uint32_t row, std::uint32_t face,
+  void add_near_face(const ContactStepContext& context, SurfaceNodeIndex row, FaceIndex face,
                      const NodeHistory& node_history, NearFaces& near_faces) const;
   /// Whether one of the node's own faces is turned towards a face with this normal; of nodes without faces
   /// always.
@@ -77,27 +77,26 @@ class NodeFaceContacts {
   ///   depth  of what it knows [length]
   bool comes_from_outside(const ContactStepContext& context, const SurfaceNode& node, const MovingFace& face,
                           const NearFace& near_face, double depth) const;
-  bool projects_inside(const ContactStepContext& context, std::uint32_t face,
-                       const NearFace& near_face) const;
+  bool projects_inside(const ContactStepContext& context, FaceIndex face, const NearFace& near_face) const;
   static std::size_t share_at_edge(double thickness, NearFaces& near_faces);
   static void stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
                              NearFace& near_face);
   /// Leaves the plane of a face out where the node stands over another face of the same wall, or nearer to
   /// it.
   static void choose_planes(NearFaces& near_faces);
-  void choose(const ContactStepContext& context, std::uint32_t row, const NodeHistory& node_history,
+  void choose(const ContactStepContext& context, SurfaceNodeIndex row, const NodeHistory& node_history,
               NearFaces& near_faces) const;
-  double share_of(const ContactStepContext& context, std::uint32_t row, const NearFace& near_face) const;
-  ContactPoint make_contact_point(const ContactStepContext& context, std::uint32_t row,
+  double share_of(const ContactStepContext& context, SurfaceNodeIndex row, const NearFace& near_face) const;
+  ContactPoint make_contact_point(const ContactStepContext& context, SurfaceNodeIndex row,
                                   const NearFace& near_face) const;
-  NodePenaltyInput make_push(const ContactStepContext& context, std::uint32_t row, const NearFace& near_face,
-                             const ContactPoint& contact_point) const;
+  NodePenaltyInput make_push(const ContactStepContext& context, SurfaceNodeIndex row,
+                             const NearFace& near_face, const ContactPoint& contact_point) const;
 
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
-  PairLists candidates_;
-  StartPartners start_partners_;
-  std::vector<ReleasedPartner> released_;
+  NodeFaceLists candidates_;
+  StartPartners<SurfaceNodeIndex> start_partners_;
+  std::vector<ReleasedPartner<SurfaceNodeIndex>> released_;
   NodeFaceHistory history_;
   NodeAreas node_areas_;  // scratch
 };

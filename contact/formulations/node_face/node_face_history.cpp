@@ -10,9 +10,9 @@ namespace contactsim {
 namespace {
 
 FaceHistory make_face_history(const ContactMesh& contact_mesh, const ContactPoint& point) {
-  const std::uint32_t row = point.first_entity;
+  const SurfaceNodeIndex row = point.row();
   const double thickness = std::min(contact_mesh.surface_nodes[row].penalty_properties.thickness,
-                                    contact_mesh.faces[point.second_entity].penalty_properties.thickness);
+                                    contact_mesh.faces[point.second_face()].penalty_properties.thickness);
   const double depth = std::max(0.0, -point.gap);
   return {row,
           point.is_balanced,
@@ -42,13 +42,13 @@ Eigen::Vector3d NodeHistory::elastic_slip(const Eigen::Vector3d& normal) const {
   return elastic_slip;
 }
 
-NodeHistory NodeFaceHistory::of(std::uint32_t row) const {
-  const auto found = std::ranges::equal_range(chunks_[row / rows_per_chunk], row, {}, &FaceHistory::row);
+NodeHistory NodeFaceHistory::of(SurfaceNodeIndex row) const {
+  const auto found = std::ranges::equal_range(chunks_[chunk_of(row)], row, {}, &FaceHistory::row);
   return {{found.begin(), found.end()}};
 }
 
 std::vector<float> NodeFaceHistory::depths(std::size_t n_surface_nodes) const {
-  std::vector<float> depths(n_surface_nodes, 0.0f);
+  IndexedVector<SurfaceNodeIndex, float> depths(n_surface_nodes, 0.0f);
   for (const std::vector<FaceHistory>& chunk : chunks_) {
     for (const FaceHistory& face_history : chunk)
       depths[face_history.row] = std::max(depths[face_history.row], face_history.depth);
@@ -91,11 +91,11 @@ void NodeFaceHistory::remap(const ContactRemap& remap) {
   std::vector<std::vector<FaceHistory>> chunks(remap.n_rows_after / rows_per_chunk + 1);
   for (const std::vector<FaceHistory>& chunk : chunks_) {
     for (FaceHistory face_history : chunk) {
-      const OptionalIndex<std::uint32_t> row = remap.rows[face_history.row];
+      const OptionalIndex<SurfaceNodeIndex> row = remap.rows[face_history.row];
       if (!row) continue;
       face_history.row = *row;
       face_history.is_deep = 0;  // what deaths end is not lost
-      chunks[*row / rows_per_chunk].push_back(face_history);
+      chunks[chunk_of(*row)].push_back(face_history);
     }
   }
   for (std::vector<FaceHistory>& chunk : chunks) std::ranges::stable_sort(chunk, {}, &FaceHistory::row);
@@ -107,13 +107,12 @@ void NodeFaceHistory::archive(StateArchive& saved) {
   std::vector<FaceHistory> all;
   for (const std::vector<FaceHistory>& chunk : chunks_) all.insert(all.end(), chunk.begin(), chunk.end());
   saved.rows("contact/node_pairs/face_histories", all, [](FaceHistory& face_history, RowNumbers& row) {
-    row(face_history.row, face_history.is_balanced, face_history.normal, face_history.elastic_slip,
+    row(face_history.row.value, face_history.is_balanced, face_history.normal, face_history.elastic_slip,
         face_history.depth, face_history.is_deep, face_history.pair.value);
   });
   if (!saved.restores()) return;
   for (std::vector<FaceHistory>& chunk : chunks_) chunk.clear();
-  for (const FaceHistory& face_history : all)
-    chunks_[face_history.row / rows_per_chunk].push_back(face_history);
+  for (const FaceHistory& face_history : all) chunks_[chunk_of(face_history.row)].push_back(face_history);
 }
 
 }  // namespace contactsim

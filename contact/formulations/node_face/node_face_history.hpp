@@ -15,7 +15,7 @@ class StateArchive;
 
 /// A face that a node touched in the last step.
 struct FaceHistory {
-  std::uint32_t row = 0;  ///< surface node
+  SurfaceNodeIndex row;
   bool is_balanced = false;
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();
   Eigen::Vector3d elastic_slip = Eigen::Vector3d::Zero();  ///< [length]
@@ -57,7 +57,7 @@ class NodeFaceHistory {
   explicit NodeFaceHistory(std::size_t n_surface_nodes)
       : chunks_(n_surface_nodes / rows_per_chunk + 1), lost_(chunks_.size()) {}
 
-  NodeHistory of(std::uint32_t row) const;
+  NodeHistory of(SurfaceNodeIndex row) const;
   /// [n_surface_nodes] How deep each was in the last step, 0 where it did not touch [length].
   std::vector<float> depths(std::size_t n_surface_nodes) const;
 
@@ -72,6 +72,8 @@ class NodeFaceHistory {
   void archive(StateArchive& saved);
 
  private:
+  static std::size_t chunk_of(SurfaceNodeIndex row) { return row.value / rows_per_chunk; }
+
   std::vector<std::vector<FaceHistory>> chunks_;  // of each chunk of rows, by row
   std::vector<std::vector<LostContact>> lost_;    // of each chunk of rows
 };

@@ -34,26 +34,25 @@ void NodePlaneContacts::add_pairs() {
   }
 }
 
-void NodePlaneContacts::add_pairs(std::uint32_t surface, PairIndex pair, std::uint32_t index) {
+void NodePlaneContacts::add_pairs(SurfaceIndex surface, PairIndex pair, std::uint32_t index) {
   const ContactMesh& contact_mesh = setup_.contact_mesh;
   const AnalyticPlane& plane = setup_.contact.planes[index];
-  for (std::uint32_t node = contact_mesh.first_node[surface]; node < contact_mesh.first_node[surface + 1];
-       ++node)
+  for (const SurfaceNodeIndex row : contact_mesh.rows_of(surface))
     node_plane_pairs_.push_back(
-        {node, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero(), false});
+        {row, pair, index, plane.normal.normalized(), plane.origin, Eigen::Vector3d::Zero(), false});
 }
 
 void NodePlaneContacts::remap(const ContactRemap& remap) {
   const std::vector<NodePlanePair> before = std::exchange(node_plane_pairs_, {});
   add_pairs();
-  using Key = std::tuple<PairIndex, std::uint32_t, std::uint32_t>;  // pair, plane, node
+  using Key = std::tuple<PairIndex, std::uint32_t, SurfaceNodeIndex>;  // with the plane
   std::map<Key, NodePlanePair*> known;
   for (NodePlanePair& pair_of_node : node_plane_pairs_)
-    known[{pair_of_node.pair, pair_of_node.plane, pair_of_node.node}] = &pair_of_node;
+    known[{pair_of_node.pair, pair_of_node.plane, pair_of_node.row}] = &pair_of_node;
   for (const NodePlanePair& old : before) {
-    const OptionalIndex<std::uint32_t> node = remap.rows[old.node];
-    if (!node) continue;
-    const auto found = known.find({old.pair, old.plane, *node});
+    const OptionalIndex<SurfaceNodeIndex> row = remap.rows[old.row];
+    if (!row) continue;
+    const auto found = known.find({old.pair, old.plane, *row});
     if (found == known.end()) continue;
     found->second->elastic_slip = old.elastic_slip;
     found->second->touched = old.touched;
@@ -69,7 +68,7 @@ void NodePlaneContacts::archive(StateArchive& saved) {
 }
 
 double NodePlaneContacts::gap_of(const ContactKinematics& kinematics, const NodePlanePair& candidate) const {
-  const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
+  const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.row];
   return (kinematics.x(node.node) - candidate.origin).dot(candidate.normal) - node.radius;
 }
 
@@ -79,10 +78,10 @@ void NodePlaneContacts::add_start_gaps(const ContactStepContext& context, FoundS
   for (const NodePlanePair& candidate : node_plane_pairs_) {
     if (!context.rules.gap_offsets().needs_start(candidate.pair)) continue;
     const SurfacePair& pair = *context.rules[candidate.pair].pair;
-    const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
+    const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.row];
     const double reach = pair.normal_tolerance.value_or(near_share * node.penalty_properties.thickness);
     const double gap = gap_of(context.kinematics, candidate);
-    if (gap <= reach) gaps.nodes.push_back({candidate.node, candidate.pair, gap, gap, node.area});
+    if (gap <= reach) gaps.nodes.push_back({candidate.row.value, candidate.pair, gap, gap, node.area});
   }
 }
 
@@ -90,18 +89,18 @@ void NodePlaneContacts::detect(const ContactStepContext& context, CandidateRows 
                                std::vector<ContactPoint>& points) const {
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     const NodePlanePair& candidate = node_plane_pairs_[row];
-    const PairRule& rule = context.rules.of_node(candidate.pair, candidate.node);
-    if (!context.rules.start_reach().may_meet_plane(candidate.pair, candidate.node)) continue;
+    const PairRule& rule = context.rules.of_node(candidate.pair, candidate.row);
+    if (!context.rules.start_reach().may_meet_plane(candidate.pair, candidate.row)) continue;
     if (context.enforces(rule)) detect_one(context, candidate, rule, points);
   }
 }
 
 void NodePlaneContacts::detect_one(const ContactStepContext& context, const NodePlanePair& candidate,
                                    const PairRule& rule, std::vector<ContactPoint>& points) const {
-  const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.node];
+  const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.row];
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * candidate.normal;
   const double gap = gap_of(context.kinematics, candidate) -
-                     context.rules.gap_offsets().of_node(candidate.pair, candidate.node) - rule.begin_gap;
+                     context.rules.gap_offsets().of_node(candidate.pair, candidate.row) - rule.begin_gap;
   const Eigen::Vector3d velocity = context.kinematics.velocity_beside(node.node, arm);
   const double margin = context.balances ? closed_share * node.penalty_properties.thickness : 0.0;
   const double near = -context.ahead() * velocity.dot(candidate.normal);
@@ -111,7 +110,7 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
   ContactPoint& point = points.emplace_back();
   point.pair = candidate.pair;
   point.is_swapped = node.surface != rule.pair->first;
-  point.first_entity = candidate.node;
+  point.first_entity = candidate.row.value;
   point.part = static_cast<std::uint8_t>(candidate.plane);
   point.first.nodes.fill(node.node);
   point.first.weights = Eigen::Vector4d::UnitX();
@@ -145,9 +144,9 @@ void NodePlaneContacts::update(const ContactStepContext& context, CandidateRows 
   auto point = points.begin();
   for (std::size_t row = rows.begin; row < rows.end; ++row) {
     NodePlanePair& candidate = node_plane_pairs_[row];
-    const PairRule& rule = context.rules.of_node(candidate.pair, candidate.node);
+    const PairRule& rule = context.rules.of_node(candidate.pair, candidate.row);
     if (rule.is_balanced != context.balances) continue;
-    const bool is_near = point != points.end() && point->first_entity == candidate.node &&
+    const bool is_near = point != points.end() && point->row() == candidate.row &&
                          point->pair == candidate.pair &&
                          point->part == static_cast<std::uint8_t>(candidate.plane);
     if (!is_near) {

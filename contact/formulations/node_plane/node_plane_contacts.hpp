@@ -17,7 +17,7 @@ class NodePlaneContacts {
                        const Motion& /*motion*/) {}
   std::size_t n_rows() const { return node_plane_pairs_.size(); }
   std::size_t n_candidates() const { return node_plane_pairs_.size(); }
-  void watch(std::vector<std::uint8_t>& /*is_watched*/) const {}
+  void watch(IndexedVector<FaceIndex, std::uint8_t>& /*is_watched*/) const {}
 
   void begin_step() {}
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
@@ -33,7 +33,7 @@ class NodePlaneContacts {
  private:
   /// A node and a plane.
   struct NodePlanePair {
-    std::uint32_t node;  ///< surface node
+    SurfaceNodeIndex row;
     PairIndex pair;
     std::uint32_t plane;  ///< of the region
     Eigen::Vector3d normal, origin;
@@ -41,7 +41,7 @@ class NodePlaneContacts {
     bool touched = false;          ///< in the last step
   };
   void add_pairs();
-  void add_pairs(std::uint32_t surface, PairIndex pair, std::uint32_t plane);
+  void add_pairs(SurfaceIndex surface, PairIndex pair, std::uint32_t plane);
   double gap_of(const ContactKinematics& kinematics, const NodePlanePair& candidate) const;
   void detect_one(const ContactStepContext& context, const NodePlanePair& candidate, const PairRule& rule,
                   std::vector<ContactPoint>& points) const;

@@ -5,7 +5,7 @@
 
 namespace contactsim {
 
-std::optional<Tie> make_face_tie(const ContactStepContext& context, std::uint32_t first, std::uint32_t second,
+std::optional<Tie> make_face_tie(const ContactStepContext& context, FaceIndex first, FaceIndex second,
                                  double tolerance) {
   const ContactFace &a = context.kinematics.contact_mesh().faces[first],
                     &b = context.kinematics.contact_mesh().faces[second];
@@ -18,11 +18,11 @@ std::optional<Tie> make_face_tie(const ContactStepContext& context, std::uint32_
 }
 
 std::optional<Tie> make_node_tie(const ContactStepContext& context, const NearPair& near_pair) {
-  const auto point = find_closest_point(context, near_pair.first, near_pair.second, near_pair.tolerance);
+  const auto point = find_closest_point(context, near_pair.row(), near_pair.second, near_pair.tolerance);
   if (!point) return std::nullopt;
-  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[near_pair.first];
+  const SurfaceNode& node = context.kinematics.contact_mesh().surface_nodes[near_pair.row()];
   const MovingFace moving = context.kinematics.face(near_pair.second);
-  Tie tie{constraint_of_node(context, near_pair.first, near_pair.second)};
+  Tie tie{constraint_of_node(context, near_pair.row(), near_pair.second)};
   const SurfacePair& pair = *context.rules[tie.pair].pair;
   tie.share = near_pair.share;
   tie.area = near_pair.share * context.kinematics.area_against(node, point->normal);
@@ -34,13 +34,13 @@ std::optional<Tie> make_node_tie(const ContactStepContext& context, const NearPa
   return tie;
 }
 
-std::vector<Tie> make_ties(const ContactStepContext& context, const PairLists& face_partners,
-                           const PairLists& node_faces, double size_share, const HoldsPair& holds) {
+std::vector<Tie> make_ties(const ContactStepContext& context, const FacePairLists& face_partners,
+                           const NodeFaceLists& node_faces, double size_share, const HoldsPair& holds) {
   std::vector<Tie> ties;
   for (const NearPair& near_pair : find_near_pairs(context, face_partners, node_faces, size_share, holds)) {
-    const auto tie = near_pair.is_node
-                         ? make_node_tie(context, near_pair)
-                         : make_face_tie(context, near_pair.first, near_pair.second, near_pair.tolerance);
+    const auto tie = near_pair.is_node ? make_node_tie(context, near_pair)
+                                       : make_face_tie(context, near_pair.first_face(), near_pair.second,
+                                                       near_pair.tolerance);
     if (tie) ties.push_back(*tie);
   }
   return ties;

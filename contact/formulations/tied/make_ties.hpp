@@ -13,11 +13,12 @@ namespace contactsim {
 inline bool is_tied(const PairRule& rule) { return rule.law == ContactLaw::tied; }
 
 /// Ties the near pairs, such as those of tied pairs.
-std::vector<Tie> make_ties(const ContactStepContext& context, const PairLists& face_partners,
-                           const PairLists& node_faces, double size_share, const HoldsPair& holds = is_tied);
+std::vector<Tie> make_ties(const ContactStepContext& context, const FacePairLists& face_partners,
+                           const NodeFaceLists& node_faces, double size_share,
+                           const HoldsPair& holds = is_tied);
 
 /// Ties two faces as they are now; nothing when they do not overlap.
-std::optional<Tie> make_face_tie(const ContactStepContext& context, std::uint32_t first, std::uint32_t second,
+std::optional<Tie> make_face_tie(const ContactStepContext& context, FaceIndex first, FaceIndex second,
                                  double tolerance);
 
 /// Ties a surface node to a face as they are now; nothing when it does not project inside it.

@@ -20,7 +20,19 @@ void visit_tie(Tie& tie, RowNumbers& row) {
 }
 
 void release(const Tie& tie, ConstrainedPairs& constrained) {
-  constrained.remove(tie.is_node, tie.first_entity, tie.is_node ? tie.pair.value : tie.second_entity);
+  if (tie.is_node) {
+    constrained.remove_node(tie.row(), tie.pair);
+  } else {
+    constrained.remove_faces(tie.first_face(), tie.second);
+  }
+}
+
+void hold(const Tie& tie, ConstrainedPairs& constrained) {
+  if (tie.is_node) {
+    constrained.add_node(tie.row(), tie.pair);
+  } else {
+    constrained.add_faces(tie.first_face(), tie.second);
+  }
 }
 
 }  // namespace
@@ -39,8 +51,7 @@ void TiedContacts::find_candidates(const ContactStepContext& context, const Near
            (rule.law == ContactLaw::tied || rule.law == ContactLaw::welded);
   };
   for (const Tie& tie : make_ties(context, near.face_partners, near.node_faces, near.size_share, ties_pair)) {
-    if (rule_of(context, tie).law == ContactLaw::welded)
-      constrained.add(tie.is_node, tie.first_entity, tie.is_node ? tie.pair.value : tie.second_entity);
+    if (rule_of(context, tie).law == ContactLaw::welded) hold(tie, constrained);
     ties_.push_back(tie);
   }
 }
@@ -80,12 +91,12 @@ void TiedContacts::glue(const ContactStepContext& context, const ContactPoint& c
   constexpr double any_gap = std::numeric_limits<double>::infinity();
   std::optional<Tie> tie;
   if (contact_point.first.is_node()) {
-    if (constrained.add_node(contact_point.first_entity, contact_point.pair))
+    if (constrained.add_node(contact_point.row(), contact_point.pair))
       tie =
-          make_node_tie(context, {contact_point.first_entity, contact_point.second_entity, contact_point.pair,
+          make_node_tie(context, {contact_point.first_entity, contact_point.second_face(), contact_point.pair,
                                   true, any_gap, context.rules[contact_point.pair].pair->node_share()});
-  } else if (constrained.add_faces(contact_point.first_entity, contact_point.second_entity)) {
-    tie = make_face_tie(context, contact_point.first_entity, contact_point.second_entity, any_gap);
+  } else if (constrained.add_faces(contact_point.first_face(), contact_point.second_face())) {
+    tie = make_face_tie(context, contact_point.first_face(), contact_point.second_face(), any_gap);
   }
   if (!tie) return;
   tie->rest_energy += contact_point.stored();

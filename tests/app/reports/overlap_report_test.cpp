@@ -9,7 +9,7 @@ TEST_CASE("the table of overlap removal names pairs, moves and nodes", "[app][ov
   ContactModel model;
   for (const char* name : {"lid", "box"}) model.surfaces.surfaces.emplace_back().name = name;
   model.pairs.resize(2);
-  model.pairs[{1}].second = 1;
+  model.pairs[{1}].second = {1};
   OverlapRemoved removed;
   CHECK(format_overlap(removed, model, {}) == "\nOverlap removal: no surfaces overlap\n");
   removed.n_passes = 1;

@@ -11,8 +11,8 @@ namespace {
 
 SurfacePair make_pair(std::uint32_t first, std::uint32_t second) {
   SurfacePair pair;
-  pair.first = first;
-  pair.second = second;
+  pair.first = {first};
+  pair.second = {second};
   pair.interaction = "general contact";
   pair.location.line = 7;
   pair.is_from_defaults = true;
@@ -38,14 +38,14 @@ ContactModel three_pairs() {
   return model;
 }
 
-std::vector<SurfaceSummary> three_summaries() {
-  std::vector<SurfaceSummary> summaries(3);
-  summaries[0].owned = 10;
-  summaries[0].top = summaries[0].bottom = 2;
-  summaries[0].nodes = 21;
-  summaries[1].owned = 4;
-  summaries[1].nodes = 9;
-  summaries[2].nodes = 5;
+SurfaceSummaries three_summaries() {
+  SurfaceSummaries summaries(3);
+  summaries[{0}].owned = 10;
+  summaries[{0}].top = summaries[{0}].bottom = 2;
+  summaries[{0}].nodes = 21;
+  summaries[{1}].owned = 4;
+  summaries[{1}].nodes = 9;
+  summaries[{2}].nodes = 5;
   return summaries;
 }
 

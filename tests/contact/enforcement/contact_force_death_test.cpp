@@ -190,7 +190,7 @@ TEST_CASE("nodes of dead elements only stay as free masses, or leave with NODAL 
   }
   REQUIRE(staying.n_free_rows() == 1);
   CHECK(eroding.n_free_rows() == 0);
-  CHECK(staying.eroded_nodes.nodes()[0].surface == 0);
+  CHECK(staying.eroded_nodes.nodes()[0].surface == SurfaceIndex{0});
   CHECK(staying.mesh.coordinates().col(staying.eroded_nodes.nodes()[0].node.value).isZero());
 }
 

@@ -99,12 +99,12 @@ TEST_CASE("light nodes lower the stiffness alike in the middle and at the edges 
   }
   for (ContactFace& face : parts.contact_mesh.faces) face.penalty_properties.stiffness = 1e9;
   for (SurfaceNode& node : parts.contact_mesh.surface_nodes) node.penalty_properties.stiffness = 1e9;
-  parts.contact_mesh.faces[0].penalty_properties.stiffness = 1e-3;
+  parts.contact_mesh.faces[{0}].penalty_properties.stiffness = 1e-3;
   Model model;
   model.mesh = &parts.mesh;
   limit_stiffness(parts.kinematics, ContactMobility(model), 0.1, parts.contact_mesh);
-  CHECK(parts.contact_mesh.faces[0].penalty_properties.stiffness == 1e-3);
-  for (std::uint32_t f = 1; f < parts.contact_mesh.faces.size(); ++f) {
+  CHECK(parts.contact_mesh.faces[{0}].penalty_properties.stiffness == 1e-3);
+  for (const FaceIndex f : IndexRange(FaceIndex{1}, parts.contact_mesh.faces.next())) {
     const bool is_side = std::abs(parts.kinematics.bound(f).normal().cast<double>()[2]) < 0.5;
     CHECK(parts.contact_mesh.faces[f].penalty_properties.stiffness ==
           Approx(4.0 * penalty_share * (is_side ? 0.5 : 1.5) * 100.0));
@@ -138,7 +138,7 @@ TEST_CASE("faces that are held along their normal, or rigid, have no limit and a
   ContactMobility mobility(model);
   mobility.update(0.0);
   limit_stiffness(parts.kinematics, mobility, 0.1, parts.contact_mesh);
-  for (std::uint32_t f = 0; f < parts.contact_mesh.faces.size(); ++f) {
+  for (const FaceIndex f : indices(parts.contact_mesh.faces)) {
     const bool is_side = std::abs(parts.kinematics.bound(f).normal().cast<double>()[2]) < 0.5;
     CHECK(parts.contact_mesh.faces[f].penalty_properties.is_rigid == (is_rigid || !is_side));
     if (!is_rigid && !is_side) CHECK(parts.contact_mesh.faces[f].penalty_properties.stiffness == 1e9);

@@ -38,41 +38,41 @@ TEST_CASE("gaps of one face become their mean by area and their smallest", "[con
 TEST_CASE("without settings nothing is taken off", "[contact][gap_offsets]") {
   const GapOffsets offsets = offsets_with({});
   CHECK_FALSE(offsets.needs_start());
-  CHECK(offsets.of_faces({0}, 3, 5) == 0.0);
-  CHECK(offsets.of_node({0}, 2) == 0.0);
+  CHECK(offsets.of_faces({0}, {3}, {5}) == 0.0);
+  CHECK(offsets.of_node({0}, {2}) == 0.0);
   CHECK(offsets.reach({0}) == 0.0);
 }
 
 TEST_CASE("a clearance takes off what the gap of the start had more", "[contact][gap_offsets]") {
   const GapOffsets offsets = offsets_with({{}, 0.005, {}, {}});
   const double of_3 = (3.0 * 0.02 - 0.01) / 4.0 - 0.005, of_5 = 0.04 - 0.005;
-  CHECK(offsets.of_faces({0}, 3, 9) == Approx(of_3));
-  CHECK(offsets.of_faces({0}, 9, 3) == Approx(of_3));
-  CHECK(offsets.of_faces({0}, 3, 5) == Approx(0.5 * (of_3 + of_5)));
-  CHECK(offsets.of_faces({0}, 8, 9) == 0.0);
-  CHECK(offsets.of_node({0}, 2) == Approx(-0.035));
+  CHECK(offsets.of_faces({0}, {3}, {9}) == Approx(of_3));
+  CHECK(offsets.of_faces({0}, {9}, {3}) == Approx(of_3));
+  CHECK(offsets.of_faces({0}, {3}, {5}) == Approx(0.5 * (of_3 + of_5)));
+  CHECK(offsets.of_faces({0}, {8}, {9}) == 0.0);
+  CHECK(offsets.of_node({0}, {2}) == Approx(-0.035));
   CHECK(offsets.reach({0}) == Approx(of_5));
   CHECK(offsets.largest_reach() == Approx(of_5));
 }
 
 TEST_CASE("an ignored overlap is taken off at its deepest, on top of the offset", "[contact][gap_offsets]") {
   const GapOffsets offsets = offsets_with({0.002, {}, true, {}});
-  CHECK(offsets.of_faces({0}, 3, 9) == Approx(-0.01));
-  CHECK(offsets.of_faces({0}, 5, 9) == Approx(0.002));
-  CHECK(offsets.of_node({0}, 2) == Approx(-0.03));
-  CHECK(offsets.of_node({0}, 1) == Approx(0.002));
+  CHECK(offsets.of_faces({0}, {3}, {9}) == Approx(-0.01));
+  CHECK(offsets.of_faces({0}, {5}, {9}) == Approx(0.002));
+  CHECK(offsets.of_node({0}, {2}) == Approx(-0.03));
+  CHECK(offsets.of_node({0}, {1}) == Approx(0.002));
 }
 
 TEST_CASE("a ramp takes off less and less, from the start of the run on", "[contact][gap_offsets]") {
   GapOffsets offsets = offsets_with({{}, {}, {}, 2.0}, 10.0);
-  CHECK(offsets.of_node({0}, 2) == Approx(-0.03));
+  CHECK(offsets.of_node({0}, {2}) == Approx(-0.03));
   offsets.activate(10.5);
-  CHECK(offsets.of_node({0}, 2) == Approx(-0.0225));
+  CHECK(offsets.of_node({0}, {2}) == Approx(-0.0225));
   CHECK(offsets.ramp_progress({0}) == Approx(0.25));
   offsets.activate(11.0);
   CHECK(offsets.ramp_progress({0}) == Approx(0.25));
   offsets.activate(14.0);
-  CHECK(offsets.of_node({0}, 2) == 0.0);
+  CHECK(offsets.of_node({0}, {2}) == 0.0);
   CHECK(offsets.ramp_progress({0}) == Approx(0.5));
   ContactPoint point;
   point.first_entity = 2;
@@ -83,11 +83,11 @@ TEST_CASE("gaps of the start go over to new numbers, and are gone with what had 
           "[contact][gap_offsets]") {
   GapOffsets offsets = offsets_with({{}, {}, true, {}});
   ContactRemap remap;
-  remap.faces.assign(6, OptionalIndex<std::uint32_t>());
-  remap.faces[3] = 1u;
-  remap.rows.assign(3, OptionalIndex<std::uint32_t>());
+  remap.faces.resize(6);
+  remap.faces[{3}] = FaceIndex{1};
+  remap.rows.resize(3);
   offsets.remap(remap);
-  CHECK(offsets.of_faces({0}, 1, 9) == Approx(-0.01));
-  CHECK(offsets.of_faces({0}, 3, 5) == 0.0);
-  CHECK(offsets.of_node({0}, 2) == 0.0);
+  CHECK(offsets.of_faces({0}, {1}, {9}) == Approx(-0.01));
+  CHECK(offsets.of_faces({0}, {3}, {5}) == 0.0);
+  CHECK(offsets.of_node({0}, {2}) == 0.0);
 }

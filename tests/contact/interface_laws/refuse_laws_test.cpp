@@ -21,9 +21,9 @@ SurfacePair pair_with(const FrictionLaw& law, int line) {
 }  // namespace
 
 TEST_CASE("nothing is held to a plane", "[contact][friction]") {
-  std::vector<ContactSurface> surfaces(1);
-  surfaces[0].name = "floor";
-  surfaces[0].analytic_planes = {0};
+  SurfaceList surfaces(1);
+  surfaces[{0}].name = "floor";
+  surfaces[{0}].analytic_planes = {0};
   const auto refused = [&](const FrictionLaw& law) {
     Diagnostics found;
     refuse_laws(SurfacePairs{pair_with(law, 3)}, surfaces, {}, found);

@@ -27,12 +27,12 @@ FoundSizes find_sizes(const Mesh& mesh, const std::string& definitions,
                       const std::string& contact_lines = "") {
   Region region;
   region.contact = parse_contact(contact_lines);
-  std::vector<ContactSurface> surfaces(2);
-  surfaces[0].name = "other";
-  surfaces[1].name = "s";
-  surfaces[1].location = {std::make_shared<const SourceFile>(SourceFile{"c.i", ""}), 4, 1, nullptr};
+  SurfaceList surfaces(2);
+  surfaces[{0}].name = "other";
+  surfaces[{1}].name = "s";
+  surfaces[{1}].location = {std::make_shared<const SourceFile>(SourceFile{"c.i", ""}), 4, 1, nullptr};
   std::vector<OwnedElement> owned;
-  for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) owned.push_back({{e}, 1});
+  for (std::uint32_t e = 0; e < mesh.n_elements(); ++e) owned.push_back({{e}, {1}});
   Diagnostics diagnostics;
   FoundSizes found;
   found.sizes = find_loft_sizes(parse_definitions(definitions), region, mesh, {surfaces, owned}, diagnostics);

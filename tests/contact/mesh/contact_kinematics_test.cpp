@@ -31,13 +31,13 @@ TEST_CASE("bounds of faces tell centre, normal, velocity and radius", "[contact]
   parts.v.col(0) += Vector3d(4, 0, 0);
   parts.move();
   REQUIRE(parts.contact_mesh.faces.size() == 10);
-  for (std::uint32_t f = 0; f < 10; ++f) {
+  for (const FaceIndex f : IndexRange(FaceIndex{0}, FaceIndex{10})) {
     const FaceBound& bound = parts.kinematics.bound(f);
-    const Vector3d body = f < 6 ? Vector3d(1, 1, 1) : Vector3d(9.75, 0.75, 0.75);
+    const Vector3d body = f.value < 6 ? Vector3d(1, 1, 1) : Vector3d(9.75, 0.75, 0.75);
     CHECK((bound.centre() - body).dot(bound.normal().cast<double>()) ==
-          Approx(f < 6 ? 1.0 : (bound.centre() - body).norm()).epsilon(0.5));
+          Approx(f.value < 6 ? 1.0 : (bound.centre() - body).norm()).epsilon(0.5));
     CHECK(bound.normal().cast<double>().norm() == Approx(1.0));
-    if (f >= 6) continue;
+    if (f.value >= 6) continue;
     CHECK(bound.radius() == Approx(std::sqrt(2.0)));
     const auto& corners = parts.contact_mesh.faces[f].corners;
     const bool has_first = std::count(corners.begin(), corners.end(), 0u) > 0;
@@ -50,7 +50,7 @@ TEST_CASE("the corners of a triangle count once in its bounds", "[contact][conta
   parts.v.col(9) = Vector3d(3, 0, 0);
   parts.move();
   int n_floors = 0;
-  for (std::uint32_t f = 6; f < 10; ++f) {
+  for (const FaceIndex f : IndexRange(FaceIndex{6}, FaceIndex{10})) {
     const FaceBound& bound = parts.kinematics.bound(f);
     if (std::abs(bound.normal().cast<double>().z() + 1.0) > 1e-12) continue;
     ++n_floors;
@@ -64,16 +64,16 @@ TEST_CASE("the corners of a triangle count once in its bounds", "[contact][conta
 
 TEST_CASE("only watched faces are followed until all are asked for", "[contact][contact_kinematics]") {
   ContactParts parts(cube_and_tet(), general_contact());
-  const Vector3d before = parts.kinematics.bound(0).centre(), other = parts.kinematics.bound(1).centre(),
+  const Vector3d before = parts.kinematics.bound({0}).centre(), other = parts.kinematics.bound({1}).centre(),
                  way(0, 0, 5);
   parts.x.colwise() += way;
-  parts.kinematics.watch({1});
+  parts.kinematics.watch({FaceIndex{1}});
   parts.kinematics.move_nodes(parts.motion());
   parts.kinematics.bound_watched();
-  CHECK(parts.kinematics.bound(0).centre() == before);
-  CHECK((parts.kinematics.bound(1).centre() - other - way).norm() < 1e-14);
+  CHECK(parts.kinematics.bound({0}).centre() == before);
+  CHECK((parts.kinematics.bound({1}).centre() - other - way).norm() < 1e-14);
   parts.kinematics.bound_all();
-  CHECK((parts.kinematics.bound(0).centre() - before - way).norm() < 1e-14);
+  CHECK((parts.kinematics.bound({0}).centre() - before - way).norm() < 1e-14);
 }
 
 TEST_CASE("a face is handed out with its corners as they move", "[contact][contact_kinematics]") {
@@ -81,7 +81,7 @@ TEST_CASE("a face is handed out with its corners as they move", "[contact][conta
   parts.x.colwise() += Vector3d(0.5, 0, 0);
   for (Eigen::Index i = 0; i < parts.v.cols(); ++i) parts.v(1, i) = double(i);
   parts.move();
-  for (std::uint32_t f = 0; f < 10; ++f) {
+  for (const FaceIndex f : IndexRange(FaceIndex{0}, FaceIndex{10})) {
     const MovingFace face = parts.kinematics.face(f);
     const ContactFace& of = parts.contact_mesh.faces[f];
     for (std::size_t k = 0; k < 4; ++k) {
@@ -89,7 +89,7 @@ TEST_CASE("a face is handed out with its corners as they move", "[contact][conta
       CHECK(face.x.col(static_cast<int>(k)) == parts.x.col(node));
       CHECK(face.v.col(static_cast<int>(k)) == parts.v.col(node));
     }
-    CHECK(face.is_triangle == (f >= 6));
+    CHECK(face.is_triangle == (f.value >= 6));
     CHECK((face.normal() - parts.kinematics.bound(f).normal().cast<double>()).norm() < 1e-6);
   }
 }
@@ -97,7 +97,7 @@ TEST_CASE("a face is handed out with its corners as they move", "[contact][conta
 TEST_CASE("the sides of an edge do not count for what its top touches", "[contact][contact_kinematics]") {
   // A corner of a cube of edge 2 has a quarter of three faces, 1 each.
   ContactParts parts(cube_and_tet(), general_contact());
-  const SurfaceNode& corner = parts.contact_mesh.surface_nodes[0];
+  const SurfaceNode& corner = parts.contact_mesh.surface_nodes[{0}];
   REQUIRE(parts.x.col(0) == Vector3d::Zero());
   REQUIRE(corner.area == Approx(3.0));
   CHECK(parts.kinematics.area_against(corner, Vector3d::UnitZ()) == Approx(1.0));
@@ -111,10 +111,10 @@ TEST_CASE("the sides of an edge do not count for what its top touches", "[contac
 TEST_CASE("corners of quadrilaterals share their area by four, of triangles by three",
           "[contact][contact_kinematics]") {
   const ContactParts parts(cube_and_tet(), general_contact());
-  for (std::uint32_t f = 0; f < 10; ++f) {
+  for (const FaceIndex f : IndexRange(FaceIndex{0}, FaceIndex{10})) {
     const Vector3d normal = parts.kinematics.face(f).normal();
-    const double area = f < 6 ? 4.0 : normal.minCoeff() < -0.9 ? 4.5 : 4.5 * std::sqrt(3.0);
-    CHECK((parts.kinematics.corner_area(f) - area / (f < 6 ? 4.0 : 3.0) * normal).norm() < 1e-14);
+    const double area = f.value < 6 ? 4.0 : normal.minCoeff() < -0.9 ? 4.5 : 4.5 * std::sqrt(3.0);
+    CHECK((parts.kinematics.corner_area(f) - area / (f.value < 6 ? 4.0 : 3.0) * normal).norm() < 1e-14);
   }
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("nodes of a set without faces of their own have their area at the star
   b.add_node_set(5, "tip", [](const Vector3d& x) { return x.norm() < 0.1; });
   const ContactParts parts(b, "contact node set tip_nodes contains tip\n");
   REQUIRE(parts.contact_mesh.surface_nodes.size() == 1);
-  const SurfaceNode& tip = parts.contact_mesh.surface_nodes[0];
+  const SurfaceNode& tip = parts.contact_mesh.surface_nodes[{0}];
   CHECK(tip.area > 0.0);
   CHECK(parts.kinematics.area_against(tip, Vector3d::UnitX()) == tip.area);
 }

@@ -40,13 +40,13 @@ TEST_CASE("contact numbers the nodes of its surfaces alone, in the order of the 
   CHECK(contact_mesh.n_nodes() == 16 + 3 + 4 + 1);
   CHECK(std::is_sorted(contact_mesh.mesh_nodes.begin(), contact_mesh.mesh_nodes.end()));
   REQUIRE(contact_mesh.faces.size() == 10);
-  CHECK(contact_mesh.first_face == std::vector<std::uint32_t>{0, 9, 10, 10});
+  CHECK(contact_mesh.first_face == std::vector<FaceIndex>{{0}, {9}, {10}, {10}});
   for (const ContactFace& face : contact_mesh.faces) {
     const auto nodes = parts.mesh.side_nodes(face.side);
     for (std::size_t k = 0; k < 4; ++k) CHECK(contact_mesh.mesh_nodes[face.corners[k]] == nodes[k].value);
-    CHECK(face.is_triangle() == (face.surface == 1));
+    CHECK(face.is_triangle() == (face.surface == SurfaceIndex{1}));
   }
-  CHECK(contact_mesh.first_node == std::vector<std::uint32_t>{0, 16, 19, 28});
+  CHECK(contact_mesh.first_node == std::vector<SurfaceNodeIndex>{{0}, {16}, {19}, {28}});
 }
 
 TEST_CASE("behind a face is its element: volume over area", "[contact][contact_mesh]") {
@@ -59,7 +59,7 @@ TEST_CASE("the nodes of a surface share its area", "[contact][contact_mesh]") {
   const ContactParts parts(plate_and_tet(), general_contact("", surfaces));
   double total = 0.0;
   for (std::uint32_t i = 0; i < 16; ++i) {
-    const SurfaceNode& node = parts.contact_mesh.surface_nodes[i];
+    const SurfaceNode& node = parts.contact_mesh.surface_nodes[{i}];
     const Eigen::Vector3d x = parts.mesh.coordinates().col(parts.contact_mesh.mesh_nodes[node.node]);
     const bool at_x = x.x() == 0.0 || x.x() == 3.0, at_y = x.y() == 0.0 || x.y() == 3.0;
     CHECK(node.area == Approx(at_x && at_y ? 0.25 : at_x || at_y ? 0.5 : 1.0));
@@ -68,7 +68,7 @@ TEST_CASE("the nodes of a surface share its area", "[contact][contact_mesh]") {
   }
   CHECK(total == Approx(9.0));
   for (std::uint32_t i = 16; i < 19; ++i)
-    CHECK(parts.contact_mesh.surface_nodes[i].area == Approx(0.5 / 3.0));
+    CHECK(parts.contact_mesh.surface_nodes[{i}].area == Approx(0.5 / 3.0));
 }
 
 TEST_CASE("a six-node face is one row of ownership and four facets of contact, which all nodes carry",
@@ -78,7 +78,7 @@ TEST_CASE("a six-node face is one row of ownership and four facets of contact, w
   b.add_side_set(1, "top", [](const CandidateSide& c) { return c.centroid.z() > 0.99; });
   const ContactParts parts(b, general_contact("", "contact surface a contains top\n"));
   const ContactMesh& contact_mesh = parts.contact_mesh;
-  CHECK(parts.model.surfaces.surfaces[0].faces.size() == 2);
+  CHECK(parts.model.surfaces.surfaces[{0}].faces.size() == 2);
   REQUIRE(contact_mesh.faces.size() == 8);
   CHECK(contact_mesh.n_nodes() == 9);
   double total = 0.0;
@@ -91,9 +91,9 @@ TEST_CASE("a six-node face is one row of ownership and four facets of contact, w
     CHECK(node.area == Approx(n_facets / 24.0));  // facets of 1/8, a third of each
     CHECK(n_facets == (is_between ? 6 : is_corner ? (x.x() == x.y() ? 2 : 1) : 3));
   }
-  for (std::size_t f = 0; f < 8; ++f) {
+  for (const FaceIndex f : indices(contact_mesh.faces)) {
     CHECK(contact_mesh.faces[f].is_triangle());
-    CHECK(contact_mesh.faces[f].side == contact_mesh.faces[f / 4 * 4].side);
+    CHECK(contact_mesh.faces[f].side == contact_mesh.faces[{f.value / 4 * 4}].side);
     CHECK(contact_mesh.faces[f].penalty_properties.thickness == Approx(1.0 / 3.0));
   }
 }
@@ -103,18 +103,18 @@ TEST_CASE("a node knows the faces that have it", "[contact][contact_mesh]") {
   const ContactMesh& contact_mesh = parts.contact_mesh;
   REQUIRE(contact_mesh.faces_of_node.n_rows() == contact_mesh.n_nodes());
   for (std::uint32_t node = 0; node < contact_mesh.n_nodes(); ++node) {
-    std::vector<std::uint32_t> slow;
-    for (std::uint32_t f = 0; f < contact_mesh.faces.size(); ++f) {
+    std::vector<FaceIndex> slow;
+    for (const FaceIndex f : indices(contact_mesh.faces)) {
       const auto& corners = contact_mesh.faces[f].corners;
       if (std::count(corners.begin(), corners.end(), node) > 0) slow.push_back(f);
     }
     const auto fast = contact_mesh.faces_of_node.of(node);
-    CHECK(std::vector<std::uint32_t>(fast.begin(), fast.end()) == slow);
+    CHECK(std::ranges::equal(fast, slow));
   }
-  CHECK(contact_mesh.share_node(contact_mesh.faces[0], contact_mesh.faces[1]));
-  CHECK(contact_mesh.share_node(contact_mesh.faces[0], contact_mesh.faces[4]));
-  CHECK(!contact_mesh.share_node(contact_mesh.faces[0], contact_mesh.faces[2]));
-  CHECK(!contact_mesh.share_node(contact_mesh.faces[0], contact_mesh.faces[9]));
+  CHECK(contact_mesh.share_node(contact_mesh.faces[{0}], contact_mesh.faces[{1}]));
+  CHECK(contact_mesh.share_node(contact_mesh.faces[{0}], contact_mesh.faces[{4}]));
+  CHECK(!contact_mesh.share_node(contact_mesh.faces[{0}], contact_mesh.faces[{2}]));
+  CHECK(!contact_mesh.share_node(contact_mesh.faces[{0}], contact_mesh.faces[{9}]));
 }
 
 TEST_CASE("nodes of a set that no outside face has stand for a cube of their mass",
@@ -129,21 +129,21 @@ TEST_CASE("nodes of a set that no outside face has stand for a cube of their mas
       b,
       general_contact("", "contact node set n contains all block_3\ncontact surface s contains block_2\n"));
   const ContactMesh& contact_mesh = bodies.contact.contact_mesh();
-  CHECK(contact_mesh.first_node[1] - contact_mesh.first_node[0] == 28);
-  const auto area_of = [&](std::size_t row) { return contact_mesh.surface_nodes[row].area; };
-  const double volume = contact_mesh.mass[contact_mesh.surface_nodes[13].node];  // the density is 1
+  CHECK(contact_mesh.rows_of({0}).size() == 28);
+  const auto area_of = [&](std::uint32_t row) { return contact_mesh.surface_nodes[{row}].area; };
+  const double volume = contact_mesh.mass[contact_mesh.surface_nodes[{13}].node];  // the density is 1
   CHECK(area_of(13) == Approx(std::pow(volume, 2.0 / 3.0)));
   CHECK(area_of(12) == Approx(1.0));
-  CHECK(area_of(27) == Approx(std::pow(contact_mesh.mass[contact_mesh.surface_nodes[27].node], 2.0 / 3.0)));
+  CHECK(area_of(27) == Approx(std::pow(contact_mesh.mass[contact_mesh.surface_nodes[{27}].node], 2.0 / 3.0)));
 }
 
 TEST_CASE("what stands behind faces is as stiff and as heavy as its material", "[contact][contact_mesh]") {
   const ContactBodies bodies(plate_and_tet(), general_contact("", surfaces));
   ContactMesh contact_mesh = make_contact_mesh(bodies.definition, bodies.mesh);
   add_penalty_properties(bodies.model, contact_mesh);
-  CHECK(contact_mesh.faces[0].penalty_properties.mass_per_area == Approx(0.5 * 0.5));
-  CHECK(contact_mesh.faces[0].penalty_properties.stiffness == Approx(penalty_over_element / 0.5));
-  CHECK(contact_mesh.faces[9].penalty_properties.stiffness == Approx(penalty_over_element));
+  CHECK(contact_mesh.faces[{0}].penalty_properties.mass_per_area == Approx(0.5 * 0.5));
+  CHECK(contact_mesh.faces[{0}].penalty_properties.stiffness == Approx(penalty_over_element / 0.5));
+  CHECK(contact_mesh.faces[{9}].penalty_properties.stiffness == Approx(penalty_over_element));
   REQUIRE(contact_mesh.mass.size() == contact_mesh.n_nodes());
   // A corner of the plate has an eighth of a cell of volume 0.5.
   CHECK(*std::min_element(contact_mesh.mass.begin(), contact_mesh.mass.end()) == Approx(0.5 / 8));
@@ -157,6 +157,6 @@ TEST_CASE("a node of a set that has no face all in the set takes its share of al
   CHECK(parts.mesh.coordinates()(2, parts.contact_mesh.mesh_nodes[tip.node]) == 3.0);
   CHECK(tip.area == Approx((1.5 + 1.5 + 0.5 * std::sqrt(19.0)) / 3.0));
   double at_side = 0.0;
-  for (std::uint32_t i = 19; i < 27; ++i) at_side += parts.contact_mesh.surface_nodes[i].area;
+  for (std::uint32_t i = 19; i < 27; ++i) at_side += parts.contact_mesh.surface_nodes[{i}].area;
   CHECK(at_side == Approx(1.5));
 }

@@ -33,9 +33,9 @@ MeshBuilder every_kind() {
 std::string list_owners(const Mesh& mesh, const ContactModel& model) {
   std::map<std::int64_t, std::string> owners;
   std::map<std::int64_t, int> parts;
-  const auto add = [&](ElementIndex element, std::uint32_t surface) {
+  const auto add = [&](ElementIndex element, SurfaceIndex surface) {
     const std::int64_t id = mesh.element_id(element);
-    const std::string& name = model.surfaces.surfaces.at(surface).name;
+    const std::string& name = model.surfaces.surfaces[surface].name;
     if (owners.try_emplace(id, name).first->second != name) owners[id] = "two surfaces";
     ++parts[id];
   };
@@ -68,7 +68,7 @@ TEST_CASE("every part of a loft knows the surface that owns its element", "[cont
         "5 picked 8\n"
         "6 dust 1\n"
         "7 dust 1\n");
-  CHECK(list_faces(mesh, model.surfaces.surfaces[2]) == "1:1 1:2 1:3 1:4 1:5 1:6");
+  CHECK(list_faces(mesh, model.surfaces.surfaces[{2}]) == "1:1 1:2 1:3 1:4 1:5 1:6");
 }
 
 TEST_CASE("lofts of several surfaces close up together", "[contact][model]") {

@@ -92,7 +92,7 @@ TEST_CASE("faces are drawn with the corners of the mesh, outwards, and share poi
   CHECK(drawing.coordinates.cols() == 8);
   REQUIRE(drawing.blocks.at(0).facets.size() == 6);
   for (std::size_t i = 0; i < 6; ++i) {
-    const auto nodes = mesh.side_nodes(model.surfaces.surfaces[0].faces[i]);
+    const auto nodes = mesh.side_nodes(model.surfaces.surfaces[{0}].faces[i]);
     for (std::size_t corner = 0; corner < 4; ++corner) {
       const Eigen::Vector3d drawn = point(drawing, drawing.blocks[0].facets[i][corner]);
       CHECK(drawn == mesh.coordinates().col(nodes[corner].value));

@@ -33,8 +33,8 @@ SurfaceSummary summary_of(const Mesh& mesh, const std::string& lines, std::size_
 std::string list_rows(const ContactModel& model, const std::vector<FacetRow>& rows) {
   std::string text;
   for (const FacetRow& row : rows) {
-    text += fmt::format("{} {} {} {} {}\n", model.surfaces.surfaces.at(row.surface).name, row.block,
-                        row.element, row.side, row.kind);
+    text += fmt::format("{} {} {} {} {}\n", model.surfaces.surfaces[row.surface].name, row.block, row.element,
+                        row.side, row.kind);
   }
   return text;
 }
@@ -243,13 +243,13 @@ TEST_CASE("the face table and the summary agree on random decks", "[contact][sum
     REQUIRE(model.messages.empty());
     const auto summaries = summarize(model, mesh);
     REQUIRE(summaries.size() == model.surfaces.surfaces.size());
-    std::vector<std::map<std::string_view, std::uint32_t>> counts(summaries.size());
-    std::vector<double> areas(summaries.size(), 0.0);
+    IndexedVector<SurfaceIndex, std::map<std::string_view, std::uint32_t>> counts(summaries.size());
+    IndexedVector<SurfaceIndex, double> areas(summaries.size(), 0.0);
     for (const FacetRow& row : list_facets(model, mesh)) {
       ++counts[row.surface][row.kind];
       areas[row.surface] += row.area;
     }
-    for (std::size_t i = 0; i < summaries.size(); ++i) {
+    for (const SurfaceIndex i : indices(summaries)) {
       const SurfaceSummary& s = summaries[i];
       CHECK(counts[i]["face"] == s.owned);
       CHECK(s.owned == s.triangles + s.quadrilaterals);

@@ -19,22 +19,22 @@ namespace {
 
 constexpr auto any = [](std::uint32_t, std::uint32_t) { return true; };
 
-void check_equal(const PairLists& lists, const PairLists& expected) {
+void check_equal(const PairTable& lists, const PairTable& expected) {
   REQUIRE(lists.begin == expected.begin);
   REQUIRE(lists.partners == expected.partners);
 }
 
-PairLists pairs_among(const std::vector<Box>& boxes) {
+PairTable pairs_among(const std::vector<Box>& boxes) {
   BroadPhase phase;
-  PairLists lists;
+  PairTable lists;
   REQUIRE_FALSE(phase.update(boxes));
   phase.find_pairs(any, lists);
   return lists;
 }
 
-PairLists pairs_between(const std::vector<Box>& rows, const std::vector<Box>& partners) {
+PairTable pairs_between(const std::vector<Box>& rows, const std::vector<Box>& partners) {
   BroadPhase row_phase, partner_phase;
-  PairLists lists;
+  PairTable lists;
   REQUIRE_FALSE(row_phase.update(rows));
   REQUIRE_FALSE(partner_phase.update(partners));
   row_phase.find_pairs(partner_phase, any, lists);
@@ -47,7 +47,7 @@ TEST_CASE("pairs of two moving sets equal an all-pairs sweep and FCL's own", "[c
   MovingBoxes rows(200, 1), partners(200, 2);
   BroadPhase row_phase, partner_phase;
   FclBoxes fcl_rows(rows.boxes()), fcl_partners(partners.boxes());
-  PairLists lists;
+  PairTable lists;
   for (int step = 0; step < 50; ++step, rows.step(), partners.step()) {
     REQUIRE_FALSE(row_phase.update(rows.boxes()));
     REQUIRE_FALSE(partner_phase.update(partners.boxes()));
@@ -70,7 +70,7 @@ TEST_CASE("pairs within a moving set equal an all-pairs sweep and FCL's own", "[
   MovingBoxes moving(200, 3);
   BroadPhase phase;
   FclBoxes fcl_boxes(moving.boxes());
-  PairLists lists;
+  PairTable lists;
   for (int step = 0; step < 50; ++step, moving.step()) {
     const auto& boxes = moving.boxes();
     REQUIRE_FALSE(phase.update(boxes));
@@ -87,7 +87,7 @@ TEST_CASE("pairs within a moving set equal an all-pairs sweep and FCL's own", "[
 TEST_CASE("what keep turns down is left out", "[contact][broad_phase]") {
   MovingBoxes moving(300, 4);
   BroadPhase phase;
-  PairLists all = pairs_among(moving.boxes()), some;
+  PairTable all = pairs_among(moving.boxes()), some;
   REQUIRE_FALSE(phase.update(moving.boxes()));
   phase.find_pairs([](auto i, auto j) { return i < j && (i + j) % 2 == 0; }, some);
   std::size_t n_even = 0;
@@ -109,9 +109,9 @@ TEST_CASE("lists are the same for one and two threads", "[contact][broad_phase][
   }
   const int n_before = omp_get_max_threads();
   omp_set_num_threads(1);
-  const PairLists one = pairs_among(boxes), one_between = pairs_between(boxes, moving.boxes());
+  const PairTable one = pairs_among(boxes), one_between = pairs_between(boxes, moving.boxes());
   omp_set_num_threads(2);
-  const PairLists two = pairs_among(boxes), two_between = pairs_between(boxes, moving.boxes());
+  const PairTable two = pairs_among(boxes), two_between = pairs_between(boxes, moving.boxes());
   omp_set_num_threads(n_before);
   CHECK(one.partners.size() > 20000);
   check_equal(two, one);
@@ -130,7 +130,7 @@ TEST_CASE("sets of no box and of one box have the pairs they have", "[contact][b
 TEST_CASE("a set may grow from nothing and shrink again", "[contact][broad_phase]") {
   const std::vector<Box> boxes(3, Box{{0, 0, 0}, {1, 1, 1}});
   BroadPhase phase;
-  PairLists lists;
+  PairTable lists;
   for (const std::size_t n : {0u, 3u, 2u, 0u, 1u}) {
     REQUIRE_FALSE(phase.update(std::span(boxes).first(n)));
     phase.find_pairs(any, lists);
@@ -141,17 +141,17 @@ TEST_CASE("a set may grow from nothing and shrink again", "[contact][broad_phase
 
 TEST_CASE("boxes that all coincide all pair", "[contact][broad_phase]") {
   const Box box{{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}};
-  const PairLists lists = pairs_among(std::vector<Box>(500, box));
+  const PairTable lists = pairs_among(std::vector<Box>(500, box));
   CHECK(lists.partners.size() == 500 * 499 / 2);
   CHECK(lists.of(0).size() == 499);
-  const PairLists between = pairs_between({box}, std::vector<Box>(20000, box));
+  const PairTable between = pairs_between({box}, std::vector<Box>(20000, box));
   CHECK(between.of(0).size() == 20000);
 }
 
 TEST_CASE("the first unsound box is told, before a build and at a refit", "[contact][broad_phase]") {
   std::vector<Box> boxes(5, Box{{0, 0, 0}, {1, 1, 1}});
   BroadPhase phase;
-  PairLists lists;
+  PairTable lists;
   REQUIRE_FALSE(phase.update(boxes));
   std::vector<Box> bad = boxes;
   bad[4].hi[2] = bad[2].lo[1] = std::numeric_limits<double>::quiet_NaN();
@@ -167,7 +167,7 @@ TEST_CASE("a tree is built once, refitted while it serves, and built anew when i
           "[contact][broad_phase]") {
   MovingBoxes moving(2000, 6);
   BroadPhase phase;
-  PairLists lists;
+  PairTable lists;
   for (int step = 0; step < 5; ++step) {
     REQUIRE_FALSE(phase.update(moving.boxes()));
     phase.find_pairs(any, lists);
@@ -189,7 +189,7 @@ TEST_CASE("a tree is built once, refitted while it serves, and built anew when i
 TEST_CASE("bodies that come together from afar cost no more than a few builds", "[contact][broad_phase]") {
   const std::vector<Box> here = MovingBoxes(1000, 7).boxes();
   BroadPhase still, moving;
-  PairLists lists;
+  PairTable lists;
   for (int step = 0; step <= 40; ++step) {
     std::vector<Box> there = MovingBoxes(1000, 8).boxes();
     for (Box& box : there) box.lo[0] += 2.0 - 0.05 * step, box.hi[0] += 2.0 - 0.05 * step;

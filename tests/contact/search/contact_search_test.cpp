@@ -16,7 +16,7 @@ namespace {
 
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
-Pairs in_set(const PairLists& lists) {
+Pairs in_set(const PairTable& lists) {
   Pairs pairs;
   for (std::uint32_t row = 0; row < lists.n_rows(); ++row) {
     CHECK(std::is_sorted(lists.of(row).begin(), lists.of(row).end()));
@@ -72,7 +72,7 @@ struct Span {
 };
 
 /// Corners now and a step ago, corners moved inwards, all that by a margin wider.
-Span span_of_face(const ContactParts& parts, std::uint32_t index, double dt) {
+Span span_of_face(const ContactParts& parts, FaceIndex index, double dt) {
   const ContactFace& face = parts.contact_mesh.faces[index];
   Span span;
   const double margin = 0.15 * std::sqrt(area_vector(parts.kinematics.face(index).x).norm());
@@ -99,10 +99,10 @@ Pairs sweep_faces(const ContactParts& parts, double dt) {
   Pairs pairs;
   const auto n = static_cast<std::uint32_t>(parts.contact_mesh.faces.size());
   std::vector<Span> spans;
-  for (std::uint32_t i = 0; i < n; ++i) spans.push_back(span_of_face(parts, i, dt));
+  for (std::uint32_t i = 0; i < n; ++i) spans.push_back(span_of_face(parts, {i}, dt));
   for (std::uint32_t a = 0; a < n; ++a) {
     for (std::uint32_t b = a + 1; b < n; ++b) {
-      const ContactFace &first = parts.contact_mesh.faces[a], &second = parts.contact_mesh.faces[b];
+      const ContactFace &first = parts.contact_mesh.faces[{a}], &second = parts.contact_mesh.faces[{b}];
       if (have_common_node(parts.mesh, first.side.element(), second.side.element())) continue;
       if (!parts.rules.find(first.surface, second.surface)) continue;
       if (spans[a].meets(spans[b])) pairs.insert({a, b});
@@ -147,10 +147,10 @@ TEST_CASE("the opposite skins of a plate do not meet, however thin it is; those 
   std::size_t n_nodes = 0;
   for (const auto& [row, face] : in_set(parts.node_faces))
     n_nodes +=
-        parts.contact_mesh.surface_nodes[row].surface != parts.contact_mesh.faces[face].surface ? 1 : 0;
+        parts.contact_mesh.surface_nodes[{row}].surface != parts.contact_mesh.faces[{face}].surface ? 1 : 0;
   CHECK((formulation.empty() ? faces.size() : n_nodes) > 0);
   for (const auto& [first, second] : faces)
-    CHECK(parts.contact_mesh.faces[first].surface != parts.contact_mesh.faces[second].surface);
+    CHECK(parts.contact_mesh.faces[{first}].surface != parts.contact_mesh.faces[{second}].surface);
 }
 
 TEST_CASE("a rigid body does not meet itself, two rigid bodies do", "[contact][contact_search]") {
@@ -185,7 +185,7 @@ TEST_CASE("the candidates of nodes equal a sweep of all nodes and faces", "[cont
     CHECK(parts.face_partners.partners.empty());
     // Whatever is within the face's box alone must be there; what is there, within both margins.
     for (std::uint32_t row = 0; row < parts.contact_mesh.surface_nodes.size(); ++row) {
-      const SurfaceNode& node = parts.contact_mesh.surface_nodes[row];
+      const SurfaceNode& node = parts.contact_mesh.surface_nodes[{row}];
       Span exact;
       exact.add(parts.kinematics.x(node.node));
       exact.add(parts.kinematics.x(node.node) - dt * parts.kinematics.v(node.node));
@@ -193,8 +193,8 @@ TEST_CASE("the candidates of nodes equal a sweep of all nodes and faces", "[cont
       wide.low.array() -= 0.3;  // above every margin
       wide.high.array() += 0.3;
       for (std::uint32_t f = 0; f < parts.contact_mesh.faces.size(); ++f) {
-        const bool is_own = node.surface == parts.contact_mesh.faces[f].surface;
-        const Span face = span_of_face(parts, f, dt);
+        const bool is_own = node.surface == parts.contact_mesh.faces[{f}].surface;
+        const Span face = span_of_face(parts, {f}, dt);
         const bool is_there = fast.count({row, f}) > 0;
         if (!is_own && face.meets(exact)) ++n_needed;
         if (is_there != (!is_own && face.meets(exact)) && !is_there) FAIL("a node and a face are lost");
@@ -242,7 +242,7 @@ TEST_CASE("between two searches nothing can come to touch that is no candidate",
     const Pairs candidates = in_set(parts.face_partners);
     for (const auto& pair : sweep_faces(parts, 0.0)) {
       // Of faces that touch: sweep_faces also has those within the margins.
-      const MovingFace a = parts.kinematics.face(pair.first), c = parts.kinematics.face(pair.second);
+      const MovingFace a = parts.kinematics.face({pair.first}), c = parts.kinematics.face({pair.second});
       if (!(find_face_face_contact(a, c, {1.0, 0.0, 0.5, {}}, 0.0).force > 0.0)) continue;
       ++n_touching;
       if (candidates.count(pair) == 0) FAIL("faces touch that are no candidates");

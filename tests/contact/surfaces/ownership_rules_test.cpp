@@ -35,8 +35,9 @@ struct Rules {
   }
   /// The owner, and "loser<winner" of each lost claim.
   static std::string list(const Claim& claim) {
-    std::string text = claim.owner ? std::to_string(*claim.owner) : "-";
-    for (const Claim::Lost& lost : claim.lost) text += fmt::format(" {}<{}", lost.loser, lost.winner);
+    std::string text = claim.owner ? std::to_string(claim.owner->value) : "-";
+    for (const Claim::Lost& lost : claim.lost)
+      text += fmt::format(" {}<{}", lost.loser.value, lost.winner.value);
     return text;
   }
   std::string face(int side, bool is_exterior) const {

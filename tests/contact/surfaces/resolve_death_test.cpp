@@ -66,7 +66,7 @@ TEST_CASE("a surface whose elements are all dead stays in the list, with a warni
   const Mesh mesh = row_of_three().build();
   const auto after = resolve(mesh, "skin all blocks = on\n", all_but(mesh, {3}));
   REQUIRE(after.surfaces.size() == 2);
-  CHECK(after.surfaces[1].is_empty());
+  CHECK(after.surfaces[{1}].is_empty());
   CHECK(list_warnings(after) ==
         "surface-empty, line 1, block_2, 0: surface 'block_2' owns nothing and takes no part in contact\n");
 }

@@ -38,7 +38,7 @@ TEST_CASE("a surface claims what it would own alone, and loses the rest to earli
     const Mesh mesh = random_mesh_or_blocking(random).build();
     const auto lines = random_lines(random);
     const auto result = resolve(mesh, join(lines));
-    for (std::uint32_t i = 0; i < result.surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(result.surfaces)) {
       const ContactSurface& surface = result.surfaces[i];
       std::size_t lost_faces = 0, lost_lofted = 0, lost_nodes = 0;
       for (const LostClaims& lost : surface.lost_to) {
@@ -48,7 +48,7 @@ TEST_CASE("a surface claims what it would own alone, and loses the rest to earli
         lost_nodes += lost.nodes;
       }
       std::vector<std::string> first = lines;
-      std::rotate(first.begin(), first.begin() + i, first.begin() + i + 1);
+      std::rotate(first.begin(), first.begin() + i.value, first.begin() + i.value + 1);
       const ContactSurface alone = resolve(mesh, join(first)).surfaces.front();
       CHECK(alone.lost_to.empty());
       CHECK(alone.faces.size() == surface.faces.size() + lost_faces);

@@ -137,7 +137,7 @@ TEST_CASE("what is claimed is owned or lost, to each winner in its place", "[con
         "b | 1:6 2:6 |  |  | \n"
         "c | 1:1 1:3 1:4 1:5 2:1 2:3 2:5 |  |  | a 1 faces, b 2 faces\n"
         "d |  |  |  | a 1 faces, b 1 faces, c 3 faces\n");
-  CHECK(result["c"].lost_to[1].winner == 1);
+  CHECK(result["c"].lost_to[1].winner == SurfaceIndex{1});
   CHECK(list_warnings(result) ==
         "surface-overlap, line 3, c, 1: surface 'c': 1 face already in surface 'a'\n"
         "surface-overlap, line 3, c, 2: surface 'c': 2 faces already in surface 'b'\n"
@@ -156,8 +156,8 @@ TEST_CASE("names keep the deck's spelling, blocks of SKIN ALL BLOCKS the mesh's"
   CHECK(line["MySurf"].faces.size() == 6);
   const auto skin = resolve(mesh, "skin all blocks = on\n");
   REQUIRE(skin.surfaces.size() == 2);
-  CHECK(skin.surfaces[0].name == "Upper Plate");
-  CHECK(skin.surfaces[1].name == "block_9");
+  CHECK(skin.surfaces[{0}].name == "Upper Plate");
+  CHECK(skin.surfaces[{1}].name == "block_9");
 }
 
 TEST_CASE("tetrahedra, wedges and pyramids are skinned", "[contact][resolve]") {

@@ -82,11 +82,11 @@ TEST_CASE("sharp edges whose faces or nodes a tie holds do not push", "[contact]
   };
   const std::vector<ContactPoint> free = find();
   REQUIRE(free.size() == 1);
-  const ContactEdge &first = parts.contact_mesh.edges[free[0].first_entity],
-                    &second = parts.contact_mesh.edges[free[0].second_entity];
+  const ContactEdge &first = parts.contact_mesh.edges[free[0].first_edge()],
+                    &second = parts.contact_mesh.edges[free[0].second_edge()];
   parts.constrained.add_faces((*second.faces)[1], (*first.faces)[0]);
   CHECK(find().empty());
-  parts.constrained.remove(false, (*second.faces)[1], (*first.faces)[0]);
+  parts.constrained.remove_faces((*second.faces)[1], (*first.faces)[0]);
   CHECK(find().size() == 1);
   parts.constrained.add_node(parts.contact_mesh.find_row(first.nodes[1], first.surface).value(),
                              free[0].pair);

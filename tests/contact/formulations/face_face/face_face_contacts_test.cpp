@@ -65,7 +65,8 @@ struct CubeOnPlate : ContactParts {
   Vector3d force_on_cube(const std::vector<ContactPoint>& points) const {
     Vector3d sum = Vector3d::Zero();
     for (const ContactPoint& point : points)
-      sum += (contact_mesh.faces[point.first_entity].surface == cube ? 1.0 : -1.0) * point.force_on_first();
+      sum += (contact_mesh.faces[point.first_face()].surface == SurfaceIndex{cube} ? 1.0 : -1.0) *
+             point.force_on_first();
     return sum;
   }
 };
@@ -177,7 +178,7 @@ TEST_CASE("pairs that leave the candidates are forgotten", "[contact][face_face_
   parts.move_cube({0, 0, -0.2}, false);
   parts.renew_candidates();
   CHECK(!parts.find().empty());
-  parts.contacts.take_candidates(PairLists{});
+  parts.contacts.take_candidates({});
   CHECK(parts.find().empty());
   parts.renew_candidates();
   CHECK(parts.find().empty());  // as deep as before, but not known any more

@@ -45,11 +45,11 @@ TEST_CASE("faces near each other are tied over their whole overlap", "[contact][
       CHECK(!tie.is_node);
       CHECK(!tie.is_swapped);
       CHECK(tie.area == Approx(0.5625));
-      CHECK(tied.contact_mesh.faces[tie.first_entity].surface == 0);
-      CHECK(tied.contact_mesh.faces[tie.second_entity].surface == 1);
+      CHECK(tied.contact_mesh.faces[tie.first_face()].surface == SurfaceIndex{0});
+      CHECK(tied.contact_mesh.faces[tie.second].surface == SurfaceIndex{1});
       for (std::size_t k = 0; k < 4; ++k) {
-        CHECK(tie.nodes[k] == tied.contact_mesh.faces[tie.first_entity].corners[k]);
-        CHECK(tie.nodes[k + 4] == tied.contact_mesh.faces[tie.second_entity].corners[k]);
+        CHECK(tie.nodes[k] == tied.contact_mesh.faces[tie.first_face()].corners[k]);
+        CHECK(tie.nodes[k + 4] == tied.contact_mesh.faces[tie.second].corners[k]);
       }
       // Moved alike, nothing pulls.
       CHECK(tie.stiffness.rowwise().sum().norm() < 1e-10);
@@ -105,17 +105,17 @@ TEST_CASE("each node that stands over a face is tied once, to the nearest", "[co
   int n_of_cube = 0;
   for (const Tie& tie : tied.ties) {
     CHECK(tie.is_node);
-    const SurfaceNode& node = tied.contact_mesh.surface_nodes[tie.first_entity];
+    const SurfaceNode& node = tied.contact_mesh.surface_nodes[tie.row()];
     CHECK(tie.nodes[0] == node.node);
     CHECK(tie.nodes[3] == node.node);
-    CHECK(tied.contact_mesh.faces[tie.second_entity].surface != node.surface);
-    CHECK(tie.is_swapped == (node.surface == 1));
-    n_of_cube += node.surface == 1 ? 1 : 0;
+    CHECK(tied.contact_mesh.faces[tie.second].surface != node.surface);
+    CHECK(tie.is_swapped == (node.surface == SurfaceIndex{1}));
+    n_of_cube += node.surface == SurfaceIndex{1} ? 1 : 0;
     // A node of the cube stands a quarter of the way to the node under the cube in each direction; of the
     // face over that one all corners are tied.
-    const double share = node.surface == 1 ? 1.0 - 0.5 * 0.25 * 0.25 : 0.5;
+    const double share = node.surface == SurfaceIndex{1} ? 1.0 - 0.5 * 0.25 * 0.25 : 0.5;
     CHECK(tie.share == Approx(share));
-    CHECK(tie.area == Approx(share * (node.surface == 1 ? 0.5625 : 1.0)));
+    CHECK(tie.area == Approx(share * (node.surface == SurfaceIndex{1} ? 0.5625 : 1.0)));
     CHECK(tie.stiffness(0, 0) == Approx(1000.0 * tie.area));
   }
   CHECK(n_of_cube == 4);
@@ -138,14 +138,14 @@ TEST_CASE("a tie can be made of two faces, or a node and a face, at any gap", "[
   const Tie& known = tied.ties.front();
   tied.x.rightCols(8).row(2).array() += 0.4;
   tied.move();
-  CHECK(!make_face_tie(tied.context(), known.first_entity, known.second_entity, 0.4));
-  const auto made = make_face_tie(tied.context(), known.first_entity, known.second_entity, 0.5);
+  CHECK(!make_face_tie(tied.context(), known.first_face(), known.second, 0.4));
+  const auto made = make_face_tie(tied.context(), known.first_face(), known.second, 0.5);
   REQUIRE(made);
   CHECK(made->area == Approx(0.5625));
-  for (std::uint32_t row = tied.contact_mesh.first_node[1]; row < tied.contact_mesh.first_node[2]; ++row) {
+  for (const SurfaceNodeIndex row : tied.contact_mesh.rows_of({1})) {
     const Eigen::Vector3d x = tied.kinematics.x(tied.contact_mesh.surface_nodes[row].node);
     const bool is_over = x.z() < 2.0 && x.x() < 1.0 && x.y() < 1.0;
-    CHECK(make_node_tie(tied.context(), {row, known.first_entity, known.pair, true, 0.5}).has_value() ==
+    CHECK(make_node_tie(tied.context(), {row.value, known.first_face(), known.pair, true, 0.5}).has_value() ==
           is_over);
   }
 }

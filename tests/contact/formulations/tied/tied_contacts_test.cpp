@@ -68,7 +68,7 @@ TEST_CASE("finding the forces of a weld changes nothing, taking its failure over
                        parts.constrained);
   REQUIRE(tied.constraints().size() == 1);
   const Tie tie = tied.constraints().front();
-  CHECK(parts.constrained.holds_faces(tie.first_entity, tie.second_entity));
+  CHECK(parts.constrained.holds_faces(tie.first_face(), tie.second));
   parts.x.rightCols(8).row(2).array() += 0.02;  // 20 of 8
   parts.move();
   std::vector<ConstraintForces> found, again;
@@ -82,7 +82,7 @@ TEST_CASE("finding the forces of a weld changes nothing, taking its failure over
   DecayingConstraints decaying;
   tied.update(parts.context(), found, parts.constrained, decaying);
   CHECK(tied.constraints().empty());
-  CHECK(!parts.constrained.holds_faces(tie.first_entity, tie.second_entity));
+  CHECK(!parts.constrained.holds_faces(tie.first_face(), tie.second));
   REQUIRE(decaying.constraints().size() == 1);
   for (const double left : {0.5, 0.0}) {
     std::vector<ConstraintForces> decayed;
