@@ -43,6 +43,8 @@ struct MovingFace {
   FaceOrientation look() const { return {area_vector(x), sharpness}; }
   /// Unit, out of the element [1].
   Eigen::Vector3d normal() const { return area_vector(x).normalized(); }
+  /// The velocity of a point of the face by the weights of the corners there [length/time].
+  Eigen::Vector3d velocity_at(const Eigen::Vector4d& weights) const { return v * weights; }
 };
 
 /// How two faces push each other.

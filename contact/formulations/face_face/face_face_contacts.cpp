@@ -9,7 +9,6 @@
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/facets.hpp"
-#include "contact/interface_laws/friction.hpp"
 #include "contact/smoothing/smooth_overlap.hpp"
 
 namespace contactsim {
@@ -18,10 +17,6 @@ namespace {
 
 /// Faces that have touched something may be this share of a thickness deep in the next partner, at least.
 constexpr double slide_depth = 0.1;
-
-Eigen::Vector3d velocity_at(const MovingFace& face, const Eigen::Vector4d& weights) {
-  return face.v * weights;
-}
 
 /// Carries the still one of two faces along with the other; a contact point's weights follow.
 void carry(const PartnerCarry& carry, MovingFace& first, MovingFace& second) {
@@ -76,7 +71,6 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   const double closed = closing * context.dt, activation_distance = closing * context.ahead();
   const PairRule& rule = candidate.rule;
   if (rule.is_balanced != context.balances) return;
-  const bool did_touch = history_.has_touched(candidate.position);
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
   const double held = rule.pair->held_gap(thinner(candidate));
   const GapOffsets& offsets = context.rules.gap_offsets();
@@ -86,106 +80,57 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
 
-  PairPenalty penalty = make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
-                                          &contact_mesh_.faces[candidate.second].penalty_properties, rule);
+  const MeetingFaces faces = make_meeting_faces(context, candidate);
+  PairPenalty penalty = make_penalty(candidate, faces.did_touch, closed);
+  if (context.balances) {
+    const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
+    const FaceFaceConstraints found = find_constraints(
+        faces, {context.coming_dt, std::max(margin, held), std::max(activation_distance, held), depth,
+                flat_share * thinner(candidate)});
+    return add_balanced_points(context, candidate, faces, found, points);
+  }
+  penalty.closing = closed;
+  const PenaltyPush push{faces, penalty, activation_distance};
+  if (held > 0.0) return add_spring_points(context, candidate, push, points);
+  if (!faces.are_round()) return add_penalty_points(context, candidate, push, points);
+  const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
+  const auto contact = find_smooth_contact({patch_1, patch_2, faces.offset}, penalty, activation_distance);
+  add_penalty_point(context, candidate, push, contact, points);
+}
+
+PairPenalty FaceFaceContacts::make_penalty(const Candidate& candidate, bool did_touch, double closed) const {
+  PairPenalty penalty =
+      make_pair_penalty(contact_mesh_.faces[candidate.first].penalty_properties,
+                        &contact_mesh_.faces[candidate.second].penalty_properties, candidate.rule);
   // What came in by itself may be as deep as its speed brought it; what has touched has no depth at which it
   // ends; what slides on from another partner may be as deep as it was there.
   const double before = history_.depth_before(candidate.first, candidate.second);
   penalty.depth = did_touch      ? std::numeric_limits<double>::infinity()
                   : before > 0.0 ? std::max(penalty.depth, depth_of_known(0.0, before, closed))
                                  : std::max(penalty.depth, 1.5 * closed);
-  MovingFace first = context.kinematics.face(candidate.first),
-             second = context.kinematics.face(candidate.second);
-  carry(candidate.carry, first, second);
-  const RoundSides round = round_sides(candidate);
-  const double offset = offset_of(context, candidate);
-  if (!round.any()) take_off(offset, second, first);
-  if (context.balances) {
-    const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
-    const FaceFaceConstraints found =
-        find_constraints(context, candidate, first, second,
-                         {context.coming_dt, std::max(margin, held), std::max(activation_distance, held),
-                          depth, flat_share * thinner(candidate)});
-    return add_balanced_points(context, candidate, first, second, found, did_touch, points);
-  }
-  penalty.closing = closed;
-  const PenaltyPush push{first, second, penalty, activation_distance, did_touch};
-  if (held > 0.0) return add_spring_points(context, candidate, push, points);
-  if (!round.any()) return add_penalty_points(context, candidate, push, points);
-  const SmoothPatch patch_1(first, round.first), patch_2(second, round.second);
-  const auto contact = find_smooth_contact({patch_1, patch_2, offset}, penalty, activation_distance);
-  add_penalty_point(context, candidate, push, contact, points);
+  return penalty;
 }
 
-FaceFaceContacts::RoundSides FaceFaceContacts::round_sides(const Candidate& candidate) const {
+FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const ContactStepContext& context,
+                                                                    const Candidate& candidate) const {
   const OptionalIndex<std::uint32_t> smoothing = candidate.rule.pair->smoothing;
-  return {contact_mesh_.smooth_faces.find(smoothing, candidate.first),
-          contact_mesh_.smooth_faces.find(smoothing, candidate.second)};
+  MeetingFaces faces{context.kinematics.face(candidate.first),
+                     context.kinematics.face(candidate.second),
+                     contact_mesh_.smooth_faces.find(smoothing, candidate.first),
+                     contact_mesh_.smooth_faces.find(smoothing, candidate.second),
+                     context.rules.gap_offsets().of_faces(candidate.pair, candidate.first, candidate.second) +
+                         candidate.rule.begin_gap,
+                     history_.has_touched(candidate.position)};
+  carry(candidate.carry, faces.first, faces.second);
+  if (!faces.are_round()) take_off(faces.offset, faces.second, faces.first);
+  return faces;
 }
 
-double FaceFaceContacts::offset_of(const ContactStepContext& context, const Candidate& candidate) {
-  return context.rules.gap_offsets().of_faces(candidate.pair, candidate.first, candidate.second) +
-         candidate.rule.begin_gap;
-}
-
-FaceFaceConstraints FaceFaceContacts::find_constraints(const ContactStepContext& context,
-                                                       const Candidate& candidate, const MovingFace& first,
-                                                       const MovingFace& second,
-                                                       const ConstraintActivation& activation) const {
-  const RoundSides round = round_sides(candidate);
-  if (!round.any()) return find_face_face_constraints(first, second, activation);
-  const SmoothPatch patch_1(first, round.first), patch_2(second, round.second);
-  return find_smooth_constraints({patch_1, patch_2, offset_of(context, candidate)}, activation);
-}
-
-void FaceFaceContacts::add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
-                                          const PenaltyPush& push, std::vector<ContactPoint>& points) const {
-  const double flat = flat_share * thinner(candidate);
-  const bool is_split = (is_warped(push.first, flat) || is_warped(push.second, flat)) &&
-                        !is_contact_uncut(push.first, push.second, push.penalty, push.activation_distance);
-  if (is_split) {
-    const Facets facets_1(push.first, flat), facets_2(push.second, flat);
-    for (const Facet& a : facets_1.all()) {
-      for (const Facet& b : facets_2.all()) {
-        FaceFaceContact contact =
-            find_face_face_contact(a.face, b.face, push.penalty, push.activation_distance);
-        contact.weights_1 = a.to_face(contact.weights_1);
-        contact.weights_2 = b.to_face(contact.weights_2);
-        add_penalty_point(context, candidate, push, contact, points);
-      }
-    }
-  } else {
-    const auto contact =
-        find_face_face_contact(push.first, push.second, push.penalty, push.activation_distance);
-    add_penalty_point(context, candidate, push, contact, points);
-  }
-}
-
-void FaceFaceContacts::add_penalty_point(const ContactStepContext& context, const Candidate& candidate,
-                                         const PenaltyPush& push, const FaceFaceContact& contact,
-                                         std::vector<ContactPoint>& points) const {
-  if (!contact.overlaps) return;
-  const Eigen::Vector3d apart =
-      velocity_at(push.first, contact.weights_1) - velocity_at(push.second, contact.weights_2);
-  if (contact.force > 0.0 && !push.did_touch) {
-    const double closed = -apart.dot(contact.normal) * context.dt;
-    if (!met_in_front(context, candidate, contact, closed)) return;
-    if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) return;
-  }
-  ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
-  contact_point.damped = contact.damped_power * context.dt;
-  add_friction_to(context, candidate, push, apart, contact_point);
-}
-
-void FaceFaceContacts::add_friction_to(const ContactStepContext& context, const Candidate& candidate,
-                                       const PenaltyPush& push, const Eigen::Vector3d& apart,
-                                       ContactPoint& point) const {
-  const PairRule& rule = candidate.rule;
-  if (!point.touches() || !(rule.friction > 0.0)) return;
-  point.slip = apart * context.dt;
-  point.elastic_slip = push.did_touch ? history_.elastic_slip(candidate.position)
-                                      : history_.mean_slip(candidate.first, candidate.second);
-  add_friction(push.penalty.stiffness * point.area, rule.slip_limit(point, context.dt), point);
+FaceFaceConstraints FaceFaceContacts::find_constraints(const MeetingFaces& faces,
+                                                       const ConstraintActivation& activation) {
+  if (!faces.are_round()) return find_face_face_constraints(faces.first, faces.second, activation);
+  const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
+  return find_smooth_constraints({patch_1, patch_2, faces.offset}, activation);
 }
 
 void FaceFaceContacts::add_spring_points(const ContactStepContext& context, const Candidate& candidate,
@@ -193,17 +138,16 @@ void FaceFaceContacts::add_spring_points(const ContactStepContext& context, cons
   const double held = candidate.rule.pair->held_gap(thinner(candidate));
   const double near = std::max(push.activation_distance, held);
   const FaceFaceConstraints found =
-      find_constraints(context, candidate, push.first, push.second,
-                       {0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
+      find_constraints(push.faces, {0.0, near, near, push.penalty.depth, flat_share * thinner(candidate)});
   for (const OverlapShare& share : found.all()) {
-    const FaceFaceContact contact = contact_of(share, push.first, push.second);
+    const FaceFaceContact contact = contact_of(share, push.faces.first, push.faces.second);
     const Eigen::Vector3d apart =
-        velocity_at(push.first, share.weights_1) - velocity_at(push.second, share.weights_2);
+        push.faces.first.velocity_at(share.weights_1) - push.faces.second.velocity_at(share.weights_2);
     ContactPoint point = make_contact_point(candidate, contact);
     point.part = share.part;
     point.pulls = history_.is_held(point);
     if (contact.gap > (point.pulls ? held : push.activation_distance)) continue;
-    if (contact.gap < 0.0 && !push.did_touch && !point.pulls) {
+    if (contact.gap < 0.0 && !push.faces.did_touch && !point.pulls) {
       if (!met_in_front(context, candidate, contact, -apart.dot(contact.normal) * context.dt)) continue;
       if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
     }
@@ -232,13 +176,13 @@ double FaceFaceContacts::thinner(const Candidate& candidate) const {
 }
 
 void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
-                                           const MovingFace& first, const MovingFace& second,
-                                           const FaceFaceConstraints& found, bool did_touch,
+                                           const MeetingFaces& faces, const FaceFaceConstraints& found,
                                            std::vector<ContactPoint>& points) const {
   const double held = candidate.rule.pair->held_gap(thinner(candidate));
   for (const OverlapShare& share : found.all()) {
-    const FaceFaceContact contact = contact_of(share, first, second);
-    const Eigen::Vector3d apart = velocity_at(first, share.weights_1) - velocity_at(second, share.weights_2);
+    const FaceFaceContact contact = contact_of(share, faces.first, faces.second);
+    const Eigen::Vector3d apart =
+        faces.first.velocity_at(share.weights_1) - faces.second.velocity_at(share.weights_2);
     const double closing = -apart.dot(share.normal) * context.coming_dt;
     ContactPoint point = make_contact_point(candidate, contact);
     point.stiffness = 0.0;
@@ -247,7 +191,8 @@ void FaceFaceContacts::add_balanced_points(const ContactStepContext& context, co
     point.closing = closing;
     point.pulls = held > 0.0 && contact.gap <= held && history_.is_held(point);
     if (!point.pulls) {
-      if (!did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing)) continue;
+      if (!faces.did_touch && contact.gap < 0.0 && !met_in_front(context, candidate, contact, closing))
+        continue;
       if (contact.gap < closing && is_at_flush_rim(context, candidate.first, candidate.second, contact))
         continue;
     }

@@ -60,26 +60,28 @@ class FaceFaceContacts {
     PartnerCarry carry = {};
   };
   Candidate make_candidate(const ContactStepContext& context, FaceIndex first, std::size_t position) const;
+  /// Two faces as they meet: carried along with each other, the offset taken off their gap, or the round
+  /// surfaces that they stand for, whose gap is still to lose it.
+  struct MeetingFaces {
+    MovingFace first, second;
+    const SmoothFace *round_first, *round_second;  ///< null of a face that stands for itself
+    double offset;                                 ///< taken off the gap of round surfaces [length]
+    bool did_touch;                                ///< in the last step
+    bool are_round() const { return round_first != nullptr || round_second != nullptr; }
+  };
+  MeetingFaces make_meeting_faces(const ContactStepContext& context, const Candidate& candidate) const;
   /// Two faces that the elastic penalty parts.
   struct PenaltyPush {
-    const MovingFace &first, &second;
+    const MeetingFaces& faces;
     const PairPenalty& penalty;
     double activation_distance;  ///< gaps up to it count as near [length]
-    bool did_touch;              ///< in the last step
   };
-  /// The round surfaces that two faces stand for, null of a face that stands for itself.
-  struct RoundSides {
-    const SmoothFace *first, *second;
-    bool any() const { return first != nullptr || second != nullptr; }
-  };
-  RoundSides round_sides(const Candidate& candidate) const;
-  /// What is taken off the gap of two faces [length].
-  static double offset_of(const ContactStepContext& context, const Candidate& candidate);
-  /// The contact points of two faces, from which the offset is taken off, or of the round surfaces that they
-  /// stand for, as constraints.
-  FaceFaceConstraints find_constraints(const ContactStepContext& context, const Candidate& candidate,
-                                       const MovingFace& first, const MovingFace& second,
-                                       const ConstraintActivation& activation) const;
+  /// The penalty of two faces, with the depth up to which it pushes.
+  ///   closed  by which their gap has shrunk in the step [length]
+  PairPenalty make_penalty(const Candidate& candidate, bool did_touch, double closed) const;
+  /// The contact points of two faces as constraints.
+  static FaceFaceConstraints find_constraints(const MeetingFaces& faces,
+                                              const ConstraintActivation& activation);
   void detect_one(const ContactStepContext& context, const Candidate& candidate,
                   std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by the elastic penalty.
@@ -93,8 +95,7 @@ class FaceFaceContacts {
                          const PenaltyPush& push, std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by momentum balance.
   void add_balanced_points(const ContactStepContext& context, const Candidate& candidate,
-                           const MovingFace& first, const MovingFace& second,
-                           const FaceFaceConstraints& found, bool did_touch,
+                           const MeetingFaces& faces, const FaceFaceConstraints& found,
                            std::vector<ContactPoint>& points) const;
   /// Adds what a law does across the gap, or beside the penalty.
   void add_pull(const ContactStepContext& context, const Candidate& candidate,
