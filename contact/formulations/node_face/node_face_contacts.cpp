@@ -8,8 +8,8 @@
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/near_pairs.hpp"
+#include "contact/formulations/node_face/near_faces.hpp"
 #include "contact/formulations/penalty.hpp"
-#include "contact/formulations/start_gaps.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
 #include "contact/smoothing/smooth_face.hpp"
@@ -30,127 +30,6 @@ bool has_corner(const ContactFace& face, std::uint32_t node) {
 }
 
 }  // namespace
-
-/// A face that a node may touch.
-struct NodeFaceContacts::NearFace {
-  FaceIndex face;
-  PairIndex pair;
-  ClosestPoint point;
-  /// Of the face's corners at the point, sum 1 [1]. Sorting copies to memory that is aligned for numbers
-  /// only.
-  Eigen::Matrix<double, 4, 1, Eigen::DontAlign> weights;
-  PairPenalty penalty;
-  double share = 1.0;     ///< of the node's area, where it projects inside several faces alike [1]
-  double distance = 0.0;  ///< of the node, the middle of a sphere, from the face [length]
-  double near = 0.0;      ///< gaps up to it may close soon [length]
-  bool is_plane = false;  ///< the node stands over the plane of the face, beyond its edges
-  double beyond = 0.0;    ///< by so much [length]
-  bool pulls = false;     ///< it has touched and may not part
-};
-
-namespace {
-
-/// Whether a point projects inside a face.
-bool is_over(const MovingFace& face, const Eigen::Vector3d& x) {
-  const auto point = project_onto_face(face.x, face.is_triangle, x);
-  return point && point->edge < 0;
-}
-
-}  // namespace
-
-/// The few faces that a node is near to. More than fit are left out, the ones found last.
-struct NodeFaceContacts::NearFaces {
-  static constexpr std::size_t max_faces = 16;
-
-  std::array<NearFace, max_faces> all;
-  std::size_t n = 0;
-
-  void add(const NearFace& near_face) {
-    if (n < max_faces) all[n++] = near_face;
-  }
-  auto begin() { return all.begin(); }
-  auto end() { return all.begin() + static_cast<std::ptrdiff_t>(n); }
-};
-
-/// The node stands over the plane of the face, which counts as if the node were over the face.
-void NodeFaceContacts::stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
-                                      NearFace& near_face) {
-  const PlanePoint found = project_onto_plane(face, x);
-  near_face.weights = found.weights;
-  near_face.beyond = found.beyond;
-  near_face.point.normal = found.normal;
-  near_face.point.gap = found.gap - radius;
-  near_face.distance = std::abs(found.gap);
-}
-
-void NodeFaceContacts::choose_planes(NearFaces& near_faces) {
-  const auto comes_first = [&](const NearFace& other, const NearFace& plane) {
-    if (&other == &plane || other.pair != plane.pair) return false;
-    if (!(other.point.normal.dot(plane.point.normal) > NodeHistory::same_wall)) return false;
-    if (!other.is_plane) return true;
-    return other.beyond < plane.beyond || (other.beyond == plane.beyond && other.face < plane.face);
-  };
-  const NearFaces all = near_faces;
-  near_faces.n = 0;
-  for (std::size_t i = 0; i < all.n; ++i) {
-    const NearFace& one = all.all[i];
-    const auto end = all.all.begin() + static_cast<std::ptrdiff_t>(all.n);
-    const bool gives_way = one.is_plane && std::any_of(all.all.begin(), end, [&](const NearFace& other) {
-                             return comes_first(other, one);
-                           });
-    if (!gives_way) near_faces.add(one);
-  }
-}
-
-void NodeFaceContacts::find_candidates(ContactSearch& search, const ContactKinematics& kinematics,
-                                       const Motion& motion) {
-  search.find_node_faces(kinematics, motion, depths(), candidates_);
-  if (search.keeps_first_partners() && search.n_searches() == 0)
-    start_partners_.begin_nodes(kinematics, rules_, candidates_);
-  if (!start_partners_.empty()) candidates_ = start_partners_.united_with(rules_, candidates_);
-}
-
-void NodeFaceContacts::watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const {
-  for (const SurfaceNodeIndex row : candidates_.rows()) {
-    if (candidates_.of(row).empty()) continue;
-    for (const FaceIndex own : contact_mesh_.faces_of_node.of(contact_mesh_.surface_nodes[row].node))
-      is_watched[own] = 1;
-    for (const FaceIndex face : candidates_.of(row)) {
-      is_watched[face] = 1;
-      for (const std::uint32_t corner : contact_mesh_.faces[face].corners) {
-        for (const FaceIndex neighbour : contact_mesh_.faces_of_node.of(corner)) is_watched[neighbour] = 1;
-      }
-    }
-  }
-}
-
-void NodeFaceContacts::mark_close(const ContactStepContext& context, double size_share,
-                                  PairRules& rules) const {
-  for (const NearPair& near : find_near_pairs(context, {}, candidates_, size_share, is_hybrid)) {
-    // A rim is as near to the sides of the other body as to what it looks at.
-    if (near.is_facing) rules.mark_close_node(near.pair, near.row());
-  }
-}
-
-void NodeFaceContacts::add_start_gaps(const ContactStepContext& context, FoundStartGaps& gaps) const {
-  for (const SurfaceNodeIndex row : candidates_.rows()) {
-    const auto gap = find_start_gap(context.kinematics, context.rules, row, candidates_.of(row));
-    if (gap && context.rules.gap_offsets().needs_start(gap->pair)) gaps.nodes.push_back(*gap);
-  }
-}
-
-void NodeFaceContacts::remap(const ContactRemap& remap) {
-  std::vector<std::size_t> before;
-  candidates_ = transferred(candidates_, remap.rows, remap.faces, remap.n_rows_after, before);
-  history_.remap(remap);
-  released_ = start_partners_.remap(remap.rows, remap.faces, remap.n_rows_after);
-}
-
-void NodeFaceContacts::archive(StateArchive& saved) {
-  contactsim::archive("contact/node_pairs", candidates_, saved);
-  history_.archive(saved);
-  start_partners_.archive("contact/start_nodes", saved);
-}
 
 void NodeFaceContacts::detect(const ContactStepContext& context, CandidateRows rows,
                               std::vector<ContactPoint>& points) const {
@@ -231,10 +110,8 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
   const MovingFace moving = context.kinematics.face(face_index);
   const SmoothFace* round = contact_mesh_.smooth_faces.find(rule.pair->smoothing, face_index);
   const auto point = project_sphere(moving.x, moving.is_triangle, round, x, node.radius);
-  near_face.is_plane = keeps_plane && !is_over(moving, x);
-  if (near_face.is_plane) {
-    stand_on_plane(moving, x, node.radius, near_face);
-  } else {
+  near_face.is_plane = keeps_plane && stand_on_plane(moving, x, node.radius, near_face);
+  if (!near_face.is_plane) {
     if (!point) return;
     near_face.point = *point;
     near_face.distance = std::abs(point->gap + node.radius) + point->beyond;
@@ -308,56 +185,6 @@ bool NodeFaceContacts::projects_inside(const ContactStepContext& context, FaceIn
       allowed += std::max(0.0, -near_face.point.gap);
   }
   return near_face.point.beyond <= allowed;
-}
-
-/// A node right behind an edge or a corner projects inside all its faces alike. Choosing one would push it
-/// aside, and which one it is would be chance: they share the node. Faces that lie in one plane need not.
-/// Returns how many faces, the first ones, share it.
-std::size_t NodeFaceContacts::share_at_edge(double thickness, NearFaces& near_faces) {
-  constexpr double alike = 1e-6, alike_over_thickness = 1e-4, one_plane = 1.0 - 1e-13;
-  const ClosestPoint& first = near_faces.all[0].point;
-  const double farthest = (1.0 + alike) * near_faces.all[0].distance + alike_over_thickness * thickness;
-  std::size_t n = 1;
-  for (std::size_t i = 1; i < near_faces.n; ++i) {
-    const ClosestPoint& point = near_faces.all[i].point;
-    const double cosine = first.normal.dot(point.normal);
-    const bool is_farther = near_faces.all[i].distance > farthest;
-    if (cosine < NodeHistory::same_wall || cosine > one_plane || is_farther) continue;
-    std::swap(near_faces.all[i], near_faces.all[n++]);
-  }
-  for (std::size_t i = 0; i < n; ++i) near_faces.all[i].share = 1.0 / static_cast<double>(n);
-  return n;
-}
-
-void NodeFaceContacts::choose(const ContactStepContext& context, SurfaceNodeIndex row,
-                              const NodeHistory& node_history, NearFaces& near_faces) const {
-  const bool is_sphere = contact_mesh_.surface_nodes[row].radius > 0.0f;
-  const auto went_in_here = [&](const NearFace& near_face) {
-    return node_history.knows(near_face.point.normal);
-  };
-  // Faces on the side of the last step first, then the nearest, then those over which the node stands.
-  std::stable_sort(near_faces.begin(), near_faces.end(), [&](const NearFace& a, const NearFace& b) {
-    const bool a_in = went_in_here(a), b_in = went_in_here(b);
-    if (a_in != b_in) return a_in;
-    return a.distance < b.distance;
-  });
-  std::size_t n_chosen =
-      share_at_edge(contact_mesh_.faces[near_faces.all[0].face].penalty_properties.thickness, near_faces);
-  for (std::size_t i = n_chosen, n_walls = 1; i < near_faces.n && n_walls < max_walls; ++i) {
-    const NearFace& near_face = near_faces.all[i];
-    const auto is_other_wall = [&](const NearFace& chosen) {
-      const FaceBound &wall = context.kinematics.bound(chosen.face),
-                      &other = context.kinematics.bound(near_face.face);
-      const double cosine = chosen.point.normal.dot(near_face.point.normal);
-      // Of a hollow: each wall stands in front of the other. A sphere fills a narrow one, too.
-      return cosine < NodeHistory::same_wall && (is_sphere || cosine > -NodeHistory::same_wall) &&
-             wall.is_in_front(other.centre()) && other.is_in_front(wall.centre());
-    };
-    if (std::all_of(near_faces.begin(), near_faces.begin() + static_cast<std::ptrdiff_t>(n_chosen),
-                    is_other_wall))
-      near_faces.all[n_chosen++] = near_face, ++n_walls;
-  }
-  near_faces.n = n_chosen;
 }
 
 /// The node's share in what both ways of the pair do together. To forces along the gap that only the sum of

@@ -79,7 +79,9 @@ class NodeFaceContacts {
                           const NearFace& near_face, double depth) const;
   bool projects_inside(const ContactStepContext& context, FaceIndex face, const NearFace& near_face) const;
   static std::size_t share_at_edge(double thickness, NearFaces& near_faces);
-  static void stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
+  /// Puts the node over the plane of a face, which counts as if it were over the face; false where it is over
+  /// the face.
+  static bool stand_on_plane(const MovingFace& face, const Eigen::Vector3d& x, double radius,
                              NearFace& near_face);
   /// Leaves the plane of a face out where the node stands over another face of the same wall, or nearer to
   /// it.
