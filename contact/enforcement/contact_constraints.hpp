@@ -89,8 +89,14 @@ class ContactConstraints {
     double softness = 0.0;                           // slip per force, as of the normal [length/force]
   };
 
+  /// Calls visit(group, row) for each point, in their order.
   template <class Visit>
-  void visit_rows(const Visit& visit) const;
+  void visit_rows(const Visit& visit) const {
+    for (const Group& group : groups_) {
+      for (std::uint32_t row = group.first_row; row < group.first_row + group.n_rows; ++row)
+        visit(group, row);
+    }
+  }
   bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
   void take_over(const ContactPoint& contact_point, double allowed, Row& row);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "contact/enforcement/contact_setup.hpp"
+#include "contact/enforcement/narrow_phase.hpp"
 #include "contact/formulations/contact_formulations.hpp"
 #include "contact/search/contact_search.hpp"
-#include "core/base/threads.hpp"
 
 namespace contactsim {
 
@@ -89,55 +88,15 @@ class ContactDetection {
   void archive(StateArchive& saved);
 
  private:
-  template <class F, class Take>
-  void visit_points_of(F& formulation, const ContactStepContext& context, const Take& take);
-  template <class F, class Take>
-  void detect_in_chunks(F& formulation, const ContactStepContext& context, const Take& take);
-
   const ContactSetup& setup_;
   const ContactMesh& contact_mesh_;
   const PairRules& rules_;
   ContactSearch search_;
   ContactFormulations formulations_;
+  NarrowPhase narrow_phase_;
   DecayingConstraints decaying_;
-  bool has_new_surfaces_ = false;                  // a search has to follow
-  std::vector<std::vector<ContactPoint>> chunks_;  // scratch of each thread
-  std::vector<ContactPoint> all_points_;           // scratch
+  bool has_new_surfaces_ = false;  // a search has to follow
 };
-
-/// Detects contact points chunk by chunk on all threads. They are taken in order while other threads work on
-/// later chunks.
-template <class F, class Take>
-void ContactDetection::detect_in_chunks(F& formulation, const ContactStepContext& context, const Take& take) {
-  const std::size_t n_rows = formulation.n_rows();
-  const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
-  const int n_threads = threads_for(n_rows * 10);
-  chunks_.resize(std::max(chunks_.size(), static_cast<std::size_t>(n_threads)));
-#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(n_threads)
-  for (std::size_t i = 0; i < n_chunks; ++i) {
-    std::vector<ContactPoint>& points = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
-    points.clear();
-    const CandidateRows rows{i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows)};
-    formulation.detect(context, rows, points);
-#pragma omp ordered
-    {
-      formulation.update(context, rows, points);
-      for (const ContactPoint& point : points) take(point);
-    }
-  }
-}
-
-template <class F, class Take>
-void ContactDetection::visit_points_of(F& formulation, const ContactStepContext& context, const Take& take) {
-  if constexpr (requires { formulation.complete(context, std::span(all_points_)); }) {
-    all_points_.clear();
-    detect_in_chunks(formulation, context, [&](const ContactPoint& point) { all_points_.push_back(point); });
-    formulation.complete(context, std::span(all_points_));
-    for (const ContactPoint& point : all_points_) take(point);
-  } else {
-    detect_in_chunks(formulation, context, take);
-  }
-}
 
 template <class Take>
 std::vector<ContactPoint> ContactDetection::visit_points(const ContactStepContext& context,
@@ -149,7 +108,7 @@ std::vector<ContactPoint> ContactDetection::visit_points(const ContactStepContex
     if (may_glue && rules_.of(point).law == ContactLaw::glued) to_glue.push_back(point);
   };
   for_each_of_points(formulations_,
-                     [&](auto& formulation) { visit_points_of(formulation, context, take_one); });
+                     [&](auto& formulation) { narrow_phase_.visit_points(formulation, context, take_one); });
   return to_glue;
 }
 
