@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/run/energy_watch.hpp"
+#include "app/run/reach_warnings.hpp"
 #include "app/run/smoothing_warnings.hpp"
 #include "app/run/start_overlap.hpp"
 #include "app/run/start_warnings.hpp"

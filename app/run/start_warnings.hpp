@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "contact/enforcement/contact_force.hpp"
@@ -10,6 +11,9 @@
 #include "core/base/diagnostics.hpp"
 
 namespace contactsim {
+
+/// The names of a pair's surfaces: "a to b".
+std::string names_of(const SurfacePair& pair, const ContactModel& contact);
 
 /// Ties of a pair of surfaces.
 struct TiedArea {
@@ -39,13 +43,6 @@ void warn_of_partial_ties(const ContactForce& force, const TiedContact& tied, Di
 /// Warns of lines of the elastic penalty on pairs that are enforced by momentum balance, or by a pressure of
 /// their own.
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings);
-
-/// Warns of lines about reach that do nothing: of CAPTURE TOLERANCE where a law holds nothing
-/// ("capture-without-effect"), of SEARCH DISTANCE within which nothing is ("search-distance-empty"); and of
-/// INFINITESIMAL_SLIDING of sides that are not near each other, and so never meet ("no-start-partner"), or
-/// whose SIDE B is the larger one ("small-sliding-sides").
-void warn_of_reach(const ContactForce& force, const ContactModel& contact,
-                   const ContactDefinition& definition, Diagnostics& warnings);
 
 /// Warns of lines about gaps that do nothing, because the pair only ties ("gap-without-effect") or nothing
 /// was near at the start ("clearance-empty"), and of a clearance that counts for sides farther apart than a
