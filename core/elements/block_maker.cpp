@@ -47,15 +47,19 @@ std::optional<ModelBlock> BlockMaker::make(Family family, std::uint32_t index,
   return is_thin ? make_lines(index, parameters) : make_solids(index, parameters);
 }
 
-std::optional<ModelBlock> BlockMaker::make_cohesive(std::uint32_t index, const BlockParameters& parameters) {
+BlockMaker::BlockMaterial BlockMaker::find_material(const BlockParameters& parameters) {
   if (!parameters.material || !parameters.model) {
     add_error(parameters.location,
               fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
-    return std::nullopt;
+    return {};
   }
   const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
-  const MaterialModel* model = material ? find_model(*material, parameters.model->text) : nullptr;
-  if (model == nullptr) return std::nullopt;  // the binder has said so
+  return {material, material ? find_model(*material, parameters.model->text) : nullptr};
+}
+
+std::optional<ModelBlock> BlockMaker::make_cohesive(std::uint32_t index, const BlockParameters& parameters) {
+  const auto [material, model] = find_material(parameters);
+  if (model == nullptr) return std::nullopt;
   const SectionDefinition& section = *find_section(definition_, parameters);
   const auto law = make_traction_law(*model, diagnostics_);
   if (!law) return std::nullopt;
@@ -180,14 +184,8 @@ void BlockMaker::refuse_shape(const Topology& shape, const BlockParameters& para
 
 std::optional<ElementProperties> BlockMaker::make_properties(const BlockParameters& parameters,
                                                              const SolidSection* section) {
-  if (!parameters.material || !parameters.model) {
-    add_error(parameters.location,
-              fmt::format("{} has no {}", block_name_, parameters.material ? "MODEL" : "MATERIAL"), "");
-    return std::nullopt;
-  }
-  const MaterialDefinition* material = find_by_name(definition_.materials, parameters.material->text);
-  const MaterialModel* model = material ? find_model(*material, parameters.model->text) : nullptr;
-  if (model == nullptr) return std::nullopt;  // the binder has said so
+  const auto [material, model] = find_material(parameters);
+  if (model == nullptr) return std::nullopt;
   if (parameters.effective_moduli_model != EffectiveModuliModel::elastic) {
     diagnostics_.add_warning("effective-moduli", parameters.location,
                              fmt::format("{}: EFFECTIVE MODULI MODEL has no effect", block_name_),

@@ -14,6 +14,8 @@
 
 namespace contactsim {
 
+struct MaterialModel;
+
 /// Builds the blocks of a model, one after another, and collects what is wrong with them: blocks without
 /// material, with one that is not supported, with elements or formulations that are not, with elements of no
 /// volume.
@@ -32,6 +34,12 @@ class BlockMaker {
  private:
   using Made = std::optional<ModelBlock>;
 
+  /// What a block names; the model is null where there is none, which errors of the deck tell.
+  struct BlockMaterial {
+    const MaterialDefinition* material = nullptr;
+    const MaterialModel* model = nullptr;
+  };
+  BlockMaterial find_material(const BlockParameters& parameters);
   Made make(Family family, std::uint32_t index, const BlockParameters& parameters);
   Made make_lines(std::uint32_t index, const BlockParameters& parameters);
   Made make_solids(std::uint32_t index, const BlockParameters& parameters);

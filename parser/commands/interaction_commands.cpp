@@ -87,14 +87,12 @@ void check_gap(const PairSettings& pair, DeckNames& names) {
                              "the clearance is the gap that counts: leave the offset out");
 }
 
-void read_gap_closure(Arguments& arguments, PairSettings& pair) {
-  pair.gap_closure.emplace();
-  if (!arguments.accept("auto")) pair.gap_closure->given = arguments.non_negative();
-}
-
-void read_search_distance(Arguments& arguments, PairSettings& pair) {
-  pair.search_distance.emplace();
-  if (!arguments.accept("auto")) pair.search_distance->given = arguments.non_negative();
+/// Reads AUTO, or a length.
+template <auto setting>
+void read_length_or_auto(Arguments& arguments, PairSettings& pair) {
+  auto& length = pair.*setting;
+  length.emplace();
+  if (!arguments.accept("auto")) length->given = arguments.non_negative();
 }
 
 /// Which nodes are moved onto the other side before the first step.
@@ -102,7 +100,7 @@ std::vector<Row<PairSettings>> adjustment_rows() {
   using P = PairSettings;
   return {
       row<P>(
-          "gap closure tolerance", "= {AUTO|<real >= 0>}", read_gap_closure,
+          "gap closure tolerance", "= {AUTO|<real >= 0>}", read_length_or_auto<&P::gap_closure>,
           "Nodes of SIDE B, of both sides without one, that are no farther in front of the other side, or "
           "behind it, are moved onto it before the first step, without strain [length]. AUTO is 0.05 of the "
           "mean edge of the faces; contactsim's own line",
@@ -155,7 +153,7 @@ std::vector<Row<PairSettings>> meeting_rows() {
           "has the distance itself [length]; contactsim's own line",
           "automatic: a share of the face")
           .or_spelled("tracking thickness"),
-      row<P>("search distance", "= {AUTO|<real >= 0>}", read_search_distance,
+      row<P>("search distance", "= {AUTO|<real >= 0>}", read_length_or_auto<&P::search_distance>,
              "Nodes and faces of SIDE B that are farther from the other side at the start are never looked "
              "at; without sides, pairs of which both are farther [length]. AUTO is two mean edges of the "
              "faces. What element death exposes is always looked at; contactsim's own line",
