@@ -55,6 +55,13 @@ std::string general(const std::string& model, const std::string& surfaces = "ski
   return surfaces + "begin interaction defaults\ngeneral contact = on\nfriction model = " + model + "\nend\n";
 }
 
+/// The pair of the blocks.
+std::string pair(const std::string& lines) {
+  return "contact surface low contains block_1\ncontact surface high contains block_2\n"
+         "begin interaction\nsurfaces = low high\n" +
+         lines + "end\n";
+}
+
 Mesh crossed_rods() {
   return MeshBuilder()
       .add_beams({.id = 1, .cells = 3, .from = {-1, 0.05, 0}, .to = {1, 0.05, 0}})
@@ -66,6 +73,13 @@ Mesh block_on_block() {
   return MeshBuilder()
       .add_hexes({.id = 1, .cells = {2, 2, 2}})
       .add_hexes({.id = 2, .cells = {3, 3, 2}, .origin = {0, 0, 1}, .share_nodes = false})
+      .build();
+}
+
+Mesh blocks_apart(double gap) {
+  return MeshBuilder()
+      .add_hexes({.id = 1, .cells = {2, 2, 2}})
+      .add_hexes({.id = 2, .cells = {2, 2, 2}, .origin = {0, 0, 1.0 + gap}, .share_nodes = false})
       .build();
 }
 
@@ -113,33 +127,19 @@ TEST_CASE("tied solids, and a rod tied to a solid, are nothing to tell", "[app][
 }
 
 TEST_CASE("lines about gaps that do nothing are told", "[app][gaps]") {
-  const auto pair = [](const std::string& lines) {
-    return "contact surface low contains block_1\ncontact surface high contains block_2\n"
-           "begin interaction\nsurfaces = low high\n" +
-           lines + "end\n";
-  };
-  const auto apart = [](double gap) {
-    return MeshBuilder()
-        .add_hexes({.id = 1, .cells = {2, 2, 2}})
-        .add_hexes({.id = 2, .cells = {2, 2, 2}, .origin = {0, 0, 1.0 + gap}, .share_nodes = false})
-        .build();
-  };
-  CHECK_THAT(warnings_of(apart(0.0), pair("friction model = tied\ncontact offset = 0.1\n")),
+  CHECK_THAT(warnings_of(blocks_apart(0.0), pair("friction model = tied\ncontact offset = 0.1\n")),
              Contains("[gap-without-effect]"));
-  CHECK_THAT(warnings_of(apart(3.0), pair("initial clearance = 0.1\n")), Contains("[clearance-empty]"));
-  CHECK_THAT(warnings_of(apart(1.0), pair("initial clearance = 0.1\nnormal tolerance = 2\n")),
+  CHECK_THAT(warnings_of(blocks_apart(3.0), pair("initial clearance = 0.1\n")),
+             Contains("[clearance-empty]"));
+  CHECK_THAT(warnings_of(blocks_apart(1.0), pair("initial clearance = 0.1\nnormal tolerance = 2\n")),
              Contains("[clearance-far]"));
-  const std::string sound = warnings_of(apart(0.01), pair("initial clearance = 0.1\n"));
+  const std::string sound = warnings_of(blocks_apart(0.01), pair("initial clearance = 0.1\n"));
   CHECK_THAT(sound, !Contains("clearance-") && !Contains("gap-without-effect"));
 }
 
 TEST_CASE("lines about separation, sides and stiffness that do nothing are told", "[app][sides]") {
   const auto told = [](const std::string& lines, const std::string& models = "") {
-    return warnings_of(block_on_block(), models +
-                                             "contact surface low contains block_1\n"
-                                             "contact surface high contains block_2\n"
-                                             "begin interaction\nsurfaces = low high\n" +
-                                             lines + "end\n");
+    return warnings_of(block_on_block(), models + pair(lines));
   };
   CHECK_THAT(told("sides = top\n"),
              Contains("no shell has the side that it names") && Contains("[sides-without-shells]"));
@@ -177,26 +177,18 @@ TEST_CASE("a tie of side sets that leaves a part of both free is told", "[app][t
 }
 
 TEST_CASE("lines about reach that do nothing are told", "[app][reach]") {
-  const auto pair = [](const std::string& lines) {
-    return "contact surface low contains block_1\ncontact surface high contains block_2\n"
-           "begin interaction\nsurfaces = low high\n" +
-           lines + "end\n";
-  };
-  const auto apart = [](double gap) {
-    return MeshBuilder()
-        .add_hexes({.id = 1, .cells = {2, 2, 2}})
-        .add_hexes({.id = 2, .cells = {2, 2, 2}, .origin = {0, 0, 1.0 + gap}, .share_nodes = false})
-        .build();
-  };
-  CHECK_THAT(warnings_of(apart(0.05), pair("capture tolerance = 0.1\n")),
+  CHECK_THAT(warnings_of(blocks_apart(0.05), pair("capture tolerance = 0.1\n")),
              Contains("[capture-without-effect]") && Contains("'frictionless' holds nothing"));
-  CHECK_THAT(warnings_of(apart(0.05), pair("capture tolerance = 0.1\nfriction model = tied\n")),
+  CHECK_THAT(warnings_of(blocks_apart(0.05), pair("capture tolerance = 0.1\nfriction model = tied\n")),
              !Contains("capture-without-effect"));
-  CHECK_THAT(warnings_of(apart(0.5), pair("search distance = 0.4\n")), Contains("[search-distance-empty]"));
-  CHECK_THAT(warnings_of(apart(0.5), pair("search distance = 0.6\n")), !Contains("search-distance-empty"));
+  CHECK_THAT(warnings_of(blocks_apart(0.5), pair("search distance = 0.4\n")),
+             Contains("[search-distance-empty]"));
+  CHECK_THAT(warnings_of(blocks_apart(0.5), pair("search distance = 0.6\n")),
+             !Contains("search-distance-empty"));
   const std::string small = "interaction behavior = infinitesimal_sliding\n";
-  CHECK_THAT(warnings_of(apart(0.5), pair(small)), Contains("[no-start-partner]"));
-  CHECK_THAT(warnings_of(apart(0.5), pair(small + "search distance = 0.6\n")), !Contains("no-start-partner"));
+  CHECK_THAT(warnings_of(blocks_apart(0.5), pair(small)), Contains("[no-start-partner]"));
+  CHECK_THAT(warnings_of(blocks_apart(0.5), pair(small + "search distance = 0.6\n")),
+             !Contains("no-start-partner"));
 }
 
 TEST_CASE("nodes that no tie reaches are listed and make a node set of the results", "[app][ties]") {

@@ -2,8 +2,8 @@
 // CONTACT OFFSET, INITIAL CLEARANCE, IGNORE INITIAL OVERLAP and OVERLAP RAMP TIME, as forces.
 #include "contact/enforcement/contact_force.hpp"
 #include "support/catch.hpp"
-#include "support/contact_bodies.hpp"
 #include "support/lofted_meshes.hpp"
+#include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -11,20 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-const std::string stiff = "penalty stiffness = 1e4\n", node_face = "constraint formulation = node_face\n";
-
-std::string formulation() { return GENERATE(std::string(), node_face); }
-
-/// A unit cube above another one.
-MeshBuilder two_cubes(double gap, int n = 1) {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {n, n, n}, .size = {1, 1, 1}});
-  return b.add_hexes(
-      {.id = 2, .cells = {n, n, n}, .origin = {0, 0, 1.0 + gap}, .size = {1, 1, 1}, .share_nodes = false});
-}
-
-/// The force that lifts the upper cube.
-double lift(const ContactBodies& bodies) { return bodies.force_on(1).z(); }
+const std::string stiff = "penalty stiffness = 1e4\n";
 
 /// Moves a block in many steps.
 void move(ContactBodies& bodies, std::size_t block, const Vector3d& way) {
@@ -44,13 +31,13 @@ double lift_after(ContactBodies& bodies, const Vector3d& way) {
 
 TEST_CASE("a contact offset is taken off every gap", "[contact][contact_force][gaps]") {
   const std::string line = stiff + "contact offset = 0.04\n" + formulation();
-  ContactBodies near(two_cubes(0.03), general_contact(line));
+  ContactBodies near(stacked_cubes(0.03), general_contact(line));
   near.ask();
   CHECK(lift(near) == Approx(100.0));
   CHECK(near.net_force().norm() < 1e-10);
   CHECK(near.net_moment().norm() < 1e-10);
 
-  ContactBodies far(two_cubes(0.1), general_contact(line));
+  ContactBodies far(stacked_cubes(0.1), general_contact(line));
   far.ask();
   CHECK(lift(far) == 0.0);
   CHECK(lift_after(far, {0, 0, -0.0599}) == 0.0);
@@ -58,32 +45,33 @@ TEST_CASE("a contact offset is taken off every gap", "[contact][contact_force][g
 }
 
 TEST_CASE("a negative contact offset lets sides overlap by it", "[contact][contact_force][gaps]") {
-  ContactBodies bodies(two_cubes(-0.03), general_contact(stiff + "contact offset = -0.02\n" + formulation()));
+  ContactBodies bodies(stacked_cubes(-0.03),
+                       general_contact(stiff + "contact offset = -0.02\n" + formulation()));
   bodies.ask();
   CHECK(lift(bodies) == Approx(100.0));
 }
 
 TEST_CASE("an initial clearance counts whatever the mesh says", "[contact][contact_force][gaps]") {
   const std::string more = stiff + formulation();
-  ContactBodies wider(two_cubes(0.003), general_contact(more + "initial clearance = 0.01\n"));
+  ContactBodies wider(stacked_cubes(0.003), general_contact(more + "initial clearance = 0.01\n"));
   wider.ask();
   CHECK(lift(wider) == 0.0);
   CHECK(lift_after(wider, {0, 0, -0.0099}) == 0.0);
   CHECK(lift_after(wider, {0, 0, -0.0011}) == Approx(10.0));
 
-  ContactBodies narrower(two_cubes(0.2), general_contact(more + "initial clearance = 0.01\n"));
+  ContactBodies narrower(stacked_cubes(0.2), general_contact(more + "initial clearance = 0.01\n"));
   narrower.ask();
   CHECK(lift(narrower) == 0.0);
   CHECK(lift_after(narrower, {0, 0, -0.011}) == Approx(10.0));
 
-  ContactBodies overlapping(two_cubes(0.003), general_contact(more + "initial clearance = -0.001\n"));
+  ContactBodies overlapping(stacked_cubes(0.003), general_contact(more + "initial clearance = -0.001\n"));
   overlapping.ask();
   CHECK(lift(overlapping) == Approx(10.0));
 }
 
 TEST_CASE("an ignored overlap of the start pushes only by what closes further",
           "[contact][contact_force][gaps]") {
-  ContactBodies bodies(two_cubes(-0.01, 2),
+  ContactBodies bodies(stacked_cubes(-0.01, 2),
                        general_contact(stiff + "ignore initial overlap = on\n" + formulation()));
   bodies.ask();
   CHECK(bodies.force_size() == 0.0);
@@ -94,7 +82,7 @@ TEST_CASE("an ignored overlap of the start pushes only by what closes further",
 }
 
 TEST_CASE("a wedge of overlap that is ignored pushes nowhere", "[contact][contact_force][gaps]") {
-  ContactBodies bodies(two_cubes(0.0, 4),
+  ContactBodies bodies(stacked_cubes(0.0, 4),
                        general_contact(stiff + "ignore initial overlap = on\n" + formulation()));
   const Eigen::RowVectorXd down = 0.05 * bodies.x.row(0);
   for (Eigen::Index i = 125; i < bodies.x.cols(); ++i) bodies.x(2, i) -= down[i];
@@ -105,7 +93,7 @@ TEST_CASE("a wedge of overlap that is ignored pushes nowhere", "[contact][contac
 }
 
 TEST_CASE("overlaps of the start come in over their ramp", "[contact][contact_force][gaps]") {
-  ContactBodies bodies(two_cubes(-0.01, 2),
+  ContactBodies bodies(stacked_cubes(-0.01, 2),
                        general_contact(stiff + "overlap ramp time = 0.1\n" + formulation()));
   bodies.ask();
   CHECK(bodies.force_size() == 0.0);

@@ -4,6 +4,7 @@
 #include "support/catch.hpp"
 #include "support/law_bodies.hpp"
 #include "support/lofted_meshes.hpp"
+#include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -27,16 +28,6 @@ std::string any_form() {
 std::string pressed(const std::string& model, const std::string& more = any_form()) {
   return general_contact("friction model = p\n" + more + "end\n" + model);
 }
-
-/// A unit cube above another one.
-MeshBuilder two_cubes(double gap, int n = 1) {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {n, n, n}, .size = {1, 1, 1}});
-  return b.add_hexes(
-      {.id = 2, .cells = {n, n, n}, .origin = {0, 0, 1.0 + gap}, .size = {1, 1, 1}, .share_nodes = false});
-}
-
-double lift(const ContactBodies& bodies) { return bodies.force_on(1).z(); }
 
 /// A bounce of the upper body, as if rigid, off the lower one that is held.
 struct Bounce {
@@ -67,47 +58,47 @@ Bounce bounce(ContactBodies& bodies, double speed, double mass, double dt) {
 
 TEST_CASE("a pressure function presses by the overclosure", "[contact][contact_force][pressure]") {
   const std::string deck = pressed(by_function);
-  ContactBodies shallow(two_cubes(-0.01), deck, stiffening);
+  ContactBodies shallow(stacked_cubes(-0.01), deck, stiffening);
   shallow.ask();
   CHECK(lift(shallow) == Approx(200.0));
   CHECK(shallow.contact.stored() == Approx(1.0));
   CHECK(shallow.net_force().norm() < 1e-10);
   CHECK(shallow.net_moment().norm() < 1e-10);
-  ContactBodies deeper(two_cubes(-0.015, 2), deck, stiffening);
+  ContactBodies deeper(stacked_cubes(-0.015, 2), deck, stiffening);
   deeper.ask();
   CHECK(lift(deeper) == Approx(600.0));
   CHECK(deeper.contact.stored() == Approx(3.0));
-  ContactBodies apart(two_cubes(0.001), deck, stiffening);
+  ContactBodies apart(stacked_cubes(0.001), deck, stiffening);
   apart.ask();
   CHECK(lift(apart) == 0.0);
 }
 
 TEST_CASE("soft contact begins before touch", "[contact][contact_force][pressure]") {
   const std::string form = any_form();
-  ContactBodies table(two_cubes(0.005), pressed(by_function, form),
+  ContactBodies table(stacked_cubes(0.005), pressed(by_function, form),
                       line_function("f", "-0.01 0\n0 100\n0.01 300\n"));
   table.ask();
   CHECK(lift(table) == Approx(50.0));
   CHECK(table.contact.stored() == Approx(0.125));
   CHECK(table.contact.points()[0].open_gap() == Approx(0.005));
   CHECK(table.contact.pair_steps()[PairIndex{0}].penetration == 0.0);
-  ContactBodies curve(two_cubes(0.0), pressed(exponential, form));
+  ContactBodies curve(stacked_cubes(0.0), pressed(exponential, form));
   curve.ask();
   CHECK(lift(curve) == Approx(100.0));
-  ContactBodies open(two_cubes(0.0101), pressed(exponential, form));
+  ContactBodies open(stacked_cubes(0.0101), pressed(exponential, form));
   open.ask();
   CHECK(lift(open) == 0.0);
-  ContactBodies half(two_cubes(0.005), pressed(exponential, form));
+  ContactBodies half(stacked_cubes(0.005), pressed(exponential, form));
   half.ask();
   CHECK(lift(half) == Approx(18.877).epsilon(1e-4));
 }
 
 TEST_CASE("gaps are offset before a pressure counts them", "[contact][contact_force][pressure]") {
-  ContactBodies offset(two_cubes(0.03), pressed(by_function, "contact offset = 0.04\n" + any_form()),
+  ContactBodies offset(stacked_cubes(0.03), pressed(by_function, "contact offset = 0.04\n" + any_form()),
                        stiffening);
   offset.ask();
   CHECK(lift(offset) == Approx(200.0));
-  ContactBodies clear(two_cubes(0.003), pressed(by_function, "initial clearance = -0.015\n" + any_form()),
+  ContactBodies clear(stacked_cubes(0.003), pressed(by_function, "initial clearance = -0.015\n" + any_form()),
                       stiffening);
   clear.ask();
   CHECK(lift(clear) == Approx(600.0));
@@ -129,7 +120,7 @@ TEST_CASE("a bounce off a pressure function keeps its energy", "[contact][contac
                     1.0});
   const std::string form = any_form();
   CAPTURE(model, function, speed, form);
-  ContactBodies bodies(two_cubes(0.11), pressed(model, form), function);
+  ContactBodies bodies(stacked_cubes(0.11), pressed(model, form), function);
   const Bounce found = bounce(bodies, speed, 10.0, 2e-3);
   CHECK(found.speed == Approx(speed).epsilon(0.02));
   CHECK(std::abs(bodies.contact.histories()[PairIndex{0}].made()) < 0.02 * 5.0 * speed * speed);
@@ -138,7 +129,7 @@ TEST_CASE("a bounce off a pressure function keeps its energy", "[contact][contac
 TEST_CASE("friction goes with the pressure, and its spring bears the step",
           "[contact][contact_force][pressure]") {
   ContactBodies bodies(
-      two_cubes(-0.01),
+      stacked_cubes(-0.01),
       pressed(by_function + "friction coefficient = 0.3\n", "penalty stiffness = 1e5\n" + any_form()),
       stiffening);
   bodies.ask();
@@ -151,7 +142,7 @@ TEST_CASE("friction goes with the pressure, and its spring bears the step",
 
 TEST_CASE("the stable step is that of the slope at the depth to come", "[contact][contact_force][pressure]") {
   const auto step_of = [](const std::string& values) {
-    ContactBodies bodies(two_cubes(-0.001), pressed(by_function, ""), line_function("f", values));
+    ContactBodies bodies(stacked_cubes(-0.001), pressed(by_function, ""), line_function("f", values));
     return bodies.ask().stable_step;
   };
   const double soft = step_of("0 0\n1 1e3\n"), stiff = step_of("0 0\n1 1e5\n");

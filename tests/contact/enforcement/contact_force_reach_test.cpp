@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "support/catch.hpp"
-#include "support/contact_bodies.hpp"
 #include "support/lofted_meshes.hpp"
+#include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -14,23 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-const std::string stiff = "penalty stiffness = 1e4\n", node_face = "constraint formulation = node_face\n",
-                  tied = "friction model = tied\n", small = "interaction behavior = infinitesimal_sliding\n";
-
-std::string formulation() { return GENERATE(std::string(), node_face); }
-
-/// A unit cube above another one, their edges cut into cells.
-MeshBuilder two_cubes(double gap, int cells = 1, double aside = 0.0) {
-  MeshBuilder b;
-  b.add_hexes({.id = 1, .cells = {cells, cells, cells}, .size = {1, 1, 1}});
-  return b.add_hexes({.id = 2,
-                      .cells = {cells, cells, cells},
-                      .origin = {aside, 0, 1.0 + gap},
-                      .size = {1, 1, 1},
-                      .share_nodes = false});
-}
-
-double lift(const ContactBodies& bodies) { return bodies.force_on(1).z(); }
+const std::string stiff = "penalty stiffness = 1e4\n", tied = "friction model = tied\n",
+                  small = "interaction behavior = infinitesimal_sliding\n";
 
 /// Moves the upper body in many steps.
 void move(ContactBodies& bodies, const Vector3d& way, int n_steps = 200) {
@@ -58,11 +43,11 @@ constexpr double press_on_row = 1e4 * 0.01 * 0.0625;
 }  // namespace
 
 TEST_CASE("a tie reaches as far as CAPTURE TOLERANCE says", "[contact][contact_force][reach]") {
-  ContactBodies near(two_cubes(0.31), general_contact(tied + "capture tolerance = 0.35\n"));
+  ContactBodies near(stacked_cubes(0.31), general_contact(tied + "capture tolerance = 0.35\n"));
   near.ask();
   CHECK(near.contact.ties().size() == 1);
   CHECK(tied_area(near) == Approx(1.0));
-  ContactBodies far(two_cubes(0.31), general_contact(tied + "capture tolerance = 0.30\n"));
+  ContactBodies far(stacked_cubes(0.31), general_contact(tied + "capture tolerance = 0.30\n"));
   far.ask();
   CHECK(far.contact.ties().empty());
 }
@@ -82,7 +67,7 @@ TEST_CASE("a wedge is tied as far as CAPTURE TOLERANCE says", "[contact][contact
 
 TEST_CASE("only the first search reaches for ties", "[contact][contact_force][reach]") {
   // The cubes part; an overhang of contact would be a candidate at every later search.
-  ContactBodies bodies(two_cubes(0.4, 2), general_contact("capture tolerance = 0.5\n" + stiff));
+  ContactBodies bodies(stacked_cubes(0.4, 2), general_contact("capture tolerance = 0.5\n" + stiff));
   bodies.ask();
   CHECK(bodies.contact.n_candidates() == 0);
 }
@@ -95,7 +80,7 @@ TEST_CASE("SEARCH DISTANCE leaves out what is farther at the start", "[contact][
       {"0.2", 0.21, false},
   }));
   const std::string more = "search distance = " + line + "\n" + stiff + formulation();
-  ContactBodies bodies(two_cubes(gap, 4), general_contact(more));
+  ContactBodies bodies(stacked_cubes(gap, 4), general_contact(more));
   bodies.ask();
   move(bodies, {0, 0, -gap - 0.01});
   CHECK(lift(bodies) == Approx(is_found ? 100.0 : 0.0).epsilon(0.03));
@@ -119,7 +104,8 @@ TEST_CASE("what is near at the start is looked at wherever it slides", "[contact
 
 TEST_CASE("an overlap of the start is near, however short SEARCH DISTANCE is",
           "[contact][contact_force][reach]") {
-  ContactBodies bodies(two_cubes(-0.05, 4), general_contact("search distance = 0\n" + stiff + formulation()));
+  ContactBodies bodies(stacked_cubes(-0.05, 4),
+                       general_contact("search distance = 0\n" + stiff + formulation()));
   bodies.ask();
   CHECK(lift(bodies) == Approx(500.0).epsilon(0.03));
 }
@@ -214,7 +200,7 @@ TEST_CASE("a far partner of the start is found by SEARCH DISTANCE",
           "[contact][contact_force][small_sliding]") {
   const bool has_distance = GENERATE(true, false);
   const std::string line = has_distance ? "search distance = 0.6\n" : "";
-  ContactBodies bodies(two_cubes(0.5), general_contact(small + line + stiff + formulation()));
+  ContactBodies bodies(stacked_cubes(0.5), general_contact(small + line + stiff + formulation()));
   bodies.ask();
   move(bodies, {0, 0, -0.51});
   CHECK(lift(bodies) == Approx(has_distance ? 100.0 : 0.0).epsilon(0.01));

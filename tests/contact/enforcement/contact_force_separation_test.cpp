@@ -4,6 +4,7 @@
 #include "core/dynamics/state.hpp"
 #include "support/catch.hpp"
 #include "support/law_bodies.hpp"
+#include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -11,10 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-const std::string held = "penalty stiffness = 1e4\nseparation = off\n",
-                  node_face = "constraint formulation = node_face\n";
-
-std::string formulation() { return GENERATE(std::string(), node_face); }
+const std::string held = "penalty stiffness = 1e4\nseparation = off\n";
 
 /// A unit cube over a plate of 6 x 6 x 1 cells, each 0.5 wide.
 MeshBuilder cube_on_plate(double gap, int n = 1) {
@@ -22,8 +20,6 @@ MeshBuilder cube_on_plate(double gap, int n = 1) {
   b.add_hexes({.id = 1, .cells = {6, 6, 1}, .size = {3, 3, 1}});
   return b.add_hexes({.id = 2, .cells = {n, n, n}, .origin = {0.75, 1.1, 1.0 + gap}, .share_nodes = false});
 }
-
-double lift(const ContactBodies& bodies) { return bodies.force_on(1).z(); }
 
 void move(ContactBodies& bodies, const Vector3d& way, int n_steps = 20) {
   bodies.set_velocity(1, way / n_steps);

@@ -2,8 +2,8 @@
 // SIDES = TOP or BOTTOM: which side of shells takes part in a pair.
 #include "contact/enforcement/contact_force.hpp"
 #include "support/catch.hpp"
-#include "support/contact_bodies.hpp"
 #include "support/lofted_meshes.hpp"
+#include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -11,9 +11,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-const std::string stiff = "penalty stiffness = 1e4\n", node_face = "constraint formulation = node_face\n";
-
-std::string formulation() { return GENERATE(std::string(), node_face); }
+const std::string stiff = "penalty stiffness = 1e4\n";
 
 std::string deck(const std::string& lines) {
   return "skin all blocks = on\nbegin interaction\nside a = block_1\nside b = block_2\n" + lines + "end\n";

@@ -8,7 +8,7 @@
 #include "contact/overlap/start_overlaps.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "support/catch.hpp"
-#include "support/contact_bodies.hpp"
+#include "support/stacked_cubes.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -19,9 +19,7 @@ namespace {
 constexpr double width = 0.2, interference = 1e-3, stiffness = 1e6;
 const std::string smooth =
     "begin surface smoothing round\nsurface = inner outer\ncircumferential axis = 0 0 0 0 0 1\nend\n";
-const std::string stiff = "penalty stiffness = 1e6\n", node_face = "constraint formulation = node_face\n";
-
-std::string formulation() { return GENERATE(std::string(), node_face); }
+const std::string stiff = "penalty stiffness = 1e6\n";
 
 void add_ring(MeshBuilder& b, std::int64_t id, const std::string& name, int n, double from, double to,
               double turn) {

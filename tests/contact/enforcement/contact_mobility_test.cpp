@@ -25,7 +25,7 @@ struct TwoCubes {
     model.kinematic_constraints = KinematicConstraints(parts.mesh, {held});
   }
   /// The second cube is a body of mass 8 and moments of inertia 4, 4 and 2.
-  void make_rigid() {
+  const Model& make_rigid() {
     RigidBody body;
     body.mass = 8;
     body.centre << 0.5, 0.5, 2.5;
@@ -33,6 +33,7 @@ struct TwoCubes {
     model.rigid.bodies = {body};
     model.rigid.nodes.body_of.assign(16, RigidNodes::free);
     std::fill(model.rigid.nodes.body_of.begin() + 8, model.rigid.nodes.body_of.end(), 0);
+    return model;
   }
   static test::MeshBuilder cubes() {
     test::MeshBuilder b;
@@ -40,6 +41,13 @@ struct TwoCubes {
     b.add_hexes({.id = 2, .origin = {0, 0, 2}, .share_nodes = false});
     return b;
   }
+};
+
+/// The same, of which the second is rigid, and how they give way.
+struct RigidCube : TwoCubes {
+  ContactMobility mobility;
+
+  RigidCube() : mobility(make_rigid()) { mobility.update(0.0); }
 };
 
 const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
@@ -64,22 +72,16 @@ TEST_CASE("a free node gives way by its mass, a held one along what is free", "[
 }
 
 TEST_CASE("a node of a rigid body gives way by the whole body", "[contact][contact_mobility]") {
-  TwoCubes cubes;
-  cubes.make_rigid();
-  ContactMobility mobility(cubes.model);
-  mobility.update(0.0);
+  const RigidCube cubes;
   const ContactKinematics& kinematics = cubes.parts.kinematics;
-  CHECK(mobility.is_of_body(kinematics.contact_mesh(), 9));
+  CHECK(cubes.mobility.is_of_body(kinematics.contact_mesh(), 9));
   // A corner is sqrt(0.75) from the centre; the least moment of inertia is 2.
-  CHECK(mobility.mobility(kinematics, 9, &z) == Approx(1.0 / 8 + 0.75 / 2));
+  CHECK(cubes.mobility.mobility(kinematics, 9, &z) == Approx(1.0 / 8 + 0.75 / 2));
 }
 
 TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
           "[contact][contact_mobility]") {
-  TwoCubes cubes;
-  cubes.make_rigid();
-  ContactMobility mobility(cubes.model);
-  mobility.update(0.0);
+  RigidCube cubes;
   ContactPoint point;
   point.stiffness = 3.0;
   point.normal = z;
@@ -87,7 +89,7 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
   point.second = {{4, 5, 6, 7}, {0.5, 0.5, 0.0, 0.0}, 0.0};
   const std::vector<ContactPoint> points{point, point};
   const IndexedVector<PairIndex, std::uint8_t> slips{0};
-  const auto rates = mobility.find_rates(cubes.parts.kinematics, points, {}, slips);
+  const auto rates = cubes.mobility.find_rates(cubes.parts.kinematics, points, {}, slips);
   CHECK(rates[4] == Approx(2 * 0.5 * 3.0 * 2.0));
   CHECK(rates[6] == 0.0);
   CHECK(rates[8] == Approx(2 * 3.0 * 0.5));
@@ -96,10 +98,7 @@ TEST_CASE("the springs of a rigid body's nodes add up, those of nodes do not",
 
 TEST_CASE("contact alone accelerates rigid bodies, and not what elements hold",
           "[contact][contact_mobility]") {
-  TwoCubes cubes;
-  cubes.make_rigid();
-  ContactMobility mobility(cubes.model);
-  mobility.update(0.0);
+  RigidCube cubes;
   ContactPoint point;
   point.first.nodes.fill(8);  // of the body of mass 8
   point.second.nodes.fill(4);
@@ -108,12 +107,12 @@ TEST_CASE("contact alone accelerates rigid bodies, and not what elements hold",
   point.force = 16.0;
   std::vector<ContactPoint> points{point, point};
   points[1].first.nodes.fill(9);
-  for (const double acceleration : mobility.find_accelerations(cubes.parts.kinematics, points))
+  for (const double acceleration : cubes.mobility.find_accelerations(cubes.parts.kinematics, points))
     CHECK(acceleration == 4.0);  // both forces move it, the other side's nodes have elements
   for (ContactPoint& swapped : points) std::swap(swapped.first, swapped.second);
-  for (const double acceleration : mobility.find_accelerations(cubes.parts.kinematics, points))
+  for (const double acceleration : cubes.mobility.find_accelerations(cubes.parts.kinematics, points))
     CHECK(acceleration == 4.0);  // forces on the second side point the other way, and so does it
   for (ContactPoint& apart : points) apart.force = 0.0;
-  for (const double acceleration : mobility.find_accelerations(cubes.parts.kinematics, points))
+  for (const double acceleration : cubes.mobility.find_accelerations(cubes.parts.kinematics, points))
     CHECK(acceleration == 0.0);
 }
