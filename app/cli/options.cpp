@@ -14,7 +14,8 @@ constexpr const char* footer =
     "Exit codes: 0 done, 1 a bug in contactsim, 2 deck or command line, 3 mesh or other file, 4 solution,\n"
     "            5 stopped by a signal after a whole step.\n"
     "Examples:   contactsim plate.i plate.g -o plate.e\n"
-    "            contactsim plate.i plate.g --check --surfaces plate_surfaces.exo";
+    "            contactsim plate.i plate.g --check --surfaces plate_surfaces.exo\n"
+    "            contactsim diff stored.json surfaces.json";
 
 void add_run_options(CLI::App& app, Options& options) {
   app.add_option("deck", options.deck, "Input deck")->type_name("DECK");
@@ -100,10 +101,12 @@ CommandLine read_command_line(int argc, const char* const* argv) {
       app.add_subcommand("explain", "Print the reference of deck blocks, commands and output variables");
   explain->add_option("words", options.explain_words, "What to explain, such as: contact surface")
       ->type_name("WORDS");
+  const auto* diff = add_diff(app, options.diff);
   try {
     app.parse(argc, argv);
     options.explains = explain->parsed();
-    if (!options.explains && options.deck.empty()) throw CLI::RequiredError("DECK");
+    options.diff.is_asked = diff->parsed();
+    if (!options.explains && !options.diff.is_asked && options.deck.empty()) throw CLI::RequiredError("DECK");
   } catch (const CLI::ParseError& error) {
     line.exit_code = app.exit(error) == 0 ? ExitCode::done : ExitCode::deck;
   }

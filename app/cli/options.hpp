@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/diff_options.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
 
@@ -35,6 +36,7 @@ struct Options {
   std::vector<std::string> definitions;  ///< "name=value" for Aprepro
   bool explains = false;
   std::vector<std::string> explain_words;  ///< of `contactsim explain`
+  DiffOptions diff;
 };
 
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/reports/csv.hpp"
 #include "app/reports/pair_report.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
 
@@ -143,16 +144,6 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
   }
   if (pair.smoothing) json["smoothing"] = model.smoothings[*pair.smoothing].name;
   return json;
-}
-
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') quoted += '"';
-  }
-  return quoted + '"';
 }
 
 }  // namespace
