@@ -15,7 +15,8 @@ constexpr const char* footer =
     "            5 stopped by a signal after a whole step.\n"
     "Examples:   contactsim plate.i plate.g -o plate.e\n"
     "            contactsim plate.i plate.g --check --surfaces plate_surfaces.exo\n"
-    "            contactsim diff stored.json surfaces.json";
+    "            contactsim diff stored.json surfaces.json\n"
+    "            contactsim sweep plate.i plate.g -D mu=0:0.5:0.1 --jobs 4";
 
 void add_run_options(CLI::App& app, Options& options) {
   app.add_option("deck", options.deck, "Input deck")->type_name("DECK");
@@ -102,11 +103,13 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   explain->add_option("words", options.explain_words, "What to explain, such as: contact surface")
       ->type_name("WORDS");
   const auto* diff = add_diff(app, options.diff);
+  const auto* sweep = add_sweep(app, options.sweep);
   try {
     app.parse(argc, argv);
     options.explains = explain->parsed();
     options.diff.is_asked = diff->parsed();
-    if (!options.explains && !options.diff.is_asked && options.deck.empty()) throw CLI::RequiredError("DECK");
+    options.sweep.is_asked = sweep->parsed();
+    if (app.get_subcommands().empty() && options.deck.empty()) throw CLI::RequiredError("DECK");
   } catch (const CLI::ParseError& error) {
     line.exit_code = app.exit(error) == 0 ? ExitCode::done : ExitCode::deck;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/diff_options.hpp"
+#include "app/cli/sweep_options.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
 
@@ -37,6 +38,7 @@ struct Options {
   bool explains = false;
   std::vector<std::string> explain_words;  ///< of `contactsim explain`
   DiffOptions diff;
+  SweepOptions sweep;
 };
 
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.

@@ -11,6 +11,7 @@
 #include "app/cli/options.hpp"
 #include "app/cli/run_deck.hpp"
 #include "app/cli/run_diff.hpp"
+#include "app/cli/run_sweep.hpp"
 #include "app/cli/summary_file.hpp"
 #include "app/manual/explain_variables.hpp"
 #include "app/manual/foreign_keywords.hpp"
@@ -112,6 +113,7 @@ int run_program(int argc, const char* const* argv) {
     const CommandLine line = read_command_line(argc, argv);
     if (line.exit_code) return *line.exit_code;
     if (line.options.diff.is_asked) return static_cast<ExitCode>(run_diff(line.options.diff));
+    if (line.options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(line.options.sweep));
     if (!line.options.explains) return start(line.options);
     const Explanation explanation = explain_all(line.options.explain_words);
     std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);
