@@ -42,6 +42,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   saved.numbers("contact/stored_at_start", stored_at_start_);
   saved.numbers("contact/start_step", start_step_);
   saved.numbers("contact/pull_eigenvalue", pull_eigenvalue_);
+  saved.list("contact/left_nodes", left_);
   if (!saved.restores()) return;
   has_begun_ = true;
   mobility_.update(motion.time);

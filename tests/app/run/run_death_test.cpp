@@ -82,6 +82,53 @@ TEST_CASE("a run with deaths has the same bits with one thread and with two", "[
   CHECK(bar.read("a.csv") == one);
 }
 
+TEST_CASE("a run that goes on from a step with deaths leaves no force where contact was",
+          "[app][restart][death]") {
+  // The lower half of a cube is dead from the first step on; the upper half is pressed on a plate with the
+  // node that was in the middle, and dies.
+  const ProgramDirectory bar;
+  contactsim::test::write_exodus(
+      bar.path("a.g"), MeshBuilder()
+                           .add_hexes({1, "plate", {1, 1, 1}, {0, 0, 0}, {2, 2, 1}})
+                           .add_hexes({2, "cube", {2, 2, 2}, {0.5, 0.5, 1.1}, {1, 1, 1}, false})
+                           .add_node_set(1, "top", [](const Eigen::Vector3d& x) { return x.z() > 2.0; })
+                           .build());
+  const auto deck = [](const std::string& more) {
+    return "begin sierra\nbegin material m\ndensity = 1\nbegin parameters for model elastic\n"
+           "youngs modulus = 100\npoissons ratio = 0.3\nend\nend\n"
+           "begin function down\ntype is analytic\nevaluate expression is \"-x\"\nend\n"
+           "begin finite element model f\nbegin parameters for block plate cube\nmaterial = m\n"
+           "model = elastic\nend\nend\n"
+           "begin presto procedure p\nbegin time control\nbegin time stepping block t\nstart time = 0\n"
+           "end\ntermination time = 1\nend\nbegin presto region r\nuse finite element model f\n"
+           "begin fixed displacement\nblock = plate\ncomponents = x y z\nend\n"
+           "begin prescribed displacement\nnode set = top\ncomponent = z\nfunction = down\nend\n"
+           "begin element death lower\nelement = 2 3 4 5\ncriterion is always true\nend\n"
+           "begin element death upper\nelement = 6 7 8 9\ncriterion is global value of time > 0.7\nend\n"
+           "begin contact definition\nskin all blocks = on\nbegin interaction defaults\n"
+           "general contact = on\nend\nend\n"
+           "begin heartbeat output\nstream name = a.csv\nprecision = 17\nat step 0 increment = 1\n"
+           "global kinetic_energy as kinetic\nglobal dead_elements as dead\nend\n"
+           "begin restart data\nat step 0 increment = 1\noverwrite = off\n" +
+           more + "end\nend\nend\nend\n";
+  };
+  bar.write("a.i", deck(""));
+  REQUIRE(bar.run({"a.i"}).exit_code == 0);
+  const std::string straight = bar.read("a.csv");
+  const auto times = contactsim::test::csv_column(straight, 0),
+             dead = contactsim::test::csv_column(straight, 2);
+  const auto at = std::ranges::find(dead, 8.0) - dead.begin();
+  REQUIRE(at < static_cast<std::ptrdiff_t>(dead.size()) - 3);
+  std::ostringstream time;
+  time.precision(17);
+  time << "restart time = " << times[static_cast<std::size_t>(at)] << "\n";
+  bar.write("a.i", deck(time.str()));
+  REQUIRE(bar.run({"a.i"}).exit_code == 0);
+  const std::string part = bar.read("a.csv-s0002"), rest = part.substr(part.find('\n') + 1);
+  CHECK(rest.size() > 100);
+  CHECK(rest == straight.substr(straight.size() - rest.size()));
+}
+
 TEST_CASE("death_status falls from 1 to 0 as an element dies", "[app][transient][death]") {
   const HitBar bar("element = 14\ncriterion is global value of time > 1\ndeath steps = 4\n");
   CHECK(bar.run({"a.i"}).exit_code == 0);
