@@ -16,6 +16,7 @@
 #include "app/run/file_clashes.hpp"
 #include "app/run/simulation.hpp"
 #include "app/run/start_overlap.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/elements/cohesive_section.hpp"
 
@@ -150,7 +151,10 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
     if (contact.code != ExitCode::done) return contact.code;
   }
   RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
-  if (auto moved = part_overlaps(input, log, warnings)) mesh = std::move(*moved);
+  if (auto moved = part_overlaps(input, log, warnings)) {
+    mesh = std::move(*moved);
+    refit_smoothings(mesh, *contact.model);
+  }
   const std::vector<StartOverlap> overlaps = find_overlaps(input, log);
   if (options.stage == Stage::check) {
     warn_of_overlaps(input, overlaps, {}, warnings);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "contact/mesh/feature_edges.hpp"
 #include "contact/smoothing/round_fit.hpp"
@@ -233,8 +234,13 @@ void warn(const ContactDefinition& contact, const ContactModel& model, Diagnosti
           fmt::format("no pair of surfaces uses the smoothing '{}'", smoothing.name.text),
           "write SMOOTHING = " + smoothing.name.text + " in an INTERACTION or in INTERACTION DEFAULTS");
   }
+  // Of the defaults some pairs may be flat; only when all are is it told, once.
+  bool are_defaults_told = std::ranges::any_of(model.pairs, [&](const SurfacePair& pair) {
+    return pair.is_from_defaults && pair.smoothing && smooths(model, pair);
+  });
   for (const SurfacePair& pair : model.pairs) {
-    if (!pair.smoothing || smooths(model, pair) || pair.is_from_defaults) continue;
+    if (!pair.smoothing || smooths(model, pair)) continue;
+    if (pair.is_from_defaults && std::exchange(are_defaults_told, true)) continue;
     const auto& surfaces = model.surfaces.surfaces;
     const SmoothingShapes& smoothing = model.smoothings[*pair.smoothing];
     diagnostics.add_warning(
@@ -273,6 +279,17 @@ void find_smoothings(const SimulationDefinition& definition, const ContactDefini
   SmoothingFinder finder(definition, contact, mesh, model, diagnostics);
   for (SurfacePair& pair : model.pairs) pair.smoothing = finder.find(pair.smoothing_choice);
   if (!diagnostics.has_errors()) warn(contact, model, diagnostics);
+}
+
+void refit_smoothings(const Mesh& mesh, ContactModel& model) {
+  for (SmoothingShapes& smoothing : model.smoothings) {
+    if (!smoothing.is_automatic) continue;
+    SmoothingShapes moved = shapes_of_mesh(model, mesh);
+    for (std::size_t i = 0; i < moved.surfaces.size(); ++i) {
+      if (moved.surfaces[i].fitted.size() < smoothing.surfaces[i].fitted.size()) continue;
+      smoothing.surfaces[i] = std::move(moved.surfaces[i]);
+    }
+  }
 }
 
 void add_smooth_faces(const ContactModel& model, const ContactKinematics& start, ContactMesh& contact_mesh) {

@@ -15,6 +15,11 @@ namespace contactsim {
 void find_smoothings(const SimulationDefinition& definition, const ContactDefinition& contact,
                      const Mesh& mesh, ContactModel& model, Diagnostics& diagnostics);
 
+/// Fits the shapes of AUTO anew, to nodes that were moved before the first step. A surface of which fewer
+/// parts fit then keeps the shapes that it had.
+///   mesh  with the nodes moved
+void refit_smoothings(const Mesh& mesh, ContactModel& model);
+
 /// Finds which faces of a contact mesh stand for round surfaces, and those as they are at the start.
 ///   start  the faces at the start
 void add_smooth_faces(const ContactModel& model, const ContactKinematics& start, ContactMesh& contact_mesh);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "contact/smoothing/smooth_overlap_points.hpp"
+#include "core/interface_laws/pressure_law.hpp"
 
 namespace contactsim {
 
@@ -99,6 +100,16 @@ OverlapShare share_of(const SmoothPatch& first, const SmoothPatch& second, const
           weights.second, part,           sums.gap / sums.sum() - of_corners};
 }
 
+/// The pressure at a depth, and the energy per area that it stores.
+double pressure_at(const PairPenalty& penalty, double depth) {
+  return penalty.pressure == nullptr ? penalty.stiffness * penalty.law.spring_depth(depth)
+                                     : penalty.pressure->at(depth);
+}
+double potential_at(const PairPenalty& penalty, double depth) {
+  return penalty.pressure == nullptr ? penalty.stiffness * penalty.law.potential(depth)
+                                     : penalty.pressure->potential(depth);
+}
+
 }  // namespace
 
 FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty& penalty,
@@ -111,14 +122,14 @@ FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty&
   double work = 0.0;
   contact.gap = std::numeric_limits<double>::infinity();
   overlap.visit_part({-penalty.depth, 0.0}, [&](double area, const SurfacePairPoint& point) {
-    const double depth = std::max(0.0, -point.gap), spring_depth = penalty.law.spring_depth(depth);
-    const double stiffness = penalty.stiffness * area;
-    double force = stiffness * spring_depth;
-    contact.beyond_spring += stiffness * (penalty.law.potential(depth) - 0.5 * spring_depth * depth);
+    const double depth = std::max(0.0, -point.gap);
+    double force = area * pressure_at(penalty, depth);
+    contact.beyond_spring += area * potential_at(penalty, depth) - 0.5 * force * depth;
     if (penalty.damping > 0.0) {
       const double speed = point.normal.dot(first.velocity_at(point.xi_1, point.eta_1) -
                                             second.velocity_at(point.xi_2, point.eta_2));
-      const double damping = std::max(-penalty.damping * speed * area, -force);
+      const double undamped = -penalty.damping * penalty.damping_factor(depth) * speed * area;
+      const double damping = std::max(undamped, -force);
       contact.damped_power -= damping * speed;
       force += damping;
     }
@@ -140,7 +151,7 @@ FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty&
                        });
     if (contact.area == 0.0) areas = near;
   }
-  contact.stiffness = penalty.stiffness * penalty.law.slope(penalty.closing - contact.gap) * near_area;
+  contact.stiffness = penalty.slope(penalty.closing - contact.gap) * near_area;
   contact.overlaps = near_area > 0.0;
   if (!contact.overlaps) return contact;
   const SurfaceWeights weights(first, second, forces.sum() > 0.0 ? forces : areas);

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "contact/enforcement/contact_force.hpp"
+#include "contact/mesh/smooth_surfaces.hpp"
+#include "contact/overlap/overlap_removal.hpp"
 #include "contact/overlap/start_overlaps.hpp"
 #include "contact/surfaces/surface_tracker.hpp"
 #include "support/catch.hpp"
@@ -163,6 +165,44 @@ TEST_CASE("momentum balance of smoothed rings has their gap and no moment",
   CHECK(std::abs(moment_about_axis(bodies, 0)) < 1e-4 * bodies.force_size());
   CHECK(bodies.net_force().norm() < 1e-12 * bodies.force_size());
   CHECK(bodies.net_moment().norm() < 1e-12 * bodies.force_size());
+}
+
+TEST_CASE("a pressure law presses smoothed rings by their round gap", "[contact][contact_force][smoothing]") {
+  const std::string model =
+      "end\nbegin exponential pressure model soft\npressure at zero gap = 300\n"
+      "clearance at zero pressure = 0.01\n";
+  ContactBodies bodies(rings(0.05, 0.0), smoothed("friction model = soft\n" + formulation() + model));
+  bodies.ask();
+  double force = 0.0;
+  for (const ContactPoint& point : bodies.contact.points()) {
+    CHECK(point.force / point.area == Approx(300.0).epsilon(0.02));
+    force += point.force;
+  }
+  CHECK(force == Approx(300.0 * 2.0 * std::numbers::pi * width).epsilon(0.01));
+  CHECK(bodies.contact.points()[0].stiffness < 10.0 * 300.0 / 0.01 * bodies.contact.points()[0].area);
+  CHECK(bodies.net_force().norm() < 1e-9);
+  CHECK(bodies.net_moment().norm() < 1e-9);
+}
+
+TEST_CASE("round surfaces are found anew where closing gaps has moved their nodes",
+          "[contact][contact_force][smoothing]") {
+  const std::string lines = general_contact("smoothing = auto\ngap closure tolerance = 0.02\n");
+  const Mesh apart = rings(0.05, -0.01).build();
+  Modelled model = make_model(apart, lines);
+  CHECK(model.messages == "");
+  const auto radius_of = [&](std::size_t surface) {
+    double radius = 0.0;  // of the fit that is nearest the joint
+    for (const FittedShape& fit : model.smoothings.at(0).surfaces[surface].fitted) {
+      if (std::abs(fit.radius - 1.0) < 0.05) radius = fit.radius;
+    }
+    return radius;
+  };
+  CHECK(radius_of(0) == Approx(0.99));
+  CHECK(radius_of(1) == Approx(1.0));
+  OverlapRemoved moved = remove_overlap(model, apart, parse_contact(lines), {});
+  refit_smoothings(apart.with_coordinates(std::move(moved.coordinates)), model);
+  CHECK(radius_of(0) == Approx(radius_of(1)).epsilon(1e-3));
+  CHECK(radius_of(0) > 0.992);
 }
 
 TEST_CASE("rings that overlap by their facets alone do not overlap at the start",
