@@ -59,6 +59,7 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       mesh_(input.mesh),
       contact_(*input.contact),
       untied_(find_untied_parts(contact_, mesh_, input.region.contact->dash)),
+      offset_overlaps_(find_offset_overlaps(input)),
       force_(ContactSetup{*input.region.contact, contact_, model,
                           input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
       output_(force_, contact_, model),
@@ -124,7 +125,8 @@ void RunContact::add_suffix(const std::string& suffix) {
 }
 
 bool RunContact::came_out_of_overlap(PairIndex pair) const {
-  return force_.rules()[pair].is_balanced &&
+  if (!force_.rules()[pair].is_balanced) return false;
+  return offset_overlaps_[pair] > 0.0 ||
          std::ranges::any_of(input_.overlaps,
                              [&](const StartOverlap& overlap) { return overlap.pair == pair; });
 }
@@ -245,6 +247,7 @@ void RunContact::warn_of_start(Diagnostics& warnings) const {
   IndexedVector<PairIndex, double> stored;
   for (const PairStep& pair : force_.pair_steps()) stored.push_back(pair.stored);
   warn_of_overlaps(input_, input_.overlaps, stored, warnings);
+  warn_of_offsets(contact_, offset_overlaps_, stored, warnings);
 }
 
 void RunContact::warn_of_end(const State& state, Diagnostics& warnings) const {

@@ -76,8 +76,9 @@ class RunContact {
   const RunInput& input_;
   const Model& model_;
   const Mesh& mesh_;
-  ContactModel contact_;  // of the living elements
-  UntiedParts untied_;    // of the start
+  ContactModel contact_;                              // of the living elements
+  UntiedParts untied_;                                // of the start
+  IndexedVector<PairIndex, double> offset_overlaps_;  // made by offsets at the start [length]
   ContactForce force_;
   ContactOutput output_;
   ContactDebugFiles debug_;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "contact/overlap/body_parting.hpp"
+#include "contact/overlap/initial_gaps.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/conditions/kinematic_constraints.hpp"
@@ -142,6 +143,40 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
     warnings.add_warning("overlap-at-start", pair.location, text,
                          "INITIAL OVERLAP REMOVAL = ON in the contact definition moves them apart before the "
                          "first step");
+  }
+}
+
+IndexedVector<PairIndex, double> find_offset_overlaps(const RunInput& input) {
+  const ContactModel& model = *input.contact;
+  IndexedVector<PairIndex, double> depths(model.pairs.size(), 0.0);
+  const auto may_overlap = [](const SurfacePair& pair) {
+    return pair.gap.initial_clearance.value_or(0.0) < 0.0 ||
+           (pair.gap.contact_offset.value_or(0.0) > 0.0 && !pair.gap.needs_start());
+  };
+  if (std::ranges::none_of(model.pairs, may_overlap)) return depths;
+  const InitialGaps starts = find_initial_gaps(model, input.mesh, input.region.contact->dash);
+  for (const PairIndex i : indices(model.pairs)) {
+    if (!may_overlap(model.pairs[i]) || std::isnan(starts[i].smallest_gap)) continue;
+    const GapSettings& gap = model.pairs[i].gap;
+    const double counts =
+        gap.initial_clearance.value_or(starts[i].smallest_gap - gap.contact_offset.value_or(0.0));
+    depths[i] = std::max(0.0, -counts);
+  }
+  return depths;
+}
+
+void warn_of_offsets(const ContactModel& model, IndexedSpan<PairIndex, const double> depths,
+                     IndexedSpan<PairIndex, const double> stored, Diagnostics& warnings) {
+  for (const PairIndex i : indices(model.pairs)) {
+    const SurfacePair& pair = model.pairs[i];
+    if (!(depths[i] > 0.0) || !pair.gap.contact_offset) continue;
+    std::string text = fmt::format("{} overlap by {:.4g} at the start, by their CONTACT OFFSET of {:.4g}",
+                                   names_of(model, i), depths[i], *pair.gap.contact_offset);
+    if (stored[i] > 0.0)
+      text += fmt::format("; contact stores {:.4g} of energy in it, which the bodies will get", stored[i]);
+    warnings.add_warning(
+        "offset-overlap", pair.location, text,
+        "IGNORE INITIAL OVERLAP = ON has them just touch, OVERLAP RAMP TIME brings it in slowly");
   }
 }
 

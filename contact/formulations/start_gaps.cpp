@@ -55,10 +55,13 @@ std::optional<SmoothGap> gap_of_faces(const ContactKinematics& kinematics, const
 
 std::optional<StartGap> find_start_gap(const ContactKinematics& kinematics, const SurfacePair& pair,
                                        FaceIndex first, FaceIndex second) {
+  constexpr double negligible_share = 1e-6;  // of the smaller face: slivers beside faces that match
   const auto found = gap_of_faces(kinematics, pair, first, second);
-  if (!found) return std::nullopt;
-  const StartGap gap{first.value, {}, found->mean, found->smallest, found->area};
   const ContactMesh& contact_mesh = kinematics.contact_mesh();
+  const auto area_of = [&](FaceIndex face) { return kinematics.area(contact_mesh.faces[face]).norm(); };
+  if (!found || !(found->area > negligible_share * std::min(area_of(first), area_of(second))))
+    return std::nullopt;
+  const StartGap gap{first.value, {}, found->mean, found->smallest, found->area};
   const double depth = make_pair_penalty(contact_mesh.faces[first].penalty_properties,
                                          &contact_mesh.faces[second].penalty_properties, pair)
                            .depth;

@@ -61,10 +61,12 @@ void ContactSearch::set_surface_margins() {
   for (const PairIndex i : indices(rules_.rules())) {
     const SurfacePair& pair = *rules_[i].pair;
     const double given = std::max(pair.normal_tolerance.value_or(0.0), pair.tracking_distance.value_or(0.0));
-    // Ties, and partners that are kept, reach as far as the deck says; what is held needs no search later.
-    const bool keeps_partners = pair.behavior == InteractionBehavior::infinitesimal_sliding;
-    const double at_start = std::max(pair.capture_tolerance.value_or(0.0),
-                                     keeps_partners ? rules_.start_reach().distance(i) : 0.0);
+    // Ties, partners that are kept and clearances reach as far as the deck says; what is held needs no search
+    // later.
+    const bool looks_far =
+        pair.behavior == InteractionBehavior::infinitesimal_sliding || pair.gap.initial_clearance.has_value();
+    const double at_start =
+        std::max(pair.capture_tolerance.value_or(0.0), looks_far ? rules_.start_reach().distance(i) : 0.0);
     has_start_reach_ = has_start_reach_ || at_start > 0.0;
     const double held = pair.held_gap(std::min(thickest[pair.first], thickest[pair.second]));
     for (const SurfaceIndex surface : {pair.first, pair.second})

@@ -238,7 +238,7 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
   const double deepest = touched && context.balances ? infinite
                          : touched                   ? depth_of_known(penalty.depth, before, closed)
                                                      : std::max(penalty.depth, 1.5 * closed);
-  if ((first.is_sharp() && second.is_sharp()) && point.gap < -deepest) return point;
+  if ((first.is_sharp() && second.is_sharp()) && point.gap < -deepest - std::max(offset, 0.0)) return point;
   // What turns up deep in each other went in elsewhere: pushing it out here would make energy from nothing.
   const bool is_sharp = first.is_sharp() || second.is_sharp();
   const double shallow = shallow_depth * thinner;

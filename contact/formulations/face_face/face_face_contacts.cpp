@@ -82,6 +82,8 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
 
   const MeetingFaces faces = make_meeting_faces(context, candidate);
   PairPenalty penalty = make_penalty(candidate, faces.did_touch, closed);
+  // Of the mesh: what an offset makes deeper is no other wall.
+  penalty.depth += std::max(faces.offset, 0.0);
   if (context.balances) {
     const double depth = penalty.depth + 1.5 * closing * context.coming_dt;
     const FaceFaceConstraints found = find_constraints(
@@ -251,8 +253,11 @@ void FaceFaceContacts::add_pull(const ContactStepContext& context, const Candida
 
 bool FaceFaceContacts::met_in_front(const ContactStepContext& context, const Candidate& candidate,
                                     const FaceFaceContact& contact, double closed) const {
-  // Before the first step nobody knows: what is wider than deep is pushed out.
-  if (context.dt == 0.0) return contact.gap * contact.gap <= contact.area;
+  // Before the first step nobody knows: what is wider than deep in the mesh is pushed out.
+  if (context.dt == 0.0) {
+    const double gap = contact.gap + std::max(offset_of(context, candidate), 0.0);
+    return gap * gap <= contact.area;
+  }
   const double thickness = thinner(candidate);
   // What comes up behind the one side of a shell that takes part leaves through it.
   const bool may_leave = candidate.rule.pair->is_polar() && !(closed > 0.0);

@@ -120,7 +120,8 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
   near_face.point.gap -= offset;
   near_face.penalty = make_pair_penalty(node.penalty_properties, &face.penalty_properties, rule);
   const bool is_known = node_history.knows(near_face.point.normal);
-  near_face.penalty.depth = is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed);
+  near_face.penalty.depth =
+      is_known ? any_depth : std::max(near_face.penalty.depth, 1.5 * closed) + std::max(offset, 0.0);
   near_face.pulls = near_face.point.gap <= held && held > 0.0 &&
                     node_history.touched(near_face.pair, near_face.point.normal);
   if ((near_face.point.gap > from_afar && !near_face.pulls) || -near_face.point.gap > near_face.penalty.depth)

@@ -44,6 +44,14 @@ TEST_CASE("a contact offset is taken off every gap", "[contact][contact_force][g
   CHECK(lift_after(far, {0, 0, -0.0011}) == Approx(10.0));
 }
 
+TEST_CASE("an offset of more than half an element is contact too", "[contact][contact_force][gaps]") {
+  const std::string line = GENERATE("contact offset = 0.6\n", "initial clearance = -0.57\n");
+  ContactBodies bodies(two_cubes(0.03), general_contact(stiff + line + formulation()));
+  bodies.ask();
+  CHECK(lift(bodies) == Approx(5700.0));
+  CHECK(lift_after(bodies, {0, 0, -0.01}) == Approx(5800.0));
+}
+
 TEST_CASE("a negative contact offset lets sides overlap by it", "[contact][contact_force][gaps]") {
   ContactBodies bodies(stacked_cubes(-0.03),
                        general_contact(stiff + "contact offset = -0.02\n" + formulation()));
@@ -67,6 +75,15 @@ TEST_CASE("an initial clearance counts whatever the mesh says", "[contact][conta
   ContactBodies overlapping(stacked_cubes(0.003), general_contact(more + "initial clearance = -0.001\n"));
   overlapping.ask();
   CHECK(lift(overlapping) == Approx(10.0));
+}
+
+TEST_CASE("an initial clearance reaches as far as SEARCH DISTANCE says", "[contact][contact_force][gaps]") {
+  const bool has_distance = GENERATE(true, false);
+  const std::string reach = has_distance ? "search distance = 0.6\n" : "";
+  ContactBodies bodies(two_cubes(0.5, 2),
+                       general_contact(stiff + formulation() + "initial clearance = 0.01\n" + reach));
+  bodies.ask();
+  CHECK(lift_after(bodies, {0, 0, -0.011}) == Approx(has_distance ? 10.0 : 0.0));
 }
 
 TEST_CASE("an ignored overlap of the start pushes only by what closes further",

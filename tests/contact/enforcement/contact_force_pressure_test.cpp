@@ -93,6 +93,13 @@ TEST_CASE("soft contact begins before touch", "[contact][contact_force][pressure
   CHECK(lift(half) == Approx(18.877).epsilon(1e-4));
 }
 
+TEST_CASE("soft contact may begin more than half an element before touch",
+          "[contact][contact_force][pressure]") {
+  ContactBodies bodies(two_cubes(0.1), pressed(by_function), line_function("f", "-0.8 0\n0 100\n0.01 300\n"));
+  bodies.ask();
+  CHECK(lift(bodies) == Approx(87.5));
+}
+
 TEST_CASE("gaps are offset before a pressure counts them", "[contact][contact_force][pressure]") {
   ContactBodies offset(stacked_cubes(0.03), pressed(by_function, "contact offset = 0.04\n" + any_form()),
                        stiffening);
