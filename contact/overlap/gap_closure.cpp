@@ -18,8 +18,8 @@ constexpr double automatic_share = 0.05;
 
 double find_closure_tolerance(const ContactKinematics& start, const SurfacePair& pair) {
   if (!pair.gap_closure) return 0.0;
-  if (pair.gap_closure->given) return *pair.gap_closure->given;
-  return automatic_share * mean_edge(start, pair);
+  const double tolerance = pair.gap_closure->given.value_or(automatic_share * mean_edge(start, pair));
+  return pair.search_distance ? std::min(tolerance, find_search_distance(start, pair)) : tolerance;
 }
 
 GapClosure::GapClosure(const ContactModel& model, const Mesh& mesh, const OverlapParts& parts,

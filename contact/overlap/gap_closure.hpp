@@ -8,8 +8,8 @@
 
 namespace contactsim {
 
-/// GAP CLOSURE TOLERANCE of a pair, AUTO worked out: a share of mean_edge(); 0 of a pair without one
-/// [length].
+/// GAP CLOSURE TOLERANCE of a pair, AUTO worked out: a share of mean_edge(), and at most its SEARCH DISTANCE,
+/// beyond which nothing is looked at; 0 of a pair without one [length].
 double find_closure_tolerance(const ContactKinematics& start, const SurfacePair& pair);
 
 /// Moves nodes that stand in front of the other side onto it, along the normal of the nearest face over which

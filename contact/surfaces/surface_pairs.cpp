@@ -58,6 +58,12 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   return pair;
 }
 
+/// Of a surface with itself: nothing says which of two folds should move.
+void close_no_gaps(SurfacePair& pair) {
+  pair.gap_closure.reset();
+  pair.adjusted_nodes.reset();
+}
+
 /// The settings of the blocks that all pairs share: what pairs and their defaults leave out.
 PairSettings shared_settings(const ContactDefinition& contact) {
   PairSettings shared;
@@ -122,6 +128,7 @@ void PairMaker::add_defaults(const InteractionDefaults& defaults) {
     if (!meetings_.can_meet(meeting)) return;
     pair.interaction = a == b ? "self contact" : "general contact";
     SurfacePair own = pair;
+    if (a == b) close_no_gaps(own);
     meetings_.settle(meeting, own);
     layers_[{meeting.first, meeting.second}].add(std::move(own), std::nullopt);
   };
@@ -156,7 +163,8 @@ void PairMaker::add_interaction(std::size_t index) {
   const bool excludes = interaction.pair.behavior == InteractionBehavior::no_interaction;
   if (excludes) exclusions_.push_back({pair.interaction, pair.location});
   const auto meetings = meetings_.meetings_of(interaction);
-  bool is_served = meetings.empty();
+  bool is_served = meetings.empty(), closes_itself = false;
+  const bool moves_nodes = interaction.pair.gap_closure || interaction.pair.adjusted_nodes;
   for (const auto& [key, meeting] : meetings) {
     const bool has_empty_side = meetings_.has_empty_side(meeting);
     is_served = is_served || has_empty_side;
@@ -168,10 +176,17 @@ void PairMaker::add_interaction(std::size_t index) {
       continue;
     }
     SurfacePair own = pair;
+    if (meeting.first == meeting.second) {
+      if (moves_nodes) closes_itself = true;
+      close_no_gaps(own);
+    }
     meetings_.settle(meeting, own);
     note_what_differs(index, meeting, own);
     layers_[key].add(std::move(own), index);
   }
+  if (closes_itself)
+    diagnostics_.add_error(interaction.name.location, "the interaction moves nodes of a surface onto itself",
+                           "nothing says which of two folds should move: name two surfaces");
   if (is_served) return;
   diagnostics_.add_error(interaction.name.location, "none of the surfaces of the interaction can meet",
                          "a node set meets faces only, an analytic plane faces and nodes only");

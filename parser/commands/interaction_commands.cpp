@@ -103,7 +103,8 @@ std::vector<Row<PairSettings>> adjustment_rows() {
           "gap closure tolerance", "= {AUTO|<real >= 0>}", read_length_or_auto<&P::gap_closure>,
           "Nodes of SIDE B, of both sides without one, that are no farther in front of the other side, or "
           "behind it, are moved onto it before the first step, without strain [length]. AUTO is 0.05 of the "
-          "mean edge of the faces; contactsim's own line",
+          "mean edge of the faces; nothing goes farther than a SEARCH DISTANCE, or onto its own surface; "
+          "contactsim's own line",
           "no node is moved")
           .or_spelled("adjust"),
       row("adjust node set", read::name_of(NameKind::node_set), &P::adjusted_nodes,
