@@ -162,8 +162,9 @@ std::string format_passed_over(const ContactModel& model, const Mesh& mesh) {
   if (blocks.empty()) return "";
   std::vector<std::string> names;
   for (const std::uint32_t block : blocks) names.push_back(mesh.name({EntityKind::block, block}));
-  return fmt::format("      passed over, as point masses, springs and dampers have no size: {}\n",
-                     fmt::join(names, ", "));
+  return fmt::format(
+      "      passed over, as point masses, springs, dampers and cohesive elements have no surface: {}\n",
+      fmt::join(names, ", "));
 }
 
 std::string format_surfaces_json(const ContactModel& model, const SurfaceSummaries& summaries) {

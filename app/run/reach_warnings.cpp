@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/run/idle_defaults.hpp"
 #include "app/run/start_warnings.hpp"
 #include "core/definition/contact.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -117,6 +118,13 @@ void warn_of_reach(const ContactForce& force, const ContactModel& contact,
                            "SEARCH DISTANCE says how far apart partners may be");
     }
   }
+  const SurfacePair* idle = find_idle_default(
+      contact, [](const SurfacePair& pair) { return pair.search_distance.has_value(); },
+      [&](PairIndex i) { return force.rules().start_reach().has_any(i); });
+  if (idle != nullptr)
+    warnings.add_warning("search-distance-empty", idle->location,
+                         "nothing of any pair is within the SEARCH DISTANCE, so that none of them ever meets",
+                         "the pair table has the smallest gaps");
 }
 
 }  // namespace contactsim

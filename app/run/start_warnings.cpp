@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "app/run/idle_defaults.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/definition/contact.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
@@ -96,9 +97,13 @@ void warn_of_empty_ties(const ContactForce& force, const ContactModel& contact, 
                            "a TIME VARIANT MODEL ties in later periods");
       continue;
     }
-    warnings.add_warning("tie-empty", pair.location,
-                         fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
-                         "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
+    warnings.add_warning(
+        "tie-empty", pair.location,
+        fmt::format("{}: nothing is near enough to be tied", names_of(pair, contact)),
+        pair.search_distance
+            ? "the pair table has the smallest gap; ties reach no farther than CAPTURE "
+              "TOLERANCE and SEARCH DISTANCE say"
+            : "the pair table has the smallest gap; CAPTURE TOLERANCE says how far ties reach");
   }
 }
 
@@ -167,6 +172,12 @@ bool has_shells(const ContactForce& force, const Mesh& mesh, SurfaceIndex surfac
   });
 }
 
+/// Whether SIDES of a pair names a side that some shell of it has.
+bool is_polar_of_shells(const ContactForce& force, const Mesh& mesh, const SurfacePair& pair) {
+  return (pair.sides[0] != ShellSides::both && has_shells(force, mesh, pair.first)) ||
+         (pair.sides[1] != ShellSides::both && has_shells(force, mesh, pair.second));
+}
+
 }  // namespace
 
 void warn_of_sides(const ContactForce& force, const ContactModel& contact, const Mesh& mesh,
@@ -181,14 +192,16 @@ void warn_of_sides(const ContactForce& force, const ContactModel& contact, const
     if (!pair.separates && force.rules()[i].only_ties())
       warn("separation-without-effect", "SEPARATION = OFF has no effect on ties, which do not part",
            "it is for what touches and slides");
-    const bool is_polar_without_shells =
-        (pair.sides[0] != ShellSides::both || pair.sides[1] != ShellSides::both) &&
-        !(pair.sides[0] != ShellSides::both && has_shells(force, mesh, pair.first)) &&
-        !(pair.sides[1] != ShellSides::both && has_shells(force, mesh, pair.second));
-    if (is_polar_without_shells && !pair.is_from_defaults)
+    if (pair.is_polar() && !is_polar_of_shells(force, mesh, pair) && !pair.is_from_defaults)
       warn("sides-without-shells", "SIDES has no effect: no shell has the side that it names",
            "with SIDE A and SIDE B it is of SIDE A");
   }
+  const SurfacePair* idle = find_idle_default(
+      contact, [](const SurfacePair& pair) { return pair.is_polar(); },
+      [&](PairIndex i) { return is_polar_of_shells(force, mesh, contact.pairs[i]); });
+  if (idle != nullptr)
+    warnings.add_warning("sides-without-shells", idle->location,
+                         "SIDES has no effect: no pair of the defaults has a shell", "");
 }
 
 void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {

@@ -86,7 +86,8 @@ std::vector<std::uint32_t> find_sizeless_blocks(const SimulationDefinition& defi
     const auto& properties = section->properties;
     const bool is_sizeless = std::holds_alternative<PointMassSection>(properties) ||
                              std::holds_alternative<SpringSection>(properties) ||
-                             std::holds_alternative<DamperSection>(properties);
+                             std::holds_alternative<DamperSection>(properties) ||
+                             std::holds_alternative<CohesiveSection>(properties);
     if (is_sizeless) blocks.push_back(block);
   }
   return blocks;

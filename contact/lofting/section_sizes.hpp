@@ -29,7 +29,8 @@ struct SectionSize {
 std::vector<SectionSize> find_section_sizes(const SimulationDefinition& definition, const Region& region,
                                             const Mesh& mesh);
 
-/// Positions of the blocks whose section is one of point masses, springs or dampers, ascending.
+/// Positions of the blocks whose section is one of point masses, springs, dampers or cohesive elements,
+/// ascending.
 std::vector<std::uint32_t> find_sizeless_blocks(const SimulationDefinition& definition, const Region& region,
                                                 const Mesh& mesh);
 

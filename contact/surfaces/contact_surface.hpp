@@ -58,7 +58,8 @@ struct ContactSurfaces {
   /// Faces that block forms would build from single skins and then ignore: they lie between present blocks.
   /// Source: Sierra/SM 5.22, 8.4.4.2.
   std::uint32_t interior_faces_ignored = 0;
-  /// Blocks of point masses, springs and dampers that SKIN ALL BLOCKS or INCLUDE ALL BLOCKS passes over.
+  /// Blocks of point masses, springs, dampers and cohesive elements that SKIN ALL BLOCKS or INCLUDE ALL
+  /// BLOCKS passes over.
   std::vector<std::uint32_t> blocks_passed_over;
   std::vector<SurfaceWarning> warnings;  ///< in surface order
 };

@@ -52,8 +52,8 @@ struct SurfaceRequest {
 struct RegionNames {
   std::span<const AnalyticPlane> planes;
   std::span<const MeshAlias> aliases;
-  /// Blocks of point masses, springs and dampers, ascending: they have no size, and what takes all blocks
-  /// passes over them.
+  /// Blocks of point masses, springs, dampers and cohesive elements, ascending: they have no surface, and
+  /// what takes all blocks passes over them.
   std::vector<std::uint32_t> sizeless_blocks = {};
 };
 

@@ -119,6 +119,24 @@ TEST_CASE("flat elements end a check and a run with code 3, block and id", "[app
   CHECK_THAT(err, Contains("1 element is without volume:\n  block_2: element 2: volume 0"));
 }
 
+TEST_CASE("what a contact offset has overlap at the start is told, and put in by the start",
+          "[app][overlap]") {
+  const std::string by_offset =
+      "skin all blocks = on\nbegin interaction\nsurfaces = block_1 block_2\ncontact offset = 0.04\n";
+  const auto run = [&](const std::string& more) {
+    return TwoParts(two_blocks(-0.03), by_offset + more + "end\n", held).run({"a.i"});
+  };
+  const auto balanced = run("");
+  CHECK(balanced.exit_code == 0);
+  CHECK_THAT(balanced.err, Contains("'block_1' and 'block_2' overlap by 0.01 at the start, by their CONTACT "
+                                    "OFFSET of 0.04") &&
+                               Contains("[offset-overlap]") && !Contains("has given out"));
+  CHECK_THAT(balanced.out, !Contains("put in by the start, overlaps    0.0"));
+  const auto elastic = run("enforcement = penalty\n");
+  CHECK_THAT(elastic.err, Contains("[offset-overlap]") && Contains("; contact stores "));
+  CHECK_THAT(run("ignore initial overlap = on\n").err, !Contains("offset-overlap"));
+}
+
 TEST_CASE("a model of particles alone runs", "[app][transient]") {
   const Mesh mesh = MeshBuilder()
                         .add_spheres(1, "", {{0, 0, 0}})
@@ -148,7 +166,22 @@ TEST_CASE("SKIN ALL BLOCKS passes over point masses, and the table tells", "[app
                                          "begin point mass section s\nmass = 1\nend\n")
                                     .run({"a.i", "--check"});
   CHECK(code == 0);
-  CHECK_THAT(out, Contains("passed over, as point masses, springs and dampers have no size: block_2"));
+  CHECK_THAT(
+      out,
+      Contains(
+          "passed over, as point masses, springs, dampers and cohesive elements have no surface: block_2"));
+}
+
+TEST_CASE("SKIN ALL BLOCKS passes over cohesive elements", "[app][surfaces]") {
+  const Mesh mesh = MeshBuilder()
+                        .add_hexes({.id = 1})
+                        .add_hexes({.id = 2, .origin = {0, 0, 1}, .size = {1, 1, 0.01}})
+                        .build();
+  const auto [code, out, err] =
+      TwoParts(mesh, "skin all blocks = on\n", "", "section = s\n", "begin cohesive section s\nend\n")
+          .run({"a.i", "--check"});
+  CHECK_THAT(out, Contains("cohesive elements have no surface: block_2"));
+  CHECK_THAT(err, !Contains("surface-empty"));
 }
 
 TEST_CASE("a point mass in a contact node set is pushed", "[app][transient]") {
@@ -176,4 +209,41 @@ TEST_CASE("a surface that is wrong by the deck alone is told once", "[app][surfa
   CHECK(code == 2);
   CHECK(count(err, "a.i:29:") == 1);
   CHECK(count(err, "a.i:30:") == 1);
+}
+
+TEST_CASE("the log tells the memory of contact, per face too", "[app][report]") {
+  const Mesh mesh = MeshBuilder()
+                        .add_hexes({.id = 1, .cells = {20, 20, 20}})
+                        .add_hexes({.id = 2, .origin = {0, 0, 9}, .share_nodes = false})
+                        .build();
+  const auto [code, out, err] = TwoParts(mesh).run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("block_1                      SKIN ALL BLOCKS") && Contains("2400"));
+  const std::size_t at = out.find("  contact takes ");
+  REQUIRE(at != std::string::npos);
+  const std::size_t bytes = std::stoull(out.substr(at + 16));
+  // 2406 faces of 411 bytes each, as FACE_FACE takes by the README.
+  CHECK(bytes > 0.8 * 411 * 2406);
+  CHECK(bytes < 1.2 * 411 * 2406);
+}
+
+TEST_CASE("a smoothed surface that is strained by more than a tenth is told", "[app][smoothing]") {
+  const double way = GENERATE(0.05, 0.2);
+  const Mesh mesh = MeshBuilder()
+                        .add_hexes({.id = 1})
+                        .add_hexes({.id = 2, .origin = {0, 0, 1.1}, .share_nodes = false})
+                        .build();
+  const std::string round =
+      "skin all blocks = on\nbegin surface smoothing ball\nsurface = block_1\nspherical center = 0.5 0.5 "
+      "0.5\nend\n"
+      "begin interaction\nsurfaces = block_1 block_2\nsmoothing = ball\nend\n";
+  const std::string stretch =
+      "begin prescribed displacement\nnode = 2\ncomponent = x\nfunction = f\nscale factor = " +
+      std::to_string(way) + "\nend\n";
+  const std::string function =
+      "begin function f\ntype is analytic\nevaluate expression is \"500 * x\"\nend\n";
+  const auto [code, out, err] = TwoParts(mesh, round, stretch, "", function).run({"a.i"});
+  CHECK(code == 0);
+  const bool is_told = err.find("[smoothing-strained]") != std::string::npos;
+  CHECK(is_told == (way > 0.1));
 }

@@ -41,11 +41,11 @@ struct DyingBodies : ContactBodies {
         living(make_rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)),
         eroded_nodes(living.rules(), faces, std::vector<std::uint8_t>(mesh.n_elements(), erodes ? 1 : 0)) {}
 
-  void kill(const std::vector<ElementIndex>& dead) {
+  void kill(const std::vector<ElementIndex>& dead, bool makes_new_edges = true) {
     for (const ElementIndex element : dead) alive[element.value] = 0;
     living.update_for_deaths(dead, definition.surfaces);
     eroded_nodes.add(dead, alive);
-    contact.rebuild_surfaces(motion(), eroded_nodes.nodes());
+    contact.rebuild_surfaces(motion(), eroded_nodes.nodes(), makes_new_edges);
   }
   std::size_t n_free_rows() const {
     std::size_t n = 0;
@@ -108,6 +108,19 @@ TEST_CASE("friction on six-node faces goes on without a jump when a far element 
     CHECK(dying->forces == untouched->forces);
   }
   CHECK(dying->force_on(1).x() < 0.0);
+}
+
+TEST_CASE("deaths make new sharp edges unless the deck says otherwise", "[contact][death]") {
+  const bool makes_new_edges = GENERATE(true, false);
+  DyingBodies bodies("");
+  bodies.ask();
+  const std::size_t n_edges = bodies.contact.contact_mesh().edges.size();
+  // An element of the upper layer inside the border: its hole has four sharp edges above and four corners
+  // that go down.
+  bodies.kill({{18 + 6 + 3}}, makes_new_edges);
+  const std::size_t n_now = bodies.contact.contact_mesh().edges.size();
+  if (makes_new_edges) CHECK(n_now >= n_edges + 4);
+  if (!makes_new_edges) CHECK(n_now == n_edges);
 }
 
 TEST_CASE("an overlap of the start stays that of a spring when a far element dies", "[contact][death]") {
