@@ -254,3 +254,35 @@ def node_set(bench):
                             tolerance))
     # The step in which a stiff penalty first meets particles is too long for it: 2 % in the balance, and told.
     return checks + balances(runs, is_free=True, tolerance=0.025)
+
+
+def cube_beside_sheet(direction):
+    mesh = MeshMaker()
+    mesh.shells("sheet", (0, 0, 0), (1.2, 1.2, 0), (6, 6), 0.1)
+    mesh.new_body()
+    mesh.hexes("cube", (0.4, 0.4, 0.15 if direction < 0 else -0.55), (0.4, 0.4, 0.4), (2, 2, 2))
+    return mesh
+
+
+@case()
+def cube_on_sheet(bench):
+    """The way to the first force, which is an impact that lasts longer than a step; none where none is expected."""
+    kinds = [("sides = top", -1, 0.1), ("sides = top", 1, None), ("sides = bottom", 1, 0.1), ("sides = bottom", -1, None),
+             ("contact offset = 0.04", -1, 0.06), ("contact offset = 0.04\nsides = top", -1, 0.06),
+             ("initial clearance = 0.15\nsearch distance = 0.12", -1, 0.15), ("search distance = 0.11", -1, 0.1), ("search distance = 0.09", -1, None),
+             ("tracking distance = 0.2", -1, 0.1)]
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        for enforcement in ("momentum_balance", "penalty"):
+            for line, direction, way in kinds:
+                run = bench.run("cube_on_sheet", cube_beside_sheet(direction), line=line, direction=direction, form=form,
+                                enforcement=enforcement)
+                label = f"{form}, {enforcement}, {', '.join(line.splitlines())}, {'down' if direction < 0 else 'up'}"
+                touched = np.flatnonzero(run["force"])
+                if way is None:
+                    checks.append(at_most(f"{label}: largest force [N]", np.max(np.abs(run["force"])), 0.0))
+                    continue
+                step = np.max(np.diff(run["Time"]))
+                checks.append(Check(f"{label}: way to the first force [m]", way, abs(run["way"][touched[0]]), 1.01 * step, 1.0))
+                runs.append(run)
+    return checks + balances(runs, tolerance=0.03)
