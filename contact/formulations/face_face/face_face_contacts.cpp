@@ -113,6 +113,11 @@ PairPenalty FaceFaceContacts::make_penalty(const Candidate& candidate, bool did_
   return penalty;
 }
 
+double FaceFaceContacts::offset_of(const ContactStepContext& context, const Candidate& candidate) {
+  return context.rules.gap_offsets().of_faces(candidate.pair, candidate.first, candidate.second) +
+         candidate.rule.begin_gap;
+}
+
 FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const ContactStepContext& context,
                                                                     const Candidate& candidate) const {
   const OptionalIndex<std::uint32_t> smoothing = candidate.rule.pair->smoothing;
@@ -120,8 +125,7 @@ FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const Contac
                      context.kinematics.face(candidate.second),
                      contact_mesh_.smooth_faces.find(smoothing, candidate.first),
                      contact_mesh_.smooth_faces.find(smoothing, candidate.second),
-                     context.rules.gap_offsets().of_faces(candidate.pair, candidate.first, candidate.second) +
-                         candidate.rule.begin_gap,
+                     offset_of(context, candidate),
                      history_.has_touched(candidate.position)};
   carry(candidate.carry, faces.first, faces.second);
   if (!faces.are_round()) take_off(faces.offset, faces.second, faces.first);

@@ -69,6 +69,8 @@ class FaceFaceContacts {
     bool did_touch;                                ///< in the last step
     bool are_round() const { return round_first != nullptr || round_second != nullptr; }
   };
+  /// What is taken off the gap of the mesh [length].
+  static double offset_of(const ContactStepContext& context, const Candidate& candidate);
   MeetingFaces make_meeting_faces(const ContactStepContext& context, const Candidate& candidate) const;
   /// Two faces that the elastic penalty parts.
   struct PenaltyPush {
