@@ -285,7 +285,7 @@ void refit_smoothings(const Mesh& mesh, ContactModel& model) {
   for (SmoothingShapes& smoothing : model.smoothings) {
     if (!smoothing.is_automatic) continue;
     SmoothingShapes moved = shapes_of_mesh(model, mesh);
-    for (std::size_t i = 0; i < moved.surfaces.size(); ++i) {
+    for (const SurfaceIndex i : indices(moved.surfaces)) {
       if (moved.surfaces[i].fitted.size() < smoothing.surfaces[i].fitted.size()) continue;
       smoothing.surfaces[i] = std::move(moved.surfaces[i]);
     }
