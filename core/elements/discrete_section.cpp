@@ -13,9 +13,9 @@ namespace contactsim {
 
 namespace {
 
-/// The steepest slope of a table; nothing of other functions.
+/// The steepest slope of a table; nothing of other functions and of jumps.
 std::optional<double> steepest_slope(const FunctionDefinition& definition) {
-  if (definition.type != FunctionType::piecewise_linear) return std::nullopt;
+  if (definition.type != FunctionType::piecewise_linear || find_jump(definition)) return std::nullopt;
   const auto& values = definition.values;
   double steepest = 0.0;
   for (std::size_t i = 1; i < values.size(); ++i) {

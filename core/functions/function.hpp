@@ -56,10 +56,14 @@ class Function {
 };
 
 /// Checks and compiles a definition; nothing when an error was added. Errors: no type, or one that is not
-/// supported; values that are missing or not pairs; abscissae that do not increase; an X SCALE that is not
-/// positive, or any X SCALE or X OFFSET of an analytic function (it has two readings); a scaled value that
-/// is not finite; what is wrong in an expression, at its character.
+/// supported; values that are missing or not pairs; abscissae that decrease, or stand twice where that is no
+/// jump; an X SCALE that is not positive, or any X SCALE or X OFFSET of an analytic function (it has two
+/// readings); a scaled value that is not finite; what is wrong in an expression, at its character.
 std::optional<Function> make_function(const FunctionDefinition& definition, Diagnostics& diagnostics);
+
+/// The abscissa, as the deck writes it, at which a table has two values; nothing without one. Laws whose
+/// slope counts refuse it.
+std::optional<double> find_jump(const FunctionDefinition& definition);
 
 /// The function that a command names: one of the definitions, or the built-in sierra_constant_function_one.
 /// Nothing when an error was added, at the name if it is unknown.

@@ -47,7 +47,8 @@ class FunctionMaker {
   std::optional<Function> make_table() const;
   std::optional<Function> make_analytic() const;
   std::optional<std::vector<FunctionPoint>> read_points() const;
-  bool check_point(const FunctionValue& value, const FunctionPoint& point, const FunctionPoint* before) const;
+  bool check_point(const FunctionValue& value, const FunctionPoint& point, const FunctionValue* before,
+                   std::span<const FunctionPoint> points) const;
   std::optional<std::vector<FunctionInput>> read_inputs() const;
   std::optional<Expression> compile(std::span<const FunctionInput> inputs) const;
 
@@ -108,7 +109,7 @@ std::optional<Function> FunctionMaker::make_table() const {
   if (!points) return std::nullopt;
   if (!std::isfinite(points->back().x - points->front().x)) return fail("has abscissae too far apart");
   if (definition_.type == FunctionType::piecewise_linear)
-    return Function(PiecewiseLinear(std::move(*points)));
+    return Function(PiecewiseLinear(std::move(*points), definition_.at_discontinuity));
   return Function(PiecewiseConstant(std::move(*points), definition_.at_discontinuity));
 }
 
@@ -127,22 +128,29 @@ std::optional<std::vector<FunctionPoint>> FunctionMaker::read_points() const {
     }
     const FunctionPoint point{definition_.x_scale * (value.abscissa + definition_.x_offset),
                               scaled_y(value.ordinate)};
-    if (!check_point(value, point, points.empty() ? nullptr : &points.back())) return std::nullopt;
+    if (!check_point(value, point, before, points)) return std::nullopt;
     points.push_back(point);
     before = &value;
   }
   return points;
 }
 
+/// Two points of one abscissa are a jump of straight lines; a third would never count.
+///   before  the line before, or null
+///   points  those of the lines before
 bool FunctionMaker::check_point(const FunctionValue& value, const FunctionPoint& point,
-                                const FunctionPoint* before) const {
+                                const FunctionValue* before, std::span<const FunctionPoint> points) const {
   if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
     fail(value.location, "has a scaled value that is not finite");
     return false;
   }
-  if (before == nullptr || point.x > before->x) return true;
-  fail(value.location, fmt::format("has the abscissa {} twice", point.x),
-       "move one of them a little for a jump");
+  if (before == nullptr || point.x > points.back().x) return true;
+  const bool may_jump =
+      definition_.type == FunctionType::piecewise_linear && value.abscissa == before->abscissa;
+  const std::size_t n = points.size();
+  if (may_jump && (n < 2 || points[n - 2].x < point.x)) return true;
+  fail(value.location, fmt::format("has the abscissa {} {}", point.x, may_jump ? "three times" : "twice"),
+       may_jump ? "a jump has the value before it and the one after it" : "each point needs one of its own");
   return false;
 }
 
@@ -195,6 +203,12 @@ std::optional<Expression> FunctionMaker::compile(std::span<const FunctionInput> 
 
 std::optional<Function> make_function(const FunctionDefinition& definition, Diagnostics& diagnostics) {
   return FunctionMaker(definition, diagnostics).make();
+}
+
+std::optional<double> find_jump(const FunctionDefinition& definition) {
+  const auto jump = std::ranges::adjacent_find(definition.values, {}, &FunctionValue::abscissa);
+  if (jump == definition.values.end()) return std::nullopt;
+  return jump->abscissa;
 }
 
 std::optional<Function> make_named_function(const DeckName& name,

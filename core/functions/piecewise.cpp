@@ -8,15 +8,17 @@
 
 namespace contactsim {
 
-PiecewiseLinear::PiecewiseLinear(std::vector<FunctionPoint> points) : points_(std::move(points)) {
+PiecewiseLinear::PiecewiseLinear(std::vector<FunctionPoint> points, DiscontinuitySide side)
+    : points_(std::move(points)), side_(side) {
   assert(!points_.empty());
 }
 
 double PiecewiseLinear::evaluate(double x) const {
   if (std::isnan(x)) return x;
-  const auto after =
-      std::upper_bound(points_.begin(), points_.end(), x,
-                       [](double value, const FunctionPoint& point) { return value < point.x; });
+  const bool is_left = side_ == DiscontinuitySide::left;
+  const auto after = std::partition_point(points_.begin(), points_.end(), [&](const FunctionPoint& point) {
+    return is_left ? point.x < x : point.x <= x;
+  });
   if (after == points_.begin()) return points_.front().y;
   if (after == points_.end()) return points_.back().y;
   const FunctionPoint& a = after[-1];

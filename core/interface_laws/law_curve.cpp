@@ -57,6 +57,12 @@ std::optional<LawCurve> make_law_curve(const DeckName& name, double scale,
         "the law ends where its last line ends");
     return std::nullopt;
   }
+  if (const auto jump = find_jump(*found)) {
+    diagnostics.add_error(name.location,
+                          fmt::format("the function '{}' of a friction model jumps at {}", name.text, *jump),
+                          "give it a steep line");
+    return std::nullopt;
+  }
   std::vector<FunctionPoint> points;
   for (const FunctionValue& value : found->values) {
     const double x = found->x_scale * (value.abscissa + found->x_offset);

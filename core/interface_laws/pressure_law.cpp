@@ -166,6 +166,9 @@ std::optional<PressureLaw> make_pressure_law(const DeckName& name, double factor
     return refuse(
         fmt::format("the pressure function '{}' must be PIECEWISE LINEAR, or ANALYTIC of x", name.text),
         "its abscissa is the overclosure, below 0 a gap; its ordinate the pressure");
+  if (const auto jump = is_table ? find_jump(*found) : std::nullopt)
+    return refuse(fmt::format("the pressure function '{}' jumps at {}", name.text, *jump),
+                  "give it a steep line");
   auto points = is_table ? points_of_table(*found, *function, factor) : sample(*function, factor);
   if (const char* fault = find_fault(points))
     return refuse(fmt::format("the pressure function '{}' {}", name.text, fault),

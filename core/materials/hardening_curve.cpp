@@ -73,6 +73,8 @@ std::optional<HardeningCurve> make_hardening_curve(const DeckName& name, double 
   const auto found = std::ranges::find_if(functions, [&](const auto& f) { return f.name == name; });
   if (found == functions.end() || found->type != FunctionType::piecewise_linear)
     return fail("must be PIECEWISE LINEAR");
+  if (const auto jump = find_jump(*found))
+    return fail(fmt::format("jumps at {}; give it a steep line", *jump));
   std::vector<FunctionPoint> points;
   for (const FunctionValue& value : found->values) {
     const double x = found->x_scale * (value.abscissa + found->x_offset);

@@ -27,8 +27,15 @@ void read_function_type(Arguments& arguments, FunctionDefinition& function) {
   function.type = static_cast<FunctionType>(arguments.choice(type_words()));
 }
 
+/// Whether two lines are one point of two numbers.
+bool is_same_point(const FunctionValue& a, const FunctionValue& b) {
+  return a.abscissa == b.abscissa && a.ordinate == b.ordinate && a.expression.empty() &&
+         b.expression.empty() && a.further.empty() && b.further.empty();
+}
+
 void read_value(Arguments& arguments, FunctionDefinition& function) {
   FunctionValue value;
+  const Word start = arguments.peek();
   value.location = arguments.location();
   const double first = arguments.real();
   if (arguments.at_end()) {
@@ -41,6 +48,12 @@ void read_value(Arguments& arguments, FunctionDefinition& function) {
       value.ordinate = arguments.real();
     }
     if (!arguments.at_end()) value.further = arguments.reals();
+  }
+  const bool is_repeated = !function.values.empty() && is_same_point(function.values.back(), value);
+  if (is_repeated) {
+    arguments.warn("function-repeat", start, "a point of the function is repeated; the first one is taken",
+                   "write each point once");
+    return;
   }
   function.values.push_back(std::move(value));
 }
@@ -83,7 +96,7 @@ const Table<FunctionDefinition>& function_table() {
       row("y offset", read::real, &F::y_offset, "Added to the ordinate before scaling [ordinate]")
           .or_spelled("ordinate offset"),
       row("at discontinuity evaluate to", choice_of<DiscontinuitySide>({"left", "right"}),
-          &F::at_discontinuity, "Side whose value a piecewise constant function takes at a jump"),
+          &F::at_discontinuity, "Side whose value a piecewise function takes at a jump"),
       row<F>(
           "evaluate expression", "= \"<expression>\"",
           [](Arguments& arguments, F& function) { function.expression = read_expression(arguments); },

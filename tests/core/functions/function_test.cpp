@@ -25,6 +25,29 @@ Function made(const FunctionDefinition& definition) {
 
 }  // namespace
 
+TEST_CASE("two points of one abscissa are a jump, with the value of the right or the left side",
+          "[core][function]") {
+  FunctionDefinition definition =
+      table_function(FunctionType::piecewise_linear, {{0, 0}, {1, 1}, {1, 3}, {2, 4}});
+  Diagnostics diagnostics;
+  const Function right = make_function(definition, diagnostics).value();
+  definition.at_discontinuity = DiscontinuitySide::left;
+  const Function left = make_function(definition, diagnostics).value();
+  CHECK(diagnostics.empty());
+  CHECK(right.evaluate(1.0) == 3.0);
+  CHECK(left.evaluate(1.0) == 1.0);
+  for (const Function& function : {right, left}) {
+    CHECK(function.evaluate(0.0) == 0.0);
+    CHECK(function.evaluate(0.5) == 0.5);
+    CHECK(function.evaluate(std::nextafter(1.0, 0.0)) == Approx(1.0));
+    CHECK(function.evaluate(std::nextafter(1.0, 2.0)) == Approx(3.0));
+    CHECK(function.evaluate(1.5) == 3.5);
+    CHECK(function.evaluate(2.0) == 4.0);
+  }
+  CHECK(find_jump(definition) == 1.0);
+  CHECK_FALSE(find_jump(table_function(FunctionType::piecewise_linear, {{0, 0}, {1, 1}})));
+}
+
 TEST_CASE("a piecewise linear function meets its points and holds its ends", "[core][function]") {
   const Function f = made(table_function(FunctionType::piecewise_linear, {{1, 10}, {2, 20}, {4, -20}}));
   CHECK(f.evaluate(1.0) == 10.0);

@@ -28,8 +28,11 @@ FunctionDefinition linear(const std::vector<std::pair<double, double>>& points) 
 TEST_CASE("a table whose abscissae do not increase is refused at its line", "[core][function]") {
   CHECK(problems_of(linear({{0, 0}, {2, 1}, {1, 1}, {0, 1}})) ==
         "a.i:3:1: error: the function 'f' has an abscissa that decreases from 2 to 1\n");
-  CHECK(problems_of(linear({{0, 0}, {1, 1}, {1, 2}})) ==
-        "a.i:3:1: error: the function 'f' has the abscissa 1 twice; move one of them a little for a jump\n");
+  CHECK(problems_of(linear({{0, 0}, {1, 1}, {1, 2}, {1, 3}})) ==
+        "a.i:4:1: error: the function 'f' has the abscissa 1 three times; a jump has the value before it and "
+        "the one after it\n");
+  CHECK(problems_of(table_function(FunctionType::piecewise_constant, {{0, 0}, {1, 1}, {1, 2}})) ==
+        "a.i:3:1: error: the function 'f' has the abscissa 1 twice; each point needs one of its own\n");
   FunctionDefinition rounded = linear({{0, 0}, {1, 1}});
   rounded.x_offset = 1e20;
   CHECK(problems_of(rounded).find("has the abscissa 1e+20 twice") != std::string::npos);

@@ -90,6 +90,7 @@ TEST_CASE("a pressure may be an analytic function", "[core][interface_laws][pres
 
 TEST_CASE("what is no pressure is told", "[core][interface_laws][pressure]") {
   CHECK(Made({{0.0, 0.0}, {0.01, 200.0}, {0.02, 100.0}}).text() == "the pressure function 'f' falls");
+  CHECK(Made({{0.0, 0.0}, {0.01, 200.0}, {0.01, 300.0}}).text() == "the pressure function 'f' jumps at 0.01");
   CHECK(Made({{0.0, 5.0}, {0.01, 200.0}}).text() ==
         "the pressure function 'f' does not begin at a pressure of 0");
   CHECK(Made({{0.0, 0.0}, {0.01, -200.0}}).text() == "the pressure function 'f' gives a negative pressure");

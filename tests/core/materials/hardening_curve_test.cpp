@@ -95,6 +95,8 @@ TEST_CASE("hardening functions that make no curve are refused", "[core][material
       "at the yield stress 200");
   CHECK(error_of({{0.0, 200.0}, {0.2, 250.0}, {0.3, 240.0}}) ==
         "the hardening function 'f' falls from 250 to 240; hardening must not fall");
+  CHECK(error_of({{0.0, 200.0}, {0.1, 250.0}, {0.1, 260.0}}) ==
+        "the hardening function 'f' jumps at 0.1; give it a steep line");
   CHECK(error_of(table_function(FunctionType::piecewise_constant, {{0.0, 200.0}})) ==
         "the hardening function 'f' must be PIECEWISE LINEAR");
   CHECK(error_of(analytic_function("200")) == "the hardening function 'f' must be PIECEWISE LINEAR");

@@ -158,3 +158,13 @@ TEST_CASE("lines that change a function in ways not supported are refused when i
         "definition; put the values into a VALUES block, or name the file by INCLUDEFILE inside it "
         "[deck-unused]\n");
 }
+
+TEST_CASE("a point that is repeated is taken once, with a warning", "[parser][function]") {
+  const auto [simulation, said] = parsed_sierra(
+      "begin function f\n  type = piecewise linear\n  begin values\n    0 0\n    1 2\n    1 2\n    1 3\n"
+      "  end\nend\n");
+  REQUIRE(simulation.functions[0].values.size() == 3);
+  CHECK(simulation.functions[0].values[2].ordinate == 3.0);
+  CHECK(said.find("a.i:7:5: warning: a point of the function is repeated; the first one is taken") !=
+        std::string::npos);
+}
