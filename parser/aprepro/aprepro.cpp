@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <iterator>
@@ -30,6 +31,19 @@ ApreproValue value_given(const std::string& text) {
 
 bool has_braces(const std::string& text) {
   return text.find('{') != std::string::npos || text.find("\\}") != std::string::npos;
+}
+
+/// Whether a name stands in some expression, be it in a branch that is not taken.
+bool is_name_in_braces(const std::string& text, const std::string& name) {
+  const auto is_part_of_name = [&](std::size_t at) {
+    return at < text.size() && (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
+  };
+  for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+    if ((at > 0 && is_part_of_name(at - 1)) || is_part_of_name(at + name.size())) continue;
+    const std::size_t opened = text.rfind('{', at), closed = text.rfind('}', at);
+    if (opened != std::string::npos && (closed == std::string::npos || closed < opened)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -59,8 +73,12 @@ Source ApreproRunner::run(const Source& deck) {
     std::vector<std::string> others;
     std::copy_if(names.begin(), names.end(), std::back_inserter(others),
                  [&](const std::string& other) { return other != name; });
-    diagnostics_.add_warning("aprepro-unused", {}, fmt::format("the deck does not use '{}' of -D", name),
-                             suggest(name, others));
+    const std::string text = fmt::format("the deck does not use '{}' of -D", name);
+    if (options_.is_lenient || is_name_in_braces(deck.text(), name)) {
+      diagnostics_.add_warning("aprepro-unused", {}, text, suggest(name, others));
+    } else {
+      diagnostics_.add_error({}, text, suggest(name, others));
+    }
   }
   return std::move(output_);
 }

@@ -15,10 +15,12 @@ namespace contactsim {
 struct ApreproOptions {
   /// Variables set from outside, "name=value" each; a value that is no number is a string. They hold before
   /// the deck is read and are immutable: an assignment in the deck is passed over with the warning
-  /// "aprepro-override". One that the deck does not use is warned about ("aprepro-unused").
+  /// "aprepro-override". One that stands nowhere in the deck is an error, and one that it does not come to
+  /// is warned about ("aprepro-unused").
   std::span<const std::string> overrides = {};
   FileReader read_file = read_text_file;        ///< for include, cinclude and file_to_string
   std::size_t max_work = std::size_t{1} << 28;  ///< characters handled before giving up, about three seconds
+  bool is_lenient = false;  ///< undefined and unused variables are warnings ("aprepro-undefined" takes 0)
 };
 
 /// Expands a deck: text outside braces is copied, {expr} is replaced by its value, control lines act. The

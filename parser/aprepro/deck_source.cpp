@@ -4,13 +4,11 @@
 #include <utility>
 
 #include "core/base/errors.hpp"
-#include "parser/aprepro/aprepro.hpp"
 #include "parser/text/text_file.hpp"
 
 namespace contactsim {
 
-Source read_deck_source(const std::string& path, std::span<const std::string> overrides,
-                        Diagnostics& diagnostics) {
+Source read_deck_source(const std::string& path, const ApreproOptions& options, Diagnostics& diagnostics) {
   TextFile file = read_text_file(path);
   if (file.failure == TextFile::Failure::not_text) {
     diagnostics.add_error({}, path + " is no deck: " + file.problem);
@@ -18,7 +16,7 @@ Source read_deck_source(const std::string& path, std::span<const std::string> ov
   }
   if (file.failure != TextFile::Failure::none) throw FileError(path, file.problem);
   const Source deck = make_source(path, std::move(file.text));
-  return run_aprepro(deck, {overrides, read_text_file}, diagnostics);
+  return run_aprepro(deck, options, diagnostics);
 }
 
 }  // namespace contactsim

@@ -128,9 +128,9 @@ ApreproValue Evaluator::value_of(const Item& name) {
   for (const std::string& word : aprepro_control_words()) known.push_back(word);
   constexpr std::size_t cost_of_comparing = 100;
   charge(cost_of_comparing * known.size(), name);
-  state_.warn("aprepro-undefined", {name.offset, static_cast<int>(name.text.size()),
-                                    fmt::format("'{}' is not defined, 0 is taken", name.text),
-                                    has_likeness ? suggest(name.text, known) : ""});
+  state_.warn("aprepro-undefined",
+              {name.offset, static_cast<int>(name.text.size()), fmt::format("'{}' is not defined", name.text),
+               has_likeness ? suggest(name.text, known) : ""});
   return 0.0;
 }
 

@@ -161,14 +161,22 @@ DeckLocation ApreproRunner::locate(std::size_t offset) const {
 }
 
 void ApreproRunner::report(Severity severity, std::string_view id, const ExpressionError& problem) {
-  if (lacks_file_ && id == "aprepro-undefined") return;
+  const bool is_undefined = id == "aprepro-undefined";
+  if (is_undefined && lacks_file_) return;
   const DeckLocation location = locate(problem.offset);
   const std::string file = location.is_known() ? location.file->name : "";
   if (!reported_.emplace(file, problem.offset, problem.text).second) return;
   if (reported_.size() > max_reports) {
     stop(problem.offset, "too many problems with Aprepro; the deck is not expanded further");
   }
-  diagnostics_.add({severity, std::string(id), location, problem.length, problem.text, problem.hint});
+  Diagnostic diagnostic{severity, std::string(id), location, problem.length, problem.text, problem.hint};
+  if (is_undefined && !options_.is_lenient) {
+    diagnostic.severity = Severity::error;
+    diagnostic.id.clear();
+  } else if (is_undefined) {
+    diagnostic.text += ", 0 is taken";
+  }
+  diagnostics_.add(std::move(diagnostic));
 }
 
 void ApreproRunner::check_work(std::size_t offset) {

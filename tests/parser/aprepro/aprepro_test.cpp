@@ -219,11 +219,33 @@ TEST_CASE("variables from the command line hold against the deck's", "[parser][a
         "a.i:1:2: warning: 'mu' stays 0.1, as it is given on the command line [aprepro-override]\n");
 }
 
-TEST_CASE("a variable from the command line that the deck does not use is warned about",
-          "[parser][aprepro]") {
-  const std::string deck = GENERATE("{friction}\n", "no braces\n");
+TEST_CASE("a variable from the command line that the deck does not use is an error", "[parser][aprepro]") {
   CHECK(messages(expand("{{friction = 1}}\n", {}, {"fricton=2"}).diagnostics) ==
-        "warning: the deck does not use 'fricton' of -D; did you mean 'friction'? [aprepro-unused]\n");
+        "error: the deck does not use 'fricton' of -D; did you mean 'friction'?\n");
+  CHECK(messages(expand("no braces, no friction\n", {}, {"friction=2"}).diagnostics) ==
+        "error: the deck does not use 'friction' of -D\n");
+  CHECK(messages(expand("{frictions = 1}\n", {}, {"friction=2"}).diagnostics).starts_with("error: "));
+}
+
+TEST_CASE("a variable from the command line that only another branch uses is warned about",
+          "[parser][aprepro]") {
+  CHECK(messages(expand("{if(0)}\n{friction}\n{endif}\n", {}, {"friction=2"}).diagnostics) ==
+        "warning: the deck does not use 'friction' of -D [aprepro-unused]\n");
+}
+
+TEST_CASE("undefined and unused variables are warnings where the user is lenient", "[parser][aprepro]") {
+  Diagnostics found;
+  const std::vector<std::string> overrides{"b=1"};
+  ApreproOptions options;
+  options.overrides = overrides;
+  options.is_lenient = true;
+  CHECK(run_aprepro(make_source("a.i", "{a}\n"), options, found).text() == "0\n");
+  CHECK(messages(found) ==
+        "a.i:1:2: warning: 'a' is not defined, 0 is taken [aprepro-undefined]\n"
+        "warning: the deck does not use 'b' of -D [aprepro-unused]\n");
+}
+
+TEST_CASE("definitions on the command line have a name and a value", "[parser][aprepro]") {
   CHECK(messages(expand("no braces\n", {}, {"=3", "x", "1a=2"}).diagnostics) ==
         "error: -D =3 is not of the form name=value\nerror: -D x is not of the form name=value\n"
         "error: -D 1a=2 is not of the form name=value\n");
@@ -260,7 +282,7 @@ TEST_CASE("problems stand at their character, once for all passes, and do not st
   CHECK(messages(expanded.diagnostics) ==
         "a.i:2:6: error: unknown function 'sqr'; did you mean 'sqrt'?\n"
         "  pass 1 of 3 of the loop at a.i:1:1\n"
-        "a.i:2:15: warning: 'y' is not defined, 0 is taken [aprepro-undefined]\n"
+        "a.i:2:15: error: 'y' is not defined\n"
         "  pass 1 of 3 of the loop at a.i:1:1\n"
         "a.i:4:5: error: expected a value, found the end of the expression\n"
         "a.i:4:12: error: the string \" is never closed; only a string in '...' may span lines\n");
@@ -286,8 +308,7 @@ TEST_CASE("control lines that do not fit together are reported at both places", 
         "a.i:2:1: error: this {loop(...)} has no {endloop}; it is missing before {endif} at a.i:4:1\n");
   CHECK(problems("{if(1)}\n{else}\n{elseif(1)}\n{endif}\n") ==
         "a.i:3:1: error: this stands behind {else}, which must be last; the if begins at a.i:1:1\n");
-  CHECK(problems("{endiff}\n") ==
-        "a.i:1:2: warning: 'endiff' is not defined, 0 is taken; did you mean 'endif'? [aprepro-undefined]\n");
+  CHECK(problems("{endiff}\n") == "a.i:1:2: error: 'endiff' is not defined; did you mean 'endif'?\n");
 }
 
 TEST_CASE("without an included file the rest of the deck is not judged", "[parser][aprepro]") {

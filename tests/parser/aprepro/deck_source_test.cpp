@@ -44,7 +44,7 @@ TEST_CASE("a deck file is read and expanded with the given variables", "[parser]
   const std::string deck = folder.write("deck.i", "a {n + 1}\n{include(\"" + included + "\")}\n");
   const std::vector<std::string> overrides = {"n=4"};
   Diagnostics diagnostics;
-  const Source source = read_deck_source(deck, overrides, diagnostics);
+  const Source source = read_deck_source(deck, {overrides}, diagnostics);
   CHECK(messages(diagnostics) == "");
   CHECK(source.text() == "a 5\npart 4\n");
   CHECK(to_string(source.locate(4)) == included + ":1:1");
