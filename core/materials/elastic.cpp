@@ -28,6 +28,18 @@ MaterialRow elastic_material() {
       [](const MaterialInput& input) -> std::optional<MaterialLaw> { return ElasticLaw{input.moduli()}; }};
 }
 
-MaterialRow linear_elastic_material() { return {{"linear_elastic"}, "Linear elastic, small strain", {}}; }
+MaterialRow linear_elastic_material() {
+  return {
+      {"linear_elastic"},
+      "Linear elastic for small strain, run as elastic: both are the same while strains and turns are small",
+      {},
+      {&law_kind<ElasticLaw>},
+      [](const MaterialInput& input) -> std::optional<MaterialLaw> {
+        input.diagnostics.add_warning(
+            "material-linear", {}, "linear_elastic is run as elastic, whose strains and turns may be large",
+            "both are the same while they are small");
+        return ElasticLaw{input.moduli()};
+      }};
+}
 
 }  // namespace contactsim

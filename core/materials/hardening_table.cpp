@@ -10,6 +10,7 @@
 #include "core/materials/linear_hardening.hpp"
 #include "core/materials/multilinear_hardening.hpp"
 #include "core/materials/power_hardening.hpp"
+#include "core/materials/rate_hardening.hpp"
 #include "core/materials/voce_hardening.hpp"
 
 namespace contactsim {
@@ -59,28 +60,6 @@ std::vector<Parameter> all_hardening_parameters() {
   return all;
 }
 
-/// Factors of the flow stress by rate and temperature; only what changes nothing is there.
-std::vector<Parameter> factors() {
-  std::vector<Parameter> lines;
-  for (const char* of : {"rate", "temperature"}) {
-    for (const char* what : {"yield", "hardening"}) {
-      lines.push_back(parameter::word(fmt::format("{} {} multiplier", what, of),
-                                      {fmt::format("{}_independent", of)}, "Factor of the flow stress"));
-    }
-  }
-  for (const char* what : {"yield", "hardening"}) {
-    for (const char* of : {"coefficient", "exponent", "constant"}) {
-      lines.push_back(parameter::refused(fmt::format("{} rate {}", what, of),
-                                         "the flow stress does not depend on the rate; use johnson_cook"));
-    }
-  }
-  const std::string no_heat = "temperature has no effect on materials";
-  lines.push_back(parameter::refused("thermal softening model", no_heat));
-  lines.push_back(parameter::ignored("beta_tq", no_heat));
-  lines.push_back(parameter::ignored("specific heat", no_heat));
-  return lines;
-}
-
 std::vector<Parameter> j2_parameters() {
   std::vector<std::string> words = all_words();
   Parameter isotropic =
@@ -89,7 +68,7 @@ std::vector<Parameter> j2_parameters() {
   return joined({{parameter::word("hardening model", words, "How the flow stress grows", false).required(),
                   std::move(isotropic), yield_stress()},
                  all_hardening_parameters(),
-                 factors()});
+                 rate_parameters()});
 }
 
 bool is_by_choice(const ParameterValues& values) {
@@ -103,10 +82,14 @@ const HardeningRow* chosen_hardening(const ParameterValues& values) {
 }
 
 std::vector<std::string> missing_in_j2(const ParameterValues& values) {
-  if (const HardeningRow* chosen = chosen_hardening(values))
-    return missing_parameters(chosen->parameters, values);
-  if (is_by_choice(values)) return {"isotropic hardening model"};
-  return {};
+  std::vector<std::string> missing = missing_rate_parameters(values);
+  if (const HardeningRow* chosen = chosen_hardening(values)) {
+    for (std::string& phrase : missing_parameters(chosen->parameters, values))
+      missing.push_back(std::move(phrase));
+  } else if (is_by_choice(values)) {
+    missing.emplace_back("isotropic hardening model");
+  }
+  return missing;
 }
 
 std::optional<MaterialLaw> make_j2_law(const MaterialInput& input) {
@@ -116,7 +99,11 @@ std::optional<MaterialLaw> make_j2_law(const MaterialInput& input) {
     throw std::invalid_argument(
         fmt::format("beta other than 1 goes with {} hardening only", fmt::join(with_beta, " and ")));
   }
-  return chosen.make(input);
+  std::optional<MaterialLaw> law = chosen.make(input);
+  if (!law || !has_rate_factor(input.values)) return law;
+  if (!is_by_choice(input.values))
+    throw std::invalid_argument(fmt::format("rate multipliers go with hardening model = {}", by_choice));
+  return make_rate_law(input, *law);
 }
 
 }  // namespace
@@ -142,6 +129,7 @@ MaterialRow material_of(const HardeningRow& hardening) {
 MaterialRow j2_material() {
   std::vector<const LawKind*> laws;
   for (const HardeningRow& row : hardening_rows()) laws.push_back(row.law);
+  laws.push_back(&law_kind<PlasticLaw<RateHardening>>);
   return {
       {"j2_plasticity"}, fmt::format("Plasticity with hardening by choice: {}", fmt::join(all_words(), ", ")),
       j2_parameters(),   std::move(laws),

@@ -13,7 +13,7 @@ std::span<const HardeningRow> hardening_rows();
 /// The material that has one hardening alone.
 MaterialRow material_of(const HardeningRow& hardening);
 
-/// J2_PLASTICITY, without rates and temperature: the hardening is chosen by name.
+/// J2_PLASTICITY, without temperature: the hardening is chosen by name, and factors by the rate.
 MaterialRow j2_material();
 
 }  // namespace contactsim
