@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/mesh/omit_blocks.hpp"
 #include "io/exodus/exodus_reader.hpp"
 
 namespace contactsim {
@@ -49,7 +51,13 @@ Mesh read_run_mesh(const Options& options, const SimulationDefinition& definitio
   if (!options.mesh && type == std::filesystem::file_type::not_found) {
     throw FileError(path, describe_missing_mesh(path, options, definition, region));
   }
-  return read_mesh(path, warnings);
+  const FiniteElementModel* model = find_finite_element_model(definition, region);
+  Mesh mesh = read_mesh(path, warnings);
+  if (model == nullptr) return mesh;
+  Diagnostics problems;
+  mesh = omit_blocks(*model, std::move(mesh), problems);
+  if (problems.has_errors()) throw DeckError(problems);
+  return mesh;
 }
 
 }  // namespace contactsim

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "core/base/errors.hpp"
 #include "core/death/death_sets.hpp"
 #include "core/definition/procedure.hpp"
 #include "core/definition/region.hpp"
+#include "core/definition/simulation.hpp"
 #include "core/dynamics/discrete_steps.hpp"
 #include "core/dynamics/make_rigid_bodies.hpp"
 #include "core/mesh/element_checks.hpp"
@@ -41,6 +43,13 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   check_elements(input.mesh, blocks_in_use(input.mesh));
   Model model = make_model(input.definition, input.region, input.mesh, diagnostics);
   StoredVariables stored;
+  const FiniteElementModel* elements = find_finite_element_model(input.definition, input.region);
+  if (reads_variables(input.region) && elements != nullptr && !elements->omitted.empty()) {
+    diagnostics.add_error(elements->omitted.front().location,
+                          "blocks are omitted, and a condition has READ VARIABLE",
+                          "values of the mesh file are for all of its blocks: make a mesh without these");
+    throw DeckError(diagnostics);
+  }
   if (reads_variables(input.region)) stored = read_stored_variables(input.mesh.path(), input.mesh);
   const ConditionScope scope{
       input.definition,  input.region, input.procedure.time_control->time_stepping_blocks,

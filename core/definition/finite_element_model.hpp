@@ -40,6 +40,7 @@ struct FiniteElementModel {
   std::optional<DeckName> database;  ///< file name as in the deck, %B replaced; absent: <deck base>.g
   std::vector<MeshAlias> aliases;
   std::vector<BlockParameters> block_parameters;  ///< in deck order
+  std::vector<DeckName> omitted;  ///< OMIT BLOCK, OMIT ASSEMBLY: blocks, or assemblies of them
 };
 
 }  // namespace contactsim

@@ -99,7 +99,7 @@ TEST_CASE("another spelling finds its row", "[parser][explain]") {
 }
 
 TEST_CASE("ignored and refused commands are called that", "[parser][explain]") {
-  CHECK(holds_line(explained({"omit block"}), "  support    refused: it would change the answer"));
+  CHECK(holds_line(explained({"mpc"}), "  support    refused: it would change the answer"));
   CHECK(holds_line(explained({"decomposition method"}), "  support    ignored: read, without effect"));
 }
 

@@ -119,11 +119,18 @@ TEST_CASE("a mesh that is not Exodus is refused by its type", "[parser][model]")
       "a.i:3:19: error: expected one of exodusii, exodus, genesis for 'database type', found 'generated'\n");
 }
 
+TEST_CASE("blocks and assemblies may be omitted", "[parser][model]") {
+  const ParsedDeck deck = using_model("  omit block block_3 block_4\n  omit assembly tools\n");
+  CHECK(deck.messages == "");
+  const auto& omitted = deck.simulation.finite_element_models.at(0).omitted;
+  REQUIRE(omitted.size() == 3);
+  CHECK(omitted[1].text == "block_4");
+  CHECK(omitted[2].text == "tools");
+}
+
 TEST_CASE("lines that change the mesh are refused, those of parallel runs ignored", "[parser][model]") {
-  CHECK(
-      using_model("  omit block block_3\n  decomposition method = rcb\n").messages ==
-      "a.i:3:3: error: 'omit block' is not supported and would change the answer; take the block out of the "
-      "mesh\n"
-      "a.i:4:3: warning: 'decomposition method' has no effect here; there is one process, nothing to "
-      "distribute [deck-ignored]\n");
+  CHECK(using_model("  create set\n  decomposition method = rcb\n").messages ==
+        "a.i:3:3: error: 'create' is not supported and would change the answer; make the set in the mesh\n"
+        "a.i:4:3: warning: 'decomposition method' has no effect here; there is one process, nothing to "
+        "distribute [deck-ignored]\n");
 }
