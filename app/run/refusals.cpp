@@ -25,10 +25,9 @@ void refuse_what_is_missing(const Procedure& procedure, const Region& region, Di
   }
   if (!procedure.time_control) {
     diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
-                          "without one only --check can be run");
+                          "without one --tables alone can be asked for");
   }
   refuse(region.spot_welds, "a spot weld", diagnostics);
-  refuse(region.mass_scalings, "mass scaling", diagnostics);
   for (const MassProperties& properties : region.mass_properties) {
     diagnostics.add_warning("mass-properties", properties.name.location,
                             "mass properties are not reported yet; the log has the mass of every block");

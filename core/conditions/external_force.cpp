@@ -131,6 +131,21 @@ void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::
   load.sums.add(corner_forces_, forces);
 }
 
+void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& velocity,
+                                const Eigen::Matrix3Xd& mass, Eigen::Matrix3Xd& forces) const {
+  if (motion.dt == 0.0) return;
+  for (const NodeDamping& damping : dampings_) {
+    if (!damping.times.is_active(motion.time)) continue;
+    const double rate = -std::expm1(-damping.coefficient * motion.dt) / motion.dt;
+    const auto n = static_cast<std::int64_t>(damping.nodes.size());
+#pragma omp parallel for schedule(static) num_threads(threads_for(damping.nodes.size()))
+    for (std::int64_t i = 0; i < n; ++i) {
+      const auto node = static_cast<Eigen::Index>(damping.nodes[static_cast<std::size_t>(i)].value);
+      forces.col(node) -= rate * mass.col(node).cwiseProduct(velocity.col(node));
+    }
+  }
+}
+
 ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) {
   forces.setZero(3, mesh_->n_nodes());
   for (const NodeLoad& load : node_loads_) {
@@ -139,6 +154,7 @@ ForceReport ExternalForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& fo
   for (const FaceLoad& load : face_loads_) {
     if (load.times.is_active(motion.time)) add_load(load, motion, forces);
   }
+  add_damping(motion, motion.velocity, mass_, forces);
   return {};
 }
 
@@ -147,6 +163,8 @@ void ExternalForce::set_moments(const Motion& motion, Eigen::Matrix3Xd& moments)
   for (const NodeLoad& moment : node_moments_) {
     if (moment.times.is_active(motion.time)) add_load(moment, motion, moments);
   }
+  if (inertia_.cols() > 0 && motion.angular_velocity != nullptr)
+    add_damping(motion, *motion.angular_velocity, inertia_, moments);
 }
 
 }  // namespace contactsim

@@ -36,14 +36,27 @@ struct FaceLoad {
   ActiveTimes times;
 };
 
+/// VISCOUS DAMPING: nodes that lose speed v' = -c v by themselves, whatever the size of the steps: the force
+/// is -m (1 - exp(-c dt)) / dt v, with the velocity half a step before.
+struct NodeDamping {
+  std::vector<NodeIndex> nodes;  ///< ascending, each once
+  double coefficient = 0.0;      ///< c, >= 0 [1/time]
+  ActiveTimes times;
+};
+
 /// The loads of a region. A load acts at the times of its active periods.
 class ExternalForce final : public ForceTerm {
  public:
-  /// mesh  must outlive this
-  explicit ExternalForce(const Mesh& mesh) : mesh_(&mesh) {}
+  ///   mesh     must outlive this
+  ///   mass     [3 x n_nodes] of the nodes that damping slows [mass]
+  ///   inertia  [3 x n_nodes] of those that turn, or no columns [mass length^2]
+  explicit ExternalForce(const Mesh& mesh, Eigen::Matrix3Xd mass = Eigen::Matrix3Xd(3, 0),
+                         Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd(3, 0))
+      : mesh_(&mesh), mass_(std::move(mass)), inertia_(std::move(inertia)) {}
   void add(NodeLoad load) { node_loads_.push_back(std::move(load)); }
   void add_moment(NodeLoad moment) { node_moments_.push_back(std::move(moment)); }
   void add(FaceLoad load);
+  void add(NodeDamping damping) { dampings_.push_back(std::move(damping)); }
   /// Takes the faces of dead elements out of all loads.
   ///   alive  [n_elements] 0 of dead elements
   void take_off(std::span<const std::uint8_t> alive);
@@ -60,9 +73,14 @@ class ExternalForce final : public ForceTerm {
   void add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const;
   void add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces);
 
+  void add_damping(const Motion& motion, const Eigen::Matrix3Xd& velocity, const Eigen::Matrix3Xd& mass,
+                   Eigen::Matrix3Xd& forces) const;
+
   const Mesh* mesh_;
+  Eigen::Matrix3Xd mass_, inertia_;  ///< that dampings act on
   std::vector<NodeLoad> node_loads_, node_moments_;
   std::vector<FaceLoad> face_loads_;
+  std::vector<NodeDamping> dampings_;
   std::vector<NodeVector> corner_forces_;  ///< [4 x n_faces] of the load that is being added [force]
 };
 

@@ -22,12 +22,17 @@ class ExternalForceMaker {
  public:
   ExternalForceMaker(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
                      const Eigen::Matrix3Xd& inertia)
-      : scope_(scope), mass_(mass), inertia_(inertia), made_(scope.mesh) {}
+      : scope_(scope),
+        mass_(mass),
+        inertia_(inertia),
+        made_(scope.region.viscous_dampings.empty() ? ExternalForce(scope.mesh)
+                                                    : ExternalForce(scope.mesh, mass, inertia)) {}
 
   void add(const Gravity& gravity);
   void add(const NodalLoad& load);
   void add(const Pressure& pressure);
   void add(const Traction& traction);
+  void add(const ViscousDamping& viscous);
   ExternalForce take() { return std::move(made_); }
 
  private:
@@ -170,6 +175,14 @@ void ExternalForceMaker::add(const Traction& traction) {
   made_.add(std::move(load));
 }
 
+void ExternalForceMaker::add(const ViscousDamping& viscous) {
+  NodeDamping damping;
+  damping.nodes = find_nodes(viscous.set, {"the viscous damping", viscous.name.location}, scope_);
+  damping.coefficient = viscous.mass_damping_coefficient;
+  damping.times = make_active_times(viscous.periods, scope_.time_stepping_blocks);
+  made_.add(std::move(damping));
+}
+
 }  // namespace
 
 ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matrix3Xd& mass,
@@ -179,6 +192,7 @@ ExternalForce make_external_force(const ConditionScope& scope, const Eigen::Matr
   for (const NodalLoad& load : scope.region.nodal_loads) maker.add(load);
   for (const Pressure& pressure : scope.region.pressures) maker.add(pressure);
   for (const Traction& traction : scope.region.tractions) maker.add(traction);
+  for (const ViscousDamping& damping : scope.region.viscous_dampings) maker.add(damping);
   return maker.take();
 }
 

@@ -57,4 +57,13 @@ struct Gravity {
   ActivePeriods periods;
 };
 
+/// BEGIN VISCOUS DAMPING: a force of mass x coefficient x velocity against the motion of every node. Several
+/// blocks add.
+struct ViscousDamping {
+  DeckName name;
+  EntitySet set;
+  double mass_damping_coefficient = 0.0;  ///< >= 0 [1/time]
+  ActivePeriods periods;
+};
+
 }  // namespace contactsim

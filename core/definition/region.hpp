@@ -27,6 +27,7 @@ struct Region {
   std::vector<Pressure> pressures;
   std::vector<Traction> tractions;
   std::vector<Gravity> gravities;
+  std::vector<ViscousDamping> viscous_dampings;
   std::vector<InitialVelocity> initial_velocities;
   std::vector<InitialCondition> initial_conditions;
 

@@ -37,7 +37,7 @@ struct MassScaling {
   DeckName name;
   EntitySet set;
   std::optional<double> target_time_step;         ///< > 0 [time]
-  std::optional<double> allowable_mass_increase;  ///< largest mass over the mesh's, > 0 [1]
+  std::optional<double> allowable_mass_increase;  ///< most times that an element may become as heavy, > 0 [1]
 };
 
 /// TERMINATE {GLOBAL|NODAL|ELEMENT} [{AVG|MAX|MIN}] <variable> <op> <value>: the run stops when it holds.

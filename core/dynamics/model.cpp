@@ -7,6 +7,7 @@
 
 #include "core/definition/simulation.hpp"
 #include "core/dynamics/make_rigid_bodies.hpp"
+#include "core/dynamics/mass_scaling.hpp"
 #include "core/elements/block_maker.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/mesh/block_names.hpp"
@@ -69,7 +70,7 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
   const FiniteElementModel* elements = find_finite_element_model(definition, region);
   if (elements == nullptr) {
     diagnostics.add_error(region.name.location, "the region has no finite element model",
-                          "without one only --check can be run");
+                          "without one --tables alone can be asked for");
     return model;
   }
   BlockMaker maker(definition, *elements, mesh, diagnostics);
@@ -78,6 +79,7 @@ Model make_model(const SimulationDefinition& definition, const Region& region, c
     if (mesh.blocks()[i].n_elements > 0) maker.add(i, names[i], model.blocks);
   }
   warn_of_hanging_nodes(mesh, elements->name.location, diagnostics);
+  scale_masses({definition, region, {}, mesh, diagnostics}, model.blocks);
   model.mass = lumped_mass(mesh, model.blocks);
   model.inertia = lumped_inertia(mesh, model.blocks);
   make_rigid_bodies(definition, region, model, diagnostics);

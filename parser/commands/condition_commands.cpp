@@ -104,7 +104,6 @@ std::vector<Row<Region>> other_condition_rows() {
       refused_block<R>("cavity expansion", "PRESSURE with a function may say the same"),
       refused_block<R>("blast pressure", "PRESSURE with a function may say the same"),
       refused_block<R>("silent boundary", "Boundaries reflect waves"),
-      refused_block<R>("viscous damping", "Only the bulk viscosity of blocks damps"),
       refused_block<R>("periodic", "Periodic conditions are not modelled"),
   };
 }

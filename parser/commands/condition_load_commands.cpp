@@ -89,6 +89,23 @@ const Table<Gravity>& gravity_table() {
   return table;
 }
 
+const Table<ViscousDamping>& viscous_damping_table() {
+  using V = ViscousDamping;
+  static const Table<V> table(joined<V>({
+      lift_all(entity_set_rows(must_pick_parts), &V::set),
+      {
+          row("mass damping coefficient", read::non_negative, &V::mass_damping_coefficient,
+              "Speed that is lost in a unit of time, over the speed [1/time]")
+              .required(),
+          refused<V>(
+              "stiffness damping coefficient", "= <real>",
+              "LINEAR BULK VISCOSITY of a block damps waves of pressure; give MASS DAMPING COEFFICIENT"),
+      },
+      lift_all(period_rows(), &V::periods),
+  }));
+  return table;
+}
+
 }  // namespace
 
 std::vector<Row<Region>> load_rows() {
@@ -100,6 +117,9 @@ std::vector<Row<Region>> load_rows() {
                          "Pressure on faces, positive into them"),
       block<R, Traction>("traction", Naming::optional, traction_table, &R::tractions,
                          "Force per area on faces along a direction"),
+      block<R, ViscousDamping>(
+          "viscous damping", Naming::optional, viscous_damping_table, &R::viscous_dampings,
+          "Slows nodes in proportion to their mass; what is lost counts as external work"),
       block<R, Gravity>("gravity", Naming::optional, gravity_table, &R::gravities,
                         "Acceleration of a body; several blocks add"),
   };

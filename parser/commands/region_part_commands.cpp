@@ -59,10 +59,11 @@ const Table<MassScaling>& mass_scaling_table() {
   static const Table<M> table(joined<M>({
       lift_all(entity_set_rows(must_pick_parts), &M::set),
       {
-          row("target time step", read::positive, &M::target_time_step, "Critical step that is wanted [time]")
+          row("target time step", read::positive, &M::target_time_step,
+              "Stable step, before its scale factor, that every element shall allow at the start [time]")
               .required(),
           row("allowable mass increase ratio", read::positive, &M::allowable_mass_increase,
-              "Largest mass over the mesh's [1]", "no bound"),
+              "Most times that an element may become as heavy [1]", "no bound"),
       },
   }));
   return table;
@@ -137,7 +138,7 @@ std::vector<Row<Region>> region_part_rows() {
           block<R, SpotWeld>("spot weld", Naming::optional, spot_weld_table, &R::spot_welds,
                              "Springs between nodes and faces that can fail"),
           block<R, MassScaling>("mass scaling", Naming::optional, mass_scaling_table, &R::mass_scalings,
-                                "Adds mass for a larger time step"),
+                                "Adds mass to elements for a larger time step"),
       },
       unsupported_rows(),
       implicit_region_rows<R>(),

@@ -72,10 +72,18 @@ void check(const TimeControl& control, DeckNames& names) {
     }
     last = &block;
   }
-  if (last != nullptr && control.termination_time <= last->start_time) {
-    add_at(names, last->name,
-           fmt::format("starts at {}, not before the termination time {}", last->start_time,
-                       control.termination_time));
+  for (const TimeSteppingBlock& block : control.time_stepping_blocks) {
+    if (!(control.termination_time <= block.start_time)) continue;
+    const std::string text = fmt::format("starts at {}, not before the termination time {}", block.start_time,
+                                         control.termination_time);
+    if (&block == &control.time_stepping_blocks.front()) {
+      add_at(names, block.name, text);
+    } else {
+      names.problems_of_block().add_warning(
+          "time-block-unused", block.name.location,
+          fmt::format("the time stepping block '{}' {}: it is never run", block.name.text, text), "",
+          static_cast<int>(block.name.text.size()));
+    }
   }
 }
 

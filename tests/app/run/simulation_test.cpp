@@ -107,10 +107,6 @@ TEST_CASE("an element that turns inside out ends the run with code 4, its id and
 }
 
 TEST_CASE("what a run does not act on yet is refused at its line", "[app][transient]") {
-  const PulledBar scaled("begin mass scaling m\nblock = bar\ntarget time step = 1e-3\nend\n");
-  const auto [code, out, err] = scaled.run({"a.i"});
-  CHECK(code == 2);
-  CHECK_THAT(err, Contains("a.i:") && Contains("mass scaling is not supported in a run yet"));
   const PulledBar contact(
       "begin contact definition\nskin all blocks = on\nbegin surface weld model h\nnormal capacity = 1\n"
       "tangential capacity = 1\nfailed model = tied\nend\nbegin interaction defaults\nself contact = "

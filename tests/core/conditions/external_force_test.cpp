@@ -242,3 +242,15 @@ TEST_CASE("a load without a finite value ends the run at its block", "[core][con
         "time 1: the function of the pressure at c.i:1:1 has no finite value at node 20");
   CHECK(failure(block("prescribed force", "node set = edge\ncomponent = x\nfunction = one")) == "");
 }
+
+TEST_CASE("viscous damping takes the speed that it should in a step, however large", "[core][conditions]") {
+  const Mesh mesh = body();
+  Loaded loaded(mesh, block("viscous damping", "block = block_1\nmass damping coefficient = 3"));
+  loaded.v.setConstant(2.0);
+  const Eigen::Matrix3Xd forces = loaded.at(0.0);  // over a step of 0.1
+  for (std::uint32_t i = 0; i < mesh.n_nodes(); ++i) {
+    const bool is_slowed = mesh.coordinates()(2, i) <= 1.0;
+    const double change = forces(0, i) / loaded.mass(0, i) * 0.1;
+    CHECK(change == Approx(is_slowed ? 2.0 * (std::exp(-0.3) - 1.0) : 0.0));
+  }
+}

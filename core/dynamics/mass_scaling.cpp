@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/dynamics/mass_scaling.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/pluralize.hpp"
+#include "core/conditions/entity_elements.hpp"
+#include "core/definition/region.hpp"
+#include "core/elements/element_table.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Steps of the elements of a block at rest.
+class StepsAtRest {
+ public:
+  StepsAtRest(const Mesh& mesh, ModelBlock& block)
+      : block_(block),
+        state_(make_state(block)),
+        still_(Eigen::Matrix3Xd::Zero(3, mesh.n_nodes())),
+        motion_{0.0, 0.0, mesh.coordinates(), still_} {
+    motion_.angular_velocity = &still_;
+  }
+
+  /// The stable step that an element allows alone [time].
+  double of(std::size_t element) {
+    const std::size_t batch = element / n_lanes;
+    const auto lane = static_cast<Eigen::Index>(element % n_lanes);
+    const auto parent = std::ranges::find_if(block_.chunks, [&](const BatchChunk& chunk) {
+      return batch >= chunk.first_batch && batch < chunk.first_batch + chunk.n_batches;
+    });
+    const BatchChunk alone{batch, 1, parent->first_node, parent->n_nodes};
+    // The others of the batch are made so heavy that the least step is that of the element.
+    constexpr double heavy = 1e12;
+    Lanes factors = Lanes::Constant(heavy);
+    factors(lane) = 1.0;
+    const Lanes mass = block_.mass[batch];
+    const std::optional<Lanes> inertia =
+        block_.inertia.empty() ? std::nullopt : std::optional(block_.inertia[batch]);
+    scale(batch, factors);
+    const double step = block_.element->advance(block_, alone, motion_, state_).stable_step;
+    block_.mass[batch] = mass;
+    if (inertia) block_.inertia[batch] = *inertia;
+    return step;
+  }
+
+  void scale(std::size_t batch, const Lanes& factors) {
+    block_.mass[batch] *= factors;
+    if (!block_.inertia.empty()) block_.inertia[batch] *= factors;
+  }
+
+ private:
+  ModelBlock& block_;
+  ModelBlockState state_;
+  Eigen::Matrix3Xd still_;
+  Motion motion_;
+};
+
+/// What a MASS SCALING block has done.
+struct ScalingSum {
+  std::size_t n_scaled = 0, n_bounded = 0;
+  double added = 0.0;           ///< [mass]
+  double largest_factor = 1.0;  ///< [1]
+};
+
+void scale_block(const MassScaling& scaling, std::span<const ElementIndex> elements, const Mesh& mesh,
+                 ModelBlock& block, ScalingSum& sum) {
+  const auto begin = std::ranges::lower_bound(elements, block.first_element);
+  const ElementIndex last{block.first_element.value + static_cast<std::uint32_t>(block.n_elements)};
+  const auto end = std::ranges::lower_bound(elements, last);
+  if (begin == end || block.is_rigid || block.element->step_rule != StepRule::material) return;
+  StepsAtRest steps(mesh, block);
+  const double bound = scaling.allowable_mass_increase.value_or(std::numeric_limits<double>::infinity());
+  constexpr double rounding = 1e-12;
+  for (auto at = begin; at != end; ++at) {
+    const std::size_t element = at->value - block.first_element.value;
+    const double step = steps.of(element), wanted = *scaling.target_time_step / step;
+    if (!(wanted > 1.0 + rounding)) continue;
+    const double factor = std::min(wanted * wanted, std::max(bound, 1.0));
+    if (factor < wanted * wanted) ++sum.n_bounded;
+    const auto lane = static_cast<Eigen::Index>(element % n_lanes);
+    Lanes factors = Lanes::Ones();
+    factors(lane) = factor;
+    sum.added += (factor - 1.0) * block.mass[element / n_lanes](lane);
+    steps.scale(element / n_lanes, factors);
+    ++sum.n_scaled;
+    sum.largest_factor = std::max(sum.largest_factor, factor);
+  }
+}
+
+double mass_of(std::span<const ModelBlock> blocks) {
+  double mass = 0.0;
+  for (const ModelBlock& block : blocks) {
+    for (std::size_t i = 0; i < block.n_elements; ++i)
+      mass += block.mass[i / n_lanes](static_cast<Eigen::Index>(i % n_lanes));
+  }
+  return mass;
+}
+
+}  // namespace
+
+void scale_masses(const ConditionScope& scope, std::span<ModelBlock> blocks) {
+  for (const MassScaling& scaling : scope.region.mass_scalings) {
+    if (!scaling.target_time_step) continue;
+    const DeckLocation& place = scaling.name.location;
+    const auto elements = find_elements(scaling.set, {"the mass scaling", place}, scope);
+    const double before = mass_of(blocks);
+    ScalingSum sum;
+    for (ModelBlock& block : blocks) scale_block(scaling, elements, scope.mesh, block, sum);
+    const auto warn = [&](std::string_view id, std::string text, std::string hint) {
+      scope.diagnostics.add_warning(id, place, std::move(text), std::move(hint));
+    };
+    if (sum.n_scaled == 0) {
+      warn("mass-scaling-idle",
+           fmt::format("mass scaling has no effect: every element allows a step of {:.5g}",
+                       *scaling.target_time_step),
+           "");
+      continue;
+    }
+    warn("mass-scaled",
+         fmt::format("mass scaling adds {:.5g}, {:.3g} % of all mass: {} up to {:.4g} times as heavy",
+                     sum.added, 100.0 * sum.added / before,
+                     pluralize(sum.n_scaled, "element is", "elements are"), sum.largest_factor),
+         "speeds of waves and inertia are wrong there");
+    if (sum.n_bounded > 0) {
+      warn("mass-scaling-bounded",
+           fmt::format("{} below the target time step by ALLOWABLE MASS INCREASE RATIO",
+                       pluralize(sum.n_bounded, "element stays", "elements stay")),
+           "the run's step is smaller than the target");
+    }
+  }
+}
+
+}  // namespace contactsim
