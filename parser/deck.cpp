@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/deck.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <optional>
 
 #include "core/base/errors.hpp"
+#include "core/base/names.hpp"
 #include "parser/aprepro/aprepro.hpp"
 #include "parser/aprepro/deck_source.hpp"
 #include "parser/commands/deck_commands.hpp"
@@ -39,6 +41,28 @@ std::optional<Block> read_blocks(const std::string& name, const std::function<So
   return std::nullopt;
 }
 
+/// What stands behind the SIERRA block is of it when an END too many has closed it: one error for all of
+/// that.
+void drop_what_follows_sierra(Block& deck, Diagnostics& diagnostics) {
+  const auto is_sierra = [](const Item& item) {
+    const Block* block = std::get_if<Block>(&item.value);
+    return block != nullptr && !block->title.empty() && fold(block->title.front().text) == "sierra";
+  };
+  const auto sierra = std::find_if(deck.items.begin(), deck.items.end(), is_sierra);
+  if (sierra == deck.items.end() || std::next(sierra) == deck.items.end()) return;
+  const Block* next = std::get_if<Block>(&std::next(sierra)->value);
+  if (next == nullptr || is_sierra(*std::next(sierra))) return;
+  diagnostics.add_error(next->location, "this block stands behind the end of the SIERRA block",
+                        "an END too many or a BEGIN too few is above it; nothing from here on is read");
+  deck.items.erase(std::next(sierra), deck.items.end());
+}
+
+/// Whether the deck could be one of another program: not one of its lines and blocks was understood.
+bool is_foreign(const Block& deck, const Diagnostics& diagnostics) {
+  const auto n_unknown = std::ranges::count(diagnostics.all(), "deck-unknown", &Diagnostic::id);
+  return static_cast<std::size_t>(n_unknown) >= deck.items.size();
+}
+
 /// What a deck is read from.
 struct DeckSource {
   const std::string& name;
@@ -49,14 +73,19 @@ struct DeckSource {
 SimulationDefinition bind_deck(const DeckSource& source, bool is_lenient, Diagnostics& diagnostics) {
   SimulationDefinition simulation;
   const std::string& name = source.name;
-  const auto deck = read_blocks(name, source.read, source.read_file, simulation.text, diagnostics);
+  auto deck = read_blocks(name, source.read, source.read_file, simulation.text, diagnostics);
   simulation.deck_base = std::filesystem::path(name).stem().string();
   if (!deck) return simulation;
   simulation.form = find_deck_form(*deck);
+  if (simulation.form == DeckForm::full) drop_what_follows_sierra(*deck, diagnostics);
   if (simulation.form != DeckForm::full) simulation.procedures.emplace_back().regions.emplace_back();
   DeckNames names;
   Binding binding{diagnostics, is_lenient, &names};
   deck_table(simulation.form).bind(*deck, simulation, binding);
+  if (is_foreign(*deck, diagnostics)) {
+    diagnostics.add_error({}, name + ": nothing in this deck is of Sierra/SM",
+                          "it should have a BEGIN SIERRA block, or commands of a contact definition");
+  }
   resolve_names(simulation, names, diagnostics);
   return simulation;
 }
@@ -66,7 +95,8 @@ SimulationDefinition bind_deck(const DeckSource& source, bool is_lenient, Diagno
 SimulationDefinition parse_deck(const std::string& path, const ParseOptions& options,
                                 Diagnostics& diagnostics) {
   const std::vector<std::string> overrides = assignments_of(options);
-  const auto read_source = [&] { return read_deck_source(path, overrides, diagnostics); };
+  const ApreproOptions aprepro{overrides, read_text_file, options.max_aprepro_work, options.is_lenient};
+  const auto read_source = [&] { return read_deck_source(path, aprepro, diagnostics); };
   return bind_deck({path, read_source, read_text_file}, options.is_lenient, diagnostics);
 }
 
@@ -74,10 +104,8 @@ SimulationDefinition parse_deck_text(const std::string& name, const std::string&
                                      const ParseOptions& options, Diagnostics& diagnostics,
                                      const FileReader& read_file) {
   const std::vector<std::string> overrides = assignments_of(options);
-  const auto read_source = [&] {
-    const ApreproOptions aprepro{overrides, read_file, options.max_aprepro_work};
-    return run_aprepro(make_source(name, text), aprepro, diagnostics);
-  };
+  const ApreproOptions aprepro{overrides, read_file, options.max_aprepro_work, options.is_lenient};
+  const auto read_source = [&] { return run_aprepro(make_source(name, text), aprepro, diagnostics); };
   return bind_deck({name, read_source, read_file}, options.is_lenient, diagnostics);
 }
 

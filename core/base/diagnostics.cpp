@@ -29,6 +29,44 @@ void Diagnostics::append(const Diagnostics& other) {
   for (const Diagnostic& diagnostic : other.found_) add(diagnostic);
 }
 
+namespace {
+
+constexpr std::size_t max_of_kind = 20;
+
+/// A text without its quoted words and its numbers.
+std::string kind_of(std::string_view text) {
+  std::string kind;
+  bool is_quoted = false;
+  for (const char c : text) {
+    if (c == '\'') is_quoted = !is_quoted;
+    const bool is_of_number = (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+    if (!is_quoted && !is_of_number) kind += c;
+  }
+  return kind;
+}
+
+/// Counts what follows too many problems of one kind in a row.
+std::vector<DiagnosticGroup> count_alike(std::vector<DiagnosticGroup> groups) {
+  std::vector<DiagnosticGroup> kept;
+  std::string kind;
+  std::size_t n_of_kind = 0;
+  for (DiagnosticGroup& group : groups) {
+    const char* word = group.first.severity == Severity::error ? "error" : "warning";
+    std::string own = fmt::format("{} {} {}", word, group.first.id, kind_of(group.first.text));
+    n_of_kind = own == kind ? n_of_kind + 1 : 1;
+    kind = std::move(own);
+    if (n_of_kind <= max_of_kind) {
+      kept.push_back(std::move(group));
+    } else {
+      kept.back().n_alike += 1 + group.others.size();
+      kept.back().last_alike = group.first.location;
+    }
+  }
+  return kept;
+}
+
+}  // namespace
+
 std::vector<DiagnosticGroup> Diagnostics::grouped() const {
   std::map<const SourceFile*, int> file_order;
   for (const Diagnostic& d : found_) {
@@ -53,7 +91,7 @@ std::vector<DiagnosticGroup> Diagnostics::grouped() const {
       groups[found->second].others.push_back(d->location);
     }
   }
-  return groups;
+  return count_alike(std::move(groups));
 }
 
 namespace {
@@ -74,7 +112,12 @@ std::string trail_and_places(const DiagnosticGroup& group) {
   for (const Trail* trail = group.first.location.trail.get(); trail != nullptr; trail = trail->outer.get()) {
     text += fmt::format("  {}\n", trail->text);
   }
-  if (group.others.empty()) return text;
+  const auto alike = [&] {
+    if (group.n_alike == 0) return std::string();
+    const std::string last = group.last_alike.is_known() ? ", up to " + to_string(group.last_alike) : "";
+    return fmt::format("  {} more of this kind{}\n", group.n_alike, last);
+  };
+  if (group.others.empty()) return text + alike();
   std::vector<std::string> places;
   for (const DeckLocation& other : group.others) {
     if (other.is_known() && places.size() + 1 < n_places_shown) places.push_back(to_string(other));
@@ -82,7 +125,7 @@ std::string trail_and_places(const DiagnosticGroup& group) {
   text += fmt::format("  {} more like this", group.others.size());
   if (!places.empty()) text += fmt::format(", at {}", fmt::join(places, ", "));
   if (places.size() < group.others.size() && !places.empty()) text += ", ...";
-  return text + "\n";
+  return text + "\n" + alike();
 }
 
 std::string caret_picture(const Diagnostic& d) {

@@ -25,6 +25,8 @@ struct Diagnostic {
 struct DiagnosticGroup {
   Diagnostic first;
   std::vector<DeckLocation> others;  ///< the further places, in order
+  std::size_t n_alike = 0;           ///< of its kind that follow and are only counted
+  DeckLocation last_alike = {};      ///< of the last of them
 };
 
 /// Collects what a stage finds, so that all problems of a deck or mesh appear in one run.
@@ -44,7 +46,8 @@ class Diagnostics {
   const std::vector<Diagnostic>& all() const { return found_; }
 
   /// Sorted by file (in order of first appearance), line and column, equal ones joined; diagnostics without
-  /// a location come last.
+  /// a location come last. Of errors in a row that differ in quoted words and numbers alone the first 20
+  /// stand for the others.
   std::vector<DiagnosticGroup> grouped() const;
 
  private:

@@ -15,11 +15,17 @@ namespace {
 
 constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
 
-// Variables of Sierra/SM that no run has, or not with any material.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> foreign_variables{{
+// Variables of Sierra/SM that no run has, or not with any material, and what others call ours.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 9> foreign_variables{{
     {"element_shape", "contactsim judges no element shapes"},
     {"tearing_parameter", "materials that fail have it"},
     {"temperature", "nothing is heated here"},
+    {"mises", "here it is called von_mises"},
+    {"peeq", "here it is called eqps"},
+    {"u", "here it is called displacement"},
+    {"v", "here it is called velocity"},
+    {"a", "here it is called acceleration"},
+    {"rf", "here it is called reaction"},
 }};
 
 // What may have been meant by a name that is not known: "" when nothing comes to mind.

@@ -162,8 +162,11 @@ std::size_t Arguments::choice(const Choices& choices) {
   if (const auto position = take_choice(words_, choices)) return *position;
   const std::string legal = fmt::format("{}", fmt::join(choices.phrases(), ", "));
   const Word& found = word("one of " + legal);
+  const auto is_it = [&](const std::string& phrase) { return fold(phrase) == fold(found.text); };
+  const bool is_right_but_quoted =
+      found.kind == WordKind::quoted && std::ranges::any_of(choices.phrases(), is_it);
   fail(found, fmt::format("expected one of {} for '{}', found {}", legal, what_, quote(found)),
-       suggest(found.text, choices.phrases()));
+       is_right_but_quoted ? "write it without quotes" : suggest(found.text, choices.phrases()));
 }
 
 void Arguments::expect_end() {

@@ -55,6 +55,14 @@ std::string DeckNames::block_for_message() const {
                                  : fmt::format("the {} '{}'", word, block.name.text);
 }
 
+void DeckNames::drop_errors_of_block() {
+  Diagnostics kept;
+  for (const Diagnostic& problem : blocks_[current_].of_block.all()) {
+    if (problem.severity == Severity::warning) kept.add(problem);
+  }
+  blocks_[current_].of_block = std::move(kept);
+}
+
 void DeckNames::add_problem_of_block(std::string_view text, std::string hint) {
   NamedBlock& block = blocks_[current_];
   block.of_block.add_error(block.name.location, fmt::format("{} {}", block_for_message(), text),

@@ -50,6 +50,10 @@ class DeckNames {
   Diagnostics& problems_of_lines(Diagnostics& otherwise);
   /// What is wrong with the current block as a whole: counts as the names in it do.
   Diagnostics& problems_of_block() { return blocks_[current_].of_block; }
+  /// Forgets the errors among them: a line of the block that is wrong is the likely cause.
+  void drop_errors_of_block();
+  /// Whether the current block has no blocks inside.
+  bool is_innermost() const { return blocks_[current_].inner.empty(); }
   /// Adds one of them under the block's name: "the spot weld 'w'" and `text`, which goes on "has no SURFACE".
   void add_problem_of_block(std::string_view text, std::string hint = "");
   /// The current block as messages call it: "the spot weld 'w'".

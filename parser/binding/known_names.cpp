@@ -35,6 +35,9 @@ std::vector<std::size_t> KnownNames::look_up(const DeckName& reference, Diagnost
   std::string hint = suggest(reference.text, spellings_);
   if (hint.empty() && spellings_.empty())
     hint = fmt::format("{} has no {}", owner_.empty() ? "the deck" : owner_, kind_);
+  constexpr std::size_t most_listed = 8;
+  if (hint.empty() && !spellings_.empty() && spellings_.size() <= most_listed)
+    hint = fmt::format("{} has {}", owner_.empty() ? "the deck" : owner_, fmt::join(spellings_, ", "));
   diagnostics.add_error(reference.location, "unknown " + name_for_message(reference), std::move(hint),
                         static_cast<int>(reference.text.size()));
   return {};

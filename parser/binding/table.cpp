@@ -125,8 +125,10 @@ void bind_block(Binding& binding, const BlockHead& head, const std::function<voi
   names.begin_block(head.phrase, head.kind, head.name);
   for (const NameKind kind : head.references) names.refer(kind, head.name);
   Binding inner{names.problems_of_lines(binding.diagnostics), binding.is_lenient, &names};
+  const std::size_t n_before = inner.diagnostics.error_count();
   try {
     bind(inner);
+    if (inner.diagnostics.error_count() > n_before && names.is_innermost()) names.drop_errors_of_block();
   } catch (const ArgumentError& error) {
     names.drop_block();
     report(error, inner);

@@ -43,14 +43,20 @@ Row<MaterialDefinition> model_row(const std::string& model, const std::string& h
   Row<MaterialDefinition> made{{phrase, model.empty() ? "<model>" : "", help, "none", Support::supported,
                                 RowText::Matches::phrase, true,
                                 [&table]() -> const TableText& { return table.text(); }}};
-  made.read_block = [parameters, &table](const Block& found, const DeckName&, MaterialDefinition& material,
-                                         Binding& binding) {
+  made.read_block = [parameters, &table, is_unknown = model.empty()](
+                        const Block& found, const DeckName&, MaterialDefinition& material, Binding& binding) {
     const std::vector<DeckName> words = block_names(found, model_phrase);
     if (words.empty()) check_name(found, {}, Naming::required);
     DeckName name{"", words.front().location};
     for (const DeckName& word : words) {
       if (!name.text.empty()) name.text += '_';
       name.text += word.text;
+    }
+    const bool is_known =
+        find_material_row(name.text) != nullptr || find_traction_law_row(name.text) != nullptr;
+    if (is_unknown && is_known) {
+      throw ArgumentError{{Severity::error, "", name.location, static_cast<int>(name.text.size()) + 2,
+                           fmt::format("the model '{}' is in quotes", name.text), "write it without them"}};
     }
     ParameterValues values(parameters);
     bind_block(binding, {text_of(NameKind::model).word, NameKind::model, name},

@@ -151,3 +151,23 @@ TEST_CASE("a lenient reading turns unknown and refused commands into warnings", 
   CHECK(parsed_sierra("frobnicate = 3\n", options).messages ==
         "a.i:2:1: warning: unknown command 'frobnicate = 3' in 'sierra', passed over [deck-unknown]\n");
 }
+
+TEST_CASE("an END too many is one error, and its cause stands first", "[parser][deck]") {
+  std::string deck = drop;
+  deck.insert(deck.find("  begin finite element model"), "end\n");
+  const auto [simulation, said] = parsed(deck);
+  CHECK(said.find("this block stands behind the end of the SIERRA block; an END too many") !=
+        std::string::npos);
+  CHECK(said.find("unknown") == std::string::npos);
+}
+
+TEST_CASE("a deck of another program is refused also where the user is lenient", "[parser][deck]") {
+  Diagnostics found;
+  ParseOptions options;
+  options.is_lenient = true;
+  parse_deck_text("a.inp", "*HEADING\n*NODE\n1, 0, 0, 0\n", options, found);
+  CHECK(found.error_count() == 1);
+  CHECK(messages(found).find(
+            "error: a.inp: nothing in this deck is of Sierra/SM; it should have a BEGIN SIERRA") !=
+        std::string::npos);
+}

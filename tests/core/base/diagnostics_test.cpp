@@ -28,6 +28,23 @@ TEST_CASE("diagnostics are sorted by place and equal ones are grouped", "[core][
   CHECK(format_machine(groups[1]) == "a.i:2:2: warning: 'second' has no effect here [deck-ignored]\n");
 }
 
+TEST_CASE("problems of one kind in a row are counted from the twenty-first on", "[core][diagnostics]") {
+  Diagnostics found;
+  for (int line = 1; line <= 50; ++line)
+    found.add_error(at(line, 1), "unknown command '" + std::to_string(line) + " 1.5' in 'function f'");
+  found.add_error(at(51, 1), "something else");
+  for (int line = 52; line <= 80; ++line) found.add_warning("w", at(line, 1), "row " + std::to_string(line));
+  const auto groups = found.grouped();
+  REQUIRE(groups.size() == 20 + 1 + 20);
+  CHECK(format_machine(groups[18]) == "a.i:19:1: error: unknown command '19 1.5' in 'function f'\n");
+  CHECK(format_machine(groups[19]) ==
+        "a.i:20:1: error: unknown command '20 1.5' in 'function f'\n"
+        "  30 more of this kind, up to a.i:50:1\n");
+  CHECK(format_machine(groups[20]) == "a.i:51:1: error: something else\n");
+  CHECK(groups[40].n_alike == 9);
+  CHECK(found.error_count() == 51);
+}
+
 TEST_CASE("a caret stands under the word, through tabs and without the line end", "[core][diagnostics]") {
   Diagnostics found;
   found.add_error(at(2, 9), "unknown word 'line'", "did you mean 'lines'?", 4);
