@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/formulations/covered_share.hpp"
 #include "contact/geometry/common_plane.hpp"
 #include "contact/geometry/node_face.hpp"
 
@@ -57,7 +58,9 @@ double share_of_node(const ContactStepContext& context, const NodeFaceLists& nod
     if (row && projects_inside(context, node_faces, *row, own, near_pair.tolerance))
       covered += weights[static_cast<Eigen::Index>(k)];
   }
-  return 1.0 - 0.5 * std::clamp(covered, 0.0, 1.0);
+  const SurfaceNode& node = contact_mesh.surface_nodes[near_pair.row()];
+  return covered_share(context.kinematics, node, near_pair.second) *
+         (1.0 - 0.5 * std::clamp(covered, 0.0, 1.0));
 }
 
 std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context, SurfaceNodeIndex row,

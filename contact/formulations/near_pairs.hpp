@@ -71,7 +71,8 @@ bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, con
 
 /// What a surface node counts for where it meets a face [1]. Pairs that go one way meet everything once: 1.
 /// In those that go both ways nodes of the face count too, as far as they project inside the node's surface:
-/// from 1, when no corner of the face does, down to 1/2, when all do.
+/// from 1, when no corner of the face does, down to 1/2, when all do, of what of the node's area lies before
+/// the other surface.
 ///   node_faces  candidates of a search
 ///   near_pair   of the node; its tolerance holds for the corners' gaps as well
 ///   weights     of the face's corners at the node's closest point, sum 1 [1]
