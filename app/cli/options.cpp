@@ -35,7 +35,12 @@ void add_run_options(CLI::App& app, Options& options) {
   app.add_option("--threads", options.n_threads, "Number of threads; results do not depend on it")
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
-  app.add_flag("--lenient", options.is_lenient, "Pass over unknown and unsupported commands with a warning");
+  auto* strict = app.add_flag("--strict", options.is_strict,
+                              "Exit code 2 when there is a warning; a run does not begin then");
+  app.add_flag("-q,--quiet", options.is_quiet,
+               "Print warnings and errors alone; the log file has everything");
+  app.add_flag("--lenient", options.is_lenient, "Pass over unknown and unsupported commands with a warning")
+      ->excludes(strict);
 }
 
 /// The files that hold the surfaces; a parse alone resolves none.
@@ -53,10 +58,14 @@ void add_surface_options(CLI::App& app, CLI::Option* parse, Options& options) {
 CLI::Option* add_stages(CLI::App& app, Stage& stage) {
   auto* parse = app.add_flag_callback(
       "--parse", [&stage] { stage = Stage::parse; }, "Read and bind the deck, without a mesh, and stop");
-  app.add_flag_callback(
-         "--check", [&stage] { stage = Stage::check; },
-         "Resolve the contact surfaces, print their tables and stop")
-      ->excludes(parse);
+  auto* tables = app.add_flag_callback(
+      "--tables", [&stage] { stage = Stage::tables; },
+      "Resolve the contact surfaces, print their tables and stop; for decks that cannot be run too");
+  auto* check = app.add_flag_callback(
+      "--check", [&stage] { stage = Stage::check; },
+      "The same, then find all that a run would refuse or warn of, and estimate what it takes");
+  tables->excludes(parse);
+  check->excludes(parse)->excludes(tables);
   return parse;
 }
 

@@ -14,9 +14,10 @@ namespace contactsim {
 
 /// How far a run goes.
 enum class Stage {
-  parse,  ///< read and bind the deck, no mesh
-  check,  ///< resolve the contact surfaces
-  run     ///< everything
+  parse,   ///< read and bind the deck, no mesh
+  tables,  ///< resolve the contact surfaces
+  check,   ///< and prepare the run, so that what it would refuse is found
+  run      ///< everything
 };
 
 /// What the command line asks for.
@@ -32,6 +33,8 @@ struct Options {
   std::optional<std::string> summary;          ///< file for what the run came to, as JSON
   std::optional<std::string> includes_folder;  ///< where relative paths of includes start, if not here
   bool is_lenient = false;
+  bool is_strict = false;                ///< a warning counts as an error
+  bool is_quiet = false;                 ///< only problems are printed
   int n_threads = 0;                     ///< 0: as many as OpenMP chooses
   std::optional<std::string> log;        ///< in place of <deck base>.log
   std::vector<std::string> definitions;  ///< "name=value" for Aprepro

@@ -16,6 +16,7 @@
 #include "app/manual/explain_variables.hpp"
 #include "app/manual/foreign_keywords.hpp"
 #include "app/reports/log.hpp"
+#include "app/reports/run_head.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
 #include "core/base/pluralize.hpp"
@@ -40,7 +41,9 @@ ExitCode run(const Options& options, Log& log, RunSummary& summary) {
       const ExitCode code = run_deck(options, log, warnings, summary);
       write_summary(warnings, log);
       summary.found = warnings;
-      return code;
+      const bool is_too_strict = options.is_strict && code == ExitCode::done && !warnings.empty();
+      if (is_too_strict) log.write_error("contactsim: warnings count as errors with --strict");
+      return is_too_strict ? ExitCode::deck : code;
     } catch (const DeckError& error) {
       log.write(error.diagnostics());
       log.write_error("contactsim: " + pluralize(error.diagnostics().error_count(), "error"));
@@ -57,8 +60,9 @@ ExitCode run(const Options& options, Log& log, RunSummary& summary) {
 
 /// The run with its log, from beginning to end.
 ExitCode run_with_log(const Options& options, RunSummary& summary) {
-  Log log(log_path(options));
+  Log log(log_path(options), options.is_quiet);
   log.write(fmt::format("contactsim {}\n", version));
+  log.write_to_file(format_run_head(options.command_line, options.definitions, omp_get_max_threads()));
   const ExitCode code = run(options, log, summary);
   summary.error_lines = log.errors();
   log.close();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <span>
 
@@ -54,7 +55,30 @@ RunDeck read_run_deck(const DeckRequest& request, Diagnostics& diagnostics) {
   return run;
 }
 
-ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& warnings) {
+namespace {
+
+/// Tells of a procedure or a region that is not the chosen one.
+void tell_of_other(const char* what, const DeckName& other, const DeckName& chosen, bool may_pass_over,
+                   Diagnostics& diagnostics) {
+  const int length = std::max(1, static_cast<int>(other.text.size()));
+  if (may_pass_over) {
+    diagnostics.add_warning("deck-region", other.location,
+                            fmt::format("the {} '{}' is passed over", what, other.text),
+                            fmt::format("that of '{}' is taken", chosen.text), length);
+  } else {
+    diagnostics.add_error(
+        other.location, fmt::format("a second {} in one deck is not supported", what),
+        fmt::format("'{}' would be run without it: make it a deck of its own, or pass it over "
+                    "with --lenient",
+                    chosen.text),
+        length);
+  }
+}
+
+}  // namespace
+
+ChosenRegion choose_region(const SimulationDefinition& definition, bool may_pass_over,
+                           Diagnostics& diagnostics) {
   const Procedure* of = nullptr;
   const Region* chosen = nullptr;
   int best = -1;
@@ -67,14 +91,17 @@ ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& 
       chosen = &region;
     }
   }
-  for (const Region* other : regions_with_contact(definition)) {
-    if (other == chosen) continue;
-    warnings.add_warning("deck-region", other->name.location,
-                         fmt::format("the contact of the region '{}' is passed over", other->name.text),
-                         fmt::format("that of '{}' is resolved", chosen->name.text),
-                         static_cast<int>(other->name.text.size()));
+  if (chosen == nullptr) return {};
+  for (const Procedure& procedure : definition.procedures) {
+    if (&procedure != of) {
+      tell_of_other("procedure", procedure.name, of->name, may_pass_over, diagnostics);
+      continue;
+    }
+    for (const Region& region : procedure.regions) {
+      if (&region != chosen) tell_of_other("region", region.name, chosen->name, may_pass_over, diagnostics);
+    }
   }
-  return chosen != nullptr ? ChosenRegion{*of, *chosen} : ChosenRegion{};
+  return {*of, *chosen};
 }
 
 }  // namespace contactsim

@@ -41,7 +41,9 @@ struct ChosenRegion {
 
 /// The region to work on: with contact before without, of an explicit procedure before an implicit one, then
 /// the first.
-///   warnings  gains one for each other region with contact
-ChosenRegion choose_region(const SimulationDefinition& definition, Diagnostics& warnings);
+///   may_pass_over  others are left out with a warning; else each is an error, as they would change the
+///   answer
+ChosenRegion choose_region(const SimulationDefinition& definition, bool may_pass_over,
+                           Diagnostics& diagnostics);
 
 }  // namespace contactsim

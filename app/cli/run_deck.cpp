@@ -2,6 +2,7 @@
 #include "app/cli/run_deck.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "app/cli/surface_stage.hpp"
 #include "app/reports/deck_report.hpp"
 #include "app/reports/overlap_report.hpp"
+#include "app/reports/run_head.hpp"
 #include "app/reports/run_log.hpp"
 #include "app/run/file_clashes.hpp"
 #include "app/run/simulation.hpp"
@@ -41,7 +43,7 @@ bool asks_to_resume(const SimulationDefinition& definition) {
 /// A deck with errors goes no further, but wrong names of surfaces are found all the same.
 void add_name_errors(const Options& options, const SimulationDefinition& definition, Diagnostics& errors) {
   Diagnostics discarded, found;
-  const Region region = choose_region(definition, discarded).region;
+  const Region region = choose_region(definition, true, discarded).region;
   add_surface_name_errors(definition, region, run_mesh_path(options, definition, region), found);
   // What the deck alone shows to be wrong has been reported.
   const auto is_reported = [known = errors.all()](const Diagnostic& error) {
@@ -93,6 +95,17 @@ void obey(StopSignals& signals, Simulation& simulation) {
   if (signals.take_restart_wish()) simulation.store_restart();
 }
 
+void stop_on_errors(const Diagnostics& diagnostics) {
+  if (diagnostics.has_errors()) throw DeckError(diagnostics);
+}
+
+ExitCode estimate_run(Simulation& simulation, Log& log) {
+  const RunEstimate estimate = simulation.estimate();
+  log.write(format_estimate(estimate));
+  log.write_to_file(format_estimated_time(estimate, omp_get_max_threads()));
+  return ExitCode::done;
+}
+
 /// The loop of a run.
 ExitCode run_steps(Simulation& simulation) {
   StopSignals signals;
@@ -136,7 +149,9 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
   log.write(fmt::format("Deck {}\n{}", options.deck, format_definition(definition)));
   if (options.stage == Stage::parse) return ExitCode::done;
 
-  const auto [procedure, region] = choose_region(definition, warnings);
+  const bool may_pass_over = options.is_lenient || options.stage == Stage::tables;
+  const auto [procedure, region] = choose_region(definition, may_pass_over, warnings);
+  if (options.stage == Stage::run) stop_on_errors(warnings);
   const std::string mesh_path = run_mesh_path(options, definition, region);
   check_mesh_is_kept(options, mesh_path);
   if (options.summary) summary.mesh = {mesh_path, digest_of_file(mesh_path), std::nullopt, std::nullopt};
@@ -145,7 +160,7 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
   if (summary.mesh) summary.mesh = {mesh_path, summary.mesh->digest, mesh.n_nodes(), mesh.n_elements()};
 
   ResolvedContact contact;
-  if (region.contact || options.stage == Stage::check) {
+  if (region.contact || options.stage != Stage::run) {
     contact = resolve_contact(options, definition, region, mesh, log, warnings);
     if (contact.model) note_pairs(*contact.model, summary);
     if (contact.code != ExitCode::done) return contact.code;
@@ -156,13 +171,17 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
     refit_smoothings(mesh, *contact.model);
   }
   const std::vector<StartOverlap> overlaps = find_overlaps(input, log);
-  if (options.stage == Stage::check) {
+  // A deck of contact alone has nothing else to check.
+  const bool is_run_known = definition.form == DeckForm::full;
+  if (options.stage == Stage::tables || (options.stage == Stage::check && !is_run_known)) {
     warn_of_overlaps(input, overlaps, {}, warnings);
     return ExitCode::done;
   }
 
   input.overlaps = overlaps;
   Simulation simulation(input, run_settings(options, mesh, log), warnings);
+  if (options.stage == Stage::check) return estimate_run(simulation, log);
+  if (options.is_strict && !warnings.empty()) return ExitCode::done;
   RunLog run_log(log);
   simulation.observe([&](RunEvent event, const Simulation& run) { run_log.look(event, run); });
   return run_to_end(simulation, summary);

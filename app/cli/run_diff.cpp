@@ -30,7 +30,7 @@ OwnershipTable resolve_table(const DeckRequest& request, const std::optional<std
   Diagnostics found;
   const RunDeck deck = read_run_deck(request, found);
   stop_on_errors_of(found);
-  const Region region = choose_region(deck.definition, found).region;
+  const Region region = choose_region(deck.definition, true, found).region;
   if (!region.contact) throw FileError(request.path, "the deck has no contact definition");
   Options options;
   options.deck = request.path;

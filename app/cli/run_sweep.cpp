@@ -61,7 +61,7 @@ class RequestMaker {
       run.deck_digest = format_digest(deck.digest);
       Options of_run;
       of_run.mesh = options_.mesh;
-      return run_mesh_path(of_run, deck.definition, choose_region(deck.definition, found).region);
+      return run_mesh_path(of_run, deck.definition, choose_region(deck.definition, true, found).region);
     } catch (const DeckError&) {
       return options_.mesh;
     } catch (const FileError&) {

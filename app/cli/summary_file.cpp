@@ -16,6 +16,7 @@ namespace {
 
 const char* stage_name(Stage stage) {
   if (stage == Stage::run) return "run";
+  if (stage == Stage::tables) return "tables";
   return stage == Stage::check ? "check" : "parse";
 }
 

@@ -16,7 +16,8 @@ void write_to(std::FILE* stream, std::string_view text) { std::fwrite(text.data(
 
 }  // namespace
 
-Log::Log(const std::string& path) : path_(path), file_(path, std::ios::binary | std::ios::app) {
+Log::Log(const std::string& path, bool is_quiet)
+    : path_(path), file_(path, std::ios::binary | std::ios::app), is_quiet_(is_quiet) {
   if (!file_) throw FileError(path, "the log file cannot be written");
 }
 
@@ -42,7 +43,7 @@ void Log::write_to_file(std::string_view text) {
 }
 
 void Log::write(std::string_view text) {
-  write_to(stdout, text);
+  if (!is_quiet_) write_to(stdout, text);
   write_to_file(text);
 }
 

@@ -15,12 +15,16 @@ namespace contactsim {
 class Log {
  public:
   /// Touches nothing that the file holds. Throws FileError when it cannot be written.
-  explicit Log(const std::string& path);
+  ///   is_quiet  problems alone are printed
+  explicit Log(const std::string& path, bool is_quiet = false);
 
   /// Until then what goes to the file is held. A file that is there is written over, or kept for a
   /// run that resumes: then what is new follows it. Throws FileError.
   void begin(bool keeps_earlier);
   void write(std::string_view text);
+  /// Goes to the log file alone: what differs from run to run, such as the time of day.
+  void write_to_file(std::string_view text);
+  bool is_quiet() const { return is_quiet_; }
   /// Problems, sorted and grouped; as pictures when standard error is a terminal.
   void write(const Diagnostics& diagnostics);
   /// One line, without its end, that says why the run stops.
@@ -32,13 +36,12 @@ class Log {
   void close();
 
  private:
-  void write_to_file(std::string_view text);
-
   std::string path_;
   std::ofstream file_;
   std::string held_;
   std::vector<std::string> errors_;
   bool has_begun_ = false;
+  bool is_quiet_ = false;
 };
 
 }  // namespace contactsim

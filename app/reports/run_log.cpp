@@ -35,7 +35,7 @@ void RunLog::write_start(const Simulation& run, bool is_resumed) {
   if (!is_resumed && run.contact_force() != nullptr)
     log_.write(format_contact_start(*run.contact_force(), *run.contact_model(), run.untied(), run.mesh()));
   log_.write(format_paths(run.output_paths()) + step_heading());
-  progress_.emplace(run.control().start_time(), run.control().termination_time());
+  if (!log_.is_quiet()) progress_.emplace(run.control().start_time(), run.control().termination_time());
 }
 
 void RunLog::write_deaths(const Simulation& run) {

@@ -45,7 +45,7 @@ struct SummaryRun {
 
 /// What --summary writes about a run: what it was asked for and, as far as known, what came of it.
 struct RunSummary {
-  std::string stage = "run";  ///< that was asked for: parse, check or run
+  std::string stage = "run";  ///< that was asked for: parse, tables, check or run
   std::string deck;
   std::string deck_digest;  ///< of the deck and its includes, 16 hexadecimal digits; "" when not known
   std::vector<std::pair<std::string, std::string>> definitions;  ///< of -D

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <vector>
 
@@ -43,6 +45,20 @@ std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFi
     taken.push_back(file);
   }
   return "";
+}
+
+std::string find_write_obstacle(const std::string& path) {
+  std::error_code ignored;
+  const fs::path file(path);
+  if (fs::is_directory(file, ignored)) return "this is a folder, no file can be written there";
+  if (fs::exists(file, ignored))
+    return access(path.c_str(), W_OK) == 0 ? "" : "the file is there and may not be written";
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!fs::is_directory(folder, ignored))
+    return fmt::format("there is no folder '{}' to write it to", folder.string());
+  return access(folder.c_str(), W_OK) == 0
+             ? ""
+             : fmt::format("the folder '{}' may not be written", folder.string());
 }
 
 }  // namespace contactsim

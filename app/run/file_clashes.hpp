@@ -16,4 +16,8 @@ struct RunFile {
 /// Devices such as /dev/null lose nothing. "" when all is well.
 std::string find_file_clash(std::span<const RunFile> read, std::span<const RunFile> written);
 
+/// Why a file cannot be written: its folder is not there or not writable, or it is a folder itself. "" when
+/// it can. Touches nothing.
+std::string find_write_obstacle(const std::string& path);
+
 }  // namespace contactsim

@@ -40,6 +40,8 @@ void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std:
     const RunFile file{path, "the output file " + path};
     const std::string clash = find_file_clash(kept, {&file, 1});
     if (!clash.empty()) throw FileError(path, clash);
+    const std::string obstacle = find_write_obstacle(path);
+    if (!obstacle.empty()) throw FileError(path, obstacle);
   }
 }
 

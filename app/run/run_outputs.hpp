@@ -14,7 +14,7 @@ namespace contactsim {
 ///   contact  null without contact
 OutputSettings output_settings(const RunInput& input, const RunSettings& settings, RunContact* contact);
 
-/// No output may replace a file that is to be kept: throws FileError.
+/// No output may replace a file that is to be kept, and all must be writable: throws FileError.
 void check_output_paths(const std::vector<RunFile>& kept, const std::vector<std::string>& paths);
 
 }  // namespace contactsim

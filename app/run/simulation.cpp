@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/simulation.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "app/run/simulation_parts.hpp"
@@ -54,13 +55,35 @@ void Simulation::begin() {
 
 void Simulation::begin_anew() {
   Parts& run = *parts_;
-  run.at_start = start(run.setup.model, run.terms(), run.setup.control, run.state);
-  if (run.contact) run.contact->warn_of_start(run.diagnostics);
+  run.start_anew();
   notify(RunEvent::begun);
-  run.warn_of_user_step();
   run.energy_warnings.begin(run.state);
   end_step();
   run.restart.begin(run.state);
+}
+
+RunEstimate Simulation::estimate() {
+  constexpr int max_steps = 20;
+  constexpr double max_seconds = 1.0;
+  Parts& run = *parts_;
+  run.check_files();
+  run.start_anew();
+  RunEstimate estimate;
+  estimate.stable_step = run.at_start.stable_step;
+  estimate.step = run.state.next_dt;
+  const double left = run.setup.control.termination_time() - run.state.time;
+  estimate.n_steps = static_cast<std::int64_t>(std::ceil(left / estimate.step));
+  for (const ModelBlock& block : run.setup.model.blocks)
+    estimate.n_elements += block.is_rigid ? 0 : block.n_elements;
+  const double begun = clock_seconds();
+  int n_steps = 0;
+  while (!control().is_over(state().time, state().dt) && n_steps < max_steps &&
+         clock_seconds() - begun < max_seconds) {
+    advance(run.setup.model, run.terms(), run.setup.control, run.state);
+    ++n_steps;
+  }
+  if (n_steps > 0) estimate.seconds_per_step = (clock_seconds() - begun) / n_steps;
+  return estimate;
 }
 
 void Simulation::resume() {

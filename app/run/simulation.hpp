@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/run/run_estimate.hpp"
 #include "app/run/run_input.hpp"
 #include "core/base/diagnostics.hpp"
 #include "core/base/errors.hpp"
@@ -65,6 +66,11 @@ class Simulation {
 
   /// Has an observer told of all that comes, after those that are there.
   void observe(Observer observer);
+
+  /// What the run would come to, found by its start and by steps of at most a second; it says what a run's
+  /// start would warn of and writes no file. Not to be begun afterwards. Throws FileError for a file that the
+  /// run could not write, SolveError.
+  RunEstimate estimate();
 
   /// Completes the state of the start, or restores that of an earlier run where the definition says so, and
   /// writes what is due. Throws FileError, SolveError.

@@ -81,11 +81,15 @@ Checkpoint Simulation::Parts::checkpoint() {
 void Simulation::Parts::prepare_files() {
   outputs.add_suffix(restart.suffix());
   if (contact) contact->add_suffix(restart.suffix());
+  check_files();
+  for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
+  if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
+}
+
+void Simulation::Parts::check_files() const {
   std::vector<std::string> paths = outputs.paths();
   if (contact) std::ranges::copy(contact->paths(), std::back_inserter(paths));
   check_output_paths(settings.kept_files, paths);
-  for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
-  if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
 }
 
 std::optional<std::string> Simulation::Parts::find_end() {
@@ -93,7 +97,9 @@ std::optional<std::string> Simulation::Parts::find_end() {
   return contact && input.region.contact->overlap_removal.is_all_there_is ? "OVERLAP REMOVAL ONLY" : found;
 }
 
-void Simulation::Parts::warn_of_user_step() {
+void Simulation::Parts::start_anew() {
+  at_start = start(setup.model, terms(), setup.control, state);
+  if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.
   const bool is_bound = at_start.critical_element || contact;
   if (!is_bound || state.next_dt <= at_start.stable_step) return;

@@ -29,9 +29,12 @@ struct Simulation::Parts {
   /// Gives files their names, and has steps end where they want them to. Throws FileError when one would
   /// replace what must be kept.
   void prepare_files();
+  /// Throws FileError when a file of the run would replace what must be kept, or cannot be written.
+  void check_files() const;
+  /// Finds the forces of the start, and what they warn of.
+  void start_anew();
   /// Why the run ends with its state, if it does.
   std::optional<std::string> find_end();
-  void warn_of_user_step();
   std::vector<PartTime> times() const;
 
   const RunInput input;
