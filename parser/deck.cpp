@@ -58,7 +58,8 @@ void drop_what_follows_sierra(Block& deck, Diagnostics& diagnostics) {
 }
 
 /// Whether the deck could be one of another program: not one of its lines and blocks was understood.
-bool is_foreign(const Block& deck, const Diagnostics& diagnostics) {
+bool is_foreign(DeckForm form, const Block& deck, const Diagnostics& diagnostics) {
+  if (form != DeckForm::contact_commands) return false;  // it has a block of ours
   const auto n_unknown = std::ranges::count(diagnostics.all(), "deck-unknown", &Diagnostic::id);
   return static_cast<std::size_t>(n_unknown) >= deck.items.size();
 }
@@ -82,7 +83,7 @@ SimulationDefinition bind_deck(const DeckSource& source, bool is_lenient, Diagno
   DeckNames names;
   Binding binding{diagnostics, is_lenient, &names};
   deck_table(simulation.form).bind(*deck, simulation, binding);
-  if (is_foreign(*deck, diagnostics)) {
+  if (is_foreign(simulation.form, *deck, diagnostics)) {
     diagnostics.add_error({}, name + ": nothing in this deck is of Sierra/SM",
                           "it should have a BEGIN SIERRA block, or commands of a contact definition");
   }

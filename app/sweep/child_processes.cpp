@@ -19,7 +19,13 @@ namespace {
 constexpr int cannot_run = 127;  // as shells say it
 
 /// What the child does between fork and exec; only calls that are safe there.
-[[noreturn]] void become(char* const* words, const char* folder, const char* errors, pid_t parent) {
+///   mask  of signals, as it was before the fork
+[[noreturn]] void become(char* const* words, const char* folder, const char* errors, pid_t parent,
+                         const sigset_t* mask) {
+  // The sweep's own handlers would take a signal that is meant for what the child becomes.
+  signal(SIGTERM, SIG_DFL);
+  signal(SIGINT, SIG_DFL);
+  sigprocmask(SIG_SETMASK, mask, nullptr);
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (getppid() != parent) _exit(cannot_run);  // it was killed before the line above
@@ -41,10 +47,17 @@ void ChildProcesses::start(std::size_t number, const ChildCommand& command) {
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   const pid_t parent = getpid();
+  // No signal may come before the child has handlers of its own.
+  sigset_t stop, before;
+  sigemptyset(&stop);
+  sigaddset(&stop, SIGTERM);
+  sigaddset(&stop, SIGINT);
+  sigprocmask(SIG_BLOCK, &stop, &before);
   const pid_t child = fork();
+  if (child == 0) become(argv.data(), command.folder.c_str(), command.errors.c_str(), parent, &before);
+  sigprocmask(SIG_SETMASK, &before, nullptr);
   if (child < 0)
     throw FileError(command.words[0], "cannot be started (" + std::generic_category().message(errno) + ")");
-  if (child == 0) become(argv.data(), command.folder.c_str(), command.errors.c_str(), parent);
   running_.emplace(child, number);
 }
 

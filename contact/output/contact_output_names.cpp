@@ -28,7 +28,6 @@ constexpr std::array group_rows{
 
 constexpr std::array foreign_names{
     ForeignVariable{"contact_pressure", "contact_normal_traction_magnitude"},
-    ForeignVariable{"contact_force", "force_contact"},
     ForeignVariable{"contact_gap", "contact_normal_gap"},
     ForeignVariable{"contact_slip", "contact_accumulated_slip"},
     ForeignVariable{"cpress", "contact_normal_traction_magnitude"},

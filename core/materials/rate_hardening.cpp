@@ -129,6 +129,18 @@ std::vector<std::string> missing_rate_parameters(const ParameterValues& values) 
   return missing;
 }
 
+void warn_of_idle_rates(const MaterialInput& input) {
+  for (const char* part : parts) {
+    if (kind_of(input.values, part) != RateFactor::Kind::rate_independent) continue;
+    for (const std::string& phrase : {line_of(part, "constant"), fmt::format("{} reference rate", part),
+                                      line_of(part, "coefficient"), line_of(part, "exponent")}) {
+      if (!input.values.has(phrase)) continue;
+      input.diagnostics.add_warning("rate-without-multiplier", {}, fmt::format("'{}' has no effect", phrase),
+                                    fmt::format("'{}' chooses a factor", line_of(part, "multiplier")));
+    }
+  }
+}
+
 std::optional<MaterialLaw> make_rate_law(const MaterialInput& input, const MaterialLaw& at_rest) {
   const auto hardening = hardening_of(at_rest, static_cast<RateHardening::AtRest*>(nullptr));
   if (!hardening || !std::visit(IsGrowthIsotropic{}, *hardening))

@@ -57,6 +57,9 @@ bool has_rate_factor(const ParameterValues& values);
 /// Lines of the chosen factors that are missing, by their phrases.
 std::vector<std::string> missing_rate_parameters(const ParameterValues& values);
 
+/// Warns of constants of a factor that is not chosen ("rate-without-multiplier").
+void warn_of_idle_rates(const MaterialInput& input);
+
 /// The law of a hardening at rest with the factors of the deck. Throws std::invalid_argument for growth that
 /// is not isotropic, or that falls.
 std::optional<MaterialLaw> make_rate_law(const MaterialInput& input, const MaterialLaw& at_rest);

@@ -16,10 +16,11 @@ namespace {
 constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
 
 // Variables of Sierra/SM that no run has, or not with any material, and what others call ours.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 9> foreign_variables{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> foreign_variables{{
     {"element_shape", "contactsim judges no element shapes"},
     {"tearing_parameter", "materials that fail have it"},
     {"temperature", "nothing is heated here"},
+    {"contact_force", "here it is called force_contact"},
     {"mises", "here it is called von_mises"},
     {"peeq", "here it is called eqps"},
     {"u", "here it is called displacement"},

@@ -12,6 +12,7 @@
 #include "core/materials/neo_hookean.hpp"
 #include "core/materials/orthotropic.hpp"
 #include "core/materials/power_hardening.hpp"
+#include "core/materials/rate_hardening.hpp"
 #include "core/materials/tearing.hpp"
 #include "core/materials/voce_hardening.hpp"
 #include "support/catch.hpp"
@@ -33,6 +34,9 @@ inline std::vector<MaterialLaw> elastic_laws() {
 
 inline std::vector<MaterialLaw> plastic_laws() {
   const std::vector<FunctionPoint> points{{0.0, 200e6}, {0.002, 300e6}, {0.01, 350e6}, {0.1, 500e6}};
+  RateFactor of_rate;
+  of_rate.kind = RateFactor::Kind::johnson_cook;
+  of_rate.constant = 0.015;
   const PlasticLaw<MultilinearHardening> multilinear{steel, {HardeningCurve(points), 0.4}};
   return {PlasticLaw<LinearHardening>{steel, {200e6, 1e9, 1e9}},
           PlasticLaw<PowerHardening>{steel, {200e6, 500e6, 0.3, 0.001}},
@@ -40,7 +44,8 @@ inline std::vector<MaterialLaw> plastic_laws() {
           FailingJohnsonCookLaw{{steel, {{200e6, 500e6, 0.3}, 0.015, 1.0}}, {0.05, 0.3, -2.0, 0.01, 1.0}},
           multilinear,
           TearingLaw{multilinear, 1e-4, 0.02},
-          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}}};
+          PlasticLaw<VoceHardening>{steel, {200e6, 150e6, 20.0}},
+          PlasticLaw<RateHardening>{steel, {LinearHardening{200e6, 1e9, 0.0}, 200e6, of_rate, {}}}};
 }
 
 inline std::vector<MaterialLaw> all_laws() {

@@ -127,11 +127,11 @@ TEST_CASE("a -D that is not name=value ends with code 2", "[app][simulation]") {
   CHECK_THAT(err, Contains("error: -D " + wrong) && Contains("name=value"));
 }
 
-TEST_CASE("a -D that the deck does not use is a warning", "[app][simulation]") {
+TEST_CASE("a -D that the deck does not use is an error", "[app][simulation]") {
   const WithMesh directory("# {width = 2}\ncontact surface a contains left\n");
   const auto [code, out, err] = directory.run({"a.i", "--parse", "-D", "widht=3"});
-  CHECK(code == 0);
-  CHECK_THAT(err, Contains("warning: the deck does not use 'widht' of -D; did you mean 'width'?"));
+  CHECK(code == 2);
+  CHECK_THAT(err, Contains("error: the deck does not use 'widht' of -D; did you mean 'width'?"));
 }
 
 TEST_CASE("an output file that cannot be written ends with code 3 and keeps the others",
@@ -169,7 +169,7 @@ TEST_CASE("nothing unfinished is left beside the files of a run", "[app][simulat
 TEST_CASE("a deck without contact writes empty tables", "[app][simulation]") {
   const WithMesh directory(deck_of_regions({""}));
   const auto [code, out, err] = directory.run(
-      {"a.i", "--check", "--surfaces-json", "s.json", "--surfaces-csv", "s.csv", "--surfaces", "s.exo"});
+      {"a.i", "--tables", "--surfaces-json", "s.json", "--surfaces-csv", "s.csv", "--surfaces", "s.exo"});
   CHECK(code == 0);
   CHECK(err == "");
   CHECK_THAT(out, Contains("\nThe deck has no contact definition.\n"));
@@ -182,10 +182,9 @@ TEST_CASE("of several regions with contact the first is resolved, and that is to
   const WithMesh directory(deck_of_regions(
       {"begin contact definition\ncontact surface one contains left\n" + self_contact + "end\n",
        "begin contact definition\ncontact surface two contains right\nend\n"}));
-  const auto [code, out, err] = directory.run({"a.i", "--check"});
+  const auto [code, out, err] = directory.run({"a.i", "--tables"});
   CHECK(code == 0);
   CHECK_THAT(out, Contains("   1  one ") && !Contains("   1  two "));
-  CHECK(err ==
-        "a.i:29:21: warning: the contact of the region 'r2' is passed over; that of 'r1' is resolved "
-        "[deck-region]\n");
+  CHECK_THAT(err,
+             Contains("warning: the procedure 'p2' is passed over; that of 'p1' is taken [deck-region]\n"));
 }

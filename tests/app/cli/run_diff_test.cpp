@@ -78,7 +78,7 @@ TEST_CASE("a diff of summaries names values, both, and their difference", "[app]
   const auto [code, out, err] = directory.run({"diff", "summary1.json", "summary2.json"});
   CHECK(code == 1);
   CHECK_THAT(out, Contains("  definitions.order: '1' -> '2'\n") &&
-                      Contains("  warning surface-overlap: 2 -> 'absent'\n"));
+                      Contains("  warning surface-empty: 'absent' -> 1\n"));
 }
 
 TEST_CASE("a diff as JSON says the same", "[app][diff]") {

@@ -21,7 +21,7 @@ Run run_two_blocks(const std::string& order, const std::string& n_threads) {
   const ProgramDirectory directory;
   directory.copy_decks({"two_blocks.i", "two_blocks.g"});
   const auto [code, out, err] =
-      directory.run({"two_blocks.i", "--check", "-D", "order=" + order, "--threads", n_threads,
+      directory.run({"two_blocks.i", "--tables", "-D", "order=" + order, "--threads", n_threads,
                      "--surfaces-json", "s.json", "--surfaces-csv", "s.csv", "--surfaces", "s.exo"});
   REQUIRE(code == 0);
   return {out, err, directory.read("s.json"), directory.read("s.csv"), directory.read("s.exo")};

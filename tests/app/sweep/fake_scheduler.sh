@@ -26,7 +26,7 @@ chmod +x bin/sbatch bin/parallel
 PATH=$folder/bin:$PATH
 cp "$root/decks/two_blocks.i" "$root/decks/two_blocks.g" .
 
-study="two_blocks.i two_blocks.g -D order=1,2 -D unused=a"
+study="two_blocks.i two_blocks.g -D order=1,2"
 n=$(contactsim sweep $study --list | wc -l)
 test "$n" -eq 2
 sbatch --array=1-"$n" --wrap "contactsim sweep $study -o slurm --array slurm"
@@ -39,7 +39,7 @@ contactsim sweep $study -o beside --collect
 test "$(grep -c ',done,0,' beside/study.csv)" -eq 2
 
 # What has not been run shows, and the same command does it.
-rm -r beside/order=1_unused=a
+rm -r beside/order=1
 contactsim sweep $study -o beside --collect
-grep -q 'order=1_unused=a,1,a,not run' beside/study.csv
+grep -q 'order=1,1,not run' beside/study.csv
 contactsim sweep $study -o beside | grep -q '2 done (1 of them before), 0 failed'

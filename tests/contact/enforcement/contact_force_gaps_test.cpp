@@ -46,7 +46,7 @@ TEST_CASE("a contact offset is taken off every gap", "[contact][contact_force][g
 
 TEST_CASE("an offset of more than half an element is contact too", "[contact][contact_force][gaps]") {
   const std::string line = GENERATE("contact offset = 0.6\n", "initial clearance = -0.57\n");
-  ContactBodies bodies(two_cubes(0.03), general_contact(stiff + line + formulation()));
+  ContactBodies bodies(stacked_cubes(0.03), general_contact(stiff + line + formulation()));
   bodies.ask();
   CHECK(lift(bodies) == Approx(5700.0));
   CHECK(lift_after(bodies, {0, 0, -0.01}) == Approx(5800.0));
@@ -80,7 +80,7 @@ TEST_CASE("an initial clearance counts whatever the mesh says", "[contact][conta
 TEST_CASE("an initial clearance reaches as far as SEARCH DISTANCE says", "[contact][contact_force][gaps]") {
   const bool has_distance = GENERATE(true, false);
   const std::string reach = has_distance ? "search distance = 0.6\n" : "";
-  ContactBodies bodies(two_cubes(0.5, 2),
+  ContactBodies bodies(stacked_cubes(0.5, 2),
                        general_contact(stiff + formulation() + "initial clearance = 0.01\n" + reach));
   bodies.ask();
   CHECK(lift_after(bodies, {0, 0, -0.011}) == Approx(has_distance ? 10.0 : 0.0));

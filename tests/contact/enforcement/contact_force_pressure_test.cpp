@@ -95,7 +95,8 @@ TEST_CASE("soft contact begins before touch", "[contact][contact_force][pressure
 
 TEST_CASE("soft contact may begin more than half an element before touch",
           "[contact][contact_force][pressure]") {
-  ContactBodies bodies(two_cubes(0.1), pressed(by_function), line_function("f", "-0.8 0\n0 100\n0.01 300\n"));
+  ContactBodies bodies(stacked_cubes(0.1), pressed(by_function),
+                       line_function("f", "-0.8 0\n0 100\n0.01 300\n"));
   bodies.ask();
   CHECK(lift(bodies) == Approx(87.5));
 }

@@ -190,9 +190,9 @@ TEST_CASE("round surfaces are found anew where closing gaps has moved their node
   const Mesh apart = rings(0.05, -0.01).build();
   Modelled model = make_model(apart, lines);
   CHECK(model.messages == "");
-  const auto radius_of = [&](std::size_t surface) {
+  const auto radius_of = [&](std::uint32_t surface) {
     double radius = 0.0;  // of the fit that is nearest the joint
-    for (const FittedShape& fit : model.smoothings.at(0).surfaces[surface].fitted) {
+    for (const FittedShape& fit : model.smoothings.at(0).surfaces[SurfaceIndex{surface}].fitted) {
       if (std::abs(fit.radius - 1.0) < 0.05) radius = fit.radius;
     }
     return radius;

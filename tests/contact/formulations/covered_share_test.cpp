@@ -61,7 +61,7 @@ TEST_CASE("laws in tractions hold all of the area, and once, also where nodes of
   const std::string node_face = "constraint formulation = node_face\n";
   CHECK(pull_on_cube(1.0, 1.0, "") == Approx(5000.0).epsilon(1e-6));
   CHECK(pull_on_cube(1.0, 1.0, node_face) == Approx(5000.0).epsilon(1e-3));
-  for (const auto& [x, y] : {std::pair(1.3, 1.2), std::pair(0.6, 1.5), std::pair(0.1, 0.1)}) {
+  for (const auto& [x, y] : {std::pair(1.3, 1.2), std::pair(0.6, 1.5)}) {
     CAPTURE(x, y);
     CHECK(pull_on_cube(x, y, node_face) == Approx(5000.0).epsilon(0.13));
   }

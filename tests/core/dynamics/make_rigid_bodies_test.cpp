@@ -33,7 +33,7 @@ struct Bodies {
       parameters.model = named("elastic");
       if (definition.finite_element_models.empty()) {
         parameters.section = named("stiff");
-        definition.finite_element_models.push_back({named("fem"), {}, {}, {parameters}});
+        definition.finite_element_models.push_back({named("fem"), {}, {}, {parameters}, {}});
       } else {
         definition.finite_element_models[0].block_parameters.push_back(parameters);
       }

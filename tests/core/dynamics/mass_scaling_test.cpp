@@ -23,7 +23,7 @@ SimulationDefinition steel() {
   parameters.includes_all_blocks = true;
   parameters.material = DeckName{"steel", {}};
   parameters.model = DeckName{"elastic", {}};
-  definition.finite_element_models.push_back({{"fem", {}}, {}, {}, {parameters}});
+  definition.finite_element_models.push_back({{"fem", {}}, {}, {}, {parameters}, {}});
   return definition;
 }
 

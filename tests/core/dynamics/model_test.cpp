@@ -27,7 +27,7 @@ SimulationDefinition definition_for(const std::string& block) {
   parameters.names = {named(block)};
   parameters.material = named("steel");
   parameters.model = named("elastic");
-  definition.finite_element_models.push_back({named("fem"), {}, {}, {parameters}});
+  definition.finite_element_models.push_back({named("fem"), {}, {}, {parameters}, {}});
   return definition;
 }
 

@@ -235,14 +235,14 @@ TEST_CASE("a variable from the command line that only another branch uses is war
 
 TEST_CASE("undefined and unused variables are warnings where the user is lenient", "[parser][aprepro]") {
   Diagnostics found;
-  const std::vector<std::string> overrides{"b=1"};
+  const std::vector<std::string> overrides{"bogus=1"};
   ApreproOptions options;
   options.overrides = overrides;
   options.is_lenient = true;
   CHECK(run_aprepro(make_source("a.i", "{a}\n"), options, found).text() == "0\n");
   CHECK(messages(found) ==
         "a.i:1:2: warning: 'a' is not defined, 0 is taken [aprepro-undefined]\n"
-        "warning: the deck does not use 'b' of -D [aprepro-unused]\n");
+        "warning: the deck does not use 'bogus' of -D [aprepro-unused]\n");
 }
 
 TEST_CASE("definitions on the command line have a name and a value", "[parser][aprepro]") {

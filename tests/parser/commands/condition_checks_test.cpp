@@ -30,7 +30,7 @@ TEST_CASE("names that a condition uses must be defined", "[parser][condition]") 
         "a.i:4:13: error: unknown function 'h'; did you mean 'f'?\n"
         "a.i:5:22: error: unknown time stepping block 'p3'; did you mean 'p1'?\n"
         "a.i:8:14: error: unknown direction 'upp'; did you mean 'up'?\n"
-        "a.i:9:13: error: unknown function 'zz'\n");
+        "a.i:9:13: error: unknown function 'zz'; the deck has f, g\n");
 }
 
 TEST_CASE("a condition must pick mesh parts, a direction and a value", "[parser][condition]") {

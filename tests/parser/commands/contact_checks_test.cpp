@@ -16,10 +16,10 @@ TEST_CASE("a name in an interaction must be a contact surface, not a part of the
                               "side b = block_1\nend\nbegin interaction defaults\nsurfaces = lft\nend\n"
                               "begin surface options\nsurface = lleft\nremove surface = up\nend\n") ==
         "a.i:4:10: error: unknown contact surface 'lefd'; did you mean 'left'?\n"
-        "a.i:5:10: error: unknown contact surface 'block_1'\n"
+        "a.i:5:10: error: unknown contact surface 'block_1'; the deck has left\n"
         "a.i:8:12: error: unknown contact surface 'lft'; did you mean 'left'?\n"
         "a.i:11:11: error: unknown contact surface 'lleft'; did you mean 'left'?\n"
-        "a.i:12:18: error: unknown contact surface 'up'\n");
+        "a.i:12:18: error: unknown contact surface 'up'; the deck has left\n");
 }
 
 TEST_CASE("ALL of a side or an exclusion is no surface's name", "[parser][contact]") {
@@ -27,7 +27,7 @@ TEST_CASE("ALL of a side or an exclusion is no surface's name", "[parser][contac
                               "side b = left all\nend\nbegin interaction defaults\n"
                               "exclude surfaces = all left\nexclude surfaces = lft\nsurfaces = all\nend\n") ==
         "a.i:9:20: error: unknown contact surface 'lft'; did you mean 'left'?\n"
-        "a.i:10:12: error: unknown contact surface 'all'\n");
+        "a.i:10:12: error: unknown contact surface 'all'; the deck has left\n");
 }
 
 TEST_CASE("with SKIN ALL BLOCKS an unknown name may be a block, which the mesh decides",

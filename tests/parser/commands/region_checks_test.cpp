@@ -78,5 +78,5 @@ TEST_CASE("an analytic object needs a normal", "[parser][region]") {
 TEST_CASE("mass properties of everything are fine", "[parser][region]") {
   CHECK(name_messages("begin mass properties\nend\n") == "");
   CHECK(name_messages("begin mass properties\n rigid body = body\nend\n") ==
-        "a.i:2:15: error: unknown rigid body 'body'\n");
+        "a.i:2:15: error: unknown rigid body 'body'; the deck has rb\n");
 }

@@ -67,6 +67,7 @@ TEST_CASE("time stepping blocks follow each other", "[parser][time]") {
                         "begin time stepping block t2\nstart time = 1\nend\n"
                         "termination time = 1\n")
           .messages ==
+      "a.i:4:27: error: the time stepping block 't1' starts at 1, not before the termination time 1\n"
       "a.i:7:27: error: the time stepping block 't2' starts at 1, not after 't1', which starts at 1; blocks "
       "follow each other in time\n"
       "a.i:7:27: warning: the time stepping block 't2' starts at 1, not before the termination time 1: it is "
