@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -33,9 +34,8 @@ class StepsAtRest {
   double of(std::size_t element) {
     const std::size_t batch = element / n_lanes;
     const auto lane = static_cast<Eigen::Index>(element % n_lanes);
-    const auto parent = std::ranges::find_if(block_.chunks, [&](const BatchChunk& chunk) {
-      return batch >= chunk.first_batch && batch < chunk.first_batch + chunk.n_batches;
-    });
+    const auto parent =
+        std::prev(std::ranges::upper_bound(block_.chunks, batch, {}, &BatchChunk::first_batch));
     const BatchChunk alone{batch, 1, parent->first_node, parent->n_nodes};
     // The others of the batch are made so heavy that the least step is that of the element.
     constexpr double heavy = 1e12;

@@ -100,8 +100,9 @@ std::optional<MaterialLaw> make_j2_law(const MaterialInput& input) {
         fmt::format("beta other than 1 goes with {} hardening only", fmt::join(with_beta, " and ")));
   }
   std::optional<MaterialLaw> law = chosen.make(input);
-  if (law) warn_of_idle_rates(input);
-  if (!law || !has_rate_factor(input.values)) return law;
+  if (!law) return law;
+  warn_of_idle_rates(input);
+  if (!has_rate_factor(input.values)) return law;
   if (!is_by_choice(input.values))
     throw std::invalid_argument(fmt::format("rate multipliers go with hardening model = {}", by_choice));
   return make_rate_law(input, *law);
