@@ -82,7 +82,7 @@ std::string explain_foreign_keywords(std::span<const std::string> words) {
   constexpr std::string_view page = "coming_from";
   std::string text;
   if (asked.starts_with(page)) {
-    for (const std::string_view program : {"Abaqus", "CalculiX", "OptiStruct"}) {
+    for (const std::string_view program : foreign_programs()) {
       if (asked == page || asked == std::string(page) + "_" + fold(program))
         text += describe_program(program) + "\n";
     }

@@ -2,6 +2,7 @@
 #include "app/manual/foreign_keywords.hpp"
 
 #include <array>
+#include <vector>
 
 namespace contactsim {
 
@@ -263,16 +264,22 @@ constexpr std::array other_rows{
                    "the rule: beyond the edge of a face the nearest point counts"},
 };
 
-constexpr std::array all_rows = [] {
-  std::array<ForeignKeyword, abaqus_rows.size() + other_rows.size()> joined{};
-  for (std::size_t i = 0; i < abaqus_rows.size(); ++i) joined[i] = abaqus_rows[i];
-  for (std::size_t i = 0; i < other_rows.size(); ++i) joined[abaqus_rows.size() + i] = other_rows[i];
-  return joined;
-}();
-
 }  // namespace
 
-std::span<const ForeignKeyword> foreign_keywords() { return all_rows; }
+std::span<const std::string_view> foreign_programs() {
+  static constexpr std::array<std::string_view, 4> programs{"Abaqus", "CalculiX", "LS-DYNA", "OptiStruct"};
+  return programs;
+}
+
+std::span<const ForeignKeyword> foreign_keywords() {
+  static const std::vector<ForeignKeyword> rows = [] {
+    std::vector<ForeignKeyword> joined(abaqus_rows.begin(), abaqus_rows.end());
+    for (const auto more : {std::span<const ForeignKeyword>(other_rows), dyna_keywords()})
+      joined.insert(joined.end(), more.begin(), more.end());
+    return joined;
+  }();
+  return rows;
+}
 
 std::span<const LeftOut> left_out_rows() {
   static constexpr std::array rows{

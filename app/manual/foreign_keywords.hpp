@@ -27,16 +27,23 @@ std::string_view to_string(DeckPlace place);
 
 /// Row of the page for users of other programs: what they write, and what a deck of ours has for it.
 struct ForeignKeyword {
-  std::string_view program;  ///< "Abaqus", "CalculiX", "OptiStruct"
+  std::string_view program;  ///< one of foreign_programs()
   std::string_view keyword;
   DeckPlace place = DeckPlace::none;
   std::string_view lines;  ///< ours; a and b are surfaces, rub and glue friction models, t1 a period
   std::string_view note;   ///< what differs; "" for nothing
 };
 
+/// The programs that the page is for.
+std::span<const std::string_view> foreign_programs();
+
 /// By program; every line of ours can be read.
-/// Source: Abaqus 36.4.1, 38.1.3, 38.2.1; CalculiX *CONTACT PAIR; OptiStruct contact control.
+/// Source: Abaqus 36.4.1, 38.1.3, 38.2.1; CalculiX *CONTACT PAIR; LS-DYNA keyword manual I, *CONTACT;
+/// OptiStruct contact control.
 std::span<const ForeignKeyword> foreign_keywords();
+
+/// Those of LS-DYNA, which stand in a file of their own.
+std::span<const ForeignKeyword> dyna_keywords();
 
 /// Row of what others have and contactsim leaves out on purpose.
 struct LeftOut {
