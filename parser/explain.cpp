@@ -10,6 +10,7 @@
 #include "core/base/names.hpp"
 #include "core/base/wrap_text.hpp"
 #include "parser/command_tree.hpp"
+#include "parser/row_reference.hpp"
 
 namespace contactsim {
 
@@ -30,13 +31,6 @@ std::string two_columns(std::size_t indent, const std::string& left, const std::
   return text + wrap_text(help, help_column, help_column);
 }
 
-/// A row's help as a sentence begins; as a hint of a message it may begin in lower case.
-std::string help_of(const RowText& row) {
-  std::string help = row.help;
-  if (!help.empty() && help[0] >= 'a' && help[0] <= 'z') help[0] = static_cast<char>(help[0] - 'a' + 'A');
-  return help;
-}
-
 std::string support_note(const RowText& row) {
   switch (row.support) {
     case Support::supported:
@@ -55,7 +49,7 @@ std::string block_tree() {
       "A deck may also hold the inside of a region or of a contact definition alone.\n\n";
   for (const TreeRow& entry : command_tree()) {
     if (!entry.row->is_block) continue;
-    std::string help = support_note(*entry.row) + help_of(*entry.row);
+    std::string help = support_note(*entry.row) + reference_of(entry).help;
     if (entry.same_as != nullptr) help += fmt::format("; inside as in {}", upper(entry.same_as->phrase));
     text += two_columns(2 * entry.around.size(), deck_form_of(*entry.row), help);
   }
@@ -90,53 +84,20 @@ bool holds(const RowText& row, const std::string& query) {
   return any_phrase(row, [&](const std::string& phrase) { return phrase.find(query) != std::string::npos; });
 }
 
-std::string place_of(const TreeRow& entry) {
-  std::vector<std::string> phrases;
-  for (const RowText* block : entry.around) phrases.push_back(block->phrase);
-  return phrases.empty() ? "the deck's top level" : fmt::format("{}", fmt::join(phrases, " > "));
-}
-
-std::string support_of(const RowText& row) {
-  switch (row.support) {
-    case Support::supported:
-      return "supported";
-    case Support::ignored:
-      return "ignored: read, without effect";
-    case Support::refused:
-      return "refused: it would change the answer";
-  }
-  return "";
-}
-
-/// The rows that a row may be given in place of, and whether one of them must be.
-std::string choice_text(const TreeRow& entry) {
-  const RowText& row = *entry.row;
-  const std::string phrases = phrases_of_choice(entry.around.back()->contents(), row.choice, "or");
-  return fmt::format("{} of {}",
-                     row.choice.lack.empty()     ? "at most one"
-                     : row.choice.excess.empty() ? "at least one"
-                                                 : "one",
-                     phrases);
-}
-
 /// What a matching row says; `places` are the blocks in which it stands.
 std::string row_entry(const TreeRow& entry, const std::vector<std::string>& places) {
-  const RowText& row = *entry.row;
-  std::string text = wrap_text(deck_form_of(row), 0, 6);
+  const RowReference row = reference_of(entry);
+  std::string text = wrap_text(row.form, 0, 6);
   const auto add = [&](const std::string& label, const std::string& value) {
     if (!value.empty()) text += fmt::format("  {:<11}{}", label, wrap_text(value, 13, 13));
   };
-  text += "  " + wrap_text(help_of(row), 2, 2);
+  text += "  " + wrap_text(row.help, 2, 2);
   for (const std::string& spelling : row.spellings) add("also", spelling);
-  for (const NameKind kind : row.references) {
-    const NameKindText& names = text_of(kind);
-    add("names", fmt::format("a {}{}", names.word, names.is_in_mesh ? " of the mesh" : ""));
-  }
-  add("dimension", dimension_of(row));
-  if (!row.is_block) add("default", row.default_text);
-  if (row.is_block && row.is_required) add("default", "required");
-  if (row.is_choice()) add("choice", choice_text(entry));
-  add("support", support_of(row));
+  for (const std::string& name : row.names) add("names", name);
+  add("dimension", row.dimension);
+  add("default", row.default_text);
+  add("choice", row.choice);
+  add("support", row.support);
   for (const std::string& place : places) add("in", place);
   return text;
 }

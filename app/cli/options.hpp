@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/diff_options.hpp"
+#include "app/cli/manual_options.hpp"
 #include "app/cli/sweep_options.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
@@ -42,6 +43,7 @@ struct Options {
   std::vector<std::string> explain_words;  ///< of `contactsim explain`
   DiffOptions diff;
   SweepOptions sweep;
+  ManualOptions manual;
 };
 
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.

@@ -11,6 +11,7 @@
 #include "app/cli/options.hpp"
 #include "app/cli/run_deck.hpp"
 #include "app/cli/run_diff.hpp"
+#include "app/cli/run_manual.hpp"
 #include "app/cli/run_sweep.hpp"
 #include "app/cli/summary_file.hpp"
 #include "app/manual/explain_variables.hpp"
@@ -118,6 +119,7 @@ int run_program(int argc, const char* const* argv) {
     if (line.exit_code) return *line.exit_code;
     if (line.options.diff.is_asked) return static_cast<ExitCode>(run_diff(line.options.diff));
     if (line.options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(line.options.sweep));
+    if (line.options.manual.is_asked) return run_manual(line.options.manual);
     if (!line.options.explains) return start(line.options);
     const Explanation explanation = explain_all(line.options.explain_words);
     std::fputs(explanation.text.c_str(), explanation.is_found ? stdout : stderr);

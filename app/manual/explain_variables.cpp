@@ -4,71 +4,21 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <set>
-
-#include "contact/output/contact_output.hpp"
+#include "app/manual/variable_rows.hpp"
 #include "core/base/names.hpp"
-#include "core/materials/material_table.hpp"
-#include "core/output/output_table.hpp"
 
 namespace contactsim {
 
-namespace {
-
-/// Adds the variables that are wanted to a text.
-struct Listing {
-  std::string wanted;  ///< part of a name, folded; "" for all
-  std::string text;
-
-  void add(std::string_view location, std::string_view name, int n_components, std::string_view help) {
-    if (name.find(wanted) == std::string_view::npos) return;
-    const std::string size = n_components == 1 ? "" : fmt::format("({})", n_components);
-    text += fmt::format("  {:<8} {:<34} {}\n", location, std::string(name) + size, help);
-  }
-
-  void add(std::span<const OutputRow> rows) {
-    for (const OutputRow& row : rows) add(to_string(row.location), row.name, row.n_components(), row.help);
-  }
-
-  void add(std::span<const OutputGroup> groups) {
-    for (const OutputGroup& group : groups) {
-      if (group.name.find(wanted) == std::string_view::npos) continue;
-      text += fmt::format("  {:<8} {:<34} {}: all of {}\n", to_string(group.location), group.name, group.help,
-                          fmt::join(group.members, ", "));
-    }
-  }
-
-  /// What materials keep; laws that mean the same by a variable share its line.
-  void add(std::span<const LawKind* const> laws) {
-    std::set<std::pair<std::string_view, std::string_view>> known;
-    for (const LawKind* law : laws) {
-      for (const StateVariable& variable : law->variables) {
-        if (known.emplace(variable.name, variable.help).second)
-          add("element", variable.name, static_cast<int>(variable.n_components), variable.help);
-      }
-    }
-  }
-};
-
-}  // namespace
-
 std::string explain_variables(std::span<const std::string> words) {
-  Listing listing{fold(fmt::format("{}", fmt::join(words, "_"))), ""};
-  if (listing.wanted == "output_variables") listing.wanted.clear();
-  listing.add(global_output_rows());
-  for (const ContactTotalRow& row : contact_total_rows()) {
-    const char* of_sides = row.is_of_pairs ? "_<surface>" : "_<surface or side set>";
-    for (const char* of : {of_sides, "_<first>_<second>"})
-      listing.add("global", std::string(row.name) + of, component_count(row.shape), row.help);
+  std::string wanted = fold(fmt::format("{}", fmt::join(words, "_")));
+  if (wanted == "output_variables") wanted.clear();
+  std::string text;
+  for (const VariableText& row : output_variables()) {
+    if (row.name.find(wanted) == std::string::npos) continue;
+    const std::string size = row.n_components < 2 ? "" : fmt::format("({})", row.n_components);
+    text += fmt::format("  {:<8} {:<34} {}\n", row.location, row.name + size, row.help);
   }
-  listing.add(nodal_output_rows());
-  for (const ContactNodeRow& row : contact_node_rows())
-    listing.add("nodal", row.name, row.n_components(), row.help);
-  listing.add(contact_output_names().groups);
-  listing.add(element_output_rows());
-  listing.add(material_laws());
-  return listing.text.empty() ? ""
-                              : "output variables, the number of components in parentheses\n" + listing.text;
+  return text.empty() ? "" : "output variables, the number of components in parentheses\n" + text;
 }
 
 }  // namespace contactsim
