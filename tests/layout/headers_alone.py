@@ -31,13 +31,15 @@ COMMON = (
 )
 
 
-def read_includes(root):
-    """Of each header what it includes: ours by path, others as they are named between angle brackets."""
+def read_includes(root, has_python):
+    """Of each header what it includes: ours by path, others as they are named between angle brackets. Those for Python
+    are left out where it is not built for."""
     includes = {}
     for module in MODULES:
         for header in sorted((root / module).rglob("*.hpp")):
             found = re.findall(r'^#include [<"]([^>"]+)[>"]', header.read_text(), re.MULTILINE)
-            includes[str(header.relative_to(root))] = found
+            if has_python or not any(other.startswith("pybind11/") for other in found):
+                includes[str(header.relative_to(root))] = found
     return includes
 
 
@@ -70,7 +72,7 @@ def precompile(root, folder, compiler):
 
 def main():
     root, folder, compiler = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3:]
-    includes = read_includes(root)
+    includes = read_includes(root, any("python" in flag for flag in compiler))
     if not includes:
         sys.exit(f"there are no headers in {root}")
     flags = precompile(root, folder, compiler)
