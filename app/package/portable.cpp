@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the Debian package has as contactsim: it goes on as the build for the newest processor that this one
 // is. Those builds are <prefix>/libexec/contactsim/x86-64-v2, -v3 and -v4. Compiled for any x86-64.
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -18,6 +19,14 @@ std::string level_of_processor() {
   return __builtin_cpu_supports("x86-64-v2") ? "x86-64-v2" : "";
 }
 
+/// Where this program is; a chroot may lack /proc.
+std::filesystem::path path_of_self() {
+  std::error_code failure;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", failure);
+  if (!failure) return self;
+  return std::filesystem::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN)), failure);
+}
+
 }  // namespace
 
 int main(int, char** argv) {
@@ -28,9 +37,7 @@ int main(int, char** argv) {
                stderr);
     return 1;
   }
-  std::error_code failure;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", failure);
-  const auto program = self.parent_path().parent_path() / "libexec" / "contactsim" / level;
+  const auto program = path_of_self().parent_path().parent_path() / "libexec" / "contactsim" / level;
   execv(program.c_str(), argv);
   std::fprintf(stderr, "contactsim: %s cannot be started\n", program.c_str());
   return 1;

@@ -21,9 +21,10 @@ _LEVELS = {"v3": {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe", 
 def _folder_of_level():
     """The Debian package has a build for each level of x86-64: the folder of the newest that this processor is."""
     here = _os.path.dirname(__file__)
-    level = "v2"
-    with open("/proc/cpuinfo", encoding="ascii") as file:
-        flags = next((set(line.split()) for line in file if line.startswith("flags")), set())
+    level, flags = "v2", set()
+    if _os.path.exists("/proc/cpuinfo"):
+        with open("/proc/cpuinfo", encoding="ascii") as file:
+            flags = next((set(line.split()) for line in file if line.startswith("flags")), set())
     for newer, needed in _LEVELS.items():
         if not needed <= flags:
             break

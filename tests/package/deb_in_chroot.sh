@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Installs the Debian package in a bare Debian 12, runs a deck on every level of the processor, uses what else it brings,
+# and removes it without a trace. As root; needs mmdebstrap.
+#   tests/package/deb_in_chroot.sh contactsim_0.1.0_amd64.deb
+set -euo pipefail
+package=$(realpath "$1")
+root=$(mktemp -d)
+trap 'rm -rf --one-file-system "$root"' EXIT
+mirror=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Codename: bookworm' | head -1)
+mmdebstrap --quiet --variant=apt --skip=cleanup/apt bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
+
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin DEBIAN_FRONTEND=noninteractive LC_ALL=C "$@"; }
+fail() { echo "deb_in_chroot.sh: $1" >&2; exit 1; }
+
+cp "$package" "$root/tmp/contactsim.deb"
+inside apt-get update -qq
+inside apt-get install -y -qq --no-install-recommends python3 python3-numpy man-db groff-base bash-completion >/dev/null
+inside apt-get install -y -qq --no-install-recommends /tmp/contactsim.deb 2>&1 | grep -v '^debconf\|^N: ' | tail -3
+inside contactsim --version
+levels=(x86-64-v2)
+supported=$(inside /lib64/ld-linux-x86-64.so.2 --help)
+for level in x86-64-v3 x86-64-v4; do
+  [[ $supported == *"$level (supported"* ]] && levels+=("$level")
+done
+mkdir "$root/tmp/run"
+cp "$root"/usr/share/contactsim/impact.* "$root/tmp/run"
+for level in "${levels[@]}" ""; do
+  inside sh -c "cd /tmp/run && ${level:+CONTACTSIM_LEVEL=$level} contactsim impact.i --quiet --summary '$level.json' 2>/dev/null" ||
+    fail "the run at level '$level' ends with $?"
+  inside grep -q '"state": "done"' "/tmp/run/$level.json" || fail "the run at level '$level' is not done"
+done
+last=${levels[-1]}
+diff <(sed -n '/"energies"/,/}/p' "$root/tmp/run/$last.json") <(sed -n '/"energies"/,/}/p' "$root/tmp/run/.json") ||
+  fail "without CONTACTSIM_LEVEL it is not $last that runs"
+inside python3 -c 'import contactsim; run = contactsim.Simulation("/usr/share/contactsim/impact.i",
+  "/usr/share/contactsim/impact.g", output="/tmp/run/p.e"); run.run(until=1e-6); print(contactsim.__version__, run.time)'
+inside sh -c 'man --warnings contactsim && man --warnings contactsim-deck' >/dev/null 2>"$root/tmp/warnings" || fail "no man page"
+[ -s "$root/tmp/warnings" ] && fail "man warns: $(cat "$root/tmp/warnings")"
+for file in bash-completion/completions/contactsim zsh/vendor-completions/_contactsim \
+  fish/vendor_completions.d/contactsim.fish vim/vimfiles/syntax/contactsim.vim contactsim/vscode/package.json \
+  doc/contactsim/html/index.html doc/contactsim/copyright; do
+  [ -s "$root/usr/share/$file" ] || fail "there is no /usr/share/$file"
+done
+owned=$(inside dpkg -L contactsim | sort)
+inside dpkg --purge contactsim >/dev/null 2>&1 || fail "it cannot be removed"
+while read -r path; do
+  if [ -f "$root$path" ] || { [ -d "$root$path" ] && [[ $path == *contactsim* ]]; }; then
+    fail "$path is left"
+  fi
+done <<<"$owned"
+echo "installed, run at ${levels[*]}, removed"
