@@ -114,12 +114,14 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   const auto* diff = add_diff(app, options.diff);
   const auto* sweep = add_sweep(app, options.sweep);
   const auto* manual = add_manual(app, options.manual);
+  const auto* mesh = add_mesh(app, options.convert);
   try {
     app.parse(argc, argv);
     options.explains = explain->parsed();
     options.diff.is_asked = diff->parsed();
     options.sweep.is_asked = sweep->parsed();
     options.manual.is_asked = manual->parsed();
+    options.convert.is_asked = mesh->parsed();
     if (manual->parsed()) options.manual.command_line = describe(app);
     if (app.get_subcommands().empty() && options.deck.empty()) throw CLI::RequiredError("DECK");
   } catch (const CLI::ParseError& error) {

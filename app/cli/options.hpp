@@ -7,6 +7,7 @@
 
 #include "app/cli/diff_options.hpp"
 #include "app/cli/manual_options.hpp"
+#include "app/cli/mesh_options.hpp"
 #include "app/cli/sweep_options.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
@@ -44,6 +45,7 @@ struct Options {
   DiffOptions diff;
   SweepOptions sweep;
   ManualOptions manual;
+  MeshOptions convert;
 };
 
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.

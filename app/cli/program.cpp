@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/cli/convert_mesh.hpp"
 #include "app/cli/exit_guard.hpp"
 #include "app/cli/options.hpp"
 #include "app/cli/run_deck.hpp"
@@ -119,6 +120,7 @@ int run_program(int argc, const char* const* argv) {
     if (line.exit_code) return *line.exit_code;
     if (line.options.diff.is_asked) return static_cast<ExitCode>(run_diff(line.options.diff));
     if (line.options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(line.options.sweep));
+    if (line.options.convert.is_asked) return convert_mesh(line.options.convert);
     if (line.options.manual.is_asked) return run_manual(line.options.manual);
     if (!line.options.explains) return start(line.options);
     const Explanation explanation = explain_all(line.options.explain_words);

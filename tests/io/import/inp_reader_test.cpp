@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/import/inp_reader.hpp"
+
+#include "core/base/errors.hpp"
+#include "io/import/inp_elements.hpp"
+#include "io/import/inp_lines.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_directory.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+using Catch::Matchers::Contains;
+
+namespace {
+
+const std::string cube =
+    "** a cube and a sheet\n*Heading\n of the deck\n*NODE, NSET=All\n"
+    "1, 0, 0, 0\n2, 1., 0, 0\n3, 1., 1., 0\n4, 0, 1., 0\n5, 0, 0, 1.\n6, 1., 0, 1.\n7, 1., 1., 1.\n8, 0, 1., "
+    "1.\n"
+    "9, 2., 0, 0\n10, 2., 1., 0\n*Element, type=C3D8R, elset=Solid\n 17, 1, 2, 3, 4, 5,\n 6, 7, 8\n"
+    "*ELEMENT, TYPE=S4, ELSET=sheet\n18, 2, 9, 10, 3\n*NSET, NSET=low, GENERATE\n1, 4, 1\n*NSET, "
+    "NSET=both\nlow, 9,\n"
+    "*SURFACE, NAME=Top, TYPE=ELEMENT\nsolid, S2\n*Solid Section, elset=Solid, material=steel\n*STEP\n*END "
+    "STEP\n";
+
+DraftMesh read_text(const std::string& text) {
+  const TemporaryDirectory directory;
+  write_bytes(directory.file("m.inp"), text);
+  return read_inp(directory.file("m.inp"));
+}
+
+std::string with(std::string text, const std::string& part, const std::string& other) {
+  return text.replace(text.find(part), part.size(), other);
+}
+
+std::string message_of(const std::string& text) {
+  try {
+    read_text(text);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("blocks, sets and surfaces of an input file are read", "[io][import]") {
+  const DraftMesh mesh = read_text(cube);
+  REQUIRE(mesh.groups.size() == 2);
+  CHECK(mesh.groups[0].name == "Solid");
+  CHECK(mesh.groups[0].shape == Shape::hex8);
+  CHECK(mesh.groups[0].elements == std::vector<std::int64_t>{17});
+  CHECK(mesh.groups[0].nodes.back().value == 7);
+  CHECK(mesh.groups[1].shape == Shape::shell4);
+  CHECK(mesh.groups[1].dimension == 2);
+  REQUIRE(mesh.node_sets.size() == 3);
+  CHECK(mesh.node_sets[0].name == "all");
+  CHECK(mesh.node_sets[1].name == "both");
+  CHECK(mesh.node_sets[1].nodes.size() == 5);
+  REQUIRE(mesh.side_sets.size() == 1);
+  CHECK(mesh.side_sets[0].name == "Top");
+  CHECK(mesh.side_sets[0].faces.at(0) == DraftFace{{{4}, {7}, {6}, {5}}});
+}
+
+TEST_CASE("what is wrong with an input file is said with its line", "[io][import]") {
+  CHECK_THAT(message_of(with(cube, "C3D8R", "C3D20")),
+             Contains("line 15: elements of the type 'C3D20' are not read"));
+  CHECK_THAT(message_of(with(cube, "10, 3\n", "11, 3\n")),
+             Contains("element 18 has the node 11, which is not there"));
+  CHECK_THAT(message_of(with(cube, "solid, S2", "solid, SPOS")),
+             Contains("expected an element or an ELSET and a face"));
+  CHECK_THAT(message_of(with(cube, "solid, S2", "19, S2")), Contains("there is no element 19"));
+  CHECK_THAT(message_of(with(cube, "solid, S2", "sheet, S2")), Contains("element 18 has no face S2"));
+  CHECK_THAT(message_of(with(cube, "*STEP", "*INCLUDE, INPUT=more.inp")), Contains("more.inp"));
+  CHECK_THAT(message_of(with(cube, "2, 1., 0, 0", "1, 1., 0, 0")), Contains("node 1 is there twice"));
+  CHECK_THAT(message_of("*NODE\n1, 0, 0, 0\n"), Contains("no *NODE or no *ELEMENT"));
+}
+
+TEST_CASE("types of elements are known by how they begin, faces as Abaqus counts them", "[io][import]") {
+  CHECK(find_inp_type("S4R")->shape == Shape::shell4);
+  CHECK(find_inp_type("C3D10M")->shape == Shape::tet10);
+  CHECK(find_inp_type("S45") == nullptr);
+  CHECK(find_inp_type("C3D20R") == nullptr);
+  for (const Shape shape : {Shape::hex8, Shape::tet4, Shape::tet10, Shape::wedge6, Shape::pyramid5})
+    CHECK(inp_faces(shape).size() == topology(shape).sides.size());
+  CHECK(inp_faces(Shape::shell4).empty());
+}
+
+TEST_CASE("keyword lines go on behind a comma, parameters ignore case", "[io][import]") {
+  const TemporaryDirectory directory;
+  write_bytes(directory.file("l.inp"), "*Surface, name=\"A b\",\n Type=Element\n1, S1,\n**x\n2, S2\n*End");
+  InpLines lines(directory.file("l.inp"));
+  InpKeyword keyword;
+  REQUIRE(lines.next_keyword(keyword));
+  CHECK(keyword.name == "SURFACE");
+  CHECK(keyword.value("NAME") == "A b");
+  CHECK(keyword.value("TYPE") == "Element");
+  std::vector<std::string> cells;
+  REQUIRE(lines.next_data(cells));
+  CHECK(cells == std::vector<std::string>{"1", "S1"});
+  REQUIRE(lines.next_data(cells));
+  CHECK_FALSE(lines.next_data(cells));
+  REQUIRE(lines.next_keyword(keyword));
+  CHECK_FALSE(lines.next_keyword(keyword));
+}
