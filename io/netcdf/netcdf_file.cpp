@@ -222,7 +222,7 @@ void NetcdfFile::read_double(const NetcdfVariable& variable, std::span<double> v
   check(nc_get_var_double(id_, variable.id, values.data()), "variable " + variable.name);
 }
 
-std::vector<std::string> NetcdfFile::read_texts(const NetcdfVariable& variable) const {
+std::vector<std::string> NetcdfFile::read_stored_texts(const NetcdfVariable& variable) const {
   if (!variable.is_text || variable.shape.size() < 2)
     fail("variable " + variable.name + " is not a list of texts");
   std::string all(variable.size(), '\0');
@@ -230,8 +230,15 @@ std::vector<std::string> NetcdfFile::read_texts(const NetcdfVariable& variable) 
   const std::size_t width = variable.shape.back(), n_texts = width > 0 ? variable.size() / width : 0;
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < n_texts; ++i) {
-    texts.push_back(clean_text(std::string_view(all).substr(i * width, width)));
+    const std::string_view stored = std::string_view(all).substr(i * width, width);
+    texts.emplace_back(stored.substr(0, stored.find('\0')));
   }
+  return texts;
+}
+
+std::vector<std::string> NetcdfFile::read_texts(const NetcdfVariable& variable) const {
+  std::vector<std::string> texts = read_stored_texts(variable);
+  for (std::string& text : texts) text = clean_text(text);
   return texts;
 }
 

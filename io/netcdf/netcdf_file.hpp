@@ -67,6 +67,8 @@ class NetcdfFile {
   void read_double(const NetcdfVariable& variable, std::span<double> values) const;
   /// Rows of a text variable n x length or m x n x length, cleaned (clean_text).
   std::vector<std::string> read_texts(const NetcdfVariable& variable) const;
+  /// The same up to their NUL, with the blanks around them.
+  std::vector<std::string> read_stored_texts(const NetcdfVariable& variable) const;
 
  private:
   void check(int status, const std::string& what) const;
