@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A run's view with its legend and what is known of the picked face.
+
+const place = (id) => document.getElementById(id);
+
+class Panel {
+  constructor(run, shared) {
+    this.run = run;
+    this.shared = shared;
+    this.picked = null;
+    const label = `Model of ${run.name}, in three dimensions`;
+    this.canvas = make("canvas", { tabindex: "0", role: "application", "aria-label": label });
+    this.legend = make("div", { class: "legend" });
+    this.finder = make("input", { type: "number", min: "1", "aria-label": "Element id", placeholder: "element id" });
+    const form = make("form", { class: "find" }, this.finder, make("button", {}, "Find"));
+    this.facts = make("dl", { class: "facts", "aria-live": "polite" });
+    const head = shared.runs.length > 1 ? make("h3", {}, `${run.letter}: ${run.name}`) : null;
+    this.axes = make("div", { class: "axes", "aria-hidden": "true" });
+    this.element = make("div", { class: "panel" }, head, make("div", { class: "stage" }, this.canvas, this.axes),
+      make("div", { class: "side" }, this.legend, make("h3", {}, "Face"), form, this.facts));
+    place("views").append(this.element);
+    this.view = new MeshView(this.canvas, run.mesh, run.frames);
+    this.view.after_drawing = (camera) => this.#show_axes(camera);
+    form.addEventListener("submit", (event) => this.#find(event));
+    this.#listen();
+    this.describe();
+  }
+
+  #listen() {
+    let from = null;
+    this.canvas.addEventListener("pointerdown", (event) => (from = [event.clientX, event.clientY]));
+    this.canvas.addEventListener("click", (event) => {
+      const has_turned = from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4;
+      if (!has_turned) this.pick(this.view.find_face(event.offsetX, event.offsetY));
+    });
+    this.canvas.addEventListener("keydown", (event) => this.#press(event));
+    this.view.controls.addEventListener("change", () => this.shared.camera_moved(this));
+  }
+
+  /** The directions of the axes as the camera sees them. */
+  #show_axes(camera) {
+    const turn = camera.quaternion.clone().inverse();
+    const arms = ["x", "y", "z"].map((name, axis) => {
+      const { x, y } = new THREE.Vector3().setComponent(axis, 1).applyQuaternion(turn);
+      const [right, down] = [30 + 20 * x, 30 - 20 * y];
+      return `<line x1="30" y1="30" x2="${right}" y2="${down}"/>
+        <text x="${30 + 26 * x}" y="${34 - 26 * y}">${name}</text>`;
+    });
+    this.axes.innerHTML = `<svg width="60" height="60">${arms.join("")}</svg>`;
+  }
+
+  #press(event) {
+    const { view, shared } = this;
+    const keys = {
+      ArrowLeft: () => view.turn(10, 0), ArrowRight: () => view.turn(-10, 0),
+      ArrowUp: () => view.turn(0, 10), ArrowDown: () => view.turn(0, -10),
+      "+": () => view.turn(0, 0, 0.85), "=": () => view.turn(0, 0, 0.85), "-": () => view.turn(0, 0, 1 / 0.85),
+      f: () => shared.look_along("fit"), " ": () => shared.toggle_play(),
+      ",": () => shared.step(-1), ".": () => shared.step(1),
+    };
+    const act = keys[event.key] ?? keys[event.key.toLowerCase()];
+    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    act();
+    shared.camera_moved(this);
+  }
+
+  #find(event) {
+    event.preventDefault();
+    const id = Number(this.finder.value);
+    const face = find_face_of_element(this.run.mesh, id);
+    this.pick(face);
+    if (face === null) this.facts.replaceChildren(make("dd", {}, `No face of element ${id} is on the outside.`));
+  }
+
+  pick(face) {
+    this.picked = face;
+    this.view.mark_face(face);
+    this.describe();
+  }
+
+  describe() {
+    if (this.picked === null) {
+      this.facts.replaceChildren(make("dd", { class: "muted" }, "Click a face to ask about it."));
+      return;
+    }
+    const rows = describe_face(this.run, this.picked, this.view.frame);
+    this.facts.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
+  }
+
+  show_kinds(names, counts, key_of) {
+    this.view.colour((face) => (key_of(face) > 0 ? kind_colour(key_of(face) - 1) : no_colour));
+    const items = names.map((name, i) => {
+      const number = i + 1;
+      const box = make("input", { type: "checkbox" });
+      box.checked = !this.view.hidden.has(number);
+      box.addEventListener("change", () => this.#hide(number, !box.checked));
+      const swatch = make("span", { class: "swatch", style: `background:${css_colour(kind_colour(i))}` });
+      const is_owner = this.shared.colour === "owner";
+      return make("li", {}, make("label", {}, is_owner ? box : null, swatch, name,
+        make("span", { class: "muted" }, ` ${counts[number] ?? 0} faces`)));
+    });
+    if (counts[0] > 0) {
+      const swatch = make("span", { class: "swatch", style: `background:${css_colour(no_colour)}` });
+      items.push(make("li", {}, make("label", {}, swatch, "of no surface",
+        make("span", { class: "muted" }, ` ${counts[0]} faces`))));
+    }
+    this.legend.replaceChildren(make("ul", { class: "kinds" }, ...items));
+  }
+
+  #hide(number, is_hidden) {
+    if (is_hidden) this.view.hidden.add(number);
+    else this.view.hidden.delete(number);
+    this.view.place_faces();
+  }
+
+  show_scale(name, [low, high], colour_of) {
+    this.view.colour(colour_of);
+    const at = (t) => make("span", {}, show_short(low + t * (high - low)));
+    this.legend.replaceChildren(make("div", { class: "scale-name" }, name),
+      make("div", { class: "scale", style: `background:${scale_gradient()}` }),
+      make("div", { class: "scale-values" }, at(0), at(0.5), at(1)));
+  }
+}

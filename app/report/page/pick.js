@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is known of a face.
+
+/** Rows [name, value] about a face of a run at a frame. */
+function describe_face(run, face, frame) {
+  const { mesh, frames } = run;
+  const { element, side, block, owner } = mesh.faces;
+  const of = mesh.blocks[block[face]];
+  const rows = [
+    ["Element", `${element[face]} of ${of.name} (${of.shape})`],
+    ["Side", of.shell ? "both sides of the shell" : String(side[face])],
+    ["Surface", owner[face] > 0 ? mesh.owners[owner[face] - 1] : "none: no contact surface owns it"],
+    ["Claims lost", describe_claims(mesh, face)],
+  ];
+  for (const field of frames ? frames.fields : []) {
+    const value = field.nodal ? mean_of_corners(mesh, face, field, frame) : field_value(field, frame, face);
+    if (!Number.isNaN(value)) rows.push([field.name, show_short(value)]);
+  }
+  return rows;
+}
+
+function describe_claims(mesh, face) {
+  if (!mesh.knows_claims) return "not known without the deck";
+  const lost = mesh.lost[mesh.faces.claims[face]];
+  if (lost.length === 0) return "none";
+  return lost.map(([loser, winner]) => `${mesh.owners[loser]} claimed it, ${mesh.owners[winner]} has it`).join("; ");
+}
+
+function mean_of_corners(mesh, face, field, frame) {
+  const points = new Set(mesh.faces.corners.map((list) => list[face]));
+  let sum = 0;
+  for (const point of points) sum += field_value(field, frame, point);
+  return sum / points.size;
+}
+
+/** The first face of an element, by its Exodus id; null of none. */
+function find_face_of_element(mesh, id) {
+  const face = mesh.faces.element.indexOf(id);
+  return face < 0 ? null : face;
+}
