@@ -16,7 +16,8 @@ constexpr const char* footer =
     "Examples:   contactsim plate.i plate.g -o plate.e\n"
     "            contactsim plate.i plate.g --check --surfaces plate_surfaces.exo\n"
     "            contactsim diff stored.json surfaces.json\n"
-    "            contactsim sweep plate.i plate.g -D mu=0:0.5:0.1 --jobs 4";
+    "            contactsim sweep plate.i plate.g -D mu=0:0.5:0.1 --jobs 4\n"
+    "            contactsim report plate.e -o plate.html";
 
 void add_run_options(CLI::App& app, Options& options) {
   app.add_option("deck", options.deck, "Input deck")->type_name("DECK");
@@ -29,6 +30,8 @@ void add_run_options(CLI::App& app, Options& options) {
       ->take_all();
   app.add_option("--log", options.log, "Log file, in place of <deck base>.log")->type_name("FILE");
   app.add_option("--summary", options.summary, "Write what the run came to as JSON")->type_name("FILE");
+  app.add_option("--report", options.report, "Write a page that shows the run, however it ends")
+      ->type_name("FILE");
   app.add_option("--includes-from", options.includes_folder,
                  "Folder where relative paths of includes start, in place of the run directory")
       ->type_name("FOLDER");
@@ -91,6 +94,7 @@ std::vector<RunFile> files_written(const Options& options) {
   add(options.surfaces_csv, "the file of --surfaces-csv");
   add(options.surfaces_exodus, "the file of --surfaces");
   add(options.summary, "the file of --summary");
+  add(options.report, "the file of --report");
   return files;
 }
 
@@ -115,6 +119,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
   const auto* sweep = add_sweep(app, options.sweep);
   const auto* manual = add_manual(app, options.manual);
   const auto* mesh = add_mesh(app, options.convert);
+  const auto* report = add_report(app, options.report_of_results);
   try {
     app.parse(argc, argv);
     options.explains = explain->parsed();
@@ -123,6 +128,7 @@ CommandLine read_command_line(int argc, const char* const* argv) {
     options.manual.is_asked = manual->parsed();
     options.convert.is_asked = mesh->parsed();
     if (manual->parsed()) options.manual.command_line = describe(app);
+    options.report_of_results.is_asked = report->parsed();
     if (app.get_subcommands().empty() && options.deck.empty()) throw CLI::RequiredError("DECK");
   } catch (const CLI::ParseError& error) {
     line.exit_code = app.exit(error) == 0 ? ExitCode::done : ExitCode::deck;

@@ -8,6 +8,7 @@
 #include "app/cli/diff_options.hpp"
 #include "app/cli/manual_options.hpp"
 #include "app/cli/mesh_options.hpp"
+#include "app/cli/report_options.hpp"
 #include "app/cli/sweep_options.hpp"
 #include "app/run/file_clashes.hpp"
 #include "core/base/errors.hpp"
@@ -33,6 +34,7 @@ struct Options {
   std::optional<std::string> surfaces_csv;     ///< file for the list of facets
   std::optional<std::string> surfaces_exodus;  ///< file for the surfaces as a mesh
   std::optional<std::string> summary;          ///< file for what the run came to, as JSON
+  std::optional<std::string> report;           ///< file for a page that shows the run
   std::optional<std::string> includes_folder;  ///< where relative paths of includes start, if not here
   bool is_lenient = false;
   bool is_strict = false;                ///< a warning counts as an error
@@ -46,6 +48,7 @@ struct Options {
   SweepOptions sweep;
   ManualOptions manual;
   MeshOptions convert;
+  ReportOptions report_of_results;  ///< of `contactsim report`
 };
 
 /// The log file of a run: the one asked for, else <deck base>.log in the run directory.

@@ -10,9 +10,11 @@
 #include "app/cli/convert_mesh.hpp"
 #include "app/cli/exit_guard.hpp"
 #include "app/cli/options.hpp"
+#include "app/cli/report_file.hpp"
 #include "app/cli/run_deck.hpp"
 #include "app/cli/run_diff.hpp"
 #include "app/cli/run_manual.hpp"
+#include "app/cli/run_report.hpp"
 #include "app/cli/run_sweep.hpp"
 #include "app/cli/summary_file.hpp"
 #include "app/manual/explain_variables.hpp"
@@ -36,11 +38,11 @@ void write_summary(const Diagnostics& warnings, Log& log) {
   log.write(warnings);
 }
 
-ExitCode run(const Options& options, Log& log, RunSummary& summary) {
+ExitCode run(const Options& options, Log& log, RunSummary& summary, ReportDraft& draft) {
   Diagnostics warnings;
   const auto work = [&] {
     try {
-      const ExitCode code = run_deck(options, log, warnings, summary);
+      const ExitCode code = run_deck(options, log, warnings, summary, draft);
       write_summary(warnings, log);
       summary.found = warnings;
       const bool is_too_strict = options.is_strict && code == ExitCode::done && !warnings.empty();
@@ -61,11 +63,11 @@ ExitCode run(const Options& options, Log& log, RunSummary& summary) {
 }
 
 /// The run with its log, from beginning to end.
-ExitCode run_with_log(const Options& options, RunSummary& summary) {
+ExitCode run_with_log(const Options& options, RunSummary& summary, ReportDraft& draft) {
   Log log(log_path(options), options.is_quiet);
   log.write(fmt::format("contactsim {}\n", version));
   log.write_to_file(format_run_head(options.command_line, options.definitions, omp_get_max_threads()));
-  const ExitCode code = run(options, log, summary);
+  const ExitCode code = run(options, log, summary, draft);
   summary.error_lines = log.errors();
   log.close();
   return code;
@@ -101,13 +103,20 @@ ExitCode start(const Options& options) {
     return ExitCode::deck;
   }
   if (options.n_threads > 0) omp_set_num_threads(options.n_threads);
+  const auto libraries = find_report_libraries(options);
   RunSummary summary = begin_summary(options);
   begin_summary_file(options, summary);
-  summary.exit_code = guard_exit([&] { return run_with_log(options, summary); },
-                                 [&](const std::string& line) {
-                                   std::fprintf(stderr, "%s\n", line.c_str());
-                                   summary.error_lines.push_back(line);
-                                 });
+  ReportDraft draft;
+  const auto write_line = [&](const std::string& line) {
+    std::fprintf(stderr, "%s\n", line.c_str());
+    summary.error_lines.push_back(line);
+  };
+  summary.exit_code = guard_exit([&] { return run_with_log(options, summary, draft); }, write_line);
+  if (libraries) {
+    const auto work = [&] { return write_report_file(options, draft, summary, *libraries), ExitCode::done; };
+    const ExitCode code = guard_exit(work, write_line);
+    if (*summary.exit_code == ExitCode::done) summary.exit_code = code;
+  }
   write_summary_file(options, summary);
   return *summary.exit_code;
 }
@@ -119,6 +128,8 @@ int run_program(int argc, const char* const* argv) {
     const CommandLine line = read_command_line(argc, argv);
     if (line.exit_code) return *line.exit_code;
     if (line.options.diff.is_asked) return static_cast<ExitCode>(run_diff(line.options.diff));
+    if (line.options.report_of_results.is_asked)
+      return static_cast<ExitCode>(run_report(line.options.report_of_results));
     if (line.options.sweep.is_asked) return static_cast<ExitCode>(run_sweep(line.options.sweep));
     if (line.options.convert.is_asked) return convert_mesh(line.options.convert);
     if (line.options.manual.is_asked) return run_manual(line.options.manual);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <span>
+#include <utility>
 
 #include "core/base/digest.hpp"
 #include "core/base/errors.hpp"
@@ -38,20 +39,23 @@ RunDeck read_run_deck(const DeckRequest& request, Diagnostics& diagnostics) {
   if (deck.failure != TextFile::Failure::none) return {parse_deck(request.path, options, diagnostics)};
 
   Digest digest;
-  const auto add = [&](const std::string& text) {
+  std::vector<SourceFile> sources;
+  const auto add = [&](const std::string& name, const std::string& text) {
     const std::uint64_t of_text = digest_of(text);
     digest.add_values(std::span(&of_text, 1));
+    if (std::ranges::find(sources, name, &SourceFile::name) == sources.end()) sources.push_back({name, text});
   };
-  add(deck.text);
+  add(request.path, deck.text);
   const FileReader read_file = [&](const std::string& path) {
     const TextFile file =
         read_text_file(request.includes_folder ? std::filesystem::path(*request.includes_folder) / path
                                                : std::filesystem::path(path));
-    add(file.text);
+    add(path, file.text);
     return file;
   };
   RunDeck run{parse_deck_text(request.path, deck.text, options, diagnostics, read_file)};
   run.digest = digest.value();
+  run.sources = std::move(sources);
   return run;
 }
 

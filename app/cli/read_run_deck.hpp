@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/deck_location.hpp"
 #include "core/base/diagnostics.hpp"
 #include "core/definition/simulation.hpp"
 
@@ -23,7 +24,8 @@ struct DeckRequest {
 /// A deck and the fingerprint of what was read for it.
 struct RunDeck {
   SimulationDefinition definition;
-  std::uint64_t digest = 0;  ///< of the bytes of the deck and of all files that it includes
+  std::uint64_t digest = 0;              ///< of the bytes of the deck and of all files that it includes
+  std::vector<SourceFile> sources = {};  ///< these files, each once
 };
 
 /// The names and values of "name=value". Throws DeckError for anything else.

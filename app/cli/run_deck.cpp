@@ -15,10 +15,12 @@
 #include "app/reports/overlap_report.hpp"
 #include "app/reports/run_head.hpp"
 #include "app/reports/run_log.hpp"
+#include "app/reports/surface_report.hpp"
 #include "app/run/file_clashes.hpp"
 #include "app/run/simulation.hpp"
 #include "app/run/start_overlap.hpp"
 #include "contact/mesh/smooth_surfaces.hpp"
+#include "contact/output/surface_summary.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/elements/cohesive_section.hpp"
 
@@ -137,10 +139,12 @@ ExitCode run_to_end(Simulation& simulation, RunSummary& summary) {
 
 }  // namespace
 
-ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary) {
-  const auto [definition, digest] = read_run_deck(
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary,
+                  ReportDraft& draft) {
+  const auto [definition, digest, sources] = read_run_deck(
       {options.deck, options.definitions, options.is_lenient, options.includes_folder}, warnings);
   summary.deck_digest = format_digest(digest);
+  draft.deck = sources;
   log.begin(asks_to_resume(definition));
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
@@ -151,18 +155,25 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
 
   const bool may_pass_over = options.is_lenient || options.stage == Stage::tables;
   const auto [procedure, region] = choose_region(definition, may_pass_over, warnings);
+  if (options.report) {
+    draft.definition = definition;
+    draft.region = region;
+  }
   if (options.stage == Stage::run) stop_on_errors(warnings);
   const std::string mesh_path = run_mesh_path(options, definition, region);
   check_mesh_is_kept(options, mesh_path);
   if (options.summary) summary.mesh = {mesh_path, digest_of_file(mesh_path), std::nullopt, std::nullopt};
   Mesh mesh = with_cohesive_blocks(definition, region, read_run_mesh(options, definition, region, warnings));
   log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
+  draft.has_mesh = true;
   if (summary.mesh) summary.mesh = {mesh_path, summary.mesh->digest, mesh.n_nodes(), mesh.n_elements()};
 
   ResolvedContact contact;
   if (region.contact || options.stage != Stage::run) {
     contact = resolve_contact(options, definition, region, mesh, log, warnings);
     if (contact.model) note_pairs(*contact.model, summary);
+    if (contact.model && options.report)
+      draft.surfaces = format_surfaces_json(*contact.model, summarize(*contact.model, mesh));
     if (contact.code != ExitCode::done) return contact.code;
   }
   RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
@@ -184,6 +195,9 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
   if (options.is_strict && !warnings.empty()) return ExitCode::done;
   RunLog run_log(log);
   simulation.observe([&](RunEvent event, const Simulation& run) { run_log.look(event, run); });
+  if (options.report)
+    simulation.observe([&](RunEvent event, const Simulation& run) { draft.curves.look(event, run); });
+  draft.output_paths = simulation.output_paths();
   return run_to_end(simulation, summary);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/options.hpp"
+#include "app/report/report_draft.hpp"
 #include "app/reports/log.hpp"
 #include "app/reports/run_summary.hpp"
 #include "core/base/diagnostics.hpp"
@@ -12,7 +13,9 @@ namespace contactsim {
 /// Takes a deck as far as the options ask: deck, mesh, contact surfaces, run.
 ///   warnings  gains what was found on the way, to be repeated at the end
 ///   summary   gains what is known of deck, mesh, pairs and run, also when something is thrown
+///   draft     the same for a report, if one is asked for
 /// Throws DeckError, FileError.
-ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary);
+ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary,
+                  ReportDraft& draft);
 
 }  // namespace contactsim
