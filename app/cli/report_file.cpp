@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "app/cli/run_mesh.hpp"
 #include "app/compare/compare_files.hpp"
@@ -98,7 +99,10 @@ void write_report_file(const Options& options, const ReportDraft& draft, const R
   run.has_surface_lines = draft.deck.size() == 1;  // else they may be of an include
   run.surfaces = draft.surfaces;
   run.found = summary.found;
-  for (const std::string& line : summary.error_lines) run.found.add_error({}, line);
+  for (const std::string& line : summary.error_lines) {
+    constexpr std::string_view head = "error: ";
+    run.found.add_error({}, line.starts_with(head) ? line.substr(head.size()) : line);
+  }
   if (draft.definition) run.title = title_of(*draft.definition);
   add_charts(draft, run);
   add_mesh(options, draft, run);

@@ -122,6 +122,11 @@ function show_short(value) {
   return Number.isFinite(value) ? show_number(Number(value.toPrecision(4))) : show_number(value);
 }
 
+/** "1 error", "2 errors". */
+function show_count(n, what) {
+  return `${n} ${what}${n === 1 ? "" : "s"}`;
+}
+
 /** An element with attributes and children, as a call: make("td", {class: "number"}, "12"). */
 function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);

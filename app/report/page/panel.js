@@ -23,7 +23,7 @@ class Panel {
     this.view.after_drawing = (camera) => this.#show_axes(camera);
     form.addEventListener("submit", (event) => this.#find(event));
     this.#listen();
-    this.describe();
+    this.pick(find_blamed_face(run));
   }
 
   #listen() {

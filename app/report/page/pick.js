@@ -33,6 +33,13 @@ function mean_of_corners(mesh, face, field, frame) {
   return sum / points.size;
 }
 
+/** A face of the element that an error of the run names: "element 17 of plate has turned inside out". */
+function find_blamed_face(run) {
+  const errors = problems_of(run).filter(({ severity }) => severity === "error");
+  const named = errors.map(({ text }) => /\belement (\d+)\b/.exec(text)).find((found) => found);
+  return named ? find_face_of_element(run.mesh, Number(named[1])) : null;
+}
+
 /** The first face of an element, by its Exodus id; null of none. */
 function find_face_of_element(mesh, id) {
   const face = mesh.faces.element.indexOf(id);

@@ -9,7 +9,7 @@ class Report {
     this.colour = "owner";
     this.move_cursors = () => {};
     const drawn = runs.filter((run) => run.mesh && run.mesh.points > 0);
-    for (const run of drawn) this.panels.push(new Panel(run, this));
+    this.#make_panels(drawn);
     place("views").classList.toggle("several", drawn.length > 1);
     const longest = drawn.reduce((a, b) => ((b.frames?.times.length ?? 0) > (a?.frames?.times.length ?? 0) ? b : a), null);
     this.times = longest?.frames?.times ?? [];
@@ -18,6 +18,17 @@ class Report {
     this.#listen();
     this.show_time(Math.max(0, this.times.length - 1));
     this.look_along("fit");
+  }
+
+  /** Where a browser cannot draw in three dimensions, everything else is shown all the same. */
+  #make_panels(runs) {
+    try {
+      for (const run of runs) this.panels.push(new Panel(run, this));
+    } catch (error) {
+      this.panels = [];
+      const text = `This browser does not draw in three dimensions (WebGL: ${error.message}).`;
+      place("views").replaceChildren(make("p", { class: "note bad" }, text));
+    }
   }
 
   /** All views from one place, from which each shows its whole mesh. */

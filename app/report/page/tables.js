@@ -114,10 +114,14 @@ function figures_of(run) {
   const { summary, mesh, frames } = run;
   const figures = [];
   const states = { done: "done", failed: "failed", stopped: "stopped", running: "not ended" };
-  if (summary) figures.push(["State", states[summary.state] ?? summary.state, summary.run?.ended_by ?? ""]);
+  const stages = { parse: "the deck was read alone", tables: "surfaces alone, no run", check: "checked, not run" };
+  if (summary) {
+    const more = stages[summary.stage] ?? summary.run?.ended_by ?? (summary.exit_code ? `exit code ${summary.exit_code}` : "");
+    figures.push(["State", states[summary.state] ?? summary.state, more]);
+  }
   if (summary?.run) {
     const { steps, time, termination_time, energies, wall_time } = summary.run;
-    figures.push(["Time", show_number(time), `of ${show_number(termination_time)}, ${steps} steps`]);
+    figures.push(["Time", show_number(time), `of ${show_number(termination_time)}, ${show_count(steps, "step")}`]);
     figures.push(["Energy error", `${show_number(Number((100 * energies.error_share).toPrecision(2)))} %`,
       "of the largest energy"]);
     const force = largest_pair(run, "peak_force");
@@ -128,13 +132,13 @@ function figures_of(run) {
       figures.push(["Deepest penetration", show_number(deep.deepest_penetration),
         `${deep.first} – ${deep.second}${share}`]);
     }
-    if (wall_time) figures.push(["Run took", `${wall_time.whole.toPrecision(3)} s`, `${summary.threads} threads`]);
+    if (wall_time) figures.push(["Run took", `${wall_time.whole.toPrecision(3)} s`, show_count(summary.threads, "thread")]);
   } else if (frames && frames.times.length > 0) {
-    figures.push(["Time", show_number(frames.times.at(-1)), `${frames.times.length} times shown`]);
+    figures.push(["Time", show_number(frames.times.at(-1)), `${show_count(frames.times.length, "time")} shown`]);
   }
-  if (mesh) figures.push(["Elements", String(mesh.elements), `${mesh.nodes} nodes, ${mesh.blocks.length} blocks`]);
+  if (mesh) figures.push(["Elements", String(mesh.elements), `${show_count(mesh.nodes, "node")}, ${show_count(mesh.blocks.length, "block")}`]);
   const counts = ["error", "warning"].map((severity) => problems_of(run).filter((p) => p.severity === severity).length);
-  if (summary) figures.push(["Warnings", String(counts[1]), counts[0] > 0 ? `${counts[0]} errors` : "no errors"]);
+  if (summary) figures.push(["Warnings", String(counts[1]), counts[0] > 0 ? show_count(counts[0], "error") : "no errors"]);
   return figures;
 }
 
@@ -159,9 +163,10 @@ function figure_table(runs) {
   return make_table("Key figures", [["", (name) => name], ...runs.map(column)], names);
 }
 
-/** Warnings and errors with all their places; those of a summary have the first alone. */
+/** Errors and warnings with all their places; those of a summary have the first alone. */
 function problems_of(run) {
-  if (run.problems.length > 0 || !run.summary) return run.problems;
+  const errors_first = (list) => [...list].sort((a, b) => (b.severity === "error") - (a.severity === "error"));
+  if (run.problems.length > 0 || !run.summary) return errors_first(run.problems);
   const of = (list, severity) => list.map((one) => ({
     severity, id: one.id ?? "", text: one.text, hint: "", alike: Math.max(0, (one.count ?? 1) - 1),
     places: one.file ? [{ file: one.file, line: one.line, column: one.column }] : [],
