@@ -102,11 +102,10 @@ class GeometryMaker {
       if (family_of(b) == Family::shell) {
         const std::size_t last = topology(block.shape).n_corners - 1u;
         add_face({{}, element, 1, b}, {nodes[0], nodes[1], nodes[2], nodes[last]}, true);
-      } else if (family_of(b) == Family::line) {
-        made_.lines.push_back(
-            {{nodes[0].value, nodes[1].value}, element, owners_ ? owners_->owner_of(element) : 0});
-      } else if (family_of(b) == Family::particle) {
-        made_.points.push_back(nodes[0].value);
+      } else if (family_of(b) == Family::line || family_of(b) == Family::particle) {
+        auto& things = family_of(b) == Family::line ? made_.lines : made_.particles;
+        const std::array<std::uint32_t, 2> ends{nodes[0].value, nodes[nodes.size() > 1 ? 1 : 0].value};
+        things.push_back({ends, element, b, owners_ ? owners_->owner_of(element) : 0});
       }
     }
   }
@@ -120,12 +119,15 @@ class GeometryMaker {
     node = point;
   }
 
+  template <class Things>
+  void number_all(Things& things) {
+    for (auto& thing : things) std::ranges::for_each(thing.points, [&](auto& node) { number(node); });
+  }
+
   void number_points() {
-    for (ReportFace& face : made_.faces)
-      std::ranges::for_each(face.points, [&](auto& node) { number(node); });
-    for (ReportLine& line : made_.lines)
-      std::ranges::for_each(line.points, [&](auto& node) { number(node); });
-    std::ranges::for_each(made_.points, [&](auto& node) { number(node); });
+    number_all(made_.faces);
+    number_all(made_.lines);
+    number_all(made_.particles);
   }
 
   const Mesh& mesh_;

@@ -28,20 +28,20 @@ struct ReportFace {
   std::uint32_t hidden_from = std::numeric_limits<std::uint32_t>::max();  ///< the same
 };
 
-/// A beam, truss, spring or rigid link to draw.
+/// A beam, truss or spring to draw, or a particle, whose two points are one.
 struct ReportLine {
   std::array<std::uint32_t, 2> points{};
   ElementIndex element;
-  std::uint32_t owner = 0;
+  std::uint32_t block = 0;
+  std::uint32_t owner = 0;  ///< as of a face
 };
 
 /// The outside of a mesh, and who owns it.
 struct ReportGeometry {
-  std::vector<NodeIndex> nodes;       ///< of the mesh, that are drawn, in the order in which faces name them
-  std::vector<ReportFace> faces;      ///< by element and side
-  std::vector<ReportLine> lines;      ///< by element
-  std::vector<std::uint32_t> points;  ///< particles: positions in nodes
-  std::vector<std::string> owners;    ///< names of surfaces, in deck order
+  std::vector<NodeIndex> nodes;   ///< of the mesh, that are drawn, in the order in which faces name them
+  std::vector<ReportFace> faces;  ///< by element and side
+  std::vector<ReportLine> lines, particles;  ///< by element
+  std::vector<std::string> owners;           ///< names of surfaces, in deck order
   /// What was claimed in vain: lists of (loser, winner), positions in owners. The first is empty.
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> lost;
   bool knows_claims = false;  ///< the deck was there; else owners come from side sets alone

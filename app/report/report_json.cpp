@@ -128,6 +128,13 @@ Json blocks_json(const Mesh& mesh) {
   return blocks;
 }
 
+Json lines_json(const std::vector<ReportLine>& lines) {
+  return {{"n", lines.size()},
+          {"corners", pack_corners(lines, 2)},
+          {"block", pack_each(lines, [](const ReportLine& line) { return line.block; })},
+          {"owner", pack_each(lines, [](const ReportLine& line) { return line.owner; })}};
+}
+
 Json mesh_json(const ReportMesh& of) {
   const ReportGeometry& geometry = of.geometry;
   const auto id_of = [&](const auto& thing) { return of.mesh.element_id(thing.element); };
@@ -145,7 +152,6 @@ Json mesh_json(const ReportMesh& of) {
     faces["shown_from"] = pack_each(geometry.faces, [](const ReportFace& face) { return face.shown_from; });
     faces["hidden_from"] = pack_each(geometry.faces, [](const ReportFace& face) { return face.hidden_from; });
   }
-  const auto owner_of = [](const ReportLine& line) { return line.owner; };
   return {{"path", of.mesh.path()},
           {"title", of.mesh.title()},
           {"nodes", of.mesh.n_nodes()},
@@ -154,13 +160,8 @@ Json mesh_json(const ReportMesh& of) {
           {"points", geometry.nodes.size()},
           {"coordinates", coordinates_json(of)},
           {"faces", std::move(faces)},
-          {"lines",
-           {{"n", geometry.lines.size()},
-            {"corners", pack_corners(geometry.lines, 2)},
-            {"owner", pack_each(geometry.lines, owner_of)}}},
-          {"particles",
-           {{"n", geometry.points.size()},
-            {"points", pack_each(geometry.points, [](std::uint32_t point) { return point; })}}},
+          {"lines", lines_json(geometry.lines)},
+          {"particles", lines_json(geometry.particles)},
           {"owners", geometry.owners},
           {"lost", geometry.lost},
           {"knows_claims", geometry.knows_claims}};

@@ -54,13 +54,13 @@ async function read_mesh(json) {
   for (const key of ["element", "side", "block", "owner", "claims", "shown_from", "hidden_from"]) {
     if (json.faces[key] !== undefined) faces[key] = await unpack(json.faces[key]);
   }
-  const lines = {
-    n: json.lines.n,
-    corners: await Promise.all(json.lines.corners.map((t) => unpack(t))),
-    owner: await unpack(json.lines.owner),
-  };
-  const particles = await unpack(json.particles.points);
+  const [lines, particles] = [await read_lines(json.lines), await read_lines(json.particles)];
   return { ...json, position, middle, faces, lines, particles };
+}
+
+async function read_lines({ n, corners, block, owner }) {
+  const lists = await Promise.all([...corners, block, owner].map((text) => unpack(text)));
+  return { n, corners: lists.slice(0, 2), block: lists[2], owner: lists[3] };
 }
 
 /** The frames of a run: displacements and fields at the shown times. */

@@ -88,8 +88,16 @@ class Panel {
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
   }
 
-  show_kinds(names, counts, key_of) {
-    this.view.colour((face) => (key_of(face) > 0 ? kind_colour(key_of(face) - 1) : no_colour));
+  /** key_of(things, i) is the kind of a face, line or particle, from 1; 0: of none. */
+  show_kinds(names, key_of) {
+    const { faces, lines, particles } = this.run.mesh;
+    const colour_of = (key) => (key > 0 ? kind_colour(key - 1) : no_colour);
+    this.view.colour((face) => colour_of(key_of(faces, face)));
+    this.view.colour_things((things, i) => colour_of(key_of(things, i)));
+    const count = (number) => [count_faces(faces, number, key_of), ...[lines, particles].map((things) =>
+      things.owner.filter((_, i) => key_of(things, i) === number).length)];
+    const words = ["face", "line", "particle"];
+    const describe = (number) => count(number).flatMap((n, i) => (n > 0 ? [show_count(n, words[i])] : [])).join(", ");
     const items = names.map((name, i) => {
       const number = i + 1;
       const box = make("input", { type: "checkbox" });
@@ -98,12 +106,12 @@ class Panel {
       const swatch = make("span", { class: "swatch", style: `background:${css_colour(kind_colour(i))}` });
       const is_owner = this.shared.colour === "owner";
       return make("li", {}, make("label", {}, is_owner ? box : null, swatch, name,
-        make("span", { class: "muted" }, ` ${counts[number] ?? 0} faces`)));
+        make("span", { class: "muted" }, describe(number) || "nothing")));
     });
-    if (counts[0] > 0) {
+    if (describe(0)) {
       const swatch = make("span", { class: "swatch", style: `background:${css_colour(no_colour)}` });
       items.push(make("li", {}, make("label", {}, swatch, "of no surface",
-        make("span", { class: "muted" }, ` ${counts[0]} faces`))));
+        make("span", { class: "muted" }, describe(0)))));
     }
     this.legend.replaceChildren(make("ul", { class: "kinds" }, ...items));
   }
@@ -116,9 +124,20 @@ class Panel {
 
   show_scale(name, [low, high], colour_of) {
     this.view.colour(colour_of);
+    this.view.colour_things((_, i, point) => colour_of(null, point));
     const at = (t) => make("span", {}, show_short(low + t * (high - low)));
     this.legend.replaceChildren(make("div", { class: "scale-name" }, name),
       make("div", { class: "scale", style: `background:${scale_gradient()}` }),
       make("div", { class: "scale-values" }, at(0), at(0.5), at(1)));
   }
+}
+
+/** Faces of a kind; the facets of a face of second order are one. */
+function count_faces(faces, kind, key_of) {
+  let n = 0;
+  for (let i = 0; i < faces.n; ++i) {
+    const is_next_facet = i > 0 && faces.element[i] === faces.element[i - 1] && faces.side[i] === faces.side[i - 1];
+    if (!is_next_facet && key_of(faces, i) === kind) ++n;
+  }
+  return n;
 }

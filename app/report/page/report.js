@@ -123,15 +123,12 @@ class Report {
   }
 
   #colour_kinds(panel) {
-    const { owner, block, n } = panel.run.mesh.faces;
-    const key_of = this.colour === "owner" ? (face) => owner[face] : (face) => block[face] + 1;
-    const names = this.colour === "owner" ? panel.run.mesh.owners : panel.run.mesh.blocks.map(({ name }) => name);
-    const counts = [];
-    for (let face = 0; face < n; ++face) counts[key_of(face)] = (counts[key_of(face)] ?? 0) + 1;
-    panel.show_kinds(names, counts, key_of);
+    const { mesh } = panel.run;
+    if (this.colour === "owner") panel.show_kinds(mesh.owners, ({ owner }, i) => owner[i]);
+    else panel.show_kinds(mesh.blocks.map(({ name }) => name), ({ block }, i) => block[i] + 1);
   }
 
-  /** The value at a corner of a face, NaN where there is none; null when the run does not have it. */
+  /** The value at a point of a face (null: of a line), NaN where there is none; null when the run does not have it. */
   #value_of({ run, view }) {
     const frame = view.frame;
     if (this.colour === "|displacement|") {
@@ -143,7 +140,8 @@ class Report {
     }
     const field = run.frames?.fields.find(({ name }) => name === this.colour);
     if (!field) return null;
-    return field.nodal ? (_, point) => field_value(field, frame, point) : (face) => field_value(field, frame, face);
+    if (field.nodal) return (_, point) => field_value(field, frame, point);
+    return (face) => (face === null ? NaN : field_value(field, frame, face));
   }
 
   #range_of(panel, value) {
@@ -152,15 +150,15 @@ class Report {
     if (field && asked !== "now") return asked === "usual" ? field.usual : [field.lowest, field.highest];
     let low = Infinity;
     let high = -Infinity;
-    const { n, corners } = panel.run.mesh.faces;
-    for (let face = 0; face < n; ++face) {
-      for (let k = 0; k < 4; ++k) {
-        const at = value(face, corners[k][face]);
-        if (at < low) low = at;
-        if (at > high) high = at;
-      }
-    }
-    return [low, high];
+    const take = (face, point) => {
+      const at = value(face, point);
+      if (at < low) low = at;
+      if (at > high) high = at;
+    };
+    const { faces, lines, particles } = panel.run.mesh;
+    for (let i = 0; i < faces.n; ++i) for (let k = 0; k < 4; ++k) take(i, faces.corners[k][i]);
+    for (const { n, corners } of [lines, particles]) for (let i = 0; i < n; ++i) take(null, corners[0][i]);
+    return low <= high ? [low, high] : [0, 0];
   }
 
   /** One range for all runs, so that colours compare. */

@@ -1,28 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mesh in three dimensions, by three.js.
+// A mesh on a stage.
 
-/** A run's mesh on a canvas. It draws when something has changed. */
-class MeshView {
+/** A run's mesh: what is shown of it, where its points are, how it is coloured, which face is under the mouse. */
+class MeshView extends Stage {
   /** mesh, frames as data.js reads them; frames null without results. */
   constructor(canvas, mesh, frames) {
-    Object.assign(this, { canvas, mesh, frames, frame: 0, scale: 1, hidden: new Set(), is_due: false });
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
-    this.scene = new THREE.Scene();
-    this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
-    this.camera.up.set(0, 0, 1);
-    this.controls = new THREE.OrbitControls(this.camera, canvas);
-    this.controls.enableKeys = false;
-    this.controls.screenSpacePanning = true;
-    this.controls.addEventListener("change", () => this.draw());
-    this.controls.addEventListener("start", () => (this.is_fitted = null));
-    this.point = new Float32Array(mesh.position);
+    super(canvas, mesh.position);
+    Object.assign(this, { mesh, frames, frame: 0, scale: 1, hidden: new Set() });
     this.#make_faces();
     this.#make_lines();
-    this.#light();
-    this.#measure();
-    this.look_along("fit");
-    new ResizeObserver(() => this.#resize()).observe(canvas);
+    const vertexColors = THREE.VertexColors;
+    const dot = new THREE.PointsMaterial({ size: 9, sizeAttenuation: false, vertexColors });
+    this.things = [
+      this.#make_things(mesh.lines, THREE.LineSegments, new THREE.LineBasicMaterial({ vertexColors }), 2),
+      this.#make_things(mesh.particles, THREE.Points, dot, 1),
+    ];
   }
 
   #make_faces() {
@@ -64,102 +56,22 @@ class MeshView {
     this.shared = shared;
     this.edges = add(new THREE.LineBasicMaterial({ transparent: true, opacity: 0.45 }), THREE.LineSegments);
     this.edges.visible = false;
-    this.rods = add(new THREE.LineBasicMaterial(), THREE.LineSegments);
-    const [from, to] = this.mesh.lines.corners;
-    this.rods.geometry.setIndex(Array.from({ length: 2 * this.mesh.lines.n }, (_, i) => (i % 2 ? to : from)[i >> 1]));
-    this.dots = add(new THREE.PointsMaterial({ size: 6, sizeAttenuation: false }), THREE.Points);
-    this.dots.geometry.setIndex(Array.from(this.mesh.particles));
     this.mark = add(new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }), THREE.Mesh);
     this.frame_of_mark = add(new THREE.LineBasicMaterial({ depthTest: false }), THREE.LineSegments);
     this.frame_of_mark.renderOrder = 1;
     this.mark_face(null);
   }
 
-  #light() {
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0xb4bac6, 0.8));
-    const lamp = new THREE.DirectionalLight(0xffffff, 0.4);
-    lamp.position.set(0.4, 0.6, 1);
-    this.camera.add(lamp);
-    this.scene.add(this.camera);
-  }
-
-  /** The middle and the radius of the mesh at the start. */
-  #measure() {
-    let squared = 0;
-    const x = this.mesh.position;
-    for (let i = 0; i < x.length; i += 3) squared = Math.max(squared, x[i] ** 2 + x[i + 1] ** 2 + x[i + 2] ** 2);
-    this.radius = Math.sqrt(squared) || 1;
-  }
-
-  /** Puts the camera before the whole mesh: "x", "y", "z", or "fit" from above at a slant. */
-  look_along(way) {
-    const directions = { x: [1, 0, 0], y: [0, -1, 0], z: [0, -0.001, 1], fit: [0.55, -1, 0.62] };
-    const away = new THREE.Vector3(...directions[way]).normalize();
-    const { middle, distance } = this.#fit(away);
-    this.is_fitted = way;
-    this.controls.target.copy(middle);
-    this.camera.position.copy(away.multiplyScalar(distance)).add(middle);
-    this.camera.near = distance / 500;
-    this.camera.far = distance * 20;
-    this.camera.updateProjectionMatrix();
-    this.controls.update();
-    this.draw();
-  }
-
-  /** What the camera looks at along a direction, and from how far, to see every point as they are now. */
-  #fit(away) {
-    const right = new THREE.Vector3().crossVectors(this.camera.up, away).normalize();
-    const axes = [right, new THREE.Vector3().crossVectors(away, right), away];
-    const boxes = axes.map((axis) => this.#extent(axis, [0, 0, 0]));
-    const middle = new THREE.Vector3();
-    axes.forEach((axis, i) => middle.addScaledVector(axis, (boxes[i][0] + boxes[i][1]) / 2));
-    const high = Math.tan((this.camera.fov * Math.PI) / 360);
-    const slopes = [high * this.camera.aspect, high];
-    // |across - middle| <= slope * (distance - depth) of every point, on both sides
-    const needs = slopes.flatMap((slope, i) => [1, -1].map((sign) =>
-      this.#extent(axes[i].clone().multiplyScalar(sign / slope).add(away), middle.toArray())[1]));
-    return { middle, distance: 1.05 * Math.max(0.2 * this.radius, ...needs) };
-  }
-
-  /** The least and the largest product of a vector with the points, seen from an origin. */
-  #extent({ x, y, z }, origin) {
-    const from = x * origin[0] + y * origin[1] + z * origin[2];
-    let low = Infinity;
-    let high = -Infinity;
-    for (let i = 0; i < this.point.length; i += 3) {
-      const at = x * this.point[i] + y * this.point[i + 1] + z * this.point[i + 2] - from;
-      if (at < low) low = at;
-      if (at > high) high = at;
-    }
-    return low <= high ? [low, high] : [0, 0];
-  }
-
-  /** Turns the camera about the target [degrees], and moves it away by a factor. */
-  turn(right, up, factor = 1) {
-    this.is_fitted = null;
-    const away = this.camera.position.clone().sub(this.controls.target);
-    const to_z = new THREE.Quaternion().setFromUnitVectors(this.camera.up, new THREE.Vector3(0, 1, 0));
-    const spherical = new THREE.Spherical().setFromVector3(away.applyQuaternion(to_z));
-    spherical.theta -= (right * Math.PI) / 180;
-    spherical.phi -= (up * Math.PI) / 180;
-    spherical.makeSafe();
-    spherical.radius *= factor;
-    away.setFromSpherical(spherical).applyQuaternion(to_z.inverse());
-    this.camera.position.copy(this.controls.target).add(away);
-    this.controls.update();
-    this.draw();
-  }
-
-  /** Takes over where another view's camera is. */
-  follow(other) {
-    this.is_fitted = null;
-    this.camera.position.copy(other.camera.position);
-    this.camera.near = other.camera.near;
-    this.camera.far = other.camera.far;
-    this.camera.updateProjectionMatrix();
-    this.controls.target.copy(other.controls.target);
-    this.camera.lookAt(this.controls.target);
-    this.draw();
+  /** Lines or particles with points and colours of their own. */
+  #make_things(things, kind, material, n_ends) {
+    const geometry = new THREE.BufferGeometry();
+    const array = (type, ...more) => new THREE.BufferAttribute(new type(3 * n_ends * things.n), 3, ...more);
+    geometry.setAttribute("position", array(Float32Array));
+    geometry.setAttribute("color", array(Uint8Array, true));
+    const object = new kind(geometry, material);
+    object.frustumCulled = false;
+    this.scene.add(object);
+    return { ...things, geometry, n_ends };
   }
 
   is_shown(face) {
@@ -207,7 +119,23 @@ class MeshView {
     this.shell.attributes.position.needsUpdate = true;
     this.shell.boundingSphere = null;
     if (this.edges.visible) this.#place_edges();
+    this.#place_things();
     this.draw();
+  }
+
+  #place_things() {
+    for (const { n, n_ends, corners, owner, geometry } of this.things) {
+      const to = geometry.attributes.position.array;
+      const index = [];
+      for (let i = 0; i < n * n_ends; ++i) {
+        const thing = Math.floor(i / n_ends);
+        const from = 3 * corners[i % n_ends][thing];
+        to.set(this.point.subarray(from, from + 3), 3 * i);
+        if (!this.hidden.has(owner[thing])) index.push(i);
+      }
+      geometry.attributes.position.needsUpdate = true;
+      geometry.setIndex(index);
+    }
   }
 
   #place_edges() {
@@ -246,6 +174,19 @@ class MeshView {
     this.draw();
   }
 
+  /** Colours lines and particles: colour_of(things, i, point) as of faces. */
+  colour_things(colour_of) {
+    for (const things of this.things) {
+      const to = things.geometry.attributes.color.array;
+      for (let i = 0; i < things.n * things.n_ends; ++i) {
+        const thing = Math.floor(i / things.n_ends);
+        to.set(colour_of(things, thing, things.corners[i % things.n_ends][thing]), 3 * i);
+      }
+      things.geometry.attributes.color.needsUpdate = true;
+    }
+    this.draw();
+  }
+
   /** The face under a place of the canvas, in pixels from its upper left; null of none. */
   find_face(x, y) {
     const at = new THREE.Vector2((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
@@ -264,35 +205,11 @@ class MeshView {
     this.draw();
   }
 
-  #resize() {
-    const { clientWidth, clientHeight } = this.canvas;
-    if (clientWidth === 0 || clientHeight === 0) return;
-    this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
-    if (this.is_fitted) this.look_along(this.is_fitted);
-    this.draw();
-  }
-
   /** Takes over the colours of the style sheet. */
   restyle() {
     this.edges.material.color.set(style_colour("--mesh-line"));
-    this.rods.material.color.set(style_colour("--accent"));
-    this.dots.material.color.set(style_colour("--accent"));
     this.mark.material.color.set(style_colour("--mark"));
     this.frame_of_mark.material.color.set(style_colour("--mark"));
     this.draw();
-  }
-
-  draw() {
-    if (this.is_due) return;
-    this.is_due = true;
-    requestAnimationFrame(() => this.draw_now());
-  }
-
-  draw_now() {
-    this.is_due = false;
-    this.renderer.render(this.scene, this.camera);
-    this.after_drawing?.(this.camera);
   }
 }

@@ -51,7 +51,9 @@ TEST_CASE("the skin of all elements is drawn, each face once and with its owner"
   CHECK(count_owned(geometry, "sheet") == 1);
   REQUIRE(geometry.lines.size() == 1);
   CHECK(geometry.owners[geometry.lines.front().owner - 1] == "rod");
-  CHECK(geometry.points.size() == 1);
+  REQUIRE(geometry.particles.size() == 1);
+  CHECK(geometry.owners[geometry.particles.front().owner - 1] == "grain");
+  CHECK(geometry.particles.front().block == 4);
   const auto is_known = [&](std::uint32_t point) { return point < geometry.nodes.size(); };
   for (const ReportFace& face : geometry.faces) CHECK(std::ranges::all_of(face.points, is_known));
   // the node within each cube and that within their joint are not drawn; the others are, each once
