@@ -11,6 +11,7 @@
 #include "app/run/reach_warnings.hpp"
 #include "app/run/smoothing_warnings.hpp"
 #include "app/run/start_overlap.hpp"
+#include "app/run/surface_sets.hpp"
 #include "app/run/start_warnings.hpp"
 #include "contact/output/surface_drawing.hpp"
 #include "core/base/errors.hpp"
@@ -81,8 +82,10 @@ void RunContact::add_to(OutputSettings& settings) {
     return name;
   };
   for (const ContactSurface& surface : contact_.surfaces.surfaces) {
-    if (!surface.faces.empty()) settings.side_sets.push_back({0, free_name(surface.name), surface.faces, {}});
-    if (!surface.nodes.empty()) settings.node_sets.push_back({0, free_name(surface.name), surface.nodes, {}});
+    if (auto sides = sides_of_surface(surface, mesh_); !sides.empty())
+      settings.side_sets.push_back({0, free_name(surface.name), std::move(sides), {}});
+    if (auto nodes = nodes_of_surface(surface, mesh_); !nodes.empty())
+      settings.node_sets.push_back({0, free_name(surface.name), std::move(nodes), {}});
   }
   if (std::vector<NodeIndex> nodes = untied_nodes(untied_); !nodes.empty())
     settings.node_sets.push_back({0, free_name("untied"), std::move(nodes), {}});

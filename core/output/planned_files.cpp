@@ -27,10 +27,16 @@ bool is_log(const std::string& stream) {
   return std::find(names.begin(), names.end(), folded) != names.end();
 }
 
+/// That of the file, else that of the deck: of its TITLE, else behind BEGIN SIERRA.
+std::string title_of(const SimulationDefinition& definition, const OutputDatabase& database) {
+  if (!database.title.empty()) return database.title;
+  return definition.title.empty() ? definition.name.text : definition.title;
+}
+
 ResultsFile make_file(const ConditionScope& scope, const OutputDatabase& database, bool has_mesh) {
   const std::string name = database.name ? database.name->text : has_mesh ? "%B.e" : "%B.h";
   return {expand_file_name(scope.definition, name), database.overwrites, has_mesh,
-          database.title.empty() ? scope.definition.title : database.title};
+          title_of(scope.definition, database)};
 }
 
 OutputSchedule find_schedule(const ConditionScope& scope, const OutputSchedule& schedule) {

@@ -54,6 +54,9 @@ TEST_CASE("files have the deck's name and title unless it says otherwise", "[cor
   CHECK(plans.results(own).file.title == "mine");
   CHECK_FALSE(plans.results(own).file.overwrites);
   CHECK(plans.results(own, "given.e").file.path == "given.e");
+  plans.definition.title.clear();
+  plans.definition.name.text = "sierra crash";
+  CHECK(plans.results({}).file.title == "sierra crash");
 }
 
 TEST_CASE("heartbeats to the terminal go to the log", "[core][output]") {
