@@ -8,11 +8,12 @@
 
 namespace contactsim {
 
-/// The sides by which results show a contact surface: its faces, and both sides of shells that it lofts. Ascending.
+/// The sides by which results show a contact surface: its faces, and both sides of shells that it lofts.
+/// Ascending.
 std::vector<ElementSide> sides_of_surface(const ContactSurface& surface, const Mesh& mesh);
 
-/// The nodes by which results show what has no sides: those of a surface of nodes, and of lines, particles and elements
-/// QUAD that it lofts. Ascending.
+/// The nodes by which results show what has no sides: those of a surface of nodes, and of lines, particles
+/// and elements QUAD that it lofts. Ascending.
 std::vector<NodeIndex> nodes_of_surface(const ContactSurface& surface, const Mesh& mesh);
 
 }  // namespace contactsim

@@ -7,9 +7,12 @@
 using namespace contactsim;
 using namespace contactsim::test;
 
-TEST_CASE("a surface of solids and shells has faces and both sides of shells, lines have nodes", "[app][outputs]") {
+TEST_CASE("a surface of solids and shells has faces and both sides of shells, lines have nodes",
+          "[app][outputs]") {
   MeshBuilder b;
-  b.add_hexes({.id = 1}).add_shells({.id = 2, .origin = {0, 0, 2}}).add_beams({.id = 3, .from = {0, 0, 4}, .to = {1, 0, 4}});
+  b.add_hexes({.id = 1})
+      .add_shells({.id = 2, .origin = {0, 0, 2}})
+      .add_beams({.id = 3, .from = {0, 0, 4}, .to = {1, 0, 4}});
   const Mesh mesh = b.build();
   ContactSurface surface;
   surface.faces = {ElementSide({0}, 6)};
