@@ -42,8 +42,8 @@ function datasets_of(chart, runs) {
   return chart.lines.map((line) => ({
     label: runs.length > 1 ? `${line.name} · ${runs[line.number].letter}` : line.name,
     data: line.times.map((x, i) => ({ x, y: line.values[i] })),
-    borderColor: css_colour(kind_colour(names.indexOf(line.name))),
-    backgroundColor: css_colour(kind_colour(names.indexOf(line.name))),
+    borderColor: css_colour(line_colour(names.indexOf(line.name))),
+    backgroundColor: css_colour(line_colour(names.indexOf(line.name))),
     borderDash: line.number > 0 ? [6, 3] : [],
     borderWidth: 1.75,
     pointRadius: line.times.length < 3 ? 3 : 0,

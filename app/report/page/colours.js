@@ -26,6 +26,11 @@ function kind_colour(i) {
   return rgb_of(i % 2 ? 0.78 : 0.62, 0.13, (255 + 137.5 * i) % 360);
 }
 
+/** The same for thin lines, which the ground, light or dark, must not swallow. */
+function line_colour(i) {
+  return rgb_of(matchMedia("(prefers-color-scheme: dark)").matches ? 0.76 : 0.54, 0.15, (255 + 137.5 * i) % 360);
+}
+
 /** 256 colours from dark blue to light yellow. */
 const scale_colours = Array.from({ length: 256 }, (_, i) => {
   const t = i / 255;

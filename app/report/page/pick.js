@@ -14,9 +14,15 @@ function describe_face(run, face, frame) {
   ];
   for (const field of frames ? frames.fields : []) {
     const value = field.nodal ? mean_of_corners(mesh, face, field, frame) : field_value(field, frame, face);
-    if (!Number.isNaN(value)) rows.push([field.name, show_short(value)]);
+    if (!Number.isNaN(value)) rows.push([field.name, show_rounded(field, value)]);
   }
   return rows;
+}
+
+/** With the digits that the packed field has. */
+function show_rounded(field, value) {
+  const is_coarse = field.linear_part > 0 || field.highest - field.lowest < 1000 * field.step;
+  return is_coarse ? `about ${show_number(Number(value.toPrecision(2)))}` : show_number(Number(value.toPrecision(3)));
 }
 
 function describe_claims(mesh, face) {
