@@ -40,6 +40,7 @@ struct DraftMesh {
   std::vector<Eigen::Vector3d> coordinates;  ///< [length]
   std::vector<DraftGroup> groups;
   std::vector<DraftSet> side_sets, node_sets;
+  std::vector<std::string> passed_over;  ///< what is named in the file and becomes nothing, and why
 };
 
 }  // namespace contactsim

@@ -141,7 +141,11 @@ class InpReader {
 
   void read_surface(const InpKeyword& keyword) {
     std::string kind = keyword.value("TYPE");
-    if (!kind.empty() && fold(kind) != "element") return;
+    if (!kind.empty() && fold(kind) != "element") {
+      mesh_.passed_over.push_back(
+          fmt::format("surface '{}': passed over, only TYPE=ELEMENT is read", keyword.value("NAME")));
+      return;
+    }
     auto& surface = surfaces_[keyword.value("NAME")];
     std::vector<std::string> cells;
     while (lines_.next_data(cells)) {
@@ -211,6 +215,20 @@ class InpReader {
       DraftGroup& group = mesh_.groups[place->second];
       group.elements.push_back(id);
       group.nodes.insert(group.nodes.end(), element.nodes.begin(), element.nodes.end());
+    }
+    note_unused_sets();
+  }
+
+  void note_unused_sets() {
+    std::set<std::string> used;
+    for (const DraftGroup& group : mesh_.groups) used.insert(fold(group.name));
+    for (const auto& [surface, faces] : surfaces_) {
+      for (const InpFace& face : faces) used.insert(fold(face.elset_or_id));
+    }
+    for (const auto& [name, ids] : elsets_) {
+      if (!used.contains(name))
+        mesh_.passed_over.push_back(
+            fmt::format("ELSET '{}': passed over, its elements are of other blocks", name));
     }
   }
 

@@ -60,6 +60,7 @@ class MeshMaker {
     for (const DraftSet& set : draft_.node_sets) add_node_set(set.name, set.id, set.nodes);
     if (parts_.blocks.empty()) throw FileError(draft_.path, "no group of elements is a block");
     parts_.path = draft_.path;
+    notes_.insert(notes_.end(), draft_.passed_over.begin(), draft_.passed_over.end());
     drop_unused_nodes();
     return {Mesh(std::move(parts_)), std::move(notes_)};
   }

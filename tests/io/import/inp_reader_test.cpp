@@ -62,6 +62,14 @@ TEST_CASE("blocks, sets and surfaces of an input file are read", "[io][import]")
   CHECK(mesh.side_sets[0].faces.at(0) == DraftFace{{{4}, {7}, {6}, {5}}});
 }
 
+TEST_CASE("sets and surfaces that become nothing are named", "[io][import]") {
+  CHECK(read_text(cube).passed_over.empty());
+  const DraftMesh mesh = read_text(cube + "*ELSET, ELSET=Half\n17\n*SURFACE, NAME=n, TYPE=NODE\nlow\n");
+  REQUIRE(mesh.passed_over.size() == 2);
+  CHECK_THAT(mesh.passed_over[0], Contains("surface 'n': passed over"));
+  CHECK_THAT(mesh.passed_over[1], Contains("ELSET 'half': passed over"));
+}
+
 TEST_CASE("what is wrong with an input file is said with its line", "[io][import]") {
   CHECK_THAT(message_of(with(cube, "C3D8R", "C3D20")),
              Contains("line 15: elements of the type 'C3D20' are not read"));
