@@ -28,11 +28,14 @@ CLI::App* add_report(CLI::App& app, ReportOptions& options) {
   report->add_option("-o,--output", options.output, "The page, in place of <first results>.html")
       ->type_name("FILE");
   const auto add = [&](const char* name, auto& value, const char* help) {
-    report->add_option(name, value, help)->type_name("FILE");
+    return report->add_option(name, value, help)->type_name("FILE");
   };
   add("--deck", options.deck, "Deck to show, in place of the one in the results; of one run");
   add("--summary", options.summary, "Summary of --summary, in place of <results>.json; of one run");
-  add("--heartbeat", options.heartbeats, "Heartbeats in CSV, in place of <results>.csv; of one run");
+  add("--heartbeat", options.heartbeats,
+      "Heartbeat in CSV, in place of <results>.csv; of one run; may be repeated")
+      ->allow_extra_args(false)
+      ->take_all();
   report->callback([&options] {
     const bool has_own = options.deck || options.summary || !options.heartbeats.empty();
     if (has_own && options.results.size() > 1)

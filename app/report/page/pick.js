@@ -22,7 +22,8 @@ function describe_face(run, face, frame) {
 /** With the digits that the packed field has. */
 function show_rounded(field, value) {
   const is_coarse = field.linear_part > 0 || field.highest - field.lowest < 1000 * field.step;
-  return is_coarse && value !== 0 ? `about ${show_number(Number(value.toPrecision(2)))}` : show_number(Number(value.toPrecision(3)));
+  const text = show_number(Number(value.toPrecision(is_coarse ? 2 : 3)));
+  return is_coarse && value !== 0 ? `about ${text}` : text;
 }
 
 function describe_claims(mesh, face) {

@@ -116,7 +116,8 @@ function figures_of(run) {
   const states = { done: "done", failed: "failed", stopped: "stopped", running: "not ended" };
   const stages = { parse: "the deck was read alone", tables: "surfaces alone, no run", check: "checked, not run" };
   if (summary) {
-    const more = stages[summary.stage] ?? summary.run?.ended_by ?? (summary.exit_code ? `exit code ${summary.exit_code}` : "");
+    const code = summary.exit_code ? `exit code ${summary.exit_code}` : "";
+    const more = stages[summary.stage] ?? summary.run?.ended_by ?? code;
     figures.push(["State", states[summary.state] ?? summary.state, more]);
   }
   if (summary?.run) {
@@ -136,7 +137,10 @@ function figures_of(run) {
   } else if (frames && frames.times.length > 0) {
     figures.push(["Time", show_number(frames.times.at(-1)), `${show_count(frames.times.length, "time")} shown`]);
   }
-  if (mesh) figures.push(["Elements", String(mesh.elements), `${show_count(mesh.nodes, "node")}, ${show_count(mesh.blocks.length, "block")}`]);
+  if (mesh) {
+    const more = `${show_count(mesh.nodes, "node")}, ${show_count(mesh.blocks.length, "block")}`;
+    figures.push(["Elements", String(mesh.elements), more]);
+  }
   const counts = ["error", "warning"].map((severity) => problems_of(run).filter((p) => p.severity === severity).length);
   if (summary) figures.push(["Warnings", String(counts[1]), counts[0] > 0 ? show_count(counts[0], "error") : "no errors"]);
   return figures;

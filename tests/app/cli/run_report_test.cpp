@@ -83,6 +83,13 @@ TEST_CASE("a page is made of results and what lies beside them", "[app][report]"
              Contains("\n        skin all blocks = on\n"));
   CHECK_THAT(titles_of(run), Contains("Energies") && Contains("force"));
 
+  const auto chosen = directory.run({"report", "--deck", "impact.i", "--heartbeat", "impact.csv",
+                                     "--heartbeat", "impact.csv", "impact.e", "-o", "own.html"});
+  CHECK(chosen.exit_code == 0);
+  const Json own = data_of(directory.read("own.html"))["runs"][0];
+  CHECK(own["deck"]["files"][0]["name"] == "impact.i");
+  CHECK(own["charts"].size() == run["charts"].size() + 4);  // of the second heartbeat
+
   CHECK(directory.run({"report", "impact.e", "impact.e", "-o", "two.html"}).exit_code == 0);
   CHECK(data_of(directory.read("two.html"))["runs"].size() == 2);
   const auto plain = directory.run({"report", "impact.g", "-o", "mesh.html"});

@@ -62,7 +62,9 @@ class Page:
           context.drawImage(view.canvas, 0, 0);
           const {{ data }} = context.getImageData(0, 0, copy.width, copy.height);
           const seen = new Set();
-          for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 0) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+          for (let i = 0; i < data.length; i += 4) {{
+            if (data[i + 3] > 0) seen.add(data[i] << 16 | data[i + 1] << 8 | data[i + 2]);
+          }}
           return seen.size;
         }})()""")
 
@@ -105,7 +107,8 @@ def check_numbers(page, folder):
       const field = frames.fields.find(({ name }) => name === 'von_mises');
       const code = field.codes[view.frame * field.columns + face];
       return { stress: field.first + field.step * (code - 1), range: field.highest - field.first,
-        points: mesh.faces.corners.map((list) => [0, 1, 2].map((axis) => view.point[3 * list[face] + axis] + mesh.middle[axis])) };
+        points: mesh.faces.corners.map((list) =>
+          [0, 1, 2].map((axis) => view.point[3 * list[face] + axis] + mesh.middle[axis])) };
     })()""")
     element = 2401 + 863 - first_of_ball - 1
     assert abs(shown["stress"] - stress[element]) < shown["range"] / 4000, (shown["stress"], stress[element])
