@@ -15,24 +15,30 @@ Eigen::Vector3d doubled_area(const ContactFace& face, const Position& x) {
   return (x(corners[2]) - x(corners[0])).cross(x(corners[3]) - x(corners[1]));
 }
 
-/// Axes whose third is the normal of the faces; where faces on both sides cancel, that of the first of them.
+/// The normal of the faces at a node [1]; where faces on both sides cancel, that of the first of them; zero
+/// without any area.
 template <class Position>
-Eigen::Matrix3d axes_about(const ContactMesh& contact_mesh, std::uint32_t node, const Position& x) {
-  constexpr double cancelled = 1e-3;  // of the sum of the areas
+Eigen::Vector3d normal_at(const ContactMesh& contact_mesh, std::uint32_t node, const Position& x) {
+  constexpr double cancelled = 1e-6;  // of the sum of the squares
   const auto faces = contact_mesh.faces_of_node.of(node);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double size = 0.0;
+  double squares = 0.0;
   for (const FaceIndex face : faces) {
     const Eigen::Vector3d area = doubled_area(contact_mesh.faces[face], x);
     sum += area;
-    size += area.norm();
+    squares += area.squaredNorm();
   }
-  if (!(sum.norm() > cancelled * size)) sum = doubled_area(contact_mesh.faces[faces.front()], x);
+  if (!(sum.squaredNorm() > cancelled * squares)) sum = doubled_area(contact_mesh.faces[faces.front()], x);
+  return sum.normalized();  // zero stays
+}
+
+/// Axes whose third is a normal, those of space without one.
+Eigen::Matrix3d axes_about(const Eigen::Vector3d& normal) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
-  if (!(sum.norm() > 0.0)) return axes;
-  axes.col(2) = sum.normalized();
-  axes.col(0) = axes.col(2).unitOrthogonal();
-  axes.col(1) = axes.col(2).cross(axes.col(0));
+  if (normal.isZero(0.0)) return axes;
+  axes.col(2) = normal;
+  axes.col(0) = normal.unitOrthogonal();
+  axes.col(1) = normal.cross(axes.col(0));
   return axes;
 }
 
@@ -41,6 +47,11 @@ Eigen::Matrix3d axes_about(const ContactMesh& contact_mesh, std::uint32_t node, 
 SurfaceTurns::SurfaceTurns(const ContactKinematics& start) : contact_mesh_(&start.contact_mesh()) {
   start_.resize(3, static_cast<Eigen::Index>(contact_mesh_->n_nodes()));
   for (std::uint32_t i = 0; i < contact_mesh_->n_nodes(); ++i) start_.col(i) = start.x(i);
+  start_normals_.setZero(3, start_.cols());
+  const auto x = [&](std::uint32_t i) { return Eigen::Vector3d(start_.col(i)); };
+  for (std::uint32_t i = 0; i < contact_mesh_->n_nodes(); ++i) {
+    if (has_faces(i)) start_normals_.col(i) = normal_at(*contact_mesh_, i, x);
+  }
 }
 
 bool SurfaceTurns::has_faces(std::uint32_t node) const {
@@ -49,21 +60,22 @@ bool SurfaceTurns::has_faces(std::uint32_t node) const {
 
 Eigen::Matrix3d SurfaceTurns::turn(const ContactKinematics& now, std::uint32_t node) const {
   if (!has_faces(node)) return Eigen::Matrix3d::Identity();
-  const auto x_start = [&](std::uint32_t i) { return Eigen::Vector3d(start_.col(i)); };
   const auto x_now = [&](std::uint32_t i) { return Eigen::Vector3d(now.x(i)); };
-  const Eigen::Matrix3d from = axes_about(*contact_mesh_, node, x_start),
-                        to = axes_about(*contact_mesh_, node, x_now);
+  const Eigen::Matrix3d from = axes_about(start_normals_.col(node)),
+                        to = axes_about(normal_at(*contact_mesh_, node, x_now));
+  const Eigen::Vector3d centre_start = start_.col(node), centre_now = x_now(node);
   // The angle that maximizes the sum of w_start . R w_now over the ways w along the surface.
   double along = 0.0, across = 0.0;
   for (const FaceIndex face : contact_mesh_->faces_of_node.of(node)) {
     for (const std::uint32_t corner : contact_mesh_->faces[face].corners) {
-      const Eigen::Vector3d before = from.transpose() * (x_start(corner) - x_start(node)),
-                            after = to.transpose() * (x_now(corner) - x_now(node));
-      along += before.head<2>().dot(after.head<2>());
+      if (corner == node) continue;
+      const Eigen::Vector2d before = from.leftCols<2>().transpose() * (start_.col(corner) - centre_start),
+                            after = to.leftCols<2>().transpose() * (x_now(corner) - centre_now);
+      along += before.dot(after);
       across += before.x() * after.y() - before.y() * after.x();
     }
   }
-  const double size = std::hypot(along, across);
+  const double size = std::sqrt(along * along + across * across);
   if (!(size > 0.0)) return to * from.transpose();
   Eigen::Matrix3d about_normal = Eigen::Matrix3d::Identity();
   about_normal(0, 0) = about_normal(1, 1) = along / size;

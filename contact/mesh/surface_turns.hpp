@@ -25,6 +25,7 @@ class SurfaceTurns {
 
  private:
   Eigen::Matrix3Xd start_;                     // [3 x n_contact_nodes] [length]
+  Eigen::Matrix3Xd start_normals_;             // [3 x n_contact_nodes] of the faces there [1]
   const ContactMesh* contact_mesh_ = nullptr;  // null: nothing turns
 };
 
