@@ -68,12 +68,13 @@ bool lie_in_strip(const ContactStepContext& context, FaceIndex face, const Ahead
     const Eigen::Vector3d x = context.kinematics.x(corner);
     for (const FaceIndex beyond : contact_mesh.faces_of_node.of(corner)) {
       if (contact_mesh.faces[beyond].surface != side.surface || beyond == face) continue;
+      const double touched = flush_width(context, beyond);
+      if (!(touched > 0.0)) continue;
       const Eigen::Vector3d out = context.kinematics.area(contact_mesh.faces[beyond]).normalized();
       const double height = (x - centre).dot(out);
       if (out.dot(normal) > sharpest_smooth || !(height > 0.0)) continue;
       if (out.dot(ahead.normal) < max_skew) continue;  // it is the face beyond that stands on what lies ahead
-      const double touched = flush_width(context, beyond);
-      if (!(touched > 0.0) || !has_opposite(context, ahead, out)) continue;
+      if (!has_opposite(context, ahead, out)) continue;
       const double closed = std::max(0.0, ahead.closing.dot(out)) * context.dt;
       const double width = std::min(touched + just_flush * height + closed, height) * ahead.share;
       if (std::ranges::all_of(ahead.points, [&](const auto& point) { return (x - point).dot(out) <= width; }))
