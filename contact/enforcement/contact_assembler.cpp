@@ -160,19 +160,18 @@ void ContactAssembler::follow_partner(std::uint32_t node, const SurfaceTurns& tu
 }
 
 void ContactAssembler::end_step(const SurfaceTurns& turns) {
-#pragma omp parallel for schedule(static) num_threads(threads_for(friction_.size()))
-  for (std::size_t i = 0; i < friction_.size(); ++i) {
+  parallel_for(friction_.size(), threads_for(friction_.size()), [&](std::size_t i) {
     NodeFriction& node = friction_[i];
     const auto index = static_cast<std::uint32_t>(i);
     const double area = slips_[i][3];
     node.last_slip = area > 0.0 ? Eigen::Vector3d(slips_[i].head<3>() / area) : Eigen::Vector3d::Zero();
     if (kinematics_ != nullptr) follow_partner(index, turns);
-    if (node.last_slip.isZero(0.0)) continue;
+    if (node.last_slip.isZero(0.0)) return;
     node.slip_length += node.last_slip.norm();
     node.slip += kinematics_ == nullptr
                      ? node.last_slip
                      : turn_of(*kinematics_, turns, index, partners_[i]).transpose() * node.last_slip;
-  }
+  });
 }
 
 }  // namespace contactsim

@@ -134,9 +134,8 @@ void ContactForce::write_forces(Eigen::Matrix3Xd& forces) {
   // Several points of lofts may hang on one node of the mesh.
   for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
     forces.col(contact_mesh_.mesh_nodes[i]).setZero();
-#pragma omp parallel for schedule(static) num_threads(threads_for(n_mesh_points))
-  for (std::size_t i = 0; i < n_mesh_points; ++i)
-    forces.col(contact_mesh_.mesh_nodes[i]) = nodes[i].head<3>();
+  parallel_for(n_mesh_points, threads_for(n_mesh_points),
+               [&](std::size_t i) { forces.col(contact_mesh_.mesh_nodes[i]) = nodes[i].head<3>(); });
   for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
     forces.col(contact_mesh_.mesh_nodes[i]) += nodes[i].head<3>();
   offset_moments_.add_forces(forces);
@@ -204,15 +203,13 @@ void ContactForce::foresee(const State& state) {
   const bool turns = state.rotations.exist();
   free_velocity_.resize(3, state.velocity.cols());
   if (turns) free_turning_.resize(3, state.velocity.cols());
-  const auto n_nodes = static_cast<std::int64_t>(contact_mesh_.n_nodes());
-#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.n_mesh_points()))
-  for (std::int64_t i = 0; i < n_nodes; ++i) {
-    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
+  parallel_for(contact_mesh_.n_nodes(), threads_for(contact_mesh_.n_mesh_points()), [&](std::size_t i) {
+    const auto node = static_cast<Eigen::Index>(contact_mesh_.mesh_nodes[i]);
     free_velocity_.col(node) = state.velocity.col(node) + half_steps * state.acceleration.col(node);
-    if (!turns) continue;
+    if (!turns) return;
     free_turning_.col(node) =
         state.rotations.velocity.col(node) + half_steps * state.rotations.acceleration.col(node);
-  }
+  });
   Motion coming{state.time, state.dt, state.coordinates, free_velocity_};
   if (turns) coming.angular_velocity = &free_turning_;
   kinematics_.foresee(coming);

@@ -33,17 +33,26 @@ void NarrowPhase::detect_in_chunks(F& formulation, const ContactStepContext& con
   const std::size_t n_chunks = (n_rows + rows_per_chunk - 1) / rows_per_chunk;
   const int n_threads = threads_for(n_rows * 10);
   chunks_.resize(std::max(chunks_.size(), static_cast<std::size_t>(n_threads)));
-#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(n_threads)
-  for (std::size_t i = 0; i < n_chunks; ++i) {
-    std::vector<ContactPoint>& points = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
+  const auto detect = [&](std::size_t i, std::vector<ContactPoint>& points) {
     points.clear();
     const CandidateRows rows{i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows)};
     formulation.detect(context, rows, points);
+    return rows;
+  };
+  const auto take_points = [&](CandidateRows rows, const std::vector<ContactPoint>& points) {
+    formulation.update(context, rows, points);
+    for (const ContactPoint& point : points) take(point);
+  };
+  if (n_threads == 1) {
+    for (std::size_t i = 0; i < n_chunks; ++i) take_points(detect(i, chunks_.front()), chunks_.front());
+    return;
+  }
+#pragma omp parallel for ordered schedule(dynamic, 1) num_threads(n_threads)
+  for (std::size_t i = 0; i < n_chunks; ++i) {
+    std::vector<ContactPoint>& points = chunks_[static_cast<std::size_t>(omp_get_thread_num())];
+    const CandidateRows rows = detect(i, points);
 #pragma omp ordered
-    {
-      formulation.update(context, rows, points);
-      for (const ContactPoint& point : points) take(point);
-    }
+    take_points(rows, points);
   }
 }
 

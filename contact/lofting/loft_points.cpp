@@ -54,22 +54,20 @@ void LoftPoints::find_offsets(const Eigen::Matrix3Xd& coordinates, Eigen::Matrix
                               Eigen::Matrix3Xd& offsets) const {
   const auto n_shells = static_cast<std::int64_t>(shell_nodes_.size());
   areas.resize(3, n_shells);
-#pragma omp parallel for schedule(static) num_threads(threads_for(shell_nodes_.size()))
-  for (std::int64_t i = 0; i < n_shells; ++i) {
+  parallel_for(n_shells, threads_for(shell_nodes_.size()), [&](std::int64_t i) {
     const auto& nodes = shell_nodes_[static_cast<std::size_t>(i)];
     areas.col(i) = area_vector(coordinates.col(nodes[0]), coordinates.col(nodes[1]),
                                coordinates.col(nodes[2]), coordinates.col(nodes[3]));
-  }
+  });
   const auto n_points = static_cast<std::int64_t>(offsets_.size());
   offsets.resize(3, n_points);
-#pragma omp parallel for schedule(static) num_threads(threads_for(offsets_.size()))
-  for (std::int64_t i = 0; i < n_points; ++i) {
+  parallel_for(n_points, threads_for(offsets_.size()), [&](std::int64_t i) {
     const LoftOffset& offset = offsets_[static_cast<std::size_t>(i)];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const TurnedShell& one : std::span(offset_shells_).subspan(offset.first, offset.count))
       sum += (one.is_turned ? -1.0 : 1.0) * areas.col(one.shell);
     offsets.col(i) = offset.height * sum.normalized();
-  }
+  });
 }
 
 }  // namespace contactsim

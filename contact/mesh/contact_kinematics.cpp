@@ -29,9 +29,9 @@ void ContactKinematics::move_nodes(const Motion& motion) {
   velocity_ = last_velocity_ = &motion.velocity;
   turning_ = last_turning_ = find_turning(motion, past_turning_);
   x_.resize(3, n_nodes);
-#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.n_nodes()))
-  for (Eigen::Index i = 0; i < n_nodes; ++i)
+  parallel_for(n_nodes, threads_for(contact_mesh_.n_nodes()), [&](Eigen::Index i) {
     x_.col(i) = motion.coordinates.col(contact_mesh_.mesh_nodes[static_cast<std::size_t>(i)]);
+  });
   if (contact_mesh_.loft.size() > 0) move_lofts(motion);
 }
 
@@ -55,14 +55,13 @@ const Eigen::Matrix3Xd* ContactKinematics::find_turning(const Motion& motion,
   } else {
     turning.setZero(3, motion.velocity.cols());
   }
-#pragma omp parallel for schedule(static) num_threads(threads_for(spins_.size()))
-  for (std::size_t i = 0; i < spins_.size(); ++i) {
+  parallel_for(spins_.size(), threads_for(spins_.size()), [&](std::size_t i) {
     const std::uint32_t node = spins_.node(i);
     const auto around = spins_.neighbours(i);
     const Eigen::Vector3d own = turning.col(node), velocity = motion.velocity.col(node);
     turning.col(node) =
         spins_.spin(i, own, velocity, [&](std::size_t k) { return motion.velocity.col(around[k]); });
-  }
+  });
   return &turning;
 }
 
@@ -96,14 +95,12 @@ void ContactKinematics::turn_offsets(const Motion& motion) {
     return motion.angular_velocity->col(node);
   };
   turns_.resize(spins_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(spins_.size()))
-  for (std::size_t i = 0; i < spins_.size(); ++i) {
+  parallel_for(spins_.size(), threads_for(spins_.size()), [&](std::size_t i) {
     const Eigen::Vector3d turn = motion.dt * spins_.mid_spin(i, motion.coordinates, motion.velocity,
                                                              motion.dt, own_of(spins_.node(i)));
     turns_[i] = Eigen::AngleAxisd(2.0 * std::atan(0.5 * turn.norm()), turn.stableNormalized()).matrix();
-  }
-#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.loft.size()))
-  for (Eigen::Index i = 0; i < offsets_.cols(); ++i) {
+  });
+  parallel_for(offsets_.cols(), threads_for(contact_mesh_.loft.size()), [&](Eigen::Index i) {
     const std::uint32_t node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
     const OptionalIndex<std::uint32_t> spin = spins_.find(node);
     const Eigen::Vector3d turn = motion.dt * own_of(node), offset = offsets_.col(i);
@@ -112,7 +109,7 @@ void ContactKinematics::turn_offsets(const Motion& motion) {
     } else if (const double angle = turn.norm(); angle > 0.0) {
       offsets_.col(i) = Eigen::AngleAxisd(angle, turn / angle) * offset;
     }
-  }
+  });
 }
 
 /// Points of which nothing tells how they turn follow the normals of the shells.
@@ -133,27 +130,23 @@ void ContactKinematics::move_lofts(const Motion& motion) {
 void ContactKinematics::find_loft_velocities() {
   const Eigen::Index n_points = offsets_.cols();
   loft_velocity_.resize(3, n_points);
-#pragma omp parallel for schedule(static) num_threads(threads_for(contact_mesh_.loft.size()))
-  for (Eigen::Index i = 0; i < n_points; ++i) {
+  parallel_for(n_points, threads_for(contact_mesh_.loft.size()), [&](Eigen::Index i) {
     const Eigen::Index node = contact_mesh_.loft.node(static_cast<std::size_t>(i));
     loft_velocity_.col(i) = velocity_->col(node);
-    if (turning_ == nullptr) continue;
+    if (turning_ == nullptr) return;
     const Eigen::Vector3d turning = turning_->col(node);
     loft_velocity_.col(i) += turning.cross(offsets_.col(i));
-  }
+  });
 }
 
 void ContactKinematics::bound_all() {
   bounds_.resize(contact_mesh_.faces.size());
-  const auto n = static_cast<std::int64_t>(bounds_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(bounds_.size()))
-  for (std::int64_t i = 0; i < n; ++i) set_bound({static_cast<std::uint32_t>(i)});
+  const auto n = static_cast<std::uint32_t>(bounds_.size());
+  parallel_for(n, threads_for(n), [&](std::uint32_t i) { set_bound({i}); });
 }
 
 void ContactKinematics::bound_watched() {
-  const auto n = static_cast<std::int64_t>(watched_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(watched_.size()))
-  for (std::int64_t i = 0; i < n; ++i) set_bound(watched_[static_cast<std::size_t>(i)]);
+  parallel_for(watched_.size(), threads_for(watched_.size()), [&](std::size_t i) { set_bound(watched_[i]); });
 }
 
 FaceCorners ContactKinematics::corners(const ContactFace& face) const {

@@ -142,9 +142,8 @@ std::vector<FoundPairs> find_bvh_pairs(const BoxTree& rows, const BoxTree& partn
   const BvhPairs<is_self> walk(rows, partners);
   const std::vector<BvhNodePair> tops = walk.cut();
   parts.resize(tops.size());
-  const auto n_tops = static_cast<std::int64_t>(tops.size());
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(rows.nodes.size()))
-  for (std::int64_t i = 0; i < n_tops; ++i) walk.find_below(tops[i], keep, parts[i]);
+  parallel_for_uneven(tops.size(), threads_for(rows.nodes.size()),
+                      [&](std::size_t i) { walk.find_below(tops[i], keep, parts[i]); });
   return parts;
 }
 

@@ -113,8 +113,7 @@ bool ContactSearch::has_room(SurfaceIndex first, double first_used, SurfaceIndex
 IndexedVector<SurfaceIndex, double> ContactSearch::used_margins(const ContactKinematics& kinematics) const {
   const auto n_surfaces = static_cast<std::uint32_t>(contact_mesh_.n_surfaces());
   IndexedVector<SurfaceIndex, double> used(n_surfaces, 0.0);
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(contact_mesh_.n_nodes()))
-  for (std::uint32_t i = 0; i < n_surfaces; ++i) {
+  parallel_for_uneven(n_surfaces, threads_for(contact_mesh_.n_nodes()), [&](std::uint32_t i) {
     double most = 0.0;
     for (const SurfaceNodeIndex row : contact_mesh_.rows_of({i})) {
       const std::uint32_t node = contact_mesh_.surface_nodes[row].node;
@@ -124,7 +123,7 @@ IndexedVector<SurfaceIndex, double> ContactSearch::used_margins(const ContactKin
       most = share <= most ? most : share;  // what is not a number stays
     }
     used[{i}] = most;
-  }
+  });
   return used;
 }
 

@@ -101,32 +101,26 @@ void ExternalForce::take_off(std::span<const std::uint8_t> alive) {
 
 void ExternalForce::add_load(const NodeLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) const {
   const LoadValues values(load.value, motion, *mesh_);
-  const auto n = static_cast<std::int64_t>(load.nodes.size());
-  std::uint32_t bad = beyond_all_nodes;
-#pragma omp parallel for schedule(static) num_threads(threads_for(load.nodes.size())) reduction(min : bad)
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
-    const NodeIndex node = load.nodes[at];
+  const std::size_t n = load.nodes.size();
+  const std::uint32_t bad = parallel_min(n, threads_for(n), beyond_all_nodes, [&](std::size_t i) {
+    const NodeIndex node = load.nodes[i];
     const double value = values.at(node);
-    if (!std::isfinite(value)) bad = std::min(bad, node.value);
-    forces.col(node.value) += (load.masses.empty() ? value : load.masses[at] * value) * load.direction;
-  }
+    forces.col(node.value) += (load.masses.empty() ? value : load.masses[i] * value) * load.direction;
+    return std::isfinite(value) ? beyond_all_nodes : node.value;
+  });
   if (bad != beyond_all_nodes) load.value.fail(motion.time, mesh_->node_id({bad}));
 }
 
 void ExternalForce::add_load(const FaceLoad& load, const Motion& motion, Eigen::Matrix3Xd& forces) {
   const LoadValues values(load.value, motion, *mesh_);
-  const auto n = static_cast<std::int64_t>(load.faces.size());
-  std::uint32_t bad = beyond_all_nodes;
-#pragma omp parallel for schedule(static) num_threads(threads_for(4 * load.faces.size())) reduction(min : bad)
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto face = static_cast<std::size_t>(i);
+  const std::size_t n = load.faces.size();
+  const std::uint32_t bad = parallel_min(n, threads_for(4 * n), beyond_all_nodes, [&](std::size_t face) {
     const Eigen::Vector4d value = values.at(load.faces[face]);
-    bad = std::min(bad, first_bad(value, load.faces[face]));
     const Corners on_corners = forces_of(load, load.faces[face], value, values.vary(), motion);
     for (Eigen::Index a = 0; a < 4; ++a)
       corner_forces_[4 * face + static_cast<std::size_t>(a)] << on_corners.col(a), 0.0;
-  }
+    return first_bad(value, load.faces[face]);
+  });
   if (bad != beyond_all_nodes) load.value.fail(motion.time, mesh_->node_id({bad}));
   load.sums.add(corner_forces_, forces);
 }
@@ -137,12 +131,10 @@ void ExternalForce::add_damping(const Motion& motion, const Eigen::Matrix3Xd& ve
   for (const NodeDamping& damping : dampings_) {
     if (!damping.times.is_active(motion.time)) continue;
     const double rate = -std::expm1(-damping.coefficient * motion.dt) / motion.dt;
-    const auto n = static_cast<std::int64_t>(damping.nodes.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(damping.nodes.size()))
-    for (std::int64_t i = 0; i < n; ++i) {
-      const auto node = static_cast<Eigen::Index>(damping.nodes[static_cast<std::size_t>(i)].value);
+    parallel_for(damping.nodes.size(), threads_for(damping.nodes.size()), [&](std::size_t i) {
+      const auto node = static_cast<Eigen::Index>(damping.nodes[i].value);
       forces.col(node) -= rate * mass.col(node).cwiseProduct(velocity.col(node));
-    }
+    });
   }
 }
 

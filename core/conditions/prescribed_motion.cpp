@@ -31,15 +31,13 @@ void for_each_node(const PrescribedMotion& motion, double time, const NodalField
                    const Move& move) {
   const bool varies = motion.value.varies_in_space();
   const double common = varies ? 0.0 : motion.value.at(time);
-  const auto n = static_cast<std::int64_t>(motion.nodes.size());
-  std::uint32_t bad = beyond_all_nodes;
-#pragma omp parallel for schedule(static) num_threads(threads_for(motion.nodes.size())) reduction(min : bad)
-  for (std::int64_t i = 0; i < n; ++i) {
-    const NodeIndex node = motion.nodes[static_cast<std::size_t>(i)];
+  const std::size_t n = motion.nodes.size();
+  const std::uint32_t bad = parallel_min(n, threads_for(n), beyond_all_nodes, [&](std::size_t i) {
+    const NodeIndex node = motion.nodes[i];
     const double value = varies ? motion.value.at(time, fields, node) : common;
-    if (!std::isfinite(value)) bad = std::min(bad, node.value);
     move(static_cast<Eigen::Index>(node.value), value);
-  }
+    return std::isfinite(value) ? beyond_all_nodes : node.value;
+  });
   if (bad != beyond_all_nodes) motion.value.fail(time, mesh.node_id({bad}));
 }
 

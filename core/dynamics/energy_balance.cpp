@@ -137,9 +137,8 @@ void add_reactions(const NodeMotion& nodes, std::span<const NodeIndex> held, con
 EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state) {
   Completion completion(nodes, state);
   std::vector<EnergyBalance> parts(static_cast<std::size_t>(completion.n_chunks()));
-#pragma omp parallel for schedule(static) num_threads(threads_for(nodes.velocity.size() / 3))
-  for (std::int64_t i = 0; i < completion.n_chunks(); ++i)
-    parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i);
+  parallel_for(completion.n_chunks(), threads_for(nodes.velocity.size() / 3),
+               [&](auto i) { parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i); });
   EnergyBalance balance;
   balance.momentum.setZero();
   for (const EnergyBalance& part : parts) {

@@ -61,9 +61,11 @@ void accelerate(const Eigen::Matrix3Xd& masses, const NodalForces& forces, Eigen
   double* a = acceleration.data();
   const double *mass = masses.data(), *internal = forces.internal.data(), *external = forces.external.data();
   const double* contact = forces.contact.size() > 0 ? forces.contact.data() : nullptr;
-#pragma omp parallel for simd schedule(static) num_threads(threads_for(acceleration.size() / 3))
-  for (std::int64_t i = 0; i < n; ++i)
-    a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
+  parallel_for_ranges(n, threads_for(acceleration.size() / 3), [=](std::int64_t begin, std::int64_t end) {
+#pragma omp simd
+    for (std::int64_t i = begin; i < end; ++i)
+      a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
+  });
 }
 
 /// The same of some nodes.
@@ -83,11 +85,13 @@ void move(double dt, const Eigen::Matrix3Xd& acceleration, Eigen::Matrix3Xd& vel
   double *v = velocity.data(), *x = changed.data();
   const double* a = acceleration.data();
   const double half = 0.5 * dt;
-#pragma omp parallel for simd schedule(static) num_threads(threads_for(velocity.size() / 3))
-  for (std::int64_t i = 0; i < n; ++i) {
-    v[i] += half * a[i];
-    x[i] += dt * v[i];
-  }
+  parallel_for_ranges(n, threads_for(velocity.size() / 3), [=](std::int64_t begin, std::int64_t end) {
+#pragma omp simd
+    for (std::int64_t i = begin; i < end; ++i) {
+      v[i] += half * a[i];
+      x[i] += dt * v[i];
+    }
+  });
 }
 
 void move(State& state) {

@@ -70,11 +70,9 @@ InternalForce::InternalForce(const Model& model, State& state)
 void InternalForce::advance_chunks(std::size_t index, const Motion& motion) {
   const ModelBlock& block = model_.blocks[index];
   ModelBlockState& state = state_.blocks[index];
-#pragma omp parallel for schedule(static) num_threads(threads_for(block.n_elements * 10))
-  for (std::int64_t i = 0; i < static_cast<std::int64_t>(block.chunks.size()); ++i) {
-    const auto chunk = static_cast<std::size_t>(i);
+  parallel_for(block.chunks.size(), threads_for(block.n_elements * 10), [&](std::size_t chunk) {
     chunks_[chunk] = block.element->advance(block, block.chunks[chunk], motion, state);
-  }
+  });
 }
 
 void InternalForce::stop_at_inverted(const ModelBlock& block, const Motion& motion) const {

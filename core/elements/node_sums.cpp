@@ -20,14 +20,11 @@ NodeSums::NodeSums(std::span<const std::uint32_t> nodes, std::size_t n_nodes) : 
 }
 
 void NodeSums::add(std::span<const NodeVector> parts, Eigen::Matrix3Xd& forces) const {
-  const auto n = static_cast<std::int64_t>(nodes_.size());
-#pragma omp parallel for schedule(static) num_threads(threads_for(nodes_.size()))
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  parallel_for(nodes_.size(), threads_for(nodes_.size()), [&](std::size_t k) {
     NodeVector sum = parts[places_[begin_[k]]];
     for (std::uint32_t entry = begin_[k] + 1; entry < begin_[k + 1]; ++entry) sum += parts[places_[entry]];
     forces.col(nodes_[k].value) += sum.head<3>();
-  }
+  });
 }
 
 }  // namespace contactsim
