@@ -18,11 +18,16 @@ constexpr double side_of_radius = 1.4142135623730951;
 /// A node that stands beside a face by this share of its size is tied to it all the same.
 constexpr double beside = 0.05;
 
-/// Whether a node projects inside some face of a surface.
+/// Whether a node of a face projects inside some face of a surface along that face. The sides of a body that
+/// stands on it are none of those.
 bool projects_inside(const ContactStepContext& context, const NodeFaceLists& node_faces, SurfaceNodeIndex row,
-                     SurfaceIndex surface, double tolerance) {
+                     FaceIndex of, SurfaceIndex surface, double tolerance) {
+  const ContactMesh& contact_mesh = context.kinematics.contact_mesh();
+  const Eigen::Vector3d normal = context.kinematics.area(contact_mesh.faces[of]).normalized();
   return std::ranges::any_of(node_faces.of(row), [&](FaceIndex face) {
-    return context.kinematics.contact_mesh().faces[face].surface == surface &&
+    if (contact_mesh.faces[face].surface != surface) return false;
+    const Eigen::Vector3d area = context.kinematics.area(contact_mesh.faces[face]);
+    return std::abs(area.dot(normal)) > -max_facing_cosine * area.norm() &&
            find_closest_point(context, row, face, tolerance).has_value();
   });
 }
@@ -55,7 +60,7 @@ double share_of_node(const ContactStepContext& context, const NodeFaceLists& nod
   double covered = 0.0;
   for (std::size_t k = 0; k < (face.is_triangle() ? 3u : 4u); ++k) {
     const auto row = contact_mesh.find_row(face.corners[k], face.surface);
-    if (row && projects_inside(context, node_faces, *row, own, near_pair.tolerance))
+    if (row && projects_inside(context, node_faces, *row, near_pair.second, own, near_pair.tolerance))
       covered += weights[static_cast<Eigen::Index>(k)];
   }
   const SurfaceNode& node = contact_mesh.surface_nodes[near_pair.row()];

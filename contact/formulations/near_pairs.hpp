@@ -29,7 +29,7 @@ struct NearPair {
   PairIndex pair;
   bool is_node = false;
   double tolerance = 0.0;  ///< of the gap either way [length]
-  double share = 1.0;      ///< of nodes as share_of_node() [1]
+  double share = 1.0;      ///< of nodes that are held as share_of_node() [1]
   bool is_facing = true;   ///< of a node: one of its own faces is turned towards the face
 
   FaceIndex first_face() const { return {first}; }
@@ -69,10 +69,10 @@ std::optional<ClosestPoint> find_closest_point(const ContactStepContext& context
 /// Whether one of a node's own faces is turned towards a normal. Nodes without faces look all round.
 bool is_facing(const ContactKinematics& kinematics, const SurfaceNode& node, const Eigen::Vector3d& normal);
 
-/// What a surface node counts for where it meets a face [1]. Pairs that go one way meet everything once: 1.
-/// In those that go both ways nodes of the face count too, as far as they project inside the node's surface:
-/// from 1, when no corner of the face does, down to 1/2, when all do, of what of the node's area lies before
-/// the other surface.
+/// What a surface node that is held counts for where it meets a face [1]. Pairs that go one way meet
+/// everything once: 1. In those that go both ways nodes of the face count too, as far as they project inside
+/// the node's surface: from 1, when no corner of the face does, down to 1/2, when all do, of what of the
+/// node's area lies before the other surface.
 ///   node_faces  candidates of a search
 ///   near_pair   of the node; its tolerance holds for the corners' gaps as well
 ///   weights     of the face's corners at the node's closest point, sum 1 [1]

@@ -9,6 +9,7 @@
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/formulations/node_face/near_faces.hpp"
+#include "contact/formulations/node_share.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/node_face.hpp"
 #include "contact/interface_laws/friction.hpp"
@@ -197,7 +198,7 @@ double NodeFaceContacts::share_of(const ContactStepContext& context, SurfaceNode
   if (!rule.acts_apart()) return rule.pair->node_share();
   const NearPair near_pair{row.value, near_face.face, near_face.pair, true,
                            std::max(rule.activation_distance, near_face.penalty.depth)};
-  return share_of_node(context, candidates_, near_pair, near_face.weights);
+  return node_share(context, candidates_, near_pair, near_face.weights);
 }
 
 ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& context, SurfaceNodeIndex row,
