@@ -137,7 +137,8 @@ void add_reactions(const NodeMotion& nodes, std::span<const NodeIndex> held, con
 EnergyBalance complete_nodes(const NodeMotion& nodes, const State& state) {
   Completion completion(nodes, state);
   std::vector<EnergyBalance> parts(static_cast<std::size_t>(completion.n_chunks()));
-  parallel_for(completion.n_chunks(), threads_for(nodes.velocity.size() / 3),
+  const auto n_nodes = static_cast<std::size_t>(nodes.velocity.cols());
+  parallel_for(completion.n_chunks(), threads_for(n_nodes),
                [&](auto i) { parts[static_cast<std::size_t>(i)] = completion.complete_chunk(i); });
   EnergyBalance balance;
   balance.momentum.setZero();

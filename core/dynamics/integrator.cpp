@@ -61,7 +61,8 @@ void accelerate(const Eigen::Matrix3Xd& masses, const NodalForces& forces, Eigen
   double* a = acceleration.data();
   const double *mass = masses.data(), *internal = forces.internal.data(), *external = forces.external.data();
   const double* contact = forces.contact.size() > 0 ? forces.contact.data() : nullptr;
-  parallel_for_ranges(n, threads_for(acceleration.size() / 3), [=](std::int64_t begin, std::int64_t end) {
+  const int n_threads = threads_for(static_cast<std::size_t>(acceleration.cols()));
+  parallel_for_ranges(n, n_threads, [=](std::int64_t begin, std::int64_t end) {
 #pragma omp simd
     for (std::int64_t i = begin; i < end; ++i)
       a[i] = (internal[i] + external[i] + (contact != nullptr ? contact[i] : 0.0)) / mass[i];
@@ -85,7 +86,8 @@ void move(double dt, const Eigen::Matrix3Xd& acceleration, Eigen::Matrix3Xd& vel
   double *v = velocity.data(), *x = changed.data();
   const double* a = acceleration.data();
   const double half = 0.5 * dt;
-  parallel_for_ranges(n, threads_for(velocity.size() / 3), [=](std::int64_t begin, std::int64_t end) {
+  const int n_threads = threads_for(static_cast<std::size_t>(velocity.cols()));
+  parallel_for_ranges(n, n_threads, [=](std::int64_t begin, std::int64_t end) {
 #pragma omp simd
     for (std::int64_t i = begin; i < end; ++i) {
       v[i] += half * a[i];
