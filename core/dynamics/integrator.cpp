@@ -36,6 +36,9 @@ void add_contact(const ForceReport& contact, Energies& energies) {
   energies.contact += contact.supplied_work;
 }
 
+/// Springs of contact that leave less than this share of the elements' stable step are what sets it [1].
+constexpr double share_of_elements = 0.5;
+
 /// Has every term set its forces for the motion.
 StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
   Energies& energies = state.energies;
@@ -49,6 +52,7 @@ StepReport set_forces(ForceTerms terms, const Motion& motion, State& state) {
     Motion known = motion;
     known.stable_step = step.stable_step;
     const ForceReport contact = terms.contact->set_forces(known, state.forces.contact);
+    if (contact.stable_step < share_of_elements * step.stable_step) step.critical_element.reset();
     step.stable_step = std::min(step.stable_step, contact.stable_step);
     add_contact(contact, energies);
   }
@@ -139,8 +143,11 @@ void check_step(const Model& model, const State& state, const StepReport& report
                      "USER TIME STEP gives one");
   if (dt > vanishing * state.first_dt && state.time + dt > state.time) return;
   std::string cause = fmt::format("the stable time step has fallen to {:.3g}", dt);
-  if (report.critical_element)
+  if (report.critical_element) {
     cause += fmt::format(", set by element {}", model.mesh->element_id(*report.critical_element));
+  } else if (state.forces.contact.size() > 0) {
+    cause += ", set by the stiffness of contact: its PENALTY STIFFNESS, PENALTY SCALE or pressure function";
+  }
   throw SolveError(state.time, cause);
 }
 

@@ -18,7 +18,7 @@ struct ForceTerms {
 /// What a step was like, besides the state it left.
 struct StepReport {
   double stable_step = 0.0;  ///< the largest that all force terms allow, not scaled [time]
-  std::optional<ElementIndex> critical_element;
+  std::optional<ElementIndex> critical_element;  ///< absent where contact or nothing sets it
 };
 
 /// Completes a state whose coordinates, velocities and stresses are those of the start: forces,

@@ -57,6 +57,20 @@ class Hit final : public ForceTerm {
   }
 };
 
+/// No force, and a stable step.
+class Limit final : public ForceTerm {
+ public:
+  explicit Limit(double step, std::optional<ElementIndex> by = {}) : stable_step(step), element_(by) {}
+  ForceReport set_forces(const Motion&, Eigen::Matrix3Xd& forces) override {
+    forces.setZero();
+    return {stable_step, element_, 0.0, 0.0};
+  }
+  double stable_step;
+
+ private:
+  std::optional<ElementIndex> element_;
+};
+
 TimeStepControl fixed_step(double dt) {
   TimePeriod period{"all", 0.0, {}};
   period.parameters.user_time_step = dt;
@@ -123,6 +137,25 @@ TEST_CASE("a spring that shortens the steps when it is stretched does not grow b
   const Energies& e = cube.state.energies;
   CHECK(e.kinetic + e.internal == Approx(8.0).epsilon(0.01));  // each new least step leaves a trace
   CHECK(e.internal >= 0.0);
+}
+
+TEST_CASE("a step that contact makes vanish is not blamed on an element", "[core][integrator]") {
+  Cube cube;
+  Limit element(1.0, ElementIndex{0}), stiff(1.0);
+  Push nothing(Eigen::Vector3d::Zero());
+  cube.state.forces.contact = Eigen::Matrix3Xd::Zero(3, cube.mesh.n_nodes());
+  const TimeStepControl control({{"all", 0.0, {}}}, 1e9);
+  start(cube.model, {element, nothing, &stiff}, control, cube.state);
+  SECTION("elements' own") {
+    element.stable_step = 1e-9;
+    CHECK_THROWS_WITH(advance(cube.model, {element, nothing, &stiff}, control, cube.state),
+                      Catch::Matchers::Contains("set by element 1"));
+  }
+  SECTION("contact's") {
+    stiff.stable_step = 1e-9;
+    CHECK_THROWS_WITH(advance(cube.model, {element, nothing, &stiff}, control, cube.state),
+                      Catch::Matchers::Contains("set by the stiffness of contact"));
+  }
 }
 
 TEST_CASE("the stable step falls at once and comes back by half a percent per step", "[core][integrator]") {
