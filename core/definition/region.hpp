@@ -12,6 +12,7 @@
 #include "core/definition/output.hpp"
 #include "core/definition/output_user.hpp"
 #include "core/definition/region_parts.hpp"
+#include "core/definition/solver.hpp"
 
 namespace contactsim {
 
@@ -39,6 +40,9 @@ struct Region {
   std::vector<MassProperties> mass_properties;
   std::vector<SpotWeld> spot_welds;
   std::vector<MassScaling> mass_scalings;
+
+  std::optional<SolverSettings> solver;                        ///< of implicit procedures
+  std::optional<AdaptiveTimeStepping> adaptive_time_stepping;  ///< of implicit procedures
 
   std::vector<ResultsOutput> results_outputs;
   std::vector<HistoryOutput> history_outputs;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/implicit_commands.hpp"
 
+#include <fmt/format.h>
+
 #include "parser/commands/block_rows.hpp"
 
 namespace contactsim {
@@ -14,41 +16,99 @@ Row<Nothing> line(std::string_view phrase, std::string_view syntax, const std::s
   return ignored<Nothing>(phrase, syntax, "implicit only: " + help);
 }
 
-Row<Nothing> inner(std::string_view phrase, const std::function<const TableText&()>& contents,
-                   const std::string& help) {
-  return ignored_block<Nothing>(phrase, contents, "implicit only: " + help);
+/// A value that is the same in all time stepping blocks.
+template <class V>
+Reader<V> always(Reader<V> reader) {
+  reader.read = [read_value = reader.read](Arguments& arguments) {
+    V value = read_value(arguments);
+    if (arguments.is_next("during"))
+      arguments.refuse(arguments.peek(),
+                       "DURING is not supported: one value is for all time stepping blocks");
+    return value;
+  };
+  return reader;
 }
 
-const TableText& preconditioner_text() {
-  static const Table<Nothing> table({
-      line("linear solver", "= <equation solver>", "solver of the preconditioner"),
-      line("nodal probe factor", "= <real>", "size of the probe [1]"),
-      line("small number of iterations", "= <integer>", "iterations that do not call for a new one [1]"),
-      line("iteration update", "= <integer>", "iterations between two updates [1]"),
-      line("step update", "= <integer>", "steps between two updates [1]"),
-      line("constraint enforcement", "= <method>", "how constraints enter"),
-      line("minimum smoothing iterations", "= <integer>", "smoothing before the solve [1]"),
-      line("maximum smoothing iterations", "= <integer>", "smoothing before the solve [1]"),
-      line("tangent diagonal scale", "= <real>", "factor of the diagonal [1]"),
-  });
-  return table.text();
+/// A positive number below 1.
+Reader<double> cutback() {
+  Reader<double> reader = read::positive;
+  reader.read = [](Arguments& arguments) {
+    if (arguments.at_end()) return arguments.positive();
+    const Word& word = arguments.peek();
+    const double value = arguments.positive();
+    if (!(value < 1.0)) arguments.fail(word, "the factor must be below 1");
+    return value;
+  };
+  return reader;
 }
 
-const TableText& conjugate_gradient_text() {
-  static const Table<Nothing> table({
-      line("target relative residual", "= <real> [DURING <period> ...]", "residual aimed at [1]"),
-      line("target residual", "= <real> [DURING <period> ...]", "residual aimed at [force]"),
-      line("acceptable relative residual", "= <real> [DURING <period> ...]", "residual put up with [1]"),
-      line("acceptable residual", "= <real> [DURING <period> ...]", "residual put up with [force]"),
-      line("maximum iterations", "= <integer> [DURING <period> ...]", "iterations at most [1]"),
-      line("minimum iterations", "= <integer> [DURING <period> ...]", "iterations at least [1]"),
-      line("iteration print", "= <integer>", "iterations between two lines of the log [1]"),
-      line("reference", "= {BELYTSCHKO|EXTERNAL|INTERNAL}", "force that residuals are compared with"),
-      line("line search", "SECANT [<tolerance>]", "line search, tolerance [1]"),
-      line("preconditioner", "= <name>", "preconditioner"),
-      inner("full tangent preconditioner", preconditioner_text, "preconditioner from the tangent stiffness"),
+const Table<FullTangentSettings>& full_tangent_table() {
+  using F = FullTangentSettings;
+  const std::string_view when =
+      "the factor is made anew in each step, and where an iteration leaves more than a tenth";
+  const std::string_view own = "the one factorisation that there is does without";
+  static const Table<F> table({
+      row("tangent diagonal scale", read::non_negative, &F::tangent_diagonal_scale,
+          "Share of the diagonal that is added to the factor, for bodies that nothing holds yet [1]"),
+      ignored<F>("iteration update", "= <integer>", when),
+      ignored<F>("small number of iterations", "= <integer>", when),
+      ignored<F>("maximum updates for modelproblem", "= <integer>", when),
+      ignored<F>("step update", "= <integer>", when),
+      ignored<F>("linear solver", "= <equation solver>", own),
+      ignored<F>("nodal probe factor", "= <real>", "probes are a millionth of the distance between nodes"),
+      ignored<F>("constraint enforcement", "= <method>", own),
+      ignored<F>("minimum smoothing iterations", "= <integer>", own),
+      ignored<F>("maximum smoothing iterations", "= <integer>", own),
+      ignored<F>("adaptive strategy", "= <name>", own),
+      ignored<F>("conditioning", "= <name>", own),
   });
-  return table.text();
+  return table;
+}
+
+/// ELASTIC, BLOCK and the like: all of them stand for nodal blocks here.
+void read_preconditioner(Arguments& arguments, CgSettings&) {
+  static const Choices nodal({"block", "probe", "elastic", "diagonal", "tangent", "schur", "identity"});
+  const Word& word = arguments.peek();
+  if (arguments.choice(nodal) > 1)
+    arguments.warn("deck-ignored", word, "the stiffness of each node, by probes, is used in its place",
+                   "PRECONDITIONER = PROBE says so");
+}
+
+void read_line_search(Arguments& arguments, CgSettings& cg) {
+  arguments.expect("secant");
+  if (!arguments.at_end()) cg.line_search_tolerance = arguments.positive();
+}
+
+const Table<CgSettings>& cg_table() {
+  using C = CgSettings;
+  static const auto reference = choice_of<ResidualReference>({"external", "internal", "belytschko"});
+  static const Table<C> table({
+      row("target relative residual", always(read::positive), &C::target_relative_residual,
+          "Forces left over, of the reference, that end a search [1]"),
+      row("target residual", always(read::positive), &C::target_residual,
+          "Forces left over that end a search [force]"),
+      row("acceptable relative residual", always(read::positive), &C::acceptable_relative_residual,
+          "What is put up with after the last iteration, of the reference [1]", "10 times the target"),
+      row("acceptable residual", always(read::positive), &C::acceptable_residual,
+          "What is put up with after the last iteration [force]"),
+      row("minimum iterations", always(read::non_negative_integer), &C::min_iterations,
+          "Iterations of a search at least [1]"),
+      row("maximum iterations", always(read::positive_integer), &C::max_iterations,
+          "Iterations of a search at most [1]", "100 with a full tangent, else nodes, at least 1000"),
+      row("reference", reference, &C::reference,
+          "What forces left over are compared with: loads and reactions, forces of elements, or the largest"),
+      row<C>("line search", "SECANT [<tolerance>]", read_line_search,
+             "Search along a direction, until so much of the slope is left [1]", "SECANT 0.01"),
+      row<C>("preconditioner", "= {PROBE|BLOCK|ELASTIC|DIAGONAL|TANGENT|SCHUR|IDENTITY}", read_preconditioner,
+             "Nodal preconditioner: the stiffness of each node", "PROBE"),
+      block<C, FullTangentSettings>(
+          "full tangent preconditioner", Naming::optional, full_tangent_table,
+          [](C& cg, FullTangentSettings full) { cg.full_tangent = std::move(full); },
+          "A factor of the whole stiffness in place of the nodal preconditioner: for slender and thin "
+          "bodies"),
+      ignored<C>("iteration print", "= <integer>", "the log has a line for every step"),
+  });
+  return table;
 }
 
 const TableText& control_text() {
@@ -66,53 +126,62 @@ const TableText& control_text() {
   return table.text();
 }
 
-const TableText& predictor_text() {
-  static const Table<Nothing> table({
-      line("type", "= {SCALE_FACTOR|SECANT} [DURING <period> ...]", "how the first guess is made"),
-      line("scale factor", "= <real> [<real>] [DURING <period> ...]", "factor of the last increment [1]"),
-  });
-  return table.text();
+void read_scale_factors(Arguments& arguments, LoadstepPredictor& predictor) {
+  predictor.scale_factor = arguments.non_negative();
+  if (!arguments.at_end()) predictor.first_scale_factor = arguments.non_negative();
 }
 
-}  // namespace
-
-const TableText& solver_text() {
-  static const Table<Nothing> table({
-      inner("cg", conjugate_gradient_text, "nonlinear conjugate gradients"),
-      inner("control contact", control_text, "loop over the contact constraints"),
-      inner("control failure", control_text, "loop over failing elements"),
-      inner("control stiffness", control_text, "loop over stiff materials"),
-      inner("loadstep predictor", predictor_text, "first guess of a step"),
-      line("level 1 predictor", "= <name>", "first guess of the outer loop"),
+const Table<LoadstepPredictor>& predictor_table() {
+  using P = LoadstepPredictor;
+  static const auto type = choice_of<P::Type>({"secant", "scale_factor"});
+  static const Table<P> table({
+      row("type", type, &P::type, "Where the search of a step begins: from the increment of the last one"),
+      row<P>("scale factor", "= <real> [<first>]", read_scale_factors,
+             "Factor of the last increment, and that of the first step of a period [1]", "1"),
   });
-  return table.text();
+  return table;
 }
 
-const TableText& adaptive_time_stepping_text() {
-  static const Table<Nothing> table({
-      line("method", "= <name>", "what the step adapts to"),
-      line("cutback factor", "= <real>", "factor after a failed step [1]"),
-      line("growth factor", "= <real>", "factor after an easy step [1]"),
-      line("maximum failure cutbacks", "= <integer>", "cutbacks in a row [1]"),
-      line("target iterations", "= <integer> [DURING <period> ...]", "iterations aimed at [1]"),
-      line("iteration window", "= <integer>", "tolerance of the iterations aimed at [1]"),
-      line("maximum multiplier", "= <real> [DURING <period> ...]", "largest step over the given one [1]"),
-      line("minimum multiplier", "= <real> [DURING <period> ...]", "smallest step over the given one [1]"),
-      line("active periods", "= <period> ...", "when the step adapts"),
+const Table<SolverSettings>& solver_table() {
+  using S = SolverSettings;
+  static const Table<S> table({
+      block<S, CgSettings>(
+          "cg", Naming::optional, cg_table, [](S& solver, CgSettings cg) { solver.cg = std::move(cg); },
+          "Nonlinear conjugate gradients"),
+      block<S, LoadstepPredictor>(
+          "loadstep predictor", Naming::optional, predictor_table,
+          [](S& solver, LoadstepPredictor predictor) { solver.predictor = std::move(predictor); },
+          "First guess of a step"),
+      ignored_block<S>("control contact", control_text, "contact is not part of quasi-static procedures yet"),
+      ignored_block<S>("control failure", control_text,
+                       "elements do not fail in quasi-static procedures yet"),
+      ignored_block<S>("control stiffness", control_text, "all stiffness acts from the first iteration on"),
+      ignored<S>("level 1 predictor", "= <name>", "there is one level"),
   });
-  return table.text();
+  return table;
 }
 
-const TableText& implicit_dynamics_text() {
-  static const Table<Nothing> table({
-      line("contact timestep", "= {ON|OFF}", "whether contact limits the step"),
-      line("active periods", "= <period> ...", "when inertia is counted"),
-      line("use hht integration", "", "time integration with numerical damping"),
-      line("alpha", "= <real>", "damping of the time integration [1]"),
-      line("beta", "= <real>", "parameter of the time integration [1]"),
-      line("gamma", "= <real>", "parameter of the time integration [1]"),
+const Table<AdaptiveTimeStepping>& adaptive_time_stepping_table() {
+  using A = AdaptiveTimeStepping;
+  static const Table<A> table({
+      row("cutback factor", cutback(), &A::cutback_factor,
+          "Factor of the step where no equilibrium is found [1]"),
+      row("growth factor", read::positive, &A::growth_factor, "Factor of the step after an easy one [1]"),
+      row("maximum failure cutbacks", read::non_negative_integer, &A::max_failure_cutbacks,
+          "Cutbacks in a row at most [1]"),
+      row("target iterations", always(read::non_negative_integer), &A::target_iterations,
+          "A step of fewer iterations is easy, one of more has smaller ones follow [1]",
+          "every step is easy"),
+      row("iteration window", read::non_negative_integer, &A::iteration_window,
+          "Iterations around the target that leave the step as it is [1]"),
+      row("maximum multiplier", always(read::positive), &A::max_multiplier,
+          "Largest step over the one of the deck [1]", "no bound"),
+      row("minimum multiplier", always(read::positive), &A::min_multiplier,
+          "Smallest step over the one of the deck [1]"),
+      ignored<A>("method", "= <name>", "iterations are what the step adapts to"),
+      refused<A>("active periods", "= <period> ...", "Steps adapt in all time stepping blocks"),
   });
-  return table.text();
+  return table;
 }
 
 const TableText& equation_solver_text() {
@@ -126,6 +195,36 @@ const TableText& equation_solver_text() {
       line("print timers", "= {ON|OFF}", "times in the log"),
   });
   return table.text();
+}
+
+}  // namespace
+
+std::vector<Row<Region>> implicit_region_rows() {
+  using R = Region;
+  return {
+      block<R, SolverSettings>(
+          "solver", Naming::optional, solver_table,
+          [](R& region, SolverSettings solver) { region.solver = std::move(solver); },
+          "Implicit only: how equilibrium is found"),
+      block<R, AdaptiveTimeStepping>(
+          "adaptive time stepping", Naming::optional, adaptive_time_stepping_table,
+          [](R& region, AdaptiveTimeStepping adaption) {
+            region.adaptive_time_stepping = std::move(adaption);
+          },
+          "Implicit only: how load steps adapt"),
+      refused_block<R>("implicit dynamics", "Inertia takes part in explicit procedures alone"),
+  };
+}
+
+std::vector<Row<SimulationDefinition>> implicit_sierra_rows() {
+  constexpr const char* help =
+      "implicit only: linear equation solver, in whose place is one of contactsim's own";
+  using S = SimulationDefinition;
+  return {
+      ignored_block<S>("feti equation solver", equation_solver_text, help),
+      ignored_block<S>("gdsw equation solver", equation_solver_text, help),
+      ignored_block<S>("tpetra equation solver", equation_solver_text, help),
+  };
 }
 
 }  // namespace contactsim

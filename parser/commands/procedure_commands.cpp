@@ -105,7 +105,8 @@ Row<Procedures> procedure_row(std::string_view phrase, Solution solution, std::s
 std::vector<Row<std::vector<Procedure>>> procedure_rows() {
   return {
       procedure_row("presto procedure", Solution::explicit_dynamics, "Explicit dynamics"),
-      procedure_row("adagio procedure", Solution::implicit_statics, "Implicit statics: read, not run"),
+      procedure_row("adagio procedure", Solution::implicit_statics,
+                    "Quasi-static: equilibrium step by step, without inertia and contact"),
       procedure_row("solid mechanics procedure", Solution::as_time_parameters_say,
                     "Explicit or implicit, as its time parameters say"),
       procedure_row("procedure", Solution::as_time_parameters_say, "The same, as coupled runs spell it"),

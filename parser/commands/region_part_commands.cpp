@@ -141,7 +141,7 @@ std::vector<Row<Region>> region_part_rows() {
                                 "Adds mass to elements for a larger time step"),
       },
       unsupported_rows(),
-      implicit_region_rows<R>(),
+      implicit_region_rows(),
   });
 }
 

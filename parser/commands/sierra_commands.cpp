@@ -74,7 +74,7 @@ std::vector<Row<SimulationDefinition>> definition_rows() {
 const Table<SimulationDefinition>& sierra_table() {
   static const Table<SimulationDefinition> table(
       joined({definition_rows(), lift_all(procedure_rows(), &SimulationDefinition::procedures),
-              implicit_sierra_rows<SimulationDefinition>(), run_rows()}));
+              implicit_sierra_rows(), run_rows()}));
   return table;
 }
 

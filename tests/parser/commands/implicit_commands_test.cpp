@@ -6,37 +6,105 @@
 
 using namespace contactsim;
 
-TEST_CASE("an implicit deck binds, and each implicit block is told once", "[parser][implicit]") {
-  const ParsedDeck deck = parsed_sierra(
+namespace {
+
+/// A deck with an implicit region that has these lines.
+ParsedDeck with_lines(const std::string& lines) {
+  return parsed_sierra(
       "begin adagio procedure p\n"
-      "  begin adagio region r\n"
-      "    use finite element model m\n"
-      "    begin solver\n"
-      "      begin cg\n"
-      "        target relative residual = 1e-4\n"
-      "        begin full tangent preconditioner\n"
-      "        end\n"
-      "      end\n"
-      "    end\n"
-      "    begin adaptive time stepping\n"
-      "      target iterations = 100\n"
-      "    end\n"
-      "    begin implicit dynamics\n"
-      "    end\n"
-      "  end\n"
+      "begin adagio region r\n"
+      "use finite element model m\n" +
+      lines +
       "end\n"
-      "begin gdsw equation solver g\n"
       "end\n"
       "begin finite element model m\nend\n");
-  CHECK(deck.messages ==
-        "a.i:5:11: warning: block 'solver' has no effect here; implicit only: how equilibrium is found "
-        "[deck-ignored]\n"
-        "a.i:12:11: warning: block 'adaptive time stepping' has no effect here; implicit only: how the time "
-        "step "
-        "adapts [deck-ignored]\n"
-        "a.i:15:11: warning: block 'implicit dynamics' has no effect here; implicit only: inertia terms "
-        "[deck-ignored]\n"
-        "a.i:19:7: warning: block 'gdsw equation solver' has no effect here; implicit only: linear equation "
-        "solver [deck-ignored]\n");
-  CHECK(deck.simulation.procedures.at(0).implicit_by);
+}
+
+const Region& region_of(const ParsedDeck& deck) { return deck.simulation.procedures.at(0).regions.at(0); }
+
+}  // namespace
+
+TEST_CASE("the lines of a solver reach their fields", "[parser][implicit]") {
+  const ParsedDeck deck = with_lines(
+      "begin solver\n"
+      "begin cg\n"
+      "target relative residual = 1e-6\n"
+      "target residual = 2\n"
+      "acceptable relative residual = 1e-3\n"
+      "acceptable residual = 3\n"
+      "minimum iterations = 2\n"
+      "maximum iterations = 50\n"
+      "reference = belytschko\n"
+      "line search secant 1e-3\n"
+      "begin full tangent preconditioner\n"
+      "tangent diagonal scale = 1e-6\n"
+      "end\n"
+      "end\n"
+      "begin loadstep predictor\n"
+      "type = scale_factor\n"
+      "scale factor = 0.5 0.0\n"
+      "end\n"
+      "end\n");
+  CHECK(deck.messages.empty());
+  const SolverSettings& solver = *region_of(deck).solver;
+  CHECK(solver.cg.target_relative_residual == 1e-6);
+  CHECK(solver.cg.target_residual == 2.0);
+  CHECK(solver.cg.acceptable_relative() == 1e-3);
+  CHECK(solver.cg.acceptable_residual == 3.0);
+  CHECK(solver.cg.min_iterations == 2);
+  CHECK(solver.cg.max_iterations == 50);
+  CHECK(solver.cg.reference == ResidualReference::belytschko);
+  CHECK(solver.cg.line_search_tolerance == 1e-3);
+  const FullTangentSettings& full = *solver.cg.full_tangent;
+  CHECK(full.tangent_diagonal_scale == 1e-6);
+  CHECK(solver.predictor.type == LoadstepPredictor::Type::scale_factor);
+  CHECK(solver.predictor.scale_factor == 0.5);
+  CHECK(solver.predictor.first_scale_factor == 0.0);
+}
+
+TEST_CASE("a solver without lines has the defaults of the manual", "[parser][implicit]") {
+  const ParsedDeck deck = with_lines("begin solver\nbegin cg\nend\nend\n");
+  const CgSettings& cg = region_of(deck).solver->cg;
+  CHECK(cg.target_relative_residual == 1e-4);
+  CHECK(cg.acceptable_relative() == Approx(1e-3));
+  CHECK(cg.reference == ResidualReference::external);
+  CHECK_FALSE(cg.full_tangent);
+}
+
+TEST_CASE("the lines of adaptive time stepping reach their fields", "[parser][implicit]") {
+  const ParsedDeck deck = with_lines(
+      "begin adaptive time stepping\n"
+      "cutback factor = 0.8\n"
+      "growth factor = 1.05\n"
+      "maximum failure cutbacks = 50\n"
+      "target iterations = 75\n"
+      "iteration window = 5\n"
+      "maximum multiplier = 100\n"
+      "minimum multiplier = 1e-12\n"
+      "end\n");
+  CHECK(deck.messages.empty());
+  const AdaptiveTimeStepping& adaption = *region_of(deck).adaptive_time_stepping;
+  CHECK(adaption.cutback_factor == 0.8);
+  CHECK(adaption.growth_factor == 1.05);
+  CHECK(adaption.max_failure_cutbacks == 50);
+  CHECK(adaption.target_iterations == 75);
+  CHECK(adaption.iteration_window == 5);
+  CHECK(adaption.max_multiplier == 100.0);
+  CHECK(adaption.min_multiplier == 1e-12);
+}
+
+TEST_CASE("what implicit lines do not do is told", "[parser][implicit]") {
+  CHECK(with_lines("begin solver\nbegin cg\npreconditioner = elastic\nend\nend\n").messages ==
+        "a.i:6:18: warning: the stiffness of each node, by probes, is used in its place; PRECONDITIONER = "
+        "PROBE says so [deck-ignored]\n");
+  CHECK(with_lines("begin solver\nbegin cg\ntarget residual = 1 during p1\nend\nend\n").messages ==
+        "a.i:6:21: error: DURING is not supported: one value is for all time stepping blocks\n");
+  CHECK(with_lines("begin adaptive time stepping\ncutback factor = 1.5\nend\n").messages ==
+        "a.i:5:18: error: the factor must be below 1\n");
+  CHECK(with_lines("begin implicit dynamics\nend\n").messages ==
+        "a.i:4:7: error: block 'implicit dynamics' is not supported; Inertia takes part in explicit "
+        "procedures alone\n");
+  CHECK(with_lines("begin solver\nbegin control contact\nend\nend\n").messages ==
+        "a.i:5:7: warning: block 'control contact' has no effect here; contact is not part of quasi-static "
+        "procedures yet [deck-ignored]\n");
 }
