@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+namespace contactsim {
+
+/// Forces that a solver brings to balance by moving what they act on. Vectors hold all unknowns: the
+/// displacement increments of all nodes, then their rotations where nodes turn [3 n_nodes or 6 n_nodes].
+class Equilibrium {
+ public:
+  virtual ~Equilibrium() = default;
+
+  /// Sets the forces that nothing balances at an increment; those of fixed and prescribed directions are 0.
+  /// Returns false where there are none, such as in elements that have turned inside out.
+  ///   increment  since the start of the step [length], [1]
+  ///   residual   [force], [force length]
+  virtual bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) = 0;
+
+  /// The size of a residual, forces and moments together [force].
+  virtual double norm(const Eigen::VectorXd& residual) const { return residual.norm(); }
+  /// What sizes of residuals are compared with, of the last evaluation [force].
+  virtual double reference() const = 0;
+  /// The largest factor by which a direction is still small enough for the difference of two residuals to be
+  /// a derivative [1].
+  virtual double probe_factor(const Eigen::VectorXd& direction) const = 0;
+  /// Takes out of a vector what lies along fixed and prescribed directions.
+  virtual void project(Eigen::VectorXd& /*vector*/) const {}
+};
+
+/// Something near the inverse of the stiffness, symmetric and positive.
+class Preconditioner {
+ public:
+  virtual ~Preconditioner() = default;
+  /// Sets z to the increment that a residual asks for.
+  virtual void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const = 0;
+};
+
+}  // namespace contactsim

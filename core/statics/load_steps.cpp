@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/load_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/errors.hpp"
+#include "core/base/state_archive.hpp"
+#include "core/dynamics/state_motion.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Fills in what the deck leaves open. Source: Sierra/SM 5.20, BEGIN CG, MAXIMUM ITERATIONS.
+SolverSettings complete(SolverSettings settings, const Mesh& mesh) {
+  CgSettings& cg = settings.cg;
+  if (cg.max_iterations == 0)
+    cg.max_iterations = cg.full_tangent ? 100 : std::max<std::int64_t>(mesh.n_nodes(), 1000);
+  return settings;
+}
+
+/// Forces left over that are this many times as large as what loads them speak of a body that flies away.
+constexpr double runaway = 1e3;
+
+}  // namespace
+
+LoadSteps::LoadSteps(const Model& model, ForceTerms terms, const SolverSettings& settings,
+                     LoadSchedule schedule, State& state)
+    : model_(model),
+      terms_(terms),
+      settings_(complete(settings, *model.mesh)),
+      schedule_(std::move(schedule)),
+      state_(state),
+      problem_(model, terms, settings_.cg.reference, state),
+      graph_(model.mesh->n_nodes(), *model.mesh, model.blocks),
+      blocks_(problem_, graph_) {
+  if (settings_.cg.full_tangent) tangent_.emplace(problem_, graph_, *settings_.cg.full_tangent);
+}
+
+void LoadSteps::start() {
+  const Motion motion = motion_of(state_, 0.0);
+  terms_.internal.set_forces(motion, state_.forces.internal);
+  terms_.external.set_forces(motion, state_.forces.external);
+  if (state_.rotations.exist()) {
+    terms_.internal.set_moments(motion, state_.rotations.moments.internal);
+    terms_.external.set_moments(motion, state_.rotations.moments.external);
+  }
+  state_.velocity.setZero();
+  state_.acceleration.setZero();
+  state_.next_dt = schedule_.step_at(state_.time);
+  state_.first_dt = state_.next_dt;
+}
+
+bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
+
+void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment) {
+  if (tangent_) report_.n_evaluations += tangent_->renew(increment);
+  if (!has_tangent()) report_.n_evaluations += blocks_.renew(increment);
+  ++report_.n_preconditioners;
+}
+
+/// The increment of the last step, scaled, of all nodes: nothing before the first.
+Eigen::VectorXd LoadSteps::first_guess(double dt) const {
+  Eigen::VectorXd guess = Eigen::VectorXd::Zero(problem_.size());
+  const LoadstepPredictor& predictor = settings_.predictor;
+  double factor = predictor.type == LoadstepPredictor::Type::scale_factor ? predictor.scale_factor : 1.0;
+  if (schedule_.begins_period(state_.time)) factor = predictor.first_scale_factor.value_or(factor);
+  if (state_.step == 0 || factor == 0.0) return guess;
+  const Eigen::Index n = state_.velocity.size();
+  guess.head(n) = factor * dt * state_.velocity.reshaped();
+  if (state_.rotations.exist()) guess.tail(n) = factor * dt * state_.rotations.velocity.reshaped();
+  return guess;
+}
+
+/// Searches for equilibrium: with a full tangent by Newton's steps, and where these lead nowhere, or without
+/// one, by conjugate gradients.
+void LoadSteps::search(Eigen::VectorXd& increment) {
+  const Eigen::VectorXd begun = increment;
+  if (has_tangent()) {
+    const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at); };
+    report_.search = newton(problem_, *tangent_, settings_.cg, renew, increment);
+    report_.n_evaluations += report_.search.n_evaluations;
+    if (report_.search.end == CgReport::End::converged) return;
+    increment = begun;
+    report_.n_evaluations += blocks_.renew(increment);
+  }
+  report_.search = nonlinear_cg(problem_, blocks_, settings_.cg, increment);
+  report_.n_evaluations += report_.search.n_evaluations;
+}
+
+bool LoadSteps::try_step(double dt) {
+  Eigen::VectorXd increment = first_guess(dt);
+  problem_.begin_step(dt);
+  Eigen::VectorXd residual;
+  ++report_.n_evaluations;
+  if (!increment.isZero(0.0) && !problem_.evaluate(increment, residual)) increment.setZero();
+  renew_preconditioner(increment);
+
+  Eigen::VectorXd held = increment;
+  problem_.project(held);
+  const Eigen::VectorXd left = problem_.prescribed() - (increment - held);
+  report_.n_evaluations +=
+      has_tangent() ? predict_linearly(problem_, *tangent_, left, 1, increment)
+                    : predict_linearly(problem_, blocks_, left, settings_.cg.max_iterations, increment);
+
+  search(increment);
+  ++report_.n_evaluations;
+  if (report_.search.end == CgReport::End::failed || !problem_.evaluate(increment, residual)) {
+    residual_ = residual;
+    return false;
+  }
+  problem_.accept(increment);
+  return true;
+}
+
+void LoadSteps::advance() {
+  report_ = {};
+  double dt = state_.next_dt;
+  const double begun = state_.time;
+  while (!try_step(dt)) {
+    const CgReport failed = report_.search;
+    problem_.restore();
+    if (!schedule_.cut_back()) {
+      report_.search = failed;
+      fail(dt);
+    }
+    ++report_.n_cutbacks;
+    dt = schedule_.step_at(begun);
+  }
+  if (has_tangent()) report_.n_negative = tangent_->n_negative();
+  schedule_.note_success(report_.search.n_iterations);
+  state_.dt = dt;
+  state_.time = schedule_.end_of(begun, dt);
+  ++state_.step;
+  state_.next_dt = schedule_.is_over(state_.time) ? dt : schedule_.step_at(state_.time);
+}
+
+void LoadSteps::fail(double dt) const {
+  const CgReport& search = report_.search;
+  std::string text = fmt::format(
+      "no equilibrium is found with a step of {:.4g}: after {} iterations {:.4g} of forces are left over, "
+      "{:.3g} "
+      "of their reference {:.4g}",
+      dt, search.n_iterations, search.residual, search.residual / search.reference, search.reference);
+  if (residual_.size() == problem_.size())
+    text += fmt::format(", most at node {}", model_.mesh->node_id(problem_.largest_at(residual_)));
+  if (!(search.residual < runaway * search.reference))
+    text += "; are all bodies held, by conditions or by what they are joined to?";
+  throw SolveError(state_.time, text);
+}
+
+void LoadSteps::archive(StateArchive& saved) { schedule_.archive(saved); }
+
+}  // namespace contactsim

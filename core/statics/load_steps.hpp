@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/statics/full_tangent.hpp"
+#include "core/statics/load_schedule.hpp"
+#include "core/statics/nodal_blocks.hpp"
+#include "core/statics/nonlinear_cg.hpp"
+
+namespace contactsim {
+
+/// What a load step came to.
+struct LoadStepReport {
+  CgReport search;
+  std::int64_t n_evaluations = 0;      ///< of the residual, preconditioner and predictor included
+  std::int64_t n_preconditioners = 0;  ///< made in the step
+  std::int64_t n_cutbacks = 0;         ///< before it found equilibrium
+  std::int64_t n_negative = 0;         ///< directions of negative stiffness where the last factor was made
+};
+
+/// A quasi-static run: from one equilibrium to the next, as time goes by and nothing moves by inertia. The
+/// same bits for any number of threads.
+class LoadSteps {
+ public:
+  /// All must outlive it. Preconditions: no rigid bodies; nothing in the model depends on velocities.
+  LoadSteps(const Model& model, ForceTerms terms, const SolverSettings& settings, LoadSchedule schedule,
+            State& state);
+
+  /// Finds the forces of the start, and the first step. Throws SolveError.
+  void start();
+  /// Brings the state to the next equilibrium. Throws SolveError when none is found however small the step:
+  /// the state is then the last equilibrium.
+  void advance();
+
+  const LoadStepReport& report() const { return report_; }
+  const LoadSchedule& schedule() const { return schedule_; }
+  /// Saves or restores what the next step builds on besides the state.
+  void archive(StateArchive& saved);
+
+ private:
+  bool try_step(double dt);
+  void search(Eigen::VectorXd& increment);
+  Eigen::VectorXd first_guess(double dt) const;
+  void renew_preconditioner(const Eigen::VectorXd& increment);
+  bool has_tangent() const;
+  [[noreturn]] void fail(double dt) const;
+
+  const Model& model_;
+  ForceTerms terms_;
+  SolverSettings settings_;
+  LoadSchedule schedule_;
+  State& state_;
+  StaticProblem problem_;
+  NodeGraph graph_;
+  NodalBlocks blocks_;
+  std::optional<FullTangent> tangent_;
+  Eigen::VectorXd residual_;  // of the last evaluation
+  LoadStepReport report_;
+};
+
+}  // namespace contactsim

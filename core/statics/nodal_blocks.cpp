@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/nodal_blocks.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/base/threads.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// The inverse of a stiffness in which directions without any have an inverse of 0, and those of a negative
+/// one that of its size: what gives way is still to be moved.
+Eigen::MatrixXd positive_inverse(const Eigen::MatrixXd& stiffness) {
+  constexpr double nothing = 1e-9;  // of the largest
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (stiffness + stiffness.transpose()));
+  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
+  Eigen::VectorXd inverse(stiffness.rows());
+  for (Eigen::Index i = 0; i < inverse.size(); ++i) {
+    const double value = std::abs(solver.eigenvalues()(i));
+    inverse(i) = value > nothing * largest ? 1.0 / value : 0.0;
+  }
+  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
+}
+
+}  // namespace
+
+NodalBlocks::NodalBlocks(StaticProblem& problem, const NodeGraph& graph)
+    : problem_(problem),
+      probe_(problem, graph, ColourDistance::one_element),
+      per_node_(probe_.unknowns_per_node()),
+      inverses_(Eigen::MatrixXd::Zero(per_node_, per_node_ * probe_.n_nodes())) {}
+
+std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
+  Eigen::MatrixXd blocks = Eigen::MatrixXd::Zero(per_node_, per_node_ * probe_.n_nodes());
+  const std::int64_t n_evaluations = probe_.differentiate(
+      increment, [&](std::uint32_t node, Eigen::Index unknown, const Eigen::VectorXd& column) {
+        auto block = blocks.col(node * per_node_ + unknown);
+        for (Eigen::Index i = 0; i < per_node_; ++i) block(i) = column(probe_.place(node, i));
+      });
+  if (n_evaluations == 0) return 0;
+  const auto n_nodes = static_cast<std::size_t>(probe_.n_nodes());
+  parallel_for(n_nodes, threads_for(100 * n_nodes), [&](std::size_t node) {
+    const auto first = static_cast<Eigen::Index>(node) * per_node_;
+    const Eigen::VectorXd scales = problem_.unknown_scales(static_cast<std::uint32_t>(node));
+    const Eigen::MatrixXd scaled =
+        scales.asDiagonal() * blocks.middleCols(first, per_node_) * scales.asDiagonal();
+    inverses_.middleCols(first, per_node_) =
+        scales.asDiagonal() * positive_inverse(scaled) * scales.asDiagonal();
+  });
+  return n_evaluations;
+}
+
+void NodalBlocks::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {
+  z.resize(residual.size());
+  const auto n_nodes = static_cast<std::size_t>(probe_.n_nodes());
+  parallel_for(n_nodes, threads_for(n_nodes), [&](std::size_t i) {
+    const auto node = static_cast<std::uint32_t>(i);
+    const auto first = static_cast<Eigen::Index>(i) * per_node_;
+    for (Eigen::Index row = 0; row < per_node_; ++row) {
+      double sum = 0.0;
+      for (Eigen::Index column = 0; column < per_node_; ++column)
+        sum += inverses_(row, first + column) * residual(probe_.place(node, column));
+      z(probe_.place(node, row)) = sum;
+    }
+  });
+}
+
+}  // namespace contactsim

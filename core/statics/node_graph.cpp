@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/node_graph.hpp"
+
+#include <algorithm>
+
+namespace contactsim {
+
+namespace {
+
+/// Calls do_one(nodes) for every element that is not rigid.
+template <class Do>
+void for_each_element(const Mesh& mesh, std::span<const ModelBlock> blocks, const Do& do_one) {
+  for (const ModelBlock& block : blocks) {
+    if (block.is_rigid) continue;
+    const ElementBlock& of_mesh = mesh.blocks()[block.mesh_block];
+    for (std::uint32_t i = 0; i < of_mesh.n_elements; ++i) do_one(of_mesh.element_nodes(i));
+  }
+}
+
+}  // namespace
+
+NodeGraph::NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks)
+    : first_(n_nodes + std::size_t{1}, 0) {
+  // All pairs with their repetitions first, which are then taken out node by node.
+  std::vector<std::size_t> end(n_nodes + std::size_t{1}, 0);
+  for_each_element(mesh, blocks, [&](std::span<const NodeIndex> nodes) {
+    for (const NodeIndex node : nodes) end[node.value + std::size_t{1}] += nodes.size();
+  });
+  for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
+  std::vector<std::uint32_t> pairs(end.back());
+  std::vector<std::size_t> place(end.begin(), end.end() - 1);
+  for_each_element(mesh, blocks, [&](std::span<const NodeIndex> nodes) {
+    for (const NodeIndex node : nodes) {
+      for (const NodeIndex other : nodes) pairs[place[node.value]++] = other.value;
+    }
+  });
+  for (std::uint32_t node = 0; node < n_nodes; ++node) {
+    const auto begin = pairs.begin() + static_cast<std::ptrdiff_t>(end[node]);
+    const auto last = pairs.begin() + static_cast<std::ptrdiff_t>(end[node + std::size_t{1}]);
+    std::sort(begin, last);
+    neighbours_.insert(neighbours_.end(), begin, std::unique(begin, last));
+    first_[node + std::size_t{1}] = neighbours_.size();
+  }
+}
+
+NodeColours colour_nodes(const NodeGraph& graph, ColourDistance distance) {
+  constexpr std::uint32_t none = UINT32_MAX;
+  NodeColours colours{std::vector<std::uint32_t>(graph.n_nodes(), none), 0};
+  std::vector<std::uint32_t> taken_by;  // [n_colours] the last node that may not have the colour
+  const auto take = [&](std::uint32_t other, std::uint32_t node) {
+    if (colours.colour[other] != none) taken_by[colours.colour[other]] = node;
+  };
+  for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
+    if (graph.neighbours(node).empty()) continue;
+    for (const std::uint32_t other : graph.neighbours(node)) {
+      take(other, node);
+      if (distance == ColourDistance::one_element) continue;
+      for (const std::uint32_t next : graph.neighbours(other)) take(next, node);
+    }
+    const auto left =
+        std::find_if(taken_by.begin(), taken_by.end(), [node](std::uint32_t by) { return by != node; });
+    colours.colour[node] = static_cast<std::uint32_t>(left - taken_by.begin());
+    if (left == taken_by.end()) taken_by.push_back(none);
+  }
+  colours.n_colours = static_cast<std::uint32_t>(taken_by.size());
+  for (std::uint32_t& colour : colours.colour) colour = std::min(colour, colours.n_colours);
+  return colours;
+}
+
+}  // namespace contactsim

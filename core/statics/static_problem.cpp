@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/static_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/errors.hpp"
+#include "core/base/threads.hpp"
+#include "core/dynamics/state_motion.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// A share of the distance between nodes that changes strains by 1e-6: far above round-off and far below what
+/// bends a stress-strain curve.
+constexpr double probe_share = 1e-6;
+
+/// What stands for the distance between nodes: the diagonal of the model's box over the cube root of their
+/// number [length].
+double node_distance(const Eigen::Matrix3Xd& coordinates) {
+  const Eigen::Vector3d box = coordinates.rowwise().maxCoeff() - coordinates.rowwise().minCoeff();
+  return box.norm() / std::cbrt(static_cast<double>(coordinates.cols()));
+}
+
+/// Turns moments into forces at the radius of gyration that a node's inertia has.
+Eigen::VectorXd residual_weights(const Model& model, Eigen::Index n, Eigen::Index size) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
+  for (Eigen::Index i = n; i < size; ++i) {
+    const double mass = model.mass(0, (i - n) / 3), inertia = model.inertia(0, (i - n) / 3);
+    weights(i) = inertia > minimum_nodal_mass ? mass / inertia : 0.0;
+  }
+  return weights;
+}
+
+void copy_values(const std::vector<Lanes>& from, std::vector<Lanes>& to) {
+  to.resize(from.size());
+  const auto n = static_cast<std::int64_t>(from.size());
+  parallel_for_ranges(n, threads_for(from.size()), [&](std::int64_t begin, std::int64_t end) {
+    std::copy(from.begin() + begin, from.begin() + end, to.begin() + begin);
+  });
+}
+
+/// Projects the vectors of held nodes on their free directions.
+///   first  of the nodes' part
+void project_nodes(const std::vector<FreeDirections>& free, Eigen::Index first, Eigen::VectorXd& vector) {
+  for (const FreeDirections& node : free) {
+    auto part = vector.segment<3>(first + 3 * static_cast<Eigen::Index>(node.node.value));
+    part = (node.projection * part).eval();
+  }
+}
+
+}  // namespace
+
+StaticProblem::StaticProblem(const Model& model, ForceTerms terms, ResidualReference reference, State& state)
+    : model_(model),
+      terms_(terms),
+      kind_(reference),
+      state_(state),
+      n_(state.coordinates.size()),
+      probe_length_(probe_share * node_distance(state.coordinates)),
+      weights_(residual_weights(model, n_, size())) {}
+
+Eigen::VectorXd StaticProblem::forces_of(Part part, const NodalForces& forces,
+                                         const NodalForces& moments) const {
+  Eigen::VectorXd vector = Eigen::VectorXd::Zero(size());
+  if ((forces.*part).size() > 0) vector.head(n_) = (forces.*part).reshaped();
+  if (size() > n_ && (moments.*part).size() > 0) vector.tail(n_) = (moments.*part).reshaped();
+  return vector;
+}
+
+Eigen::VectorXd StaticProblem::mean_forces(Part part) const {
+  return 0.5 * (forces_of(part, forces_, rotations_.moments) + forces_of(part));
+}
+
+Eigen::VectorXd StaticProblem::all_forces() const {
+  return forces_of(&NodalForces::internal) + forces_of(&NodalForces::external) +
+         forces_of(&NodalForces::contact);
+}
+
+void StaticProblem::remember() {
+  time_ = state_.time;
+  coordinates_ = state_.coordinates;
+  velocity_ = state_.velocity;
+  rotations_ = state_.rotations;
+  forces_ = state_.forces;
+  element_values_.resize(state_.blocks.size());
+  hourglass_work_.clear();
+  for (std::size_t i = 0; i < state_.blocks.size(); ++i) {
+    copy_values(state_.blocks[i].values, element_values_[i]);
+    hourglass_work_.push_back(state_.blocks[i].hourglass_work);
+  }
+}
+
+void StaticProblem::begin_step(double dt) {
+  remember();
+  dt_ = dt;
+  const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, n_ / 3);
+  // An acceleration from rest whose half step brings the mean velocity of the step about.
+  const auto increment_of = [&](const KinematicConstraints& constraints, const Eigen::Matrix3Xd* angle) {
+    Eigen::Matrix3Xd acceleration = still;
+    constraints.constrain({state_.time, dt, dt, state_.coordinates, still, angle}, acceleration);
+    return Eigen::VectorXd(dt * dt * acceleration.reshaped());
+  };
+  prescribed_.setZero(size());
+  prescribed_.head(n_) = increment_of(model_.kinematic_constraints, nullptr);
+  free_ = model_.kinematic_constraints.find_free_directions(state_.time);
+  if (!state_.rotations.exist()) return;
+  prescribed_.tail(n_) = increment_of(model_.rotation_constraints, &state_.rotations.angle);
+  free_rotations_ = model_.rotation_constraints.find_free_directions(state_.time);
+}
+
+void StaticProblem::recall_elements() {
+  for (std::size_t i = 0; i < state_.blocks.size(); ++i) {
+    copy_values(element_values_[i], state_.blocks[i].values);
+    state_.blocks[i].hourglass_work = hourglass_work_[i];
+  }
+}
+
+void StaticProblem::restore() {
+  recall_elements();
+  state_.time = time_;
+  state_.coordinates = coordinates_;
+  state_.velocity = velocity_;
+  state_.rotations = rotations_;
+  state_.forces = forces_;
+}
+
+void StaticProblem::move_to(const Eigen::VectorXd& increment) {
+  state_.time = time_ + dt_;
+  state_.coordinates = coordinates_ + increment.head(n_).reshaped(3, n_ / 3);
+  state_.velocity = increment.head(n_).reshaped(3, n_ / 3) / dt_;
+  if (!state_.rotations.exist()) return;
+  state_.rotations.angle = rotations_.angle + increment.tail(n_).reshaped(3, n_ / 3);
+  state_.rotations.velocity = increment.tail(n_).reshaped(3, n_ / 3) / dt_;
+}
+
+bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) {
+  recall_elements();
+  move_to(increment);
+  const Motion motion = motion_of(state_, dt_);
+  terms_.external.set_forces(motion, state_.forces.external);
+  try {
+    terms_.internal.set_forces(motion, state_.forces.internal);
+  } catch (const SolveError&) {
+    return false;
+  }
+  if (state_.rotations.exist()) {
+    terms_.internal.set_moments(motion, state_.rotations.moments.internal);
+    terms_.external.set_moments(motion, state_.rotations.moments.external);
+  }
+  residual = all_forces();
+  project(residual);
+  return true;
+}
+
+void StaticProblem::accept(const Eigen::VectorXd& increment) {
+  const Eigen::VectorXd internal = mean_forces(&NodalForces::internal);
+  const Eigen::VectorXd external = mean_forces(&NodalForces::external);
+  const Eigen::VectorXd contact = mean_forces(&NodalForces::contact);
+  const Eigen::VectorXd all = internal + external + contact;
+  Eigen::VectorXd free = all;
+  project(free);
+  Energies& energies = state_.energies;
+  energies.internal -= internal.dot(increment);
+  energies.contact -= contact.dot(increment);
+  energies.external += external.dot(increment) - (all - free).dot(increment);
+  energies.hourglass = 0.0;
+  for (const ModelBlockState& block : state_.blocks) energies.hourglass += block.hourglass_work;
+  energies.error = energies.internal + energies.contact - energies.external;
+  for (const double term : {energies.internal, energies.external, energies.contact})
+    energies.largest = std::max(energies.largest, std::abs(term));
+}
+
+Eigen::VectorXd StaticProblem::unknown_scales(std::uint32_t node) const {
+  const Eigen::Index per_node = 3 * size() / n_;
+  Eigen::VectorXd scales = Eigen::VectorXd::Ones(per_node);
+  if (per_node > 3) scales.tail<3>() = weights_.segment<3>(n_ + 3 * Eigen::Index{node}).cwiseSqrt();
+  return scales;
+}
+
+NodeIndex StaticProblem::largest_at(const Eigen::VectorXd& residual) const {
+  Eigen::Index node = 0;
+  residual.head(n_).reshaped(3, n_ / 3).colwise().squaredNorm().maxCoeff(&node);
+  return {static_cast<std::uint32_t>(node)};
+}
+
+double StaticProblem::norm(const Eigen::VectorXd& residual) const {
+  return std::sqrt(residual.cwiseAbs2().dot(weights_));
+}
+
+double StaticProblem::reference() const {
+  Eigen::VectorXd reaction = -all_forces(), free = reaction;
+  project(free);
+  reaction -= free;
+  switch (kind_) {
+    case ResidualReference::external:
+      return norm(forces_of(&NodalForces::external) + reaction);
+    case ResidualReference::internal:
+      return norm(forces_of(&NodalForces::internal));
+    case ResidualReference::belytschko:
+      break;
+  }
+  return std::max(
+      {norm(forces_of(&NodalForces::external)), norm(forces_of(&NodalForces::internal)), norm(reaction)});
+}
+
+double StaticProblem::probe_factor(const Eigen::VectorXd& direction) const {
+  double factor = probe_length_ / direction.head(n_).cwiseAbs().maxCoeff();
+  if (state_.rotations.exist())
+    factor = std::min(factor, probe_angle / direction.tail(n_).cwiseAbs().maxCoeff());
+  return factor;
+}
+
+void StaticProblem::project(Eigen::VectorXd& vector) const {
+  project_nodes(free_, 0, vector);
+  if (state_.rotations.exist()) project_nodes(free_rotations_, n_, vector);
+}
+
+}  // namespace contactsim

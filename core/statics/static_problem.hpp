@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "core/definition/solver.hpp"
+#include "core/dynamics/integrator.hpp"
+#include "core/dynamics/model.hpp"
+#include "core/dynamics/state.hpp"
+#include "core/statics/equilibrium.hpp"
+
+namespace contactsim {
+
+/// The forces of a model at the end of a load step, whose increment is sought: every evaluation begins with
+/// what elements remember of the step's start, so that trials leave no trace. Inertia has no part in it.
+class StaticProblem final : public Equilibrium {
+ public:
+  /// All must outlive it. Precondition: no rigid bodies.
+  StaticProblem(const Model& model, ForceTerms terms, ResidualReference reference, State& state);
+
+  /// Unknowns: 3 a node, 6 where nodes turn.
+  Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
+
+  /// Begins a step at the state: fixed and prescribed directions and what is remembered are those of now.
+  ///   dt  of the step [time]
+  /// Throws SolveError when a condition has no finite value.
+  void begin_step(double dt);
+  /// What prescribed directions move by in the step, 0 of the others.
+  const Eigen::VectorXd& prescribed() const { return prescribed_; }
+  /// Takes the state of the last evaluation as that of the step's end, with the work that was done on the way
+  /// by the mean of the forces at both ends.
+  ///   increment  of the last evaluation
+  void accept(const Eigen::VectorXd& increment);
+  /// Brings back the state that the step began at.
+  void restore();
+  /// The node with the largest force in a residual.
+  NodeIndex largest_at(const Eigen::VectorXd& residual) const;
+
+  bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override;
+  double norm(const Eigen::VectorXd& residual) const override;
+  double reference() const override;
+  double probe_factor(const Eigen::VectorXd& direction) const override;
+  void project(Eigen::VectorXd& vector) const override;
+
+  /// By how much an unknown may move for a derivative by differences [length], of rotations [1].
+  double probe_of(Eigen::Index unknown) const { return unknown < n_ ? probe_length_ : probe_angle; }
+  /// Calls take(node, first, held) for every node with fixed or prescribed directions: held projects on them,
+  /// of its displacements (first 0) or rotations (first 3).
+  template <class Take>
+  void visit_held(const Take& take) const {
+    const auto visit = [&](const std::vector<FreeDirections>& nodes, Eigen::Index first) {
+      for (const FreeDirections& free : nodes)
+        take(free.node.value, first, Eigen::Matrix3d(Eigen::Matrix3d::Identity() - free.projection));
+    };
+    visit(free_, 0);
+    visit(free_rotations_, 3);
+  }
+  /// What makes forces of the residuals of a node's unknowns: 1, and 1/length of rotations [3 or 6].
+  Eigen::VectorXd unknown_scales(std::uint32_t node) const;
+
+ private:
+  static constexpr double probe_angle = 1e-6;
+
+  void remember();
+  void recall_elements();
+  void move_to(const Eigen::VectorXd& increment);
+  using Part = Eigen::Matrix3Xd NodalForces::*;
+  Eigen::VectorXd forces_of(Part part, const NodalForces& forces, const NodalForces& moments) const;
+  Eigen::VectorXd forces_of(Part part) const {
+    return forces_of(part, state_.forces, state_.rotations.moments);
+  }
+  Eigen::VectorXd mean_forces(Part part) const;
+  Eigen::VectorXd all_forces() const;
+
+  const Model& model_;
+  ForceTerms terms_;
+  ResidualReference kind_;
+  State& state_;
+  Eigen::Index n_;  // 3 n_nodes
+  double probe_length_;
+  Eigen::VectorXd weights_;  // of squared residuals: 1, and 1/length^2 of moments
+  double dt_ = 0.0;
+  std::vector<FreeDirections> free_, free_rotations_;
+  Eigen::VectorXd prescribed_;
+  // Of the state at the start of the step.
+  double time_ = 0.0;
+  Eigen::Matrix3Xd coordinates_, velocity_;
+  NodalRotations rotations_;
+  NodalForces forces_;
+  std::vector<std::vector<Lanes>> element_values_;
+  std::vector<double> hourglass_work_;
+};
+
+}  // namespace contactsim

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/static_problem.hpp"
+
+#include "core/dynamics/internal_force.hpp"
+#include "core/elements/elements.hpp"
+#include "core/materials/elastic.hpp"
+#include "core/statics/full_tangent.hpp"
+#include "core/statics/nodal_blocks.hpp"
+#include "support/catch.hpp"
+#include "support/mesh_builder.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+class NoLoad final : public ForceTerm {
+ public:
+  ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override {
+    forces = Eigen::Matrix3Xd::Zero(3, motion.coordinates.cols());
+    return {};
+  }
+};
+
+/// Two by two by two cells of an elastic cube of edge 2, one node held.
+struct Cube {
+  Mesh mesh = MeshBuilder().add_hexes({.cells = {2, 2, 2}, .size = {2, 2, 2}}).build();
+  Model model;
+  State state;
+  NoLoad nothing;
+  std::optional<InternalForce> internal;
+  std::optional<StaticProblem> problem;
+
+  explicit Cube(std::vector<NodeIndex> held = {}) {
+    model.mesh = &mesh;
+    ElementProperties properties{ElasticLaw{{160e9, 80e9}}, 7800.0};
+    properties.linear_bulk_viscosity = properties.quadratic_bulk_viscosity = 0.0;
+    model.blocks.push_back(make_solid_block(mesh, 0, hex8_selective_deviatoric, properties));
+    model.mass = lumped_mass(mesh, model.blocks);
+    if (!held.empty()) {
+      PrescribedMotion fixed;
+      fixed.direction = Components{{true, true, true}};
+      fixed.nodes = std::move(held);
+      model.kinematic_constraints = KinematicConstraints(mesh, {fixed});
+    }
+    state = make_state(mesh.coordinates(), model.blocks, 0.0);
+    internal.emplace(model, state);
+    problem.emplace(model, ForceTerms{*internal, nothing}, ResidualReference::internal, state);
+    problem->begin_step(1.0);
+  }
+
+  Eigen::VectorXd pulled(double size) const {
+    Eigen::VectorXd increment(problem->size());
+    for (Eigen::Index i = 0; i < increment.size(); i += 3)
+      increment.segment<3>(i) =
+          size * mesh.coordinates().col(i / 3).cwiseProduct(Eigen::Vector3d(1.0, -0.3, 0.2));
+    return increment;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("trials leave no trace in elements", "[core][statics]") {
+  Cube cube;
+  Eigen::VectorXd first, second, other;
+  const Eigen::VectorXd small = cube.pulled(1e-3), large = cube.pulled(0.2);
+  REQUIRE(cube.problem->evaluate(small, first));
+  REQUIRE(cube.problem->evaluate(large, other));
+  REQUIRE(cube.problem->evaluate(small, second));
+  CHECK(first == second);
+  cube.problem->restore();
+  CHECK(cube.state.coordinates == cube.mesh.coordinates());
+}
+
+TEST_CASE("elements that turn inside out have no forces", "[core][statics]") {
+  Cube cube;
+  Eigen::VectorXd residual;
+  CHECK_FALSE(cube.problem->evaluate(cube.pulled(-3.0), residual));
+  CHECK(cube.problem->evaluate(cube.pulled(-0.1), residual));
+}
+
+TEST_CASE("the work of an accepted increment is that of the mean force", "[core][statics]") {
+  Cube cube;
+  const Eigen::VectorXd increment = cube.pulled(1e-6);
+  Eigen::VectorXd residual;
+  REQUIRE(cube.problem->evaluate(increment, residual));
+  cube.problem->accept(increment);
+  // Energy of a homogeneous strain e (1, -0.3, 0.2), K and G: V (K tr^2 / 2 + G dev:dev), V = 8.
+  const double e = 1e-6;
+  const Eigen::Vector3d strain = e * Eigen::Vector3d(1.0, -0.3, 0.2);
+  const double trace = strain.sum();
+  const Eigen::Vector3d deviator = strain.array() - trace / 3.0;
+  const double energy = 8.0 * (0.5 * 160e9 * trace * trace + 80e9 * deviator.squaredNorm());
+  CHECK(cube.state.energies.internal == Approx(energy).epsilon(1e-5));
+}
+
+TEST_CASE("a factor of the whole stiffness undoes it", "[core][statics]") {
+  Cube cube({NodeIndex{0}, NodeIndex{2}, NodeIndex{6}});
+  const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
+  const FullTangentSettings settings;
+  FullTangent tangent(*cube.problem, graph, settings);
+  CHECK(tangent.renew(Eigen::VectorXd::Zero(cube.problem->size())) > 81);
+  REQUIRE(tangent.exists());
+  Eigen::VectorXd increment = cube.pulled(1e-9), residual, found;
+  cube.problem->project(increment);
+  REQUIRE(cube.problem->evaluate(increment, residual));
+  tangent.apply(-residual, found);
+  CHECK((found - increment).norm() < 1e-5 * increment.norm());
+}
+
+TEST_CASE("nodal blocks are those of the whole stiffness", "[core][statics]") {
+  Cube cube;
+  const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
+  NodalBlocks blocks(*cube.problem, graph);
+  CHECK(blocks.renew(Eigen::VectorXd::Zero(cube.problem->size())) == 1 + 3 * 8);
+  // The force that moves one node alone, at that node, comes back as its displacement.
+  for (const Eigen::Index unknown : {0, 40, 80}) {
+    Eigen::VectorXd increment = Eigen::VectorXd::Zero(cube.problem->size()), residual, z;
+    increment(unknown) = 1e-9;
+    REQUIRE(cube.problem->evaluate(increment, residual));
+    const Eigen::Index node = unknown / 3;
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(residual.size());
+    own.segment<3>(3 * node) = -residual.segment<3>(3 * node);
+    blocks.apply(own, z);
+    CHECK((z - increment).norm() < 1e-5 * increment.norm());
+  }
+}
