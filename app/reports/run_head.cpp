@@ -51,11 +51,13 @@ std::string format_run_head(const std::string& command_line, std::span<const std
 }
 
 std::string format_estimate(const RunEstimate& estimate) {
+  const std::string stable =
+      estimate.stable_step > 0.0 ? fmt::format("stable time step  {:.6g}, ", estimate.stable_step) : "load ";
   return fmt::format(
       "\nA run of this deck\n"
-      "  stable time step  {:.6g}, steps of {:.6g} at the start\n"
+      "  {}steps of {:.6g} at the start\n"
       "  steps             {}, of {} elements: {:.3g} element-steps\n",
-      estimate.stable_step, estimate.step, estimate.n_steps, estimate.n_elements, estimate.element_steps());
+      stable, estimate.step, estimate.n_steps, estimate.n_elements, estimate.element_steps());
 }
 
 std::string format_estimated_time(const RunEstimate& estimate, int n_threads) {

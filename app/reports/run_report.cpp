@@ -33,6 +33,7 @@ std::string format_model(const Model& model, const StepReport& at_start) {
   }
   text += fmt::format("  mass {:.6g}, {} nodes held or driven\n", mass,
                       model.kinematic_constraints.nodes().size());
+  if (!(at_start.stable_step > 0.0)) return text;  // of load steps
   text += fmt::format("  stable time step {:.6g}", at_start.stable_step);
   if (at_start.critical_element) {
     const ElementIndex element = *at_start.critical_element;

@@ -21,6 +21,7 @@ void archive(const Checkpoint& checkpoint, StateArchive& saved) {
   saved.expect("run/has_deaths", checkpoint.death != nullptr ? 1 : 0, "element death");
   saved.expect("run/has_contact", checkpoint.contact != nullptr ? 1 : 0, "contact");
   archive(state, saved);
+  if (checkpoint.load_steps != nullptr) checkpoint.load_steps->archive(saved);
   if (saved.restores()) state.time = checkpoint.shifted_to.value_or(state.time);
   // Contact remembers the surfaces of the living.
   if (checkpoint.death != nullptr && saved.restores()) checkpoint.death->begin(state);

@@ -8,6 +8,7 @@
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/output/output_plan.hpp"
+#include "core/statics/load_steps.hpp"
 
 namespace contactsim {
 
@@ -15,8 +16,9 @@ namespace contactsim {
 struct Checkpoint {
   const Model& model;
   State& state;
-  RunContact* contact;  ///< null without contact
-  RunDeath* death;      ///< null when nothing can die
+  RunContact* contact;    ///< null without contact
+  LoadSteps* load_steps;  ///< null in explicit procedures
+  RunDeath* death;        ///< null when nothing can die
   OutputPlan& outputs;
   std::optional<double> shifted_to;  ///< the time that a restored state begins at, if not its own [time]
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/refusals.hpp"
 
-#include "core/definition/procedure.hpp"
-
 #include <fmt/format.h>
+
+#include <string_view>
+
+#include "core/definition/procedure.hpp"
 
 namespace contactsim {
 
@@ -15,14 +17,30 @@ void refuse(const std::vector<Definition>& definitions, const char* what, Diagno
     diagnostics.add_error(definition.name.location, fmt::format("{} is not supported in a run yet", what));
 }
 
+/// What load steps do not know yet, or cannot know.
+void refuse_in_statics(const Region& region, Diagnostics& diagnostics) {
+  const auto refuse_here = [&](const DeckName& name, std::string_view what, std::string hint = "") {
+    diagnostics.add_error(name.location, fmt::format("{} in a quasi-static procedure is not supported", what),
+                          std::move(hint));
+  };
+  if (region.contact)
+    refuse_here(region.contact->name, "contact",
+                "a PRESTO PROCEDURE runs it; without it the parts must be joined by the mesh");
+  for (const auto& death : region.element_deaths) refuse_here(death.name, "element death");
+  for (const auto& scaling : region.mass_scalings) refuse_here(scaling.name, "mass scaling");
+  for (const auto& damping : region.viscous_dampings) refuse_here(damping.name, "viscous damping");
+  for (const auto& velocity : region.initial_velocities) refuse_here(velocity.name, "an initial velocity");
+  for (const auto& condition : region.prescribed_conditions) {
+    if (condition.quantity == PrescribedQuantity::acceleration)
+      refuse_here(condition.name, "a prescribed acceleration",
+                  "PRESCRIBED DISPLACEMENT says where nodes go, GRAVITY loads all of them");
+  }
+}
+
 }  // namespace
 
 void refuse_what_is_missing(const Procedure& procedure, const Region& region, Diagnostics& diagnostics) {
-  if (procedure.implicit_by) {
-    diagnostics.add_error(procedure.implicit_by->location,
-                          fmt::format("{} makes the procedure implicit", procedure.implicit_by->block),
-                          "contactsim runs explicit procedures: PARAMETERS FOR PRESTO REGION");
-  }
+  if (procedure.implicit_by) refuse_in_statics(region, diagnostics);
   if (!procedure.time_control) {
     diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",
                           "without one --tables alone can be asked for");

@@ -11,6 +11,7 @@
 #include "core/dynamics/discrete_steps.hpp"
 #include "core/dynamics/make_rigid_bodies.hpp"
 #include "core/mesh/element_checks.hpp"
+#include "core/statics/static_elements.hpp"
 #include "io/exodus/exodus_variables.hpp"
 
 namespace contactsim {
@@ -35,6 +36,18 @@ std::vector<std::uint32_t> blocks_in_use(const Mesh& mesh) {
     if (mesh.blocks()[i].n_elements > 0) blocks.push_back(i);
   }
   return blocks;
+}
+
+void refuse_rigid_bodies(const RunInput& input, const Model& model, Diagnostics& diagnostics) {
+  if (!input.procedure.implicit_by || model.rigid.empty()) return;
+  diagnostics.add_error(input.procedure.implicit_by->location,
+                        "a rigid body in a quasi-static procedure is not supported",
+                        "a block of an elastic material 1000 times as stiff takes its place");
+}
+
+std::optional<LoadSchedule> find_load_schedule(const RunInput& input, Diagnostics& diagnostics) {
+  if (!input.procedure.implicit_by) return std::nullopt;
+  return make_load_schedule(input.definition, input.procedure, input.region, diagnostics);
 }
 
 }  // namespace
@@ -65,7 +78,13 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   InitialState initial = make_initial_state(scope, model.blocks);
   set_rigid_velocities(scope, model.rigid, initial.velocity);
   auto death_sets = find_death_sets(scope, model);
-  return {std::move(model), std::move(external), std::move(initial), std::move(control),
+  refuse_rigid_bodies(input, model, diagnostics);
+  if (input.procedure.implicit_by) make_static(model);
+  return {std::move(model),
+          std::move(external),
+          std::move(initial),
+          std::move(control),
+          find_load_schedule(input, diagnostics),
           std::move(death_sets)};
 }
 

@@ -8,6 +8,7 @@
 #include "core/dynamics/initial_state.hpp"
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/time_step.hpp"
+#include "core/statics/load_schedule.hpp"
 
 namespace contactsim {
 
@@ -17,6 +18,7 @@ struct Setup {
   ExternalForce external;
   InitialState initial;
   TimeStepControl control;
+  std::optional<LoadSchedule> load_schedule;          ///< of implicit procedures
   std::vector<std::vector<ElementIndex>> death_sets;  ///< as Region::element_deaths
 };
 

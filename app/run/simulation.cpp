@@ -79,7 +79,7 @@ RunEstimate Simulation::estimate() {
   int n_steps = 0;
   while (!control().is_over(state().time, state().dt) && n_steps < max_steps &&
          clock_seconds() - begun < max_seconds) {
-    advance(run.setup.model, run.terms(), run.setup.control, run.state);
+    run.advance();
     ++n_steps;
   }
   if (n_steps > 0) estimate.seconds_per_step = (clock_seconds() - begun) / n_steps;
@@ -104,7 +104,7 @@ bool Simulation::is_over() const {
 void Simulation::step() {
   Parts& run = *parts_;
   try_to([&] {
-    advance(run.setup.model, run.terms(), run.setup.control, run.state);
+    run.advance();
     run.energy_warnings.step(run.state);
     if (run.contact) run.contact->stop_at_runaway(run.state);
     end_step();
@@ -163,6 +163,9 @@ const TimeStepControl& Simulation::control() const { return parts_->setup.contro
 const RunDeath* Simulation::deaths() const { return parts_->death.get(); }
 const RunRestart& Simulation::restart() const { return parts_->restart; }
 std::vector<std::string> Simulation::output_paths() const { return parts_->outputs.paths(); }
+const LoadSteps* Simulation::load_steps() const {
+  return parts_->load_steps ? &*parts_->load_steps : nullptr;
+}
 const StepReport& Simulation::start_report() const { return parts_->at_start; }
 const std::optional<std::string>& Simulation::failure() const { return parts_->failure; }
 const std::optional<std::string>& Simulation::end() const { return parts_->end; }

@@ -21,6 +21,7 @@
 namespace contactsim {
 
 class ContactForce;
+class LoadSteps;
 class RunDeath;
 class RunRestart;
 class Simulation;
@@ -94,6 +95,7 @@ class Simulation {
   const State& state() const;
   const TimeStepControl& control() const;
   const ContactForce* contact_force() const;  ///< null without contact
+  const LoadSteps* load_steps() const;        ///< null in explicit procedures
   const ContactModel* contact_model() const;  ///< of the living elements; null without contact
   IndexedSpan<PairIndex, const UntiedPart> untied()
       const;                       ///< of each pair at the start; empty without contact

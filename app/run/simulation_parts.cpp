@@ -68,6 +68,9 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
   stop_on_errors(diagnostics);
   set_initial_state(setup.initial, setup.model.blocks, state);
   if (death) death->begin(state);
+  if (setup.load_schedule)
+    load_steps.emplace(setup.model, terms(), input.region.solver.value_or(SolverSettings{}),
+                       *setup.load_schedule, state);
   if (!contact) return;
   timed_contact.emplace(contact->force());
   state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
@@ -75,7 +78,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
 
 Checkpoint Simulation::Parts::checkpoint() {
   const auto shifted_to = restart.shifts() ? std::optional(setup.control.start_time()) : std::nullopt;
-  return {setup.model, state, contact.get(), death.get(), outputs, shifted_to};
+  return {setup.model, state,   contact.get(), load_steps ? &*load_steps : nullptr,
+          death.get(), outputs, shifted_to};
 }
 
 void Simulation::Parts::prepare_files() {
@@ -97,7 +101,12 @@ std::optional<std::string> Simulation::Parts::find_end() {
   return contact && input.region.contact->overlap_removal.is_all_there_is ? "OVERLAP REMOVAL ONLY" : found;
 }
 
+void Simulation::Parts::advance() {
+  load_steps ? load_steps->advance() : void(contactsim::advance(setup.model, terms(), setup.control, state));
+}
+
 void Simulation::Parts::start_anew() {
+  if (load_steps) return load_steps->start();
   at_start = start(setup.model, terms(), setup.control, state);
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.

@@ -17,6 +17,7 @@
 #include "core/conditions/condition_scope.hpp"
 #include "core/dynamics/internal_force.hpp"
 #include "core/output/output_plan.hpp"
+#include "core/statics/load_steps.hpp"
 
 namespace contactsim {
 
@@ -33,6 +34,8 @@ struct Simulation::Parts {
   void check_files() const;
   /// Finds the forces of the start, and what they warn of.
   void start_anew();
+  /// Moves the state by a step, explicit or to the next equilibrium. Throws SolveError.
+  void advance();
   /// Why the run ends with its state, if it does.
   std::optional<std::string> find_end();
   std::vector<PartTime> times() const;
@@ -50,6 +53,7 @@ struct Simulation::Parts {
   InternalForce internal;
   TimedForce timed_internal, timed_external;
   std::optional<TimedForce> timed_contact;
+  std::optional<LoadSteps> load_steps;  // of implicit procedures
   EnergyWarnings energy_warnings;
   std::vector<Observer> observers;
   StepReport at_start;

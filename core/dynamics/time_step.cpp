@@ -73,6 +73,7 @@ TimeStepControl make_time_step_control(const Procedure& procedure, const Region&
     const auto found =
         std::find_if(block.explicit_parameters.begin(), block.explicit_parameters.end(), is_ours);
     if (found != block.explicit_parameters.end()) period.parameters = *found;
+    if (procedure.implicit_by) period.parameters.step_interval = 1;
     periods.push_back(std::move(period));
   }
   return {std::move(periods), control.termination_time};

@@ -28,6 +28,7 @@ import cases_hertz  # noqa: E402, F401
 import cases_impact  # noqa: E402, F401
 import cases_interaction  # noqa: E402, F401
 import cases_joints  # noqa: E402, F401
+import cases_load_steps  # noqa: E402, F401
 import cases_lofted  # noqa: E402, F401
 import cases_restart  # noqa: E402, F401
 import cases_rigid  # noqa: E402, F401

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "core/dynamics/state.hpp"
+#include "core/statics/load_steps.hpp"
+
+namespace contactsim {
+
+/// The heading of the lines of load steps.
+std::string load_step_heading();
+
+/// Step, time, step size, energies, iterations, forces left over as a share of their reference, cutbacks; a
+/// search that was put up with is marked.
+std::string format_load_step(const State& state, const LoadStepReport& report);
+
+}  // namespace contactsim

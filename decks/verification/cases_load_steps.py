@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Quasi-static procedures: equilibrium step by step."""
+import math
+
+import numpy as np
+
+from cases import case
+from cases_solids import brick, energy_check, thick_cylinder_mesh
+from mesh_maker import MeshMaker
+from runs import Check
+
+
+@case()
+def static_cylinder(bench, n=16):
+    run = bench.run("static_cylinder", thick_cylinder_mesh(n))
+    a, b, p, nu, modulus = 1.0, 2.0, 1e6, 0.3, 200e9
+    displacement = p * a * (1 + nu) / modulus * (a * a * (1 - 2 * nu) + b * b) / (b * b - a * a)
+    explicit = bench.run("thick_cylinder", thick_cylinder_mesh(n))
+    late = explicit["Time"] > 0.012
+    return [Check("displacement of the inner wall", displacement, run["inner"][-1], 0.01),
+            Check("the same by explicit dynamics", np.mean(explicit["inner"][late]), run["inner"][-1], 1e-3),
+            Check("hoop stress by explicit dynamics", np.mean(explicit["hoop"][late]), run["hoop"][-1], 1e-3),
+            Check("a third of the pressure", run["inner"][-1] / 3, run["inner"][1], 1e-4),
+            energy_check(run, ["external_energy"])]
+
+
+def strip_mesh(n):
+    mesh = MeshMaker()
+    mesh.shells("strip", (0, 0, 0), (10, 1), (n, 1), 0.1)
+    mesh.node_set("clamped", lambda x, y, z: x == 0)
+    mesh.node_set("tip", lambda x, y, z: x == 10)
+    return mesh
+
+
+@case()
+def static_rollup(bench, n=20):
+    run = bench.run("static_rollup", strip_mesh(n))
+    half = int(np.argmin(np.abs(run["Time"] - 0.5)))
+    return [Check("tip along the strip, full circle", -10.0, run["tip_x"][-1], 0.01),
+            Check("tip across the strip, full circle", 0.0, run["tip_z"][-1], 0.1, 1.0),
+            Check("tip across the strip, half circle", 20 / math.pi, abs(run["tip_z"][half]), 0.01),
+            Check("bending energy", 0.5 * 1e4 * 10 * (2 * math.pi / 10)**2, run["internal_energy"][-1], 0.01),
+            energy_check(run, ["internal_energy"])]
+
+
+@case()
+def static_plastic_bar(bench):
+    mesh = brick("bar", (1, 0.2, 0.2), (5, 1, 1), {
+        "on_x": lambda x, y, z: x == 0, "on_y": lambda x, y, z: y == 0, "on_z": lambda x, y, z: z == 0,
+        "pulled": lambda x, y, z: x == 1})
+    run = bench.run("static_plastic_bar", mesh)
+    modulus, hardening, yield_stress = 200e9, 2e9, 400e6
+    pulled = (yield_stress + hardening * 0.01) / (1 + hardening / modulus)
+    return [Check("stress at 1 %", pulled, run["stress"][10], 1e-3),
+            Check("stress at 0.9 % on the way back", pulled - 0.001 * modulus, run["stress"][20], 1e-3, pulled),
+            energy_check(run, ["external_energy"])]
