@@ -15,7 +15,8 @@ FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const F
       graph_(graph),
       settings_(settings),
       probe_(problem, graph, ColourDistance::two_elements),
-      per_node_(static_cast<std::size_t>(probe_.unknowns_per_node())) {
+      per_node_(static_cast<std::size_t>(probe_.unknowns_per_node())),
+      factor_(make_sparse_factor(is_symmetric())) {
   std::size_t n_pairs = 0;
   for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
     first_.push_back(n_pairs);
@@ -76,7 +77,7 @@ void FullTangent::number_unknowns() {
 }
 
 /// Of a symmetric one the lower half of the mean of the stiffness and its transpose.
-FullTangent::Matrix FullTangent::assemble() {
+SparseFactor::Matrix FullTangent::assemble() {
   std::vector<Eigen::Triplet<double>> entries;
   const auto number = [&](std::uint32_t node, std::size_t unknown) {
     return numbers_[static_cast<std::size_t>(probe_.place(node, static_cast<Eigen::Index>(unknown)))];
@@ -97,22 +98,9 @@ FullTangent::Matrix FullTangent::assemble() {
     }
   }
   const auto n = static_cast<Eigen::Index>(places_.size());
-  Matrix matrix(n, n);
+  SparseFactor::Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
-}
-
-void FullTangent::factorise(const Matrix& stiffness) {
-  if (is_symmetric()) {
-    symmetric_.compute(stiffness);
-  } else {
-    unsymmetric_.compute(stiffness);
-  }
-  exists_ = (is_symmetric() ? symmetric_.info() : unsymmetric_.info()) == Eigen::Success;
-}
-
-std::int64_t FullTangent::n_negative() const {
-  return exists_ && is_symmetric() ? (symmetric_.vectorD().array() < 0.0).count() : 0;
 }
 
 std::int64_t FullTangent::renew(const Eigen::VectorXd& increment) {
@@ -131,7 +119,7 @@ std::int64_t FullTangent::renew(const Eigen::VectorXd& increment) {
   hold_directions();
   steady_rotations();
   number_unknowns();
-  factorise(assemble());
+  exists_ = factor_->factorise(assemble());
   columns_ = {};
   return n_evaluations;
 }
@@ -141,7 +129,7 @@ void FullTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) con
   Eigen::VectorXd of_matrix(n);
   for (Eigen::Index i = 0; i < n; ++i)
     of_matrix(i) = residual(static_cast<Eigen::Index>(places_[static_cast<std::size_t>(i)]));
-  of_matrix = is_symmetric() ? Eigen::VectorXd(symmetric_.solve(of_matrix)) : unsymmetric_.solve(of_matrix);
+  of_matrix = factor_->solve(of_matrix);
   z.setZero(residual.size());
   for (Eigen::Index i = 0; i < n; ++i)
     z(static_cast<Eigen::Index>(places_[static_cast<std::size_t>(i)])) = of_matrix(i);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
+#include <memory>
 
 #include "core/definition/solver.hpp"
+#include "core/statics/sparse_factor.hpp"
 #include "core/statics/tangent_probe.hpp"
 
 namespace contactsim {
@@ -24,20 +24,17 @@ class FullTangent final : public Preconditioner {
   bool exists() const { return exists_; }
   /// Directions along which the stiffness of solids is negative: of a body that has buckled; 0 where nodes
   /// turn, whose factor does not tell.
-  std::int64_t n_negative() const;
+  std::int64_t n_negative() const { return exists_ ? factor_->n_negative() : 0; }
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 
  private:
-  using Matrix = Eigen::SparseMatrix<double>;
-
   double* block_of(std::uint32_t node, std::uint32_t neighbour);
   void hold_directions();
   void steady_rotations();
   void number_unknowns();
-  Matrix assemble();
+  SparseFactor::Matrix assemble();
   bool is_symmetric() const { return per_node_ == 3; }
-  void factorise(const Matrix& stiffness);
 
   StaticProblem& problem_;
   const NodeGraph& graph_;
@@ -49,8 +46,7 @@ class FullTangent final : public Preconditioner {
   std::vector<double> columns_;
   std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> symmetric_;
-  Eigen::SparseLU<Matrix> unsymmetric_;
+  std::unique_ptr<SparseFactor> factor_;
   bool exists_ = false;
 };
 

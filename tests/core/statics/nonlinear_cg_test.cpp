@@ -108,7 +108,7 @@ TEST_CASE("what is left over may be put up with after the last iteration", "[cor
 
 TEST_CASE("a search has the iterations that it shall have at least", "[core][statics]") {
   SpringRow row(5, 1.0, 1e-3);
-  CgSettings settings = to(0.9);
+  CgSettings settings = to(2.0);
   settings.min_iterations = 4;
   Eigen::VectorXd u = Eigen::VectorXd::Zero(5);
   CHECK(nonlinear_cg(row, Identity(), settings, u).n_iterations == 4);

@@ -95,16 +95,16 @@ TEST_CASE("the lines of adaptive time stepping reach their fields", "[parser][im
 
 TEST_CASE("what implicit lines do not do is told", "[parser][implicit]") {
   CHECK(with_lines("begin solver\nbegin cg\npreconditioner = elastic\nend\nend\n").messages ==
-        "a.i:6:18: warning: the stiffness of each node, by probes, is used in its place; PRECONDITIONER = "
+        "a.i:7:18: warning: the stiffness of each node, by probes, is used in its place; PRECONDITIONER = "
         "PROBE says so [deck-ignored]\n");
   CHECK(with_lines("begin solver\nbegin cg\ntarget residual = 1 during p1\nend\nend\n").messages ==
-        "a.i:6:21: error: DURING is not supported: one value is for all time stepping blocks\n");
+        "a.i:7:21: error: DURING is not supported: one value is for all time stepping blocks\n");
   CHECK(with_lines("begin adaptive time stepping\ncutback factor = 1.5\nend\n").messages ==
-        "a.i:5:18: error: the factor must be below 1\n");
+        "a.i:6:18: error: the factor must be below 1\n");
   CHECK(with_lines("begin implicit dynamics\nend\n").messages ==
-        "a.i:4:7: error: block 'implicit dynamics' is not supported; Inertia takes part in explicit "
-        "procedures alone\n");
+        "a.i:5:7: error: block 'implicit dynamics' is not supported and would change the answer; inertia takes "
+        "part in explicit procedures alone\n");
   CHECK(with_lines("begin solver\nbegin control contact\nend\nend\n").messages ==
-        "a.i:5:7: warning: block 'control contact' has no effect here; contact is not part of quasi-static "
+        "a.i:6:7: warning: block 'control contact' has no effect here; contact is not part of quasi-static "
         "procedures yet [deck-ignored]\n");
 }

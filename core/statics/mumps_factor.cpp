@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The library is loaded when a run asks for it, so that others start as fast as without, and is no condition
+// of a build: its header alone is.
+#include "core/statics/sparse_factor.hpp"
+
+#if __has_include(<dmumps_c.h>)
+
+#include <dlfcn.h>
+#include <dmumps_c.h>
+
+#include <string>
+#include <vector>
+
+namespace contactsim {
+
+namespace {
+
+using Call = void (*)(DMUMPS_STRUC_C*);
+
+/// What calls MUMPS, null where it is not installed.
+Call find_mumps() {
+  static const Call found = [] {
+    const std::string version = MUMPS_VERSION, major_and_minor = version.substr(0, version.rfind('.'));
+    void* library = dlopen(("libdmumps_seq-" + major_and_minor + ".so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) return Call{nullptr};
+    // Several threads of OpenBLAS would add in an order that depends on their number.
+    if (void* set_threads = dlsym(library, "openblas_set_num_threads"))
+      reinterpret_cast<void (*)(int)>(set_threads)(1);
+    return reinterpret_cast<Call>(dlsym(library, "dmumps_c"));
+  }();
+  return found;
+}
+
+/// Jobs and settings by the names of the manual, 5.2 and 6.
+enum Job { end = -2, begin = -1, analyse_and_factorise = 4, substitute = 3 };
+constexpr int fortran_world = -987654;
+
+class MumpsFactor final : public SparseFactor {
+ public:
+  MumpsFactor(Call call, bool is_symmetric) : call_(call), is_symmetric_(is_symmetric) {
+    data_.par = 1;
+    data_.sym = is_symmetric ? 2 : 0;
+    data_.comm_fortran = fortran_world;
+    run(begin);
+    for (const int stream : {1, 2, 3, 4}) set(stream, 0);  // prints nothing
+    set(14, 60);  // percent of memory beyond what the analysis asks for
+  }
+  ~MumpsFactor() override { run(end); }
+  MumpsFactor(const MumpsFactor&) = delete;
+  MumpsFactor& operator=(const MumpsFactor&) = delete;
+
+  bool factorise(const Matrix& matrix) override {
+    rows_.clear();
+    columns_.clear();
+    values_.clear();
+    for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+      for (Matrix::InnerIterator entry(matrix, column); entry; ++entry) {
+        rows_.push_back(static_cast<MUMPS_INT>(entry.row()) + 1);
+        columns_.push_back(static_cast<MUMPS_INT>(column) + 1);
+        values_.push_back(entry.value());
+      }
+    }
+    data_.n = static_cast<MUMPS_INT>(matrix.rows());
+    data_.nnz = static_cast<MUMPS_INT8>(values_.size());
+    data_.irn = rows_.data();
+    data_.jcn = columns_.data();
+    data_.a = values_.data();
+    return run(analyse_and_factorise);
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const override {
+    Eigen::VectorXd solution = right;
+    data_.rhs = solution.data();
+    run(substitute);
+    return solution;
+  }
+
+  std::int64_t n_negative() const override { return is_symmetric_ ? data_.infog[11] : 0; }
+
+ private:
+  void set(int control, int value) { data_.icntl[control - 1] = value; }
+  bool run(Job job) const {
+    data_.job = job;
+    call_(&data_);
+    return data_.infog[0] >= 0;
+  }
+
+  Call call_;
+  bool is_symmetric_;
+  mutable DMUMPS_STRUC_C data_{};  // of which every call changes something
+  std::vector<MUMPS_INT> rows_, columns_;
+  std::vector<double> values_;
+};
+
+}  // namespace
+
+std::unique_ptr<SparseFactor> make_mumps_factor(bool is_symmetric) {
+  const Call call = find_mumps();
+  return call != nullptr ? std::make_unique<MumpsFactor>(call, is_symmetric) : nullptr;
+}
+
+}  // namespace contactsim
+
+#else
+
+namespace contactsim {
+
+std::unique_ptr<SparseFactor> make_mumps_factor(bool /*is_symmetric*/) { return nullptr; }
+
+}  // namespace contactsim
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <memory>
+
+namespace contactsim {
+
+/// A factor of a sparse matrix, by which equations are solved. The same bits for any number of threads.
+class SparseFactor {
+ public:
+  using Matrix = Eigen::SparseMatrix<double>;
+
+  virtual ~SparseFactor() = default;
+  /// Returns false when there is no factor: the matrix is singular.
+  ///   matrix  whole, or the lower half of a symmetric one
+  virtual bool factorise(const Matrix& matrix) = 0;
+  /// The solution of matrix x = right. Precondition: the last factorise() was true.
+  virtual Eigen::VectorXd solve(const Eigen::VectorXd& right) const = 0;
+  /// Negative pivots of a symmetric matrix: as many directions have a negative stiffness.
+  virtual std::int64_t n_negative() const = 0;
+};
+
+/// The factor of the library MUMPS, which is loaded when first asked for, else Eigen's, which is ten times
+/// slower from some thousand unknowns on.
+std::unique_ptr<SparseFactor> make_sparse_factor(bool is_symmetric);
+
+/// Eigen's factor.
+std::unique_ptr<SparseFactor> make_eigen_factor(bool is_symmetric);
+
+/// MUMPS' factor, null where the library cannot be loaded. Source: MUMPS 5.5 Users' guide.
+std::unique_ptr<SparseFactor> make_mumps_factor(bool is_symmetric);
+
+}  // namespace contactsim
