@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
+#include "app/reports/wrap_text.hpp"
 #include "core/base/pluralize.hpp"
 
 namespace contactsim {
@@ -15,22 +15,6 @@ namespace contactsim {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A line of at most 120 columns, broken at blanks where there are some.
-std::string wrap_line(std::string_view line) {
-  constexpr std::size_t width = 120, indent = 6;
-  std::string text;
-  std::size_t room = width;
-  while (line.size() > room) {
-    const std::size_t blank = line.rfind(' ', room);
-    const bool breaks_here = blank != std::string_view::npos && blank > room / 2;
-    const std::size_t n = breaks_here ? blank : room;
-    text += std::string(line.substr(0, n)) + "\n" + std::string(indent, ' ');
-    line.remove_prefix(breaks_here ? n + 1 : n);
-    room = width - indent;
-  }
-  return text + std::string(line) + "\n";
-}
 
 Json value_json(const Difference::Value& value) {
   if (const double* number = std::get_if<double>(&value))
@@ -53,12 +37,12 @@ bool Tolerance::is_exceeded(double a, double b) const {
 std::string format_value(double value) { return fmt::format("{:.9g}", value); }
 
 std::string format_comparison(const FileComparison& comparison) {
-  if (comparison.differences.empty()) return wrap_line(fmt::format("{}: no differences", comparison.kind));
-  std::string text = wrap_line(
-      fmt::format("{}: {}", comparison.kind, pluralize(comparison.differences.size(), "difference")));
-  text += wrap_line("  first   " + comparison.first) + wrap_line("  second  " + comparison.second);
-  for (const Difference& difference : comparison.differences) text += wrap_line("  " + difference.text);
-  return text;
+  if (comparison.differences.empty()) return wrap_text(comparison.kind + ": no differences\n");
+  std::string text = fmt::format("{}: {}\n  first   {}\n  second  {}\n", comparison.kind,
+                                 pluralize(comparison.differences.size(), "difference"), comparison.first,
+                                 comparison.second);
+  for (const Difference& difference : comparison.differences) text += "  " + difference.text + "\n";
+  return wrap_text(text);
 }
 
 std::string format_comparison_json(const FileComparison& comparison) {

@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include "app/reports/surface_report.hpp"
+#include "app/reports/text_table.hpp"
 #include "core/base/pluralize.hpp"
 
 namespace contactsim {
 
 namespace {
-
-constexpr const char* row = "  {:<28} {:>9} {:>9} {:>9} {:>9} {:>9}\n";
 
 std::string format_counts(const DeathTally& tally) {
   SurfaceChange sum;
@@ -23,16 +22,17 @@ std::string format_counts(const DeathTally& tally) {
 }
 
 std::string format_changes(const DeathTally& tally, const ContactModel& contact) {
-  std::string text;
+  TextTable table(
+      2, 1,
+      {name_column("surface", 28), {"gained", 9}, {"lost", 9}, {"faces", 9}, {"lost", 9}, {"lofted", 9}});
   for (const SurfaceIndex i : indices(tally.changes)) {
     const SurfaceChange& change = tally.changes[i];
     const ContactSurface& surface = contact.surfaces.surfaces[i];
     if (!change.is_any()) continue;
-    text += fmt::format(row, surface.name, change.faces_gained, change.faces_lost, surface.faces.size(),
-                        change.lofted_lost, surface.lofted_elements.size());
+    table.add(surface.name, change.faces_gained, change.faces_lost, surface.faces.size(), change.lofted_lost,
+              surface.lofted_elements.size());
   }
-  if (text.empty()) return "";
-  return fmt::format(row, "surface", "gained", "lost", "faces", "lost", "lofted") + text;
+  return table.empty() ? "" : table.format();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/reports/wrap_text.hpp"
 #include "core/base/errors.hpp"
 
 namespace contactsim {
@@ -30,20 +31,21 @@ void Log::begin(bool keeps_earlier) {
     held_.insert(0, "\n");
   }
   has_begun_ = true;
-  write_to_file(held_);
+  file_ << held_ << std::flush;
   held_.clear();
 }
 
 void Log::write_to_file(std::string_view text) {
+  const std::string wrapped = wrap_text(text);
   if (has_begun_) {
-    file_ << text << std::flush;
+    file_ << wrapped << std::flush;
   } else {
-    held_ += text;
+    held_ += wrapped;
   }
 }
 
 void Log::write(std::string_view text) {
-  if (!is_quiet_) write_to(stdout, text);
+  if (!is_quiet_) write_to(stdout, wrap_text(text));
   write_to_file(text);
 }
 

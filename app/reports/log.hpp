@@ -11,7 +11,8 @@
 namespace contactsim {
 
 /// What the user reads: every text goes to standard output and to the log file, problems to standard error
-/// and to the log file.
+/// and to the log file. Lines are wrapped to line_width, but for problems on standard error, which editors
+/// read.
 class Log {
  public:
   /// Touches nothing that the file holds. Throws FileError when it cannot be written.

@@ -3,8 +3,9 @@
 
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
+#include "app/reports/text_table.hpp"
 #include "contact/enforcement/pair_history.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_summary.hpp"
@@ -15,8 +16,8 @@
 /// tables of two runs can be compared with diff.
 namespace contactsim {
 
-/// "both", "top" or "bottom".
-std::string_view name_of(ShellSides sides);
+/// An empty table of pairs: number and surfaces, with which its parts begin, then further columns.
+TextTable pair_table(std::vector<TextTable::Column> columns);
 
 /// The pair table before a run: surfaces, interaction, law, formulation, faces and nodes of both sides, how
 /// near they are; then the resolved settings of every interaction. Pairs of general or self contact without

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "app/reports/number.hpp"
+#include "app/reports/text_table.hpp"
 #include "core/base/pluralize.hpp"
 #include "core/elements/element_table.hpp"
 
@@ -21,16 +23,21 @@ double mass_of(const ModelBlock& block) {
 }  // namespace
 
 std::string format_model(const Model& model, const StepReport& at_start) {
-  constexpr const char* row = "  {:<24} {:>10} {:<9} {:<22} {:<24} {:>12}\n";
-  std::string text =
-      "\nModel\n" + fmt::format(row, "block", "elements", "type", "formulation", "material", "mass");
+  TextTable table(2, 1,
+                  {name_column("block", 24),
+                   {"elements", 10},
+                   name_column("type", 9),
+                   name_column("formulation", 22),
+                   name_column("material", 20),
+                   {"mass", 12}});
   double mass = 0.0;
   for (const ModelBlock& block : model.blocks) {
     mass += mass_of(block);
-    text += fmt::format(row, model.mesh->name({EntityKind::block, block.mesh_block}), block.n_elements,
-                        topology(block.element->shape).name, block.element->formulation, block.material,
-                        fmt::format("{:.6g}", mass_of(block)));
+    table.add(model.mesh->name({EntityKind::block, block.mesh_block}), block.n_elements,
+              topology(block.element->shape).name, block.element->formulation, block.material,
+              number(mass_of(block)));
   }
+  std::string text = "\nModel\n" + table.format();
   text += fmt::format("  mass {:.6g}, {} nodes held or driven\n", mass,
                       model.kinematic_constraints.nodes().size());
   if (!(at_start.stable_step > 0.0)) return text;  // of load steps

@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "app/reports/number.hpp"
+#include "app/reports/text_table.hpp"
 #include "core/base/pluralize.hpp"
 
 namespace contactsim {
 
 namespace {
-
-constexpr const char* smoothings_format = "      {:<22} {:<28} {:<15} {:>9} {:>11} {:>11}  {}\n";
 
 std::string describe_place(const RoundShape& shape) {
   const auto vector = [](Eigen::Vector3d v) {
@@ -31,43 +30,42 @@ std::string describe_place(const RoundShape& shape) {
   }
 }
 
-std::string format_shapes(const SmoothingShapes& smoothing, const std::string& surface,
-                          const SurfaceShapes& shapes) {
+std::string describe_unfitted(const SurfaceShapes& shapes) {
+  const std::string parts = pluralize(shapes.n_unfitted, "part");
+  if (!std::isfinite(shapes.least_residual)) return parts + " not round";
+  return fmt::format("{} not round, by {:.3g} of the radius at least", parts, shapes.least_residual);
+}
+
+void add_shapes(const std::string& smoothing, const std::string& surface, const SurfaceShapes& shapes,
+                TextTable& table) {
   static constexpr std::array kinds{"circumferential", "spherical", "toroidal"};
   const auto kind_of = [](const RoundShape& shape) { return kinds[static_cast<std::size_t>(shape.kind)]; };
-  std::string text;
   for (const RoundShape& shape : shapes.given)
-    text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(shape), "-", "of nodes", "-",
-                        describe_place(shape));
+    table.add(smoothing, surface, kind_of(shape), "-", "of nodes", "-", describe_place(shape));
   for (const FittedShape& fitted : shapes.fitted)
-    text += fmt::format(smoothings_format, smoothing.name, surface, kind_of(fitted.shape), fitted.n_faces,
-                        number(fitted.radius), number(fitted.residual), describe_place(fitted.shape));
-  if (shapes.n_unfitted > 0)
-    text +=
-        fmt::format(smoothings_format, smoothing.name, surface, "none", "-", "-", "-",
-                    fmt::format("{} not round{}", pluralize(shapes.n_unfitted, "part"),
-                                std::isfinite(shapes.least_residual)
-                                    ? fmt::format(", by {:.3g} of the radius at least", shapes.least_residual)
-                                    : ""));
+    table.add(smoothing, surface, kind_of(fitted.shape), fitted.n_faces, number(fitted.radius),
+              number(fitted.residual), describe_place(fitted.shape));
+  if (shapes.n_unfitted > 0) table.add(smoothing, surface, "none", "-", "-", "-", describe_unfitted(shapes));
   if (shapes.n_flat > 0 && shapes.fitted.empty())
-    text += fmt::format(smoothings_format, smoothing.name, surface, "flat", "-", "-", "-",
-                        pluralize(shapes.n_flat, "flat part"));
-  return text;
+    table.add(smoothing, surface, "flat", "-", "-", "-", pluralize(shapes.n_flat, "flat part"));
 }
 
 }  // namespace
 
 std::string format_smoothings(const ContactModel& model) {
-  std::string text;
+  TextTable table(6, 3,
+                  {name_column("smoothing", 16),
+                   name_column("surface", 20),
+                   name_column("shape", 15),
+                   {"faces", 8},
+                   {"radius", 11},
+                   {"residual", 11},
+                   text_column("where")});
   for (const SmoothingShapes& smoothing : model.smoothings) {
     for (const SurfaceIndex i : indices(smoothing.surfaces))
-      text += format_shapes(smoothing, model.surfaces.surfaces[i].name, smoothing.surfaces[i]);
+      add_shapes(smoothing.name, model.surfaces.surfaces[i].name, smoothing.surfaces[i], table);
   }
-  if (text.empty()) return "";
-  return "\nRound shapes of surfaces\n" +
-         fmt::format(smoothings_format, "smoothing", "surface", "shape", "faces", "radius", "residual",
-                     "where") +
-         text;
+  return table.empty() ? "" : "\nRound shapes of surfaces\n" + table.format();
 }
 
 }  // namespace contactsim

@@ -6,7 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/reports/csv.hpp"
-#include "app/reports/pair_report.hpp"
+#include "app/reports/interaction_report.hpp"
+#include "app/reports/number.hpp"
+#include "app/reports/text_table.hpp"
 #include "core/interface_laws/interface_law_table.hpp"
 
 namespace contactsim {
@@ -20,21 +22,33 @@ constexpr int n_area_digits = 12;
 
 double rounded(double area) { return std::stod(fmt::format("{:.{}g}", area, n_area_digits)); }
 
-constexpr const char* row_format = "{:>4}  {:<28} {:<22} {:>6} {:>9} {:>9} {:>9} {:>9} {:>8} {:>9} {:>13}\n";
+TextTable surface_table() {
+  return {0,
+          2,
+          {{"no", 4},
+           name_column("surface", 20),
+           name_column("made by", 16),
+           {"line", 5},
+           {"claimed", 8},
+           {"owned", 8},
+           {"triangle", 8},
+           {"quad", 8},
+           {"lofted", 7},
+           {"nodes", 8},
+           {"area", 11}}};
+}
 
 std::string format_rows(const ContactModel& model, const SurfaceSummaries& summaries) {
-  std::string text = fmt::format(row_format, "no", "surface", "made by", "line", "claimed", "owned",
-                                 "triangle", "quad", "lofted", "nodes", "area");
+  TextTable table = surface_table();
+  std::string planes;
   SurfaceSummary total;
   for (const SurfaceIndex i : indices(summaries)) {
     const ContactSurface& surface = model.surfaces.surfaces[i];
     const SurfaceSummary& s = summaries[i];
-    text += fmt::format(row_format, i.value + 1, surface.name, surface.command, surface.location.line,
-                        s.claimed, s.owned, s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes,
-                        fmt::format("{:.6g}", s.area));
-    if (!surface.analytic_planes.empty()) {
-      text += fmt::format("      {:<28} analytic facets: {}\n", "", surface.analytic_planes.size());
-    }
+    table.add(i.value + 1, surface.name, surface.command, surface.location.line, s.claimed, s.owned,
+              s.triangles, s.quadrilaterals, s.lofted_elements, s.nodes, number(s.area));
+    if (const std::size_t n_planes = surface.analytic_planes.size(); n_planes > 0)
+      planes += fmt::format("      analytic facets of {}: {}\n", surface.name, n_planes);
     total.claimed += s.claimed;
     total.owned += s.owned;
     total.triangles += s.triangles;
@@ -43,34 +57,30 @@ std::string format_rows(const ContactModel& model, const SurfaceSummaries& summa
     total.nodes += s.nodes;
     total.area += s.area;
   }
-  return text + fmt::format(row_format, "", "total", "", "", total.claimed, total.owned, total.triangles,
-                            total.quadrilaterals, total.lofted_elements, total.nodes,
-                            fmt::format("{:.6g}", total.area));
+  table.add("", "total", "", "", total.claimed, total.owned, total.triangles, total.quadrilaterals,
+            total.lofted_elements, total.nodes, number(total.area));
+  return table.format() + planes;
 }
 
 std::string format_lost_claims(const ContactModel& model) {
-  constexpr const char* lost_format = "      {:<28} {:<28} {:>9} {:>9} {:>9}\n";
-  std::string text;
+  TextTable table(
+      6, 2,
+      {name_column("surface", 28), name_column("lost to", 28), {"faces", 9}, {"lofted", 9}, {"nodes", 9}});
   for (const ContactSurface& surface : model.surfaces.surfaces) {
     for (const LostClaims& lost : surface.lost_to) {
-      text += fmt::format(lost_format, surface.name, model.surfaces.surfaces[lost.winner].name, lost.faces,
-                          lost.lofted, lost.nodes);
+      table.add(surface.name, model.surfaces.surfaces[lost.winner].name, lost.faces, lost.lofted, lost.nodes);
     }
   }
-  if (text.empty()) return "";
-  return "\nClaims lost to earlier surfaces\n" +
-         fmt::format(lost_format, "surface", "lost to", "faces", "lofted", "nodes") + text;
+  return table.empty() ? "" : "\nClaims lost to earlier surfaces\n" + table.format();
 }
 
 std::string format_warnings(const ContactModel& model) {
   if (model.surfaces.warnings.empty()) return "";
-  std::string text = "\nWarnings about surfaces\n";
-  text += fmt::format("      {:<28} {:>9} {:>6}  {}\n", "id", "count", "line", "text");
+  TextTable table(6, 1, {name_column("id", 28), {"count", 9}, {"line", 6}, text_column("text")});
   for (const SurfaceWarning& warning : model.surfaces.warnings) {
-    text += fmt::format("      {:<28} {:>9} {:>6}  {}\n", warning.id, warning.count, warning.location.line,
-                        warning.text);
+    table.add(warning.id, warning.count, warning.location.line, warning.text);
   }
-  return text;
+  return "\nWarnings about surfaces\n" + table.format();
 }
 
 Json to_json(const ContactModel& model, const ContactSurface& surface, const SurfaceSummary& s) {

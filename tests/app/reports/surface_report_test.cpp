@@ -138,5 +138,5 @@ TEST_CASE("the table tells of analytic facets", "[app][report]") {
                   "begin contact definition\ncontact surface ground contains floor\nend\n");
   const auto [code, out, err] = directory.run({"floor.i", "two_blocks.g", "--check"});
   CHECK(code == 0);
-  CHECK_THAT(out, Catch::Contains("\n                                   analytic facets: 1\n"));
+  CHECK_THAT(out, Catch::Contains("\n      analytic facets of ground: 1\n"));
 }

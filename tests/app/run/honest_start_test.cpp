@@ -218,7 +218,7 @@ TEST_CASE("the log tells the memory of contact, per face too", "[app][report]") 
                         .build();
   const auto [code, out, err] = TwoParts(mesh).run({"a.i"});
   CHECK(code == 0);
-  CHECK_THAT(out, Contains("block_1                      SKIN ALL BLOCKS") && Contains("2400"));
+  CHECK_THAT(out, Contains("block_1               SKIN ALL BLOCKS") && Contains("2400"));
   const std::size_t at = out.find("  contact takes ");
   REQUIRE(at != std::string::npos);
   const std::size_t bytes = std::stoull(out.substr(at + 16));
