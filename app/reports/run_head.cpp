@@ -10,6 +10,8 @@
 #include <ctime>
 #include <fstream>
 
+#include "app/reports/text_table.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -53,11 +55,20 @@ std::string format_run_head(const std::string& command_line, std::span<const std
 std::string format_estimate(const RunEstimate& estimate) {
   const std::string stable =
       estimate.stable_step > 0.0 ? fmt::format("stable time step  {:.6g}, ", estimate.stable_step) : "load ";
-  return fmt::format(
+  std::string text = fmt::format(
       "\nA run of this deck\n"
       "  {}steps of {:.6g} at the start\n"
       "  steps             {}, of {} elements: {:.3g} element-steps\n",
       stable, estimate.step, estimate.n_steps, estimate.n_elements, estimate.element_steps());
+  if (estimate.files.empty()) return text;
+  TextTable table(2, 1, {name_column("file", 40), {"steps", 9}, {"bytes", 15}});
+  std::uint64_t n_bytes = 0;
+  for (const OutputEstimate& file : estimate.files) {
+    table.add(file.path, file.n_states, file.n_bytes);
+    n_bytes += file.n_bytes;
+  }
+  if (estimate.files.size() > 1) table.add("in all", "", n_bytes);
+  return text + table.format();
 }
 
 std::string format_estimated_time(const RunEstimate& estimate, int n_threads) {

@@ -38,6 +38,28 @@ OutputWriters::AppendStep open_results(const OutputFileSettings& settings, const
       [writer](double time, const OutputWriters::FieldValues& values) { writer->write_step(time, values); };
 }
 
+OutputBytes measure_results(const OutputFileSettings& settings, const ResultsFile& file, const Mesh& mesh,
+                            std::span<const OutputField> fields) {
+  const FileBytes bytes = ResultsWriter::measure(mesh, make_text(settings, file.title), fields);
+  return {bytes.start, bytes.record};
+}
+
+/// Counts what a heartbeat has before its first line, and of a line.
+OutputBytes measure_heartbeat(const OutputFileSettings& settings, const HeartbeatFile& file,
+                              std::vector<std::string> names) {
+  HeartbeatStyle style = heartbeat_style(file.form);
+  if (file.form.has_units && !style.is_spyhis) style.units = file.dimensions;
+  std::uint64_t n_bytes = 0;
+  const std::vector<double> values(names.size(), 0.0);
+  HeartbeatWriter writer([&](std::string_view text) { n_bytes += text.size(); }, std::move(style),
+                         std::move(names), settings.clock);
+  writer.write(0.0, values);
+  const std::uint64_t n_first = n_bytes;
+  writer.write(0.0, values);
+  const std::uint64_t n_line = n_bytes - n_first;
+  return {n_first - n_line, n_line};
+}
+
 OutputWriters::AppendLine open_heartbeat(const OutputFileSettings& settings, const HeartbeatFile& file,
                                          std::vector<std::string> names) {
   HeartbeatStyle style = heartbeat_style(file.form);
@@ -60,6 +82,12 @@ OutputWriters make_output_writers(OutputFileSettings settings) {
           },
           [shared](const HeartbeatFile& file, std::vector<std::string> names) {
             return open_heartbeat(*shared, file, std::move(names));
+          },
+          [shared](const ResultsFile& file, const Mesh& mesh, std::span<const OutputField> fields) {
+            return measure_results(*shared, file, mesh, fields);
+          },
+          [shared](const HeartbeatFile& file, std::vector<std::string> names) {
+            return measure_heartbeat(*shared, file, std::move(names));
           }};
 }
 

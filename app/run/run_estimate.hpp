@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
+
+#include "core/output/output_plan.hpp"
 
 namespace contactsim {
 
@@ -12,6 +15,8 @@ struct RunEstimate {
   std::int64_t n_steps = 0;       ///< of that size, up to the termination time
   std::size_t n_elements = 0;     ///< with deformation
   double seconds_per_step = 0.0;  ///< of the clock, mean of those taken
+
+  std::vector<OutputEstimate> files;  ///< results, histories, heartbeats
 
   double element_steps() const { return static_cast<double>(n_steps) * static_cast<double>(n_elements); }
   double seconds() const { return static_cast<double>(n_steps) * seconds_per_step; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -75,6 +76,9 @@ RunEstimate Simulation::estimate() {
   estimate.n_steps = static_cast<std::int64_t>(std::ceil(left / estimate.step));
   for (const ModelBlock& block : run.setup.model.blocks)
     estimate.n_elements += block.is_rigid ? 0 : block.n_elements;
+  estimate.files = run.outputs.estimate(
+      run.state.time, left / static_cast<double>(std::max<std::int64_t>(estimate.n_steps, 1)),
+      estimate.n_steps);
   const double begun = clock_seconds();
   int n_steps = 0;
   while (!control().is_over(state().time, state().dt) && n_steps < max_steps &&

@@ -72,9 +72,41 @@ std::vector<StepTarget> OutputPlan::step_targets() const {
   return targets;
 }
 
+Mesh OutputPlan::results_mesh() const {
+  return rigid_part_.on(
+      with_node_sets(model_.mesh->with_side_sets(settings_.side_sets), settings_.node_sets));
+}
+
+std::vector<OutputEstimate> OutputPlan::estimate(double begin, double step, std::int64_t n_steps) {
+  std::vector<std::int64_t> n_due(results_.size() + heartbeats_.size(), 0);
+  for (std::int64_t i = 0; i <= n_steps; ++i) {
+    find_due({i, begin + static_cast<double>(i) * step, i == n_steps});
+    for (std::size_t k = 0; k < n_due.size(); ++k)
+      n_due[k] +=
+          (k < results_.size() ? results_[k].is_due : heartbeats_[k - results_.size()].is_due) ? 1 : 0;
+  }
+  std::vector<OutputEstimate> estimates;
+  const auto add = [&](const std::string& path, std::int64_t n_states, const OutputBytes& bytes) {
+    estimates.push_back({path, n_states, bytes.start + static_cast<std::uint64_t>(n_states) * bytes.step});
+  };
+  const Mesh no_mesh, mesh = results_mesh();
+  for (std::size_t k = 0; k < results_.size(); ++k) {
+    const PlannedResults& plan = results_[k].plan;
+    add(plan.file.path, n_due[k],
+        settings_.writers.measure_results(plan.file, plan.file.has_mesh ? mesh : no_mesh,
+                                          plan.fields.fields()));
+  }
+  for (std::size_t k = 0; k < heartbeats_.size(); ++k) {
+    const PlannedHeartbeat& plan = heartbeats_[k].plan;
+    if (plan.file.path.empty()) continue;
+    add(plan.file.path, n_due[results_.size() + k],
+        settings_.writers.measure_heartbeat(plan.file, value_names(plan.values)));
+  }
+  return estimates;
+}
+
 void OutputPlan::open_files() {
-  const Mesh no_mesh, mesh = rigid_part_.on(with_node_sets(model_.mesh->with_side_sets(settings_.side_sets),
-                                                           settings_.node_sets));
+  const Mesh no_mesh, mesh = results_mesh();
   for (auto& [plan, defined, append, is_due] : results_) {
     defined = plan.fields.fields();
     append = settings_.writers.open_results(plan.file, plan.file.has_mesh ? mesh : no_mesh, defined);

@@ -24,6 +24,13 @@ struct OutputSettings {
   bool always_computes = false;             ///< someone reads what the deck computes after every step
 };
 
+/// What a file of a run would come to.
+struct OutputEstimate {
+  std::string path;
+  std::int64_t n_states = 0;  ///< steps or lines
+  std::uint64_t n_bytes = 0;
+};
+
 /// Says what a region writes while it runs and when: results, history and heartbeat; and when it ends. Files
 /// are opened at the first call of write(). Asking for output changes nothing in the run.
 class OutputPlan {
@@ -61,6 +68,10 @@ class OutputPlan {
 
   /// The files that are written, in the order of the deck.
   std::vector<std::string> paths() const;
+  /// What they would hold after steps of one size from a time on, but for lines of MONITOR = RESTART. Not to
+  /// be written to afterwards. Precondition: the writers can measure.
+  ///   step  [time]
+  std::vector<OutputEstimate> estimate(double begin, double step, std::int64_t n_steps);
 
  private:
   struct Results {
@@ -78,6 +89,8 @@ class OutputPlan {
     void write(const State& state, const OutputContext& context);
   };
 
+  /// The mesh of results: with the sets and the rigid part that a run adds.
+  Mesh results_mesh() const;
   void open_files();
   bool find_due(const OutputTime& now);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -27,6 +28,12 @@ struct HeartbeatFile {
   std::vector<std::string> dimensions = {};  ///< of the values, in the order of their names
 };
 
+/// What a file that grows step by step takes [bytes].
+struct OutputBytes {
+  std::uint64_t start = 0;  ///< before the first step
+  std::uint64_t step = 0;   ///< of each step or line
+};
+
 /// What an output plan writes through: it decides what is written and when, these know files.
 struct OutputWriters {
   /// The values of a field by its position, [n_entities x n_components], good until the next call.
@@ -40,6 +47,11 @@ struct OutputWriters {
   std::function<AppendStep(const ResultsFile&, const Mesh&, std::span<const OutputField>)> open_results;
   /// Makes a file, or goes on with an older one. Throws FileError, also when called.
   std::function<AppendLine(const HeartbeatFile&, std::vector<std::string> names)> open_heartbeat;
+  /// What open_results would write, without a file.
+  std::function<OutputBytes(const ResultsFile&, const Mesh&, std::span<const OutputField>)> measure_results =
+      {};
+  /// What open_heartbeat would write, within the width of signs.
+  std::function<OutputBytes(const HeartbeatFile&, std::vector<std::string> names)> measure_heartbeat = {};
 };
 
 }  // namespace contactsim

@@ -78,6 +78,16 @@ void add_records(const ResultsText& text, ExodusDraft& draft) {
   draft.add_texts("info_records", {n_lines}, "len_line", std::move(info));
 }
 
+ResultsVariables define_results(const Mesh& mesh, const ResultsText& text,
+                                std::span<const OutputField> fields, ExodusDraft& draft) {
+  add_globals(text.title, draft);
+  add_records(text, draft);
+  add_mesh(mesh, draft);
+  add_sets(mesh, draft);
+  add_assemblies(mesh, draft);
+  return {mesh, fields, draft};
+}
+
 }  // namespace
 
 ResultsWriter::ResultsWriter(const std::string& path, const Mesh& mesh, const ResultsText& text,
@@ -86,15 +96,20 @@ ResultsWriter::ResultsWriter(const std::string& path, const Mesh& mesh, const Re
   const ExodusFormat format = choose_format(find_results_sizes(mesh, fields));
   NetcdfOutput file(path, format.is_large);
   ExodusDraft draft(file, format);
-  add_globals(text.title, draft);
-  add_records(text, draft);
-  add_mesh(mesh, draft);
-  add_sets(mesh, draft);
-  add_assemblies(mesh, draft);
-  variables_.emplace(mesh, fields, draft);
+  variables_ = define_results(mesh, text, fields, draft);
   draft.write();
   file.commit();
   records_.emplace(path);
+}
+
+FileBytes ResultsWriter::measure(const Mesh& mesh, const ResultsText& text,
+                                 std::span<const OutputField> fields) {
+  check_input("results", mesh);
+  const ExodusFormat format = choose_format(find_results_sizes(mesh, fields));
+  NetcdfOutput file(format.is_large);
+  ExodusDraft draft(file, format);
+  define_results(mesh, text, fields, draft);
+  return file.measure();
 }
 
 void ResultsWriter::write_step(double time, const Values& values) {

@@ -37,6 +37,10 @@ class ResultsWriter {
   ResultsWriter(const std::string& path, const Mesh& mesh, const ResultsText& text,
                 std::span<const OutputField> fields);
 
+  /// What such a file would take: with the mesh, and of each step. Writes nothing. Throws FileError for
+  /// blocks whose connectivity was not read.
+  static FileBytes measure(const Mesh& mesh, const ResultsText& text, std::span<const OutputField> fields);
+
   /// Gives the values of one field of the constructor.
   using Values = std::function<std::span<const double>(std::size_t field)>;
 

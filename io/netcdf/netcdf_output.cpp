@@ -23,10 +23,18 @@ nc_type to_nc_type(NetcdfType type) {
 static_assert(sizeof(long long) == sizeof(std::int64_t));
 static_assert(NetcdfOutput::global == NC_GLOBAL && NetcdfOutput::unlimited == NC_UNLIMITED);
 
-NetcdfOutput::NetcdfOutput(std::string path, bool large) : path_(std::move(path)), place_(path_) {
+NetcdfOutput::NetcdfOutput(std::string path, bool large)
+    : path_(std::move(path)), place_(path_), is_large_(large) {
   if (!place_.is_regular()) throw FileError(path_, "cannot be created (it is not a regular file)");
-  check(nc_create(place_.unfinished().c_str(), NC_CLOBBER | (large ? NC_64BIT_DATA : NC_64BIT_OFFSET), &id_),
-        "created");
+  create(place_.unfinished(), NC_CLOBBER);
+}
+
+NetcdfOutput::NetcdfOutput(bool large) : path_("results to be measured"), place_(path_), is_large_(large) {
+  create(place_.unfinished(), NC_DISKLESS);
+}
+
+void NetcdfOutput::create(const std::string& path, int mode) {
+  check(nc_create(path.c_str(), mode | (is_large_ ? NC_64BIT_DATA : NC_64BIT_OFFSET), &id_), "created");
   is_open_ = true;
   int ignored = 0;
   check(nc_set_fill(id_, NC_NOFILL, &ignored), "written");

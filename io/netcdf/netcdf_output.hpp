@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/files/output_place.hpp"
+#include "io/netcdf/measure_classic.hpp"
 
 namespace contactsim {
 
@@ -27,6 +28,8 @@ class NetcdfOutput {
 
   /// large  some variable passes largest_plain_variable or has 64-bit integers: CDF-5 in place of CDF-2
   NetcdfOutput(std::string path, bool large);
+  /// Definitions alone, in memory, to be measured: not to be written.
+  explicit NetcdfOutput(bool large);
   /// Removes what was not committed.
   ~NetcdfOutput();
   NetcdfOutput(const NetcdfOutput&) = delete;
@@ -37,6 +40,8 @@ class NetcdfOutput {
   void set_text(int variable, const std::string& attribute, const std::string& text);
   void set_number(int variable, const std::string& attribute, NetcdfType type, double value);
   void set_integer(int variable, const std::string& attribute, NetcdfType type, std::int64_t value);
+  /// What the file takes, by its definitions.
+  FileBytes measure() const { return measure_classic(id_, is_large_); }
   void end_definitions();
 
   void write(int variable, std::span<const std::int32_t> values);
@@ -49,12 +54,13 @@ class NetcdfOutput {
   void commit();
 
  private:
+  void create(const std::string& path, int mode);
   void check(int status, const std::string& what) const;
 
   std::string path_;
   OutputPlace place_;
   int id_ = -1;
-  bool is_open_ = false;
+  bool is_large_ = false, is_open_ = false;
 };
 
 }  // namespace contactsim

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What --check finds without a run, --strict and --quiet.
 #include <filesystem>
+#include <sstream>
 
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
@@ -59,6 +60,44 @@ TEST_CASE("a check that finds nothing tells what the run takes, and leaves no re
   // The clock is in the log alone.
   CHECK_THAT(boxes.read("a.log"), Contains("s of the clock") && Contains("MiB"));
   CHECK(boxes.run({"a.i", "--check"}).out == out);
+}
+
+namespace {
+
+/// What a check says that a file would take [bytes]; 0 without its row.
+std::uint64_t estimated_bytes(const std::string& out, const std::string& file) {
+  std::istringstream lines(out);
+  for (std::string line, name; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::uint64_t n_states = 0, n_bytes = 0;
+    if (words >> name && name == file && words >> n_states >> n_bytes) return n_bytes;
+  }
+  return 0;
+}
+
+void check_estimate(const ProgramDirectory& directory, const std::string& deck,
+                    const std::vector<std::string>& files) {
+  const auto checked = directory.run({deck, "--check"});
+  REQUIRE(checked.exit_code == 0);
+  REQUIRE(directory.run({deck}).exit_code == 0);
+  for (const std::string& file : files) {
+    INFO(file);
+    const auto written = static_cast<double>(directory.read(file).size());
+    CHECK(static_cast<double>(estimated_bytes(checked.out, file)) == Approx(written).epsilon(0.1));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a check tells the bytes of the files of a run within a tenth", "[app][check]") {
+  const Boxes boxes(contact + results("nodal displacement\nelement stress\nglobal kinetic_energy\n") +
+                    "begin heartbeat output\nstream name = a.csv\nat time 0 increment = 2e-5\nlabels = on\n"
+                    "global kinetic_energy\nglobal momentum\nend\n"
+                    "begin history output\ndatabase name = a.h\nglobal kinetic_energy\nend\n");
+  check_estimate(boxes, "a.i", {"a.e", "a.csv", "a.h"});
+  const ProgramDirectory directory;
+  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
+  check_estimate(directory, "two_blocks.i", {"two_blocks.e"});
 }
 
 TEST_CASE("a check finds what a run would refuse", "[app][check]") {
