@@ -174,7 +174,7 @@ RequestedFields::Field make_field(const VariableSelection& selection, const Mode
   made.range = range;
   made.field.name = name;
   made.field.location = selection.variable->location;
-  made.field.shape = selection.component ? FieldShape::scalar : selection.variable->shape;
+  made.field.shape = selection.is_one_of_several() ? FieldShape::scalar : selection.variable->shape;
   made.field.n_components = static_cast<int>(selection.n_components());
   if (made.field.location == FieldLocation::element) made.field.block = model.blocks[range.block].mesh_block;
   return made;
@@ -185,6 +185,7 @@ std::string field_name(const VariableRequest& request, const VariableSelection& 
   if (!request.alias.empty()) return request.alias;
   std::string name = request.variable.name.text;
   if (selection.point) name += fmt::format("{}{}", separator, *selection.point + 1);
+  if (selection.is_magnitude) return with_ending(name, separator, "magnitude");
   if (!selection.component) return name;
   const OutputVariable& variable = *selection.variable;
   return with_ending(

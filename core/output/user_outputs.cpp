@@ -116,7 +116,7 @@ class UserOutputMaker {
   }
 
   Storage store_like(const DeckName& name, FieldLocation location, const VariableSelection& selection) {
-    const FieldShape shape = selection.component ? FieldShape::scalar : selection.variable->shape;
+    const FieldShape shape = selection.is_one_of_several() ? FieldShape::scalar : selection.variable->shape;
     return store(name, location, shape, std::vector<double>(selection.n_components(), 0.0), {},
                  selection.variable->dimension);
   }

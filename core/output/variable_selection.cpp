@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "core/base/threads.hpp"
 
 namespace contactsim {
 
 namespace {
+
+constexpr std::string_view magnitude = "magnitude";
 
 constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
 
@@ -105,6 +108,7 @@ std::string list_components(const OutputVariable& variable) {
   std::string hint = "its components are";
   for (int c = 0; c < variable.n_components; ++c)
     hint += fmt::format(" {}", component_ending(variable.shape, c, variable.n_components));
+  if (variable.shape == FieldShape::vector) hint += fmt::format(" {}", magnitude);
   return hint;
 }
 
@@ -115,17 +119,22 @@ bool has_point(const OutputVariable& variable, const Model& model, std::size_t p
   return false;
 }
 
+double length_of(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
 // One piece of a range, small enough for the cache.
 void fill_piece(const VariableSelection& selection, const OutputContext& context, const EntityRange& range,
                 std::span<double> values) {
-  if (!selection.component) {
+  if (!selection.is_one_of_several()) {
     selection.variable->fill(context, range, values);
     return;
   }
   const auto n_components = static_cast<std::size_t>(selection.variable->n_components);
   std::vector<double> all(range.count * n_components);
   selection.variable->fill(context, range, all);
-  for (std::size_t i = 0; i < range.count; ++i) values[i] = all[i * n_components + *selection.component];
+  for (std::size_t i = 0; i < range.count; ++i) {
+    const double* components = &all[i * n_components];
+    values[i] = selection.is_magnitude ? length_of(components) : components[*selection.component];
+  }
 }
 
 }  // namespace
@@ -189,8 +198,10 @@ std::optional<VariableSelection> find_selection(const OutputVariables& variables
     return std::nullopt;
   }
   if (!reference.component.empty()) {
+    selection.is_magnitude =
+        selection.variable->shape == FieldShape::vector && reference.component == magnitude;
     selection.component = find_component(*selection.variable, reference.component);
-    if (!selection.component) {
+    if (!selection.is_one_of_several()) {
       problem.add(fmt::format("{} has no component '{}'", reference.name.text, reference.component),
                   list_components(*selection.variable));
       return std::nullopt;

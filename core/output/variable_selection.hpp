@@ -12,14 +12,17 @@
 
 namespace contactsim {
 
-/// What a command of the deck means by a variable: all of it, one component, one integration point.
+/// What a command of the deck means by a variable: all of it, one component, its length, one integration
+/// point.
 struct VariableSelection {
   const OutputVariable* variable = nullptr;
   std::optional<std::size_t> component;  ///< from 0; absent: all
   std::optional<std::size_t> point;      ///< integration point, from 0; absent: the mean of all
+  bool is_magnitude = false;             ///< the length of a vector in place of its components
 
+  bool is_one_of_several() const { return component || is_magnitude; }
   std::size_t n_components() const {
-    return component ? 1 : static_cast<std::size_t>(variable->n_components);
+    return is_one_of_several() ? 1 : static_cast<std::size_t>(variable->n_components);
   }
   /// Whether the elements of a block have it. Precondition: an element variable.
   bool is_in_block(const Model& model, std::size_t block) const;

@@ -38,6 +38,7 @@ TEST_CASE("variables are found by name, older spelling, component", "[core][outp
   CHECK(selection(variables, request(L::element, "stress", "xz"))->component == 5);
   CHECK(selection(variables, request(L::element, "stress", "4"))->component == 3);
   CHECK(selection(variables, request(L::element, "principal_stresses", "3"))->component == 2);
+  CHECK(selection(variables, request(L::nodal, "velocity", "magnitude"))->n_components() == 1);
   CHECK(selection(variables, request(L::any, "von_mises"))->variable->location == FieldLocation::element);
   CHECK(selection(variables, request(L::element, "strain_energy"))->variable->location ==
         FieldLocation::element);
@@ -60,9 +61,9 @@ TEST_CASE("what is unknown is a warning that helps", "[core][output]") {
   CHECK(warning(variables, request(L::face, "pressure")) ==
         "'pressure': variables of edges, faces and sets are not written; ");
   CHECK(warning(variables, request(L::nodal, "velocity", "xx")) ==
-        "velocity has no component 'xx'; its components are x y z");
+        "velocity has no component 'xx'; its components are x y z magnitude");
   CHECK(warning(variables, request(L::nodal, "velocity", "0")) ==
-        "velocity has no component '0'; its components are x y z");
+        "velocity has no component '0'; its components are x y z magnitude");
   CHECK(warning(variables, request(L::nodal, "mass", "x")) ==
         "mass has no component 'x'; it has one component");
 }
