@@ -38,16 +38,21 @@ void write_summary(const Diagnostics& warnings, Log& log) {
   log.write(warnings);
 }
 
-ExitCode run(const Options& options, Log& log, RunSummary& summary, ReportDraft& draft) {
+ExitCode run(const Options& options, StopSignals& signals, Log& log, RunSummary& summary,
+             ReportDraft& draft) {
   Diagnostics warnings;
   const auto work = [&] {
     try {
-      const ExitCode code = run_deck(options, log, warnings, summary, draft);
+      const ExitCode code = run_deck(options, signals, log, warnings, summary, draft);
       write_summary(warnings, log);
       summary.found = warnings;
       const bool is_too_strict = options.is_strict && code == ExitCode::done && !warnings.empty();
       if (is_too_strict) log.write_error("contactsim: warnings count as errors with --strict");
       return is_too_strict ? ExitCode::deck : code;
+    } catch (const StoppedBySignal& stop) {
+      log.write_error(fmt::format("stopped by {} before the first step", stop.signal));
+      summary.found = warnings;
+      return ExitCode::stopped;
     } catch (const DeckError& error) {
       log.write(error.diagnostics());
       log.write_error("contactsim: " + pluralize(error.diagnostics().error_count(), "error"));
@@ -63,11 +68,11 @@ ExitCode run(const Options& options, Log& log, RunSummary& summary, ReportDraft&
 }
 
 /// The run with its log, from beginning to end.
-ExitCode run_with_log(const Options& options, RunSummary& summary, ReportDraft& draft) {
+ExitCode run_with_log(const Options& options, StopSignals& signals, RunSummary& summary, ReportDraft& draft) {
   Log log(log_path(options), options.is_quiet);
   log.write(fmt::format("contactsim {}\n", version));
   log.write_to_file(format_run_head(options.command_line, options.definitions, omp_get_max_threads()));
-  const ExitCode code = run(options, log, summary, draft);
+  const ExitCode code = run(options, signals, log, summary, draft);
   summary.error_lines = log.errors();
   log.close();
   return code;
@@ -104,6 +109,7 @@ ExitCode start(const Options& options) {
   }
   if (options.n_threads > 0) omp_set_num_threads(options.n_threads);
   const auto libraries = find_report_libraries(options);
+  StopSignals signals;
   RunSummary summary = begin_summary(options);
   begin_summary_file(options, summary);
   ReportDraft draft;
@@ -111,7 +117,7 @@ ExitCode start(const Options& options) {
     std::fprintf(stderr, "%s\n", line.c_str());
     summary.error_lines.push_back(line);
   };
-  summary.exit_code = guard_exit([&] { return run_with_log(options, summary, draft); }, write_line);
+  summary.exit_code = guard_exit([&] { return run_with_log(options, signals, summary, draft); }, write_line);
   if (libraries) {
     const auto work = [&] { return write_report_file(options, draft, summary, *libraries), ExitCode::done; };
     const ExitCode code = guard_exit(work, write_line);

@@ -9,7 +9,6 @@
 
 #include "app/cli/read_run_deck.hpp"
 #include "app/cli/run_mesh.hpp"
-#include "app/cli/stop_signal.hpp"
 #include "app/cli/surface_stage.hpp"
 #include "app/reports/deck_report.hpp"
 #include "app/reports/overlap_report.hpp"
@@ -109,8 +108,7 @@ ExitCode estimate_run(Simulation& simulation, Log& log) {
 }
 
 /// The loop of a run.
-ExitCode run_steps(Simulation& simulation) {
-  StopSignals signals;
+ExitCode run_steps(Simulation& simulation, StopSignals& signals) {
   ExitCode code = ExitCode::done;
   try {
     simulation.begin();
@@ -126,9 +124,9 @@ ExitCode run_steps(Simulation& simulation) {
   return simulation.stopped_by() ? ExitCode::stopped : code;
 }
 
-ExitCode run_to_end(Simulation& simulation, RunSummary& summary) {
+ExitCode run_to_end(Simulation& simulation, StopSignals& signals, RunSummary& summary) {
   try {
-    const ExitCode code = run_steps(simulation);
+    const ExitCode code = run_steps(simulation, signals);
     note_run(simulation, summary);
     return code;
   } catch (...) {
@@ -139,8 +137,8 @@ ExitCode run_to_end(Simulation& simulation, RunSummary& summary) {
 
 }  // namespace
 
-ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSummary& summary,
-                  ReportDraft& draft) {
+ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagnostics& warnings,
+                  RunSummary& summary, ReportDraft& draft) {
   const auto [definition, digest, sources] = read_run_deck(
       {options.deck, options.definitions, options.is_lenient, options.includes_folder}, warnings);
   summary.deck_digest = format_digest(digest);
@@ -167,6 +165,7 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
   log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
   draft.has_mesh = true;
   if (summary.mesh) summary.mesh = {mesh_path, summary.mesh->digest, mesh.n_nodes(), mesh.n_elements()};
+  signals.end_if_stopped();
 
   ResolvedContact contact;
   if (region.contact || options.stage != Stage::run) {
@@ -176,6 +175,7 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
       draft.surfaces = format_surfaces_json(*contact.model, summarize(*contact.model, mesh));
     if (contact.code != ExitCode::done) return contact.code;
   }
+  signals.end_if_stopped();
   RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
   if (auto moved = part_overlaps(input, log, warnings)) {
     mesh = std::move(*moved);
@@ -189,8 +189,10 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
     return ExitCode::done;
   }
 
+  signals.end_if_stopped();
   input.overlaps = overlaps;
   Simulation simulation(input, run_settings(options, mesh, log), warnings);
+  signals.end_if_stopped();
   if (options.stage == Stage::check) return estimate_run(simulation, log);
   if (options.is_strict && !warnings.empty()) return ExitCode::done;
   RunLog run_log(log);
@@ -198,7 +200,7 @@ ExitCode run_deck(const Options& options, Log& log, Diagnostics& warnings, RunSu
   if (options.report)
     simulation.observe([&](RunEvent event, const Simulation& run) { draft.curves.look(event, run); });
   draft.output_paths = simulation.output_paths();
-  return run_to_end(simulation, summary);
+  return run_to_end(simulation, signals, summary);
 }
 
 }  // namespace contactsim

@@ -2,6 +2,7 @@
 #include "app/cli/stop_signal.hpp"
 
 #include <csignal>
+#include <utility>
 
 namespace contactsim {
 
@@ -40,6 +41,10 @@ StopSignals::~StopSignals() {
 std::optional<std::string> StopSignals::find_stop() const {
   if (signal_to_end == 0) return std::nullopt;
   return signal_to_end == SIGINT ? "SIGINT" : "SIGTERM";
+}
+
+void StopSignals::end_if_stopped() const {
+  if (auto signal = find_stop()) throw StoppedBySignal{std::move(*signal)};
 }
 
 bool StopSignals::take_restart_wish() {

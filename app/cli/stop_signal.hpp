@@ -7,6 +7,11 @@
 
 namespace contactsim {
 
+/// Thrown where a run ends before its first step because a signal came.
+struct StoppedBySignal {
+  std::string signal;  ///< its name
+};
+
 /// What the system may ask of a run while it lasts: to end after the step (SIGTERM, SIGINT) or to write a
 /// restart file (SIGUSR1). Who asks a second time to end ends the process. There is one of these at a time.
 class StopSignals {
@@ -19,6 +24,8 @@ class StopSignals {
 
   /// The name of the signal that ends the run, if one came.
   std::optional<std::string> find_stop() const;
+  /// Throws StoppedBySignal if one came: to be called between the parts of what comes before a run.
+  void end_if_stopped() const;
   /// Whether a restart file was asked for since the last call.
   bool take_restart_wish();
 };

@@ -129,6 +129,18 @@ TEST_CASE("a run that a signal stops says so in its summary", "[app][summary]") 
   CHECK(summary["run"]["steps"].is_number());
 }
 
+TEST_CASE("a run that a signal stops while it is set up says so as well", "[app][summary]") {
+  const ProgramDirectory directory;
+  directory.copy_decks({"impact.i", "impact.g"});
+  // The summary is written before the deck is read.
+  const auto stopped = directory.run_and_signal({"impact.i", "--summary", "s.json"}, "s.json", SIGTERM);
+  CHECK(stopped.exit_code == 5);
+  CHECK_THAT(stopped.err, Contains("stopped by SIGTERM"));
+  const json summary = json::parse(directory.read("s.json"));
+  CHECK(summary["state"] == "stopped");
+  CHECK(summary["exit_code"] == 5);
+}
+
 TEST_CASE("a run that is killed leaves a summary that says running", "[app][summary]") {
   const ProgramDirectory directory;
   directory.copy_decks({"impact.i", "impact.g"});
