@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "app/compare/compare_pairs.hpp"
 #include "app/compare/facet_moves.hpp"
 #include "app/compare/surface_names.hpp"
 #include "core/base/pluralize.hpp"
@@ -127,28 +128,32 @@ void add_faces(const TwoTables& tables, const std::vector<FacetMatch>& matches,
   }
 }
 
-/// Who keeps how much away from whom, by name: those of the first table by their names in the second.
-std::map<std::pair<std::string, std::string>, std::int64_t> lost_claims(
-    const OwnershipTable& table, const std::map<std::string, std::string>& new_names) {
-  const auto renamed = [&](const std::string& name) {
-    const auto found = new_names.find(name);
-    return found == new_names.end() ? name : found->second;
-  };
+/// The names of the second table for surfaces of the first, by their names there.
+NewNames names_in_second(const TwoTables& tables) {
+  NewNames new_names;
+  for (std::size_t i = 0; i < tables.partners.size(); ++i) {
+    if (tables.partners[i])
+      new_names[tables.first.surfaces[i].name] = tables.second.surfaces[*tables.partners[i]].name;
+  }
+  return new_names;
+}
+
+/// Who keeps how much away from whom, by name.
+///   new_names  of the surfaces
+std::map<std::pair<std::string, std::string>, std::int64_t> lost_claims(const OwnershipTable& table,
+                                                                        const NewNames& new_names) {
   std::map<std::pair<std::string, std::string>, std::int64_t> lost;
   for (const TableSurface& surface : table.surfaces) {
-    for (const auto& [winner, n] : surface.lost_to) lost[{renamed(winner), renamed(surface.name)}] += n;
+    for (const auto& [winner, n] : surface.lost_to)
+      lost[{renamed(winner, new_names), renamed(surface.name, new_names)}] += n;
   }
   return lost;
 }
 
 /// Moves that show by claims: what a winner kept away from a loser before, and does no more.
 void add_lost_claims(const TwoTables& tables, std::vector<Difference>& differences) {
-  std::map<std::string, std::string> new_names;
-  for (std::size_t i = 0; i < tables.partners.size(); ++i) {
-    if (tables.partners[i])
-      new_names[tables.first.surfaces[i].name] = tables.second.surfaces[*tables.partners[i]].name;
-  }
-  const auto before = lost_claims(tables.first, new_names), after = lost_claims(tables.second, {});
+  const auto before = lost_claims(tables.first, names_in_second(tables)),
+             after = lost_claims(tables.second, {});
   std::set<std::pair<std::string, std::string>> ends;
   for (const auto& [winner_loser, n] : before) ends.insert(winner_loser);
   for (const auto& [winner_loser, n] : after) ends.emplace(winner_loser.second, winner_loser.first);
@@ -185,33 +190,6 @@ void add_figures(const TwoTables& tables, std::vector<Difference>& differences) 
   }
 }
 
-void add_pairs(const OwnershipTable& first, const OwnershipTable& second,
-               std::vector<Difference>& differences) {
-  std::map<std::string, std::map<std::string, std::string>> of_first, of_second;
-  for (const TablePair& p : first.pairs) of_first[p.name].insert(p.settings.begin(), p.settings.end());
-  for (const TablePair& p : second.pairs) of_second[p.name].insert(p.settings.begin(), p.settings.end());
-  const auto add_lone = [&](const char* kind, const char* where, const auto& one, const auto& other) {
-    for (const auto& [name, settings] : one) {
-      if (!other.contains(name))
-        differences.push_back({kind, fmt::format("only in the {}: pair {}", where, name), {{"pair", name}}});
-    }
-  };
-  add_lone("pair_only_in_first", "first", of_first, of_second);
-  add_lone("pair_only_in_second", "second", of_second, of_first);
-  for (auto& [name, a] : of_first) {
-    const auto found = of_second.find(name);
-    if (found == of_second.end()) continue;
-    for (const auto& [key, value] : a) found->second.try_emplace(key, "absent");
-    for (const auto& [key, value] : found->second) {
-      const std::string& before = a.try_emplace(key, "absent").first->second;
-      if (before == value) continue;
-      differences.push_back({"pair",
-                             fmt::format("pair {}: {} {} -> {}", name, key, before, value),
-                             {{"pair", name}, {"setting", key}, {"first", before}, {"second", value}}});
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Difference> compare_ownership(const OwnershipTable& first, const OwnershipTable& second,
@@ -232,7 +210,7 @@ std::vector<Difference> compare_ownership(const OwnershipTable& first, const Own
     add_lost_claims(tables, differences);
   }
   if (first.has_figures && second.has_figures) add_figures(tables, differences);
-  if (first.has_pairs && second.has_pairs) add_pairs(first, second, differences);
+  if (first.has_pairs && second.has_pairs) add_pairs(first, second, names_in_second(tables), differences);
   if (by_facets && lists_faces) add_faces(tables, matches, differences);
   return differences;
 }

@@ -35,9 +35,10 @@ TableSurface surface_of(const Json& row) {
 }
 
 TablePair pair_of(const Json& row) {
-  TablePair pair;
-  pair.name = fmt::format("{} - {} ({})", row.at("first").get<std::string>(),
-                          row.at("second").get<std::string>(), row.value("interaction", ""));
+  TablePair pair{row.at("first").get<std::string>(),
+                 row.at("second").get<std::string>(),
+                 row.value("interaction", ""),
+                 {}};
   for (const auto& [key, value] : row.items()) {
     if (key == "first" || key == "second" || key == "interaction" || key == "line") continue;
     pair.settings.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());

@@ -28,7 +28,7 @@ struct TableFacet {
 
 /// Two surfaces that may touch: what a table says of them, as names and texts.
 struct TablePair {
-  std::string name;  ///< "first - second (interaction)"
+  std::string first, second, interaction;  ///< names
   std::vector<std::pair<std::string, std::string>> settings;
 };
 

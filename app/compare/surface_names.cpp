@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "app/compare/describe_order.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -28,6 +30,33 @@ void add_pair_of_names(const char* kind, const std::string& text, const std::str
 
 bool has_same_figures(const TableSurface& a, const TableSurface& b) {
   return a.kind == b.kind && a.figures == b.figures;
+}
+
+/// The surfaces whose names went round: each is in the second what the next one was in the first. Empty when
+/// that of one of them is not in the first.
+std::vector<std::size_t> find_ring(std::size_t begin, const OwnershipTable& second,
+                                   const NamePositions& in_first, const Partners& same) {
+  std::vector<std::size_t> ring;
+  for (std::size_t i = begin; ring.size() < same.size();) {
+    ring.push_back(i);
+    if (!same[i]) break;
+    const auto next = in_first.find(second.surfaces[*same[i]].name);
+    if (next == in_first.end()) break;
+    i = next->second;
+    if (i == begin) return ring;
+  }
+  return {};
+}
+
+void add_ring(const OwnershipTable& table, const std::vector<std::size_t>& ring,
+              std::vector<Difference>& differences) {
+  const auto name = [&](std::size_t i) -> const std::string& { return table.surfaces[ring[i]].name; };
+  if (ring.size() == 2)
+    return add_pair_of_names("swapped", fmt::format("swapped: '{}' and '{}'", name(0), name(1)), name(0),
+                             name(1), differences);
+  std::string text = fmt::format("'{}'", name(0));
+  for (std::size_t i = 1; i <= ring.size(); ++i) text += fmt::format(" is '{}'", name(i % ring.size()));
+  differences.push_back({"permuted", fmt::format("permuted: {} in the second", text), {{"surfaces", text}}});
 }
 
 /// "a, b, c"
@@ -57,23 +86,24 @@ Partners match_surfaces(const OwnershipTable& first, const OwnershipTable& secon
   const NamePositions in_first = positions_by_name(first), in_second = positions_by_name(second);
   Partners partners(first.surfaces.size());
   for (std::size_t i = 0; i < partners.size(); ++i) {
+    if (const auto found = in_second.find(first.surfaces[i].name); found != in_second.end())
+      partners[i] = found->second;
+  }
+  const Partners by_name = partners;
+  for (std::size_t i = 0; i < partners.size(); ++i) {
     const std::string& name = first.surfaces[i].name;
-    if (const auto found = in_second.find(name); found != in_second.end()) partners[i] = found->second;
-    if (!same[i] || same[i] == partners[i]) continue;
+    if (!same[i] || same[i] == by_name[i]) continue;
     const std::string& new_name = second.surfaces[*same[i]].name;
-    const auto other = in_first.find(new_name);
-    if (!partners[i] && other == in_first.end()) {
+    if (!by_name[i] && !in_first.contains(new_name)) {
       partners[i] = same[i];
       add_pair_of_names("renamed", fmt::format("renamed: '{}' is '{}' in the second", name, new_name), name,
                         new_name, differences);
       continue;
     }
-    const bool is_swap = partners[i] && other != in_first.end() && same[other->second] == partners[i];
-    if (!is_swap) continue;
+    const std::vector<std::size_t> ring = find_ring(i, second, in_first, same);
+    if (ring.empty()) continue;
     partners[i] = same[i];
-    if (i < other->second)
-      add_pair_of_names("swapped", fmt::format("swapped: '{}' and '{}'", name, new_name), name, new_name,
-                        differences);
+    if (i == std::ranges::min(ring)) add_ring(first, ring, differences);
   }
   return partners;
 }
@@ -114,9 +144,14 @@ void add_unmatched_surfaces(const OwnershipTable& first, const OwnershipTable& s
   if (std::ranges::is_sorted(of_second) || has_same_order_of_names(first, second, of_first.size())) return;
   std::vector<std::size_t> sorted = of_second;
   std::ranges::sort(sorted);
-  const std::string before = list_names(first, of_first), after = list_names(second, sorted);
-  differences.push_back(
-      {"order", fmt::format("order: {} -> {}", before, after), {{"from", before}, {"to", after}}});
+  std::vector<std::string> names;
+  std::vector<std::size_t> places;
+  for (const std::size_t i : of_first) names.push_back(first.surfaces[i].name);
+  for (const std::size_t j : of_second)
+    places.push_back(static_cast<std::size_t>(std::ranges::lower_bound(sorted, j) - sorted.begin()));
+  differences.push_back({"order",
+                         "order: " + describe_order(names, places),
+                         {{"from", list_names(first, of_first)}, {"to", list_names(second, sorted)}}});
 }
 
 }  // namespace contactsim

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/compare/surface_names.hpp"
 
+#include <algorithm>
+
 #include "app/compare/compare_ownership.hpp"
 #include "support/catch.hpp"
 
@@ -44,4 +46,55 @@ TEST_CASE("claims that a winner keeps no more have moved", "[app][compare]") {
   first.surfaces[1].lost_to = {{"top", 3}};
   CHECK(texts(first, second) == Lines{"moved: 3 facets from 'top' to 'left'", "changed: 'top' owned 4 -> 1",
                                       "changed: 'left' owned 6 -> 9"});
+}
+
+namespace {
+
+std::vector<std::pair<std::string, double>> forty_surfaces() {
+  std::vector<std::pair<std::string, double>> surfaces;
+  for (int i = 0; i < 40; ++i) surfaces.emplace_back("s" + std::to_string(i + 1), 100.0 + i);
+  return surfaces;
+}
+
+/// General contact of all with all, in the order of the table.
+OwnershipTable with_pairs(OwnershipTable table) {
+  table.has_pairs = true;
+  for (std::size_t i = 0; i < table.surfaces.size(); ++i) {
+    for (std::size_t j = i + 1; j < table.surfaces.size(); ++j)
+      table.pairs.push_back(
+          {table.surfaces[i].name, table.surfaces[j].name, "general contact", {{"law", "frictionless"}}});
+  }
+  return table;
+}
+
+}  // namespace
+
+TEST_CASE("names that went round are one line", "[app][compare]") {
+  CHECK(texts(table_of({{"a", 5}, {"b", 6}, {"c", 7}}), table_of({{"b", 5}, {"c", 6}, {"a", 7}})) ==
+        Lines{"permuted: 'a' is 'b' is 'c' is 'a' in the second"});
+  auto turned = forty_surfaces();
+  for (std::size_t i = 0; i < 40; ++i) turned[i].second = 100.0 + static_cast<double>((i + 1) % 40);
+  CHECK(texts(with_pairs(table_of(forty_surfaces())), with_pairs(table_of(turned))).size() == 2);
+}
+
+TEST_CASE("another order of forty surfaces with all their pairs is two lines", "[app][compare]") {
+  const OwnershipTable first = with_pairs(table_of(forty_surfaces()));
+  auto surfaces = forty_surfaces();
+  std::swap(surfaces[2], surfaces[16]);
+  // 13 between and the two themselves: each of the 13 with both, and the two.
+  CHECK(texts(first, with_pairs(table_of(surfaces))) ==
+        Lines{"order: 's3' and 's17', 3 and 17 of 40, change places",
+              "first and second change places in 27 pairs"});
+  surfaces = forty_surfaces();
+  std::ranges::rotate(surfaces, surfaces.begin() + 1);
+  CHECK(texts(first, with_pairs(table_of(surfaces))) ==
+        Lines{"order: 's1' goes from place 1 to 40 of 40", "first and second change places in 39 pairs"});
+}
+
+TEST_CASE("a renamed surface has the pairs that it had", "[app][compare]") {
+  OwnershipTable first = with_pairs(table_of({{"a", 5}, {"b", 6}, {"c", 7}}));
+  OwnershipTable second = with_pairs(table_of({{"z", 5}, {"b", 6}, {"c", 7}}));
+  second.pairs[0].settings = {{"law", "friction 0.3"}};
+  CHECK(texts(first, second) == Lines{"renamed: 'a' is 'z' in the second",
+                                      "pair b - z (general contact): law frictionless -> friction 0.3"});
 }

@@ -53,7 +53,7 @@ TEST_CASE("what follows a long name stands on the next line, and names stay whol
   table.add(1, first, second, 12);
   table.add(2, "lid", "box", 3);
   CHECK(table.format() ==
-        "  no  first                 second                 faces\n"
+        "  no  first                 second                faces\n"
         "   1  " +
             first + "\n" + std::string(28, ' ') + second + "\n" + std::string(53, ' ') +
             "12\n"
