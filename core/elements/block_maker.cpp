@@ -24,7 +24,8 @@ void BlockMaker::add(std::uint32_t index, std::span<const std::string> names,
   block_id_ = mesh_.blocks()[index].id;
   if (parameters == nullptr) {
     add_error(model_.name.location,
-              fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text), "");
+              fmt::format("{} has no PARAMETERS FOR BLOCK in '{}'", block_name_, model_.name.text),
+              "INCLUDE ALL BLOCKS in one of them takes all that no other names");
     return;
   }
   auto block = make(topology(mesh_.blocks()[index].shape).family, index, *parameters);

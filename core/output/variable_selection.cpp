@@ -19,13 +19,17 @@ constexpr std::string_view magnitude = "magnitude";
 constexpr std::array all_locations{FieldLocation::node, FieldLocation::element, FieldLocation::global};
 
 // Variables of Sierra/SM that no run has, or not with any material, and what others call ours.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 10> foreign_variables{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> foreign_variables{{
     {"element_shape", "contactsim judges no element shapes"},
     {"tearing_parameter", "materials that fail have it"},
     {"temperature", "nothing is heated here"},
     {"contact_force", "here it is called force_contact"},
     {"mises", "here it is called von_mises"},
     {"peeq", "here it is called eqps"},
+    {"equivalent_plastic_strain", "here it is called eqps"},
+    {"effective_plastic_strain", "here it is called eqps"},
+    {"plastic_strain", "here it is called eqps"},
+    {"reaction_force", "here it is called reaction"},
     {"u", "here it is called displacement"},
     {"v", "here it is called velocity"},
     {"a", "here it is called acceleration"},

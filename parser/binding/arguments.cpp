@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/binding/arguments.hpp"
+#include "parser/text/word_grammar.hpp"
 
 #include <fmt/format.h>
 
@@ -103,6 +104,9 @@ bool Arguments::on_off() {
 DeckName Arguments::name() { return read(take_name, "after"); }
 
 DeckName Arguments::reference(NameKind kind) {
+  if (kind == NameKind::direction && words_.size() > 1 && is_number(peek().text))
+    fail_here(fmt::format("expected the name of a direction after '{}', found {}", what_, quote(peek())),
+              "DEFINE DIRECTION <name> WITH VECTOR <x> <y> <z> at the top of the deck gives it one");
   notes_.referred.push_back({kind, name()});
   return notes_.referred.back().name;
 }

@@ -74,9 +74,10 @@ KnownNames& DeckNames::known_in(const Home& home) {
   if (found != known_.end()) return found->second;
   const NameKindText& text = text_of(home.second);
   const DeckName& name = blocks_[home.first].name;
-  KnownNames& known =
-      known_.try_emplace(home, std::string(text.word), fmt::format(fmt::runtime(text.owner), name.text))
-          .first->second;
+  KnownNames& known = known_
+                          .try_emplace(home, std::string(text.word),
+                                       fmt::format(fmt::runtime(text.owner), name.text), text.made_by)
+                          .first->second;
   for (const std::string_view built_in : text.built_in) known.add_built_in(built_in, text.redefines_built_in);
   if (is_fragment_ && text.home != NameKind::contact_definition) known.allow_unknown();
   return known;

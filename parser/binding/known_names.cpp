@@ -34,7 +34,8 @@ std::vector<std::size_t> KnownNames::look_up(const DeckName& reference, Diagnost
   if (allows_unknown_ || knows(reference.text)) return find(reference.text);
   std::string hint = suggest(reference.text, spellings_);
   if (hint.empty() && spellings_.empty())
-    hint = fmt::format("{} has no {}", owner_.empty() ? "the deck" : owner_, kind_);
+    hint = fmt::format("{} has no {}{}{}", owner_.empty() ? "the deck" : owner_, kind_,
+                       made_by_.empty() ? "" : ": ", made_by_);
   constexpr std::size_t most_listed = 8;
   if (hint.empty() && !spellings_.empty() && spellings_.size() <= most_listed)
     hint = fmt::format("{} has {}", owner_.empty() ? "the deck" : owner_, fmt::join(spellings_, ", "));

@@ -18,8 +18,9 @@ class KnownNames {
  public:
   /// kind   as messages say it: "function"
   /// owner  what the definitions belong to, if not to the deck: "the material 'steel'"
-  explicit KnownNames(std::string kind, std::string owner = "")
-      : kind_(std::move(kind)), owner_(std::move(owner)) {}
+  /// made_by  the line that makes a definition, told where there is none
+  explicit KnownNames(std::string kind, std::string owner = "", std::string_view made_by = "")
+      : kind_(std::move(kind)), owner_(std::move(owner)), made_by_(made_by) {}
 
   /// Adds a definition. A second one of the same name is an error there, and stands for the name as well. An
   /// empty name is passed over.
@@ -48,7 +49,7 @@ class KnownNames {
 
   std::string name_for_message(const DeckName& name) const;
 
-  std::string kind_, owner_;
+  std::string kind_, owner_, made_by_;
   std::vector<std::string> spellings_;  ///< in the order of definition
   std::unordered_map<std::string, Entry> by_name_;
   bool allows_unknown_ = false;

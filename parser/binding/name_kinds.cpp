@@ -28,6 +28,13 @@ NameKindText friction_model_text() {
   for (const BuiltInFriction& built_in : built_in_friction) text.built_in.push_back(built_in.name);
   text.redefines_built_in = true;
   text.mistake = {NameKind::material, "cohesive materials as friction models are not supported"};
+  text.made_by = "BEGIN CONSTANT FRICTION MODEL <name>, say";
+  return text;
+}
+
+NameKindText direction_text() {
+  NameKindText text{NameKind::direction, "direction"};
+  text.made_by = "DEFINE DIRECTION <name> WITH VECTOR <x> <y> <z>";
   return text;
 }
 
@@ -36,7 +43,7 @@ std::vector<NameKindText> make_texts() {
   using K = NameKind;
   return {
       {K::point, "point"},
-      {K::direction, "direction"},
+      direction_text(),
       {K::axis, "axis", {}, {}, Counts::when_used},
       {K::coordinate_system, "coordinate system", {}, {}, Counts::when_used},
       function_text(),

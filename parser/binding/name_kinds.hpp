@@ -61,6 +61,7 @@ struct NameKindText {
     std::string_view hint;
   };
   std::optional<Mistake> mistake = {};
+  std::string_view made_by = {};  ///< the line that makes one, for decks that have none
 };
 
 const NameKindText& text_of(NameKind kind);

@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "parser/binding/given_rows.hpp"
+#include "parser/binding/meant_words.hpp"
 #include "parser/text/syntax.hpp"
 #include "parser/text/word_grammar.hpp"
 
@@ -51,6 +52,8 @@ void report_unknown(const Item& item, const Block& block, const TableText& table
   } else if (!other.empty()) {
     hint = is_block ? fmt::format("'{}' is a command line here, not a block", other)
                     : fmt::format("'{0}' is a block here: begin {0}", other);
+  } else if (!is_block) {
+    hint = find_meaning(words, block.title, table);
   }
   const std::size_t n_shown = 4;
   std::string text =
@@ -165,6 +168,13 @@ void note_findings(const Arguments& arguments, const RowText& row, Binding& bind
   for (const Diagnostic& warning : arguments.warnings()) binding.diagnostics.add(warning);
   assert(declares(row, arguments.notes()));
   if (binding.names != nullptr) binding.names->note(row.phrase, arguments.notes());
+}
+
+void note_open_names(const Arguments& arguments, const RowText& row, Binding& binding) {
+  if (binding.names == nullptr) return;
+  NameNotes notes;
+  notes.left_open = arguments.notes().left_open;
+  binding.names->note(row.phrase, notes);
 }
 
 BlockHead head_of(const Block& block, const RowText& row, const MatchedItem& matched) {

@@ -53,6 +53,8 @@ std::vector<DeckName> block_names(const Block& block, std::string_view phrase);
 Arguments make_arguments(const Command& command, const MatchedItem& matched);
 /// What the reading of a command's arguments found besides its values: warnings and names.
 void note_findings(const Arguments& arguments, const RowText& row, Binding& binding);
+/// Of a line that could not be read: that the mesh gives further names, lest what names them be wrong too.
+void note_open_names(const Arguments& arguments, const RowText& row, Binding& binding);
 
 BlockHead head_of(const Block& block, const RowText& row, const MatchedItem& matched);
 
@@ -120,8 +122,13 @@ class Table {
                    [&](Binding& within) { row.read_block(*inner, head.name, target, within); });
       } else {
         Arguments arguments = make_arguments(std::get<Command>(item.value), matched);
-        row.read_command(arguments, target);
-        arguments.expect_end();
+        try {
+          row.read_command(arguments, target);
+          arguments.expect_end();
+        } catch (const ArgumentError&) {
+          note_open_names(arguments, row.text, binding);
+          throw;
+        }
         note_findings(arguments, row.text, binding);
       }
     });

@@ -21,6 +21,10 @@ void read_contains(Arguments& arguments, ContactDefinition& contact) {
 }
 
 void read_skin_all_blocks(Arguments& arguments, ContactDefinition& contact) {
+  if (arguments.at_end()) {
+    arguments.leave_open(NameKind::contact_surface);  // lest every name of a block be an error too
+    arguments.fail_here("expected '= ON' after 'skin all blocks'", "write SKIN ALL BLOCKS = ON");
+  }
   const bool is_on = arguments.on_off();
   SkinAllBlocks skin{arguments.location(), {}};
   if (arguments.accept("exclude")) {

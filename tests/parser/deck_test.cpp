@@ -98,13 +98,14 @@ TEST_CASE("a deck of one contact definition alone is accepted", "[parser][deck]"
 
 TEST_CASE("contact commands beside a contact definition are not understood", "[parser][deck]") {
   CHECK(parsed("begin contact definition\nend\ncontact surface a contains b\n").messages ==
-        "a.i:3:1: error: unknown command 'contact surface a contains ...' in the deck's top level\n");
+        "a.i:3:1: error: unknown command 'contact surface a contains ...' in the deck's top level; "
+        "it belongs into BEGIN CONTACT DEFINITION\n");
 }
 
 TEST_CASE("what stands outside the SIERRA block is not understood", "[parser][deck]") {
   CHECK(parsed("begin sierra\nend\nbegin sierra two\nend\ntitle x\n").messages ==
         "a.i:3:1: error: a second BEGIN SIERRA in one deck; the first stands at a.i:1:1\n"
-        "a.i:5:1: error: unknown command 'title x' in the deck's top level\n");
+        "a.i:5:1: error: unknown command 'title x' in the deck's top level; it belongs into BEGIN SIERRA\n");
 }
 
 TEST_CASE("a misspelt SIERRA block is recognised", "[parser][deck]") {

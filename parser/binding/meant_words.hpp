@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "parser/binding/table_text.hpp"
+
+namespace contactsim {
+
+/// What a line may mean that its block does not know and that is spelled like none: "" when nothing comes to
+/// mind.
+///   title  of the block
+std::string find_meaning(std::span<const Word> words, std::span<const Word> title, const TableText& table);
+
+}  // namespace contactsim
