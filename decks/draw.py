@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Draws the last state of a results file, or a mesh, as a picture. Needs VTK for Python (Debian: python3-vtk9).
+"""Draws the last state of a results file, or a mesh, as a picture. Needs VTK for Python and, where
+there is no display, xvfb-run (Debian: python3-vtk9, xvfb, xauth).
 
 usage: draw.py RESULTS.e PICTURE.png [--colour VARIABLE] [--from X Y Z] [--time T] [--half X Y Z]
 
@@ -9,6 +10,9 @@ usage: draw.py RESULTS.e PICTURE.png [--colour VARIABLE] [--from X Y Z] [--time 
   --half    shows only what lies on the side of this direction from the middle
 """
 import argparse
+import os
+import shutil
+import sys
 
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -88,7 +92,10 @@ def choose_array(grid, name):
 def range_of(grids, name):
     ranges = [choose_array(grid, name)[0].GetRange(-1) for grid in grids if choose_array(grid, name)[0] is not None]
     if not ranges:
-        raise SystemExit(f"draw.py: no block has a variable '{name}'")
+        names = {data.GetArrayName(i).rstrip("_") for grid in grids for data in (grid.GetPointData(), grid.GetCellData())
+                 for i in range(data.GetNumberOfArrays())} - {"ObjectId", "GlobalNodeId", "GlobalElementId", "PedigreeNodeId",
+                                                              "PedigreeElementId"}
+        raise SystemExit(f"draw.py: no block has a variable '{name}'; there are {', '.join(sorted(names))}")
     return min(r[0] for r in ranges), max(r[1] for r in ranges)
 
 
@@ -111,6 +118,10 @@ def make_actor(surface, name, limits, colour):
     actor.GetProperty().EdgeVisibilityOn()
     actor.GetProperty().SetEdgeColor(0.15, 0.15, 0.15)
     actor.GetProperty().SetLineWidth(0.6)
+    if surface.GetNumberOfVerts() == surface.GetNumberOfCells():  # particles, whose radius no results hold
+        actor.GetProperty().RenderPointsAsSpheresOn()
+        actor.GetProperty().SetPointSize(9)
+        actor.GetProperty().EdgeVisibilityOff()
     return actor
 
 
@@ -173,8 +184,16 @@ def draw(results, picture, colour=None, eye=(1.0, 1.0, 1.0), time=None, half=Non
     camera.SetViewUp(0, 0, 1)
     window = make_window(renderer)
     renderer.ResetCamera()
-    camera.Zoom(1.1)
     write_picture(window, picture)
+
+
+def ensure_display():
+    """VTK ends the process where it finds none."""
+    if "DISPLAY" in os.environ:
+        return
+    if shutil.which("xvfb-run") is None:
+        sys.exit("draw.py: there is no display, and no xvfb-run in its place (Debian: apt-get install xvfb xauth)")
+    os.execvp("xvfb-run", ["xvfb-run", "-a", sys.executable, *sys.argv])
 
 
 def main():
@@ -186,6 +205,7 @@ def main():
     parser.add_argument("--time", type=float)
     parser.add_argument("--half", nargs=3, type=float)
     given = parser.parse_args()
+    ensure_display()
     draw(given.results, given.picture, given.colour, given.eye, given.time, given.half)
 
 
