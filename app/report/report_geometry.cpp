@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/report/face_owners.hpp"
+#include "contact/lofting/section_sizes.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/skin.hpp"
 
@@ -35,9 +36,14 @@ class GeometryMaker {
  public:
   GeometryMaker(const Mesh& mesh, const std::optional<ReportRegion>& region, const ElementLife& life)
       : mesh_(mesh), life_(life) {
+    point_of_node_.assign(mesh.n_nodes(), none);
     if (region && region->region.contact) owners_ = std::make_unique<FaceOwners>(*region, mesh);
     if (!owners_) of_sets_ = owners_of_sets(mesh, made_.owners);
-    point_of_node_.assign(mesh.n_nodes(), none);
+    made_.radii.assign(mesh.blocks().size(), 0.0);
+    if (!region) return;
+    const std::vector<SectionSize> sizes = find_section_sizes(region->definition, region->region, mesh);
+    std::ranges::transform(sizes, made_.radii.begin(),
+                           [](const SectionSize& size) { return size.radius.value_or(0.0); });
   }
 
   ReportGeometry make() {

@@ -41,7 +41,8 @@ struct ReportGeometry {
   std::vector<NodeIndex> nodes;   ///< of the mesh, that are drawn, in the order in which faces name them
   std::vector<ReportFace> faces;  ///< by element and side
   std::vector<ReportLine> lines, particles;  ///< by element
-  std::vector<std::string> owners;           ///< names of surfaces, in deck order
+  std::vector<double> radii;  ///< [n_blocks] of lines and particles by their sections; 0: not known [length]
+  std::vector<std::string> owners;  ///< names of surfaces, in deck order
   /// What was claimed in vain: lists of (loser, winner), positions in owners. The first is empty.
   std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> lost;
   bool knows_claims = false;  ///< the deck was there; else owners come from side sets alone

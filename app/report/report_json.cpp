@@ -116,23 +116,26 @@ Json coordinates_json(const ReportMesh& of) {
   return axes;
 }
 
-Json blocks_json(const Mesh& mesh) {
+Json blocks_json(const Mesh& mesh, const std::vector<double>& radii) {
   Json blocks = Json::array();
   for (std::uint32_t i = 0; i < mesh.blocks().size(); ++i) {
     const ElementBlock& block = mesh.blocks()[i];
     blocks.push_back({{"name", mesh.name({EntityKind::block, i})},
                       {"shape", std::string(topology(block.shape).name)},
                       {"shell", topology(block.shape).family == Family::shell},
+                      {"radius", radii[i] > 0.0 ? Json(radii[i]) : Json(nullptr)},
                       {"elements", block.n_elements}});
   }
   return blocks;
 }
 
-Json lines_json(const std::vector<ReportLine>& lines) {
-  return {{"n", lines.size()},
-          {"corners", pack_corners(lines, 2)},
-          {"block", pack_each(lines, [](const ReportLine& line) { return line.block; })},
-          {"owner", pack_each(lines, [](const ReportLine& line) { return line.owner; })}};
+Json lines_json(const std::vector<ReportLine>& lines, const Mesh& mesh) {
+  return {
+      {"n", lines.size()},
+      {"corners", pack_corners(lines, 2)},
+      {"element", pack_each(lines, [&](const ReportLine& line) { return mesh.element_id(line.element); })},
+      {"block", pack_each(lines, [](const ReportLine& line) { return line.block; })},
+      {"owner", pack_each(lines, [](const ReportLine& line) { return line.owner; })}};
 }
 
 Json mesh_json(const ReportMesh& of) {
@@ -156,12 +159,12 @@ Json mesh_json(const ReportMesh& of) {
           {"title", of.mesh.title()},
           {"nodes", of.mesh.n_nodes()},
           {"elements", of.mesh.n_elements()},
-          {"blocks", blocks_json(of.mesh)},
+          {"blocks", blocks_json(of.mesh, geometry.radii)},
           {"points", geometry.nodes.size()},
           {"coordinates", coordinates_json(of)},
           {"faces", std::move(faces)},
-          {"lines", lines_json(geometry.lines)},
-          {"particles", lines_json(geometry.particles)},
+          {"lines", lines_json(geometry.lines, of.mesh)},
+          {"particles", lines_json(geometry.particles, of.mesh)},
           {"owners", geometry.owners},
           {"lost", geometry.lost},
           {"knows_claims", geometry.knows_claims}};

@@ -58,9 +58,19 @@ async function read_mesh(json) {
   return { ...json, position, middle, faces, lines, particles };
 }
 
-async function read_lines({ n, corners, block, owner }) {
-  const lists = await Promise.all([...corners, block, owner].map((text) => unpack(text)));
-  return { n, corners: lists.slice(0, 2), block: lists[2], owner: lists[3] };
+async function read_lines({ n, corners, element, block, owner }) {
+  const lists = await Promise.all([...corners, element, block, owner].map((text) => unpack(text)));
+  return { n, corners: lists.slice(0, 2), element: lists[2], block: lists[3], owner: lists[4] };
+}
+
+/** Lines or particles of one radius; null: of those that have none. */
+function of_radius(things, blocks, radius) {
+  const chosen = [...Array(things.n).keys()].filter((i) => blocks[things.block[i]].radius === radius);
+  const take = (list) => chosen.map((i) => list[i]);
+  return {
+    n: chosen.length, radius, corners: things.corners.map(take), element: take(things.element), block: take(things.block),
+    owner: take(things.owner),
+  };
 }
 
 /** The frames of a run: displacements and fields at the shown times. */

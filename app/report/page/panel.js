@@ -17,7 +17,7 @@ class Panel {
     const head = shared.runs.length > 1 ? make("h3", {}, `${run.letter}: ${run.name}`) : null;
     this.axes = make("div", { class: "axes", "aria-hidden": "true" });
     this.element = make("div", { class: "panel" }, head, make("div", { class: "stage" }, this.canvas, this.axes),
-      make("div", { class: "side" }, this.legend, make("h3", {}, "Face"), form, this.facts));
+      make("div", { class: "side" }, this.legend, make("h3", {}, "Element"), form, this.facts));
     place("views").append(this.element);
     this.view = new MeshView(this.canvas, run.mesh, run.frames);
     this.view.after_drawing = (camera) => this.#show_axes(camera);
@@ -31,7 +31,7 @@ class Panel {
     this.canvas.addEventListener("pointerdown", (event) => (from = [event.clientX, event.clientY]));
     this.canvas.addEventListener("click", (event) => {
       const has_turned = from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 4;
-      if (!has_turned) this.pick(this.view.find_face(event.offsetX, event.offsetY));
+      if (!has_turned) this.pick_at(event.offsetX, event.offsetY);
     });
     this.canvas.addEventListener("keydown", (event) => this.#press(event));
     this.view.controls.addEventListener("change", () => this.shared.camera_moved(this));
@@ -69,22 +69,37 @@ class Panel {
     event.preventDefault();
     const id = Number(this.finder.value);
     const face = find_face_of_element(this.run.mesh, id);
-    this.pick(face);
-    if (face === null) this.facts.replaceChildren(make("dd", {}, `No face of element ${id} is on the outside.`));
+    const things = this.view.things.find(({ element }) => element.includes(id));
+    const thing = face === null && things ? { things, i: things.element.indexOf(id) } : null;
+    this.pick(face, thing);
+    if (face !== null || thing !== null) return;
+    this.facts.replaceChildren(make("dd", {}, `Nothing of element ${id} is on the outside.`));
   }
 
-  pick(face) {
+  /** Picks what is nearest to the eye at a place of the canvas. */
+  pick_at(x, y) {
+    const thing = this.view.find_thing(x, y);
+    const is_before = thing !== null && thing.distance <= this.view.distance_of_face(x, y) + (thing.things.radius ?? 0);
+    this.pick(is_before ? null : this.view.find_face(x, y), is_before ? thing : null);
+  }
+
+  /** A face, or a line or particle as find_thing gives it. */
+  pick(face, thing = null) {
     this.picked = face;
+    this.picked_thing = thing;
     this.view.mark_face(face);
+    this.view.mark_thing(thing);
     this.describe();
   }
 
   describe() {
-    if (this.picked === null) {
-      this.facts.replaceChildren(make("dd", { class: "muted" }, "Click a face to ask about it."));
+    if (this.picked === null && !this.picked_thing) {
+      this.facts.replaceChildren(make("dd", { class: "muted" }, "Click a face, line or particle to ask about it."));
       return;
     }
-    const rows = describe_face(this.run, this.picked, this.view.frame);
+    const { frame } = this.view;
+    const rows = this.picked_thing ? describe_thing(this.run, this.picked_thing, frame)
+      : describe_face(this.run, this.picked, frame);
     this.facts.replaceChildren(...rows.flatMap(([name, value]) => [make("dt", {}, name), make("dd", {}, value)]));
   }
 

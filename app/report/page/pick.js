@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is known of a face.
+// What is known of a face, a line or a particle.
 
 /** Rows [name, value] about a face of a run at a frame. */
 function describe_face(run, face, frame) {
@@ -14,6 +14,22 @@ function describe_face(run, face, frame) {
   ];
   for (const field of frames ? frames.fields : []) {
     const value = field.nodal ? mean_of_corners(mesh, face, field, frame) : field_value(field, frame, face);
+    if (!Number.isNaN(value)) rows.push([field.name, show_rounded(field, value)]);
+  }
+  return rows;
+}
+
+/** The same about a line or particle. */
+function describe_thing(run, { things, i }, frame) {
+  const { mesh, frames } = run;
+  const of = mesh.blocks[things.block[i]];
+  const rows = [
+    ["Element", `${things.element[i]} of ${of.name} (${of.shape})`],
+    ["Surface", things.owner[i] > 0 ? mesh.owners[things.owner[i] - 1] : "none: no contact surface owns it"],
+  ];
+  if (of.radius) rows.push(["Radius", show_number(of.radius)]);
+  for (const field of frames ? frames.fields.filter(({ nodal }) => nodal) : []) {
+    const value = mean_of_points(new Set(things.corners.map((list) => list[i])), field, frame);
     if (!Number.isNaN(value)) rows.push([field.name, show_rounded(field, value)]);
   }
   return rows;
@@ -34,7 +50,10 @@ function describe_claims(mesh, face) {
 }
 
 function mean_of_corners(mesh, face, field, frame) {
-  const points = new Set(mesh.faces.corners.map((list) => list[face]));
+  return mean_of_points(new Set(mesh.faces.corners.map((list) => list[face])), field, frame);
+}
+
+function mean_of_points(points, field, frame) {
   let sum = 0;
   for (const point of points) sum += field_value(field, frame, point);
   return sum / points.size;

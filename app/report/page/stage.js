@@ -81,6 +81,27 @@ class Stage {
     return low <= high ? [low, high] : [0, 0];
   }
 
+  /** What a length takes of the canvas at a distance from the eye [pixels]. */
+  pixels_of(length, distance, height) {
+    return (length * height) / (2 * Math.tan((this.camera.fov * Math.PI) / 360) * distance);
+  }
+
+  /** Points as balls of a radius; null: as dots of one size. */
+  ball_material(radius) {
+    const vertexColors = THREE.VertexColors;
+    if (radius === null) return new THREE.PointsMaterial({ size: 9, sizeAttenuation: false, vertexColors });
+    // three.js makes a point size * height / (2 distance) pixels wide.
+    const size = (2 * radius) / Math.tan((this.camera.fov * Math.PI) / 360);
+    const material = new THREE.PointsMaterial({ size, vertexColors });
+    material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace("#include <color_fragment>", `#include <color_fragment>
+        vec2 off = 2.0 * gl_PointCoord - 1.0;
+        if (dot(off, off) > 1.0) discard;
+        diffuseColor.rgb *= 0.5 + 0.5 * sqrt(1.0 - dot(off, off));`);
+    };
+    return material;
+  }
+
   /** Turns the camera about the target [degrees], and moves it away by a factor. */
   turn(right, up, factor = 1) {
     this.is_fitted = null;

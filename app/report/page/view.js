@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A mesh on a stage.
 
+/** The place of a segment, or of a point, nearest to the mouse: how far from the eye, and how far off [pixels]. */
+function nearest_of([a, b = a], mouse) {
+  const along = { x: b.x - a.x, y: b.y - a.y };
+  const squared = along.x ** 2 + along.y ** 2;
+  const share = squared > 0 ? ((mouse.x - a.x) * along.x + (mouse.y - a.y) * along.y) / squared : 0;
+  const t = Math.min(1, Math.max(0, share));
+  const off = Math.hypot(a.x + t * along.x - mouse.x, a.y + t * along.y - mouse.y);
+  return { distance: a.distance + t * (b.distance - a.distance), off };
+}
+
 /** A run's mesh: what is shown of it, where its points are, how it is coloured, which face is under the mouse. */
 class MeshView extends Stage {
   /** mesh, frames as data.js reads them; frames null without results. */
@@ -9,12 +19,12 @@ class MeshView extends Stage {
     Object.assign(this, { mesh, frames, frame: 0, scale: 1, hidden: new Set() });
     this.#make_faces();
     this.#make_lines();
-    const vertexColors = THREE.VertexColors;
-    const dot = new THREE.PointsMaterial({ size: 9, sizeAttenuation: false, vertexColors });
-    this.things = [
-      this.#make_things(mesh.lines, THREE.LineSegments, new THREE.LineBasicMaterial({ vertexColors }), 2),
-      this.#make_things(mesh.particles, THREE.Points, dot, 1),
-    ];
+    const lines = new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors });
+    this.things = [this.#make_things(mesh.lines, THREE.LineSegments, lines, 2)];
+    for (const radius of new Set(mesh.blocks.map((block) => block.radius))) {
+      const particles = of_radius(mesh.particles, mesh.blocks, radius);
+      if (particles.n > 0) this.things.push(this.#make_things(particles, THREE.Points, this.ball_material(radius), 1));
+    }
   }
 
   #make_faces() {
@@ -58,7 +68,8 @@ class MeshView extends Stage {
     this.edges.visible = false;
     this.mark = add(new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }), THREE.Mesh);
     this.frame_of_mark = add(new THREE.LineBasicMaterial({ depthTest: false }), THREE.LineSegments);
-    this.frame_of_mark.renderOrder = 1;
+    this.dot_of_mark = add(new THREE.PointsMaterial({ size: 7, sizeAttenuation: false, depthTest: false }), THREE.Points);
+    this.frame_of_mark.renderOrder = this.dot_of_mark.renderOrder = 1;
     this.mark_face(null);
   }
 
@@ -189,12 +200,57 @@ class MeshView extends Stage {
 
   /** The face under a place of the canvas, in pixels from its upper left; null of none. */
   find_face(x, y) {
+    const hit = this.#hit(x, y);
+    return hit ? this.face_of_triangle[hit.faceIndex] : null;
+  }
+
+  #hit(x, y) {
     const at = new THREE.Vector2((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
     const ray = new THREE.Raycaster();
     this.camera.updateMatrixWorld();
     ray.setFromCamera(at, this.camera);
-    const hits = ray.intersectObject(this.surface);
-    return hits.length > 0 ? this.face_of_triangle[hits[0].faceIndex] : null;
+    return ray.intersectObject(this.surface)[0];
+  }
+
+  /** The line or particle under a place of the canvas that is nearest to the eye, {things, i, distance}; null of none. */
+  find_thing(x, y) {
+    const { clientWidth, clientHeight } = this.canvas;
+    const reach = 5; // pixels beside a line or a dot that still mean it
+    const mouse = new THREE.Vector2(x, y);
+    let nearest = null;
+    for (const things of this.things) {
+      for (let i = 0; i < things.n; ++i) {
+        if (this.hidden.has(things.owner[i])) continue;
+        const ends = things.corners.slice(0, things.n_ends).map((list) => this.#see(list[i], clientWidth, clientHeight));
+        const { distance, off } = nearest_of(ends, mouse);
+        const radius = things.n_ends === 1 && things.radius ? this.pixels_of(things.radius, distance, clientHeight) : 0;
+        const is_it = off <= Math.max(radius, reach) && (nearest === null || distance < nearest.distance);
+        if (is_it) nearest = { things, i, distance };
+      }
+    }
+    return nearest;
+  }
+
+  /** Where a point is on the canvas [pixels], and how far from the eye. */
+  #see(point, width, height) {
+    const at = new THREE.Vector3().fromArray(this.point, 3 * point);
+    const distance = at.distanceTo(this.camera.position);
+    at.project(this.camera);
+    return { x: ((at.x + 1) / 2) * width, y: ((1 - at.y) / 2) * height, distance };
+  }
+
+  /** How far a face is from the eye at a place of the canvas. */
+  distance_of_face(x, y) {
+    const hit = this.#hit(x, y);
+    return hit ? hit.distance : Infinity;
+  }
+
+  /** Marks a line or particle; null: none. */
+  mark_thing(found) {
+    const ends = found === null ? [] : found.things.corners.slice(0, found.things.n_ends).map((list) => list[found.i]);
+    if (ends.length === 2) this.frame_of_mark.geometry.setIndex(ends);
+    this.dot_of_mark.geometry.setIndex(ends);
+    this.draw();
   }
 
   /** Fills a face and draws a frame around it; null: of none. */
@@ -210,6 +266,7 @@ class MeshView extends Stage {
     this.edges.material.color.set(style_colour("--mesh-line"));
     this.mark.material.color.set(style_colour("--mark"));
     this.frame_of_mark.material.color.set(style_colour("--mark"));
+    this.dot_of_mark.material.color.set(style_colour("--mark"));
     this.draw();
   }
 }

@@ -39,6 +39,24 @@ std::size_t count_owned(const ReportGeometry& geometry, const std::string& name)
 
 }  // namespace
 
+TEST_CASE("particles and lines have the radius of their section", "[app][report]") {
+  const Mesh mesh = make_mesh();
+  SimulationDefinition deck = deck_of_region(patch_first);
+  ParticleSection grains;
+  grains.radius = 0.25;
+  SectionDefinition section;
+  section.name.text = "grains";
+  section.properties = grains;
+  deck.sections.push_back(section);
+  FiniteElementModel& model = deck.finite_element_models.front();
+  BlockParameters& parameters = model.block_parameters.emplace_back();
+  parameters.names.push_back({"grain", {}});
+  parameters.section = DeckName{"grains", {}};
+  const ReportGeometry geometry = make_report_geometry(mesh, ReportRegion{deck, region_of(deck)}, {});
+  CHECK(geometry.radii == std::vector<double>{0, 0, 0, 0, 0.25});
+  CHECK(make_report_geometry(mesh, std::nullopt, {}).radii == std::vector<double>(5, 0.0));
+}
+
 TEST_CASE("the skin of all elements is drawn, each face once and with its owner", "[app][report]") {
   const Mesh mesh = make_mesh();
   const SimulationDefinition deck = deck_of_region(patch_first);

@@ -201,6 +201,129 @@ def check_two(browser, folder, pictures):
     page.check_silence()
 
 
+GRAINS_MESH = """$MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+3
+1 1 "rod"
+0 2 "grains"
+2 3 "sheet"
+$EndPhysicalNames
+$Nodes
+8
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 0.2 0.5 0.3
+6 0.8 0.5 0.3
+7 0.1 0.8 0.2
+8 0.9 0.8 0.2
+$EndNodes
+$Elements
+4
+1 3 2 3 1 1 2 3 4
+2 15 2 2 2 5
+3 15 2 2 3 6
+4 1 2 1 4 7 8
+$EndElements
+"""
+GRAINS_DECK = """begin sierra grains
+begin material m
+density = 1000
+begin parameters for model elastic
+youngs modulus = 1e7
+poissons ratio = 0
+end
+end
+begin shell section thin
+thickness = 0.01
+end
+begin particle section ball
+radius = 0.1
+end
+begin truss section round
+area = 1e-4
+end
+begin finite element model f
+begin parameters for block sheet
+material = m
+model = elastic
+section = thin
+end
+begin parameters for block grains
+material = m
+model = elastic
+section = ball
+end
+begin parameters for block rod
+material = m
+model = elastic
+section = round
+end
+end
+begin presto procedure p
+begin time control
+begin time stepping block t
+start time = 0
+end
+termination time = 1e-4
+end
+begin presto region r
+use finite element model f
+begin contact definition
+skin all blocks = on
+begin interaction defaults
+general contact = on
+end
+end
+begin results output
+database name = grains.e
+at time 0 increment = 1e-4
+nodal displacement
+end
+end
+end
+end
+"""
+
+
+def check_grains(browser, program, folder, pictures):
+    """Particles are drawn as balls of their radius; they and lines can be picked where they are seen."""
+    (folder / "grains.msh").write_text(GRAINS_MESH)
+    (folder / "grains.i").write_text(GRAINS_DECK)
+    run(program, folder, "mesh", "grains.msh", "grains.g")
+    run(program, folder, "grains.i", "grains.g", "--report", "grains.html", "--quiet")
+    page = Page(browser, folder / "grains.html", pictures)
+    left, top, width, height = page.canvas()
+    page.value("report.look_along('z')")
+
+    def facts_at(x, y, z):
+        """What a click on a point of the model tells."""
+        across, down = page.value(f"""(() => {{
+          const {{ view, run: {{ mesh }} }} = report.panels[0];
+          view.camera.updateMatrixWorld();
+          const at = new THREE.Vector3({x} - mesh.middle[0], {y} - mesh.middle[1], {z} - mesh.middle[2]).project(view.camera);
+          return [(1 + at.x) / 2, (1 - at.y) / 2];
+        }})()""")
+        page.browser.click(left + across * width, top + down * height)
+        return page.value("report.panels[0].facts.innerText")
+
+    grain = facts_at(0.2 + 0.07, 0.5, 0.3)  # within its radius, far beyond the pixels of a dot
+    assert re.search(r"Element\s+2 of grains \(SPHERE\)\s+Surface\s+grains\s+Radius\s+0\.1\b", grain), grain
+    assert page.value("report.panels[0].picked") is None
+    rod = facts_at(0.5, 0.8, 0.2)
+    assert re.search(r"Element\s+4 of rod \(\w+\)\s+Surface\s+rod", rod), rod
+    sheet = facts_at(0.5, 0.2, 0.0)
+    assert "1 of sheet" in sheet, sheet
+    page.value("document.querySelector('.find input').value = '3'")
+    page.value("document.querySelector('.find').requestSubmit()")
+    assert "3 of grains" in page.value("report.panels[0].facts.innerText")
+    page.picture("grains")
+    page.check_silence()
+
+
 def check_large(browser, program, folder, pictures):
     subprocess.run(["/usr/bin/python3", Path(__file__).with_name("large_results.py"), folder / "large.e"], check=True)
     run(program, folder, "report", "large.e")
@@ -234,6 +357,7 @@ def main():
         make_runs(asked.program, asked.root, folder)
         check_one(browser, folder, asked.pictures)
         check_two(browser, folder, asked.pictures)
+        check_grains(browser, asked.program, folder, asked.pictures)
 
 
 if __name__ == "__main__":
