@@ -116,15 +116,22 @@ class InpReader {
     }
   }
 
+  void add_range(std::int64_t first, std::int64_t last, std::int64_t step, Ids& ids) const {
+    constexpr std::int64_t max_count =
+        100'000'000;  // more than meshes have; a wrong number must not fill the memory
+    if (step <= 0) fail("the step of a set must be positive");
+    if (first < 0 || last / step - first / step > max_count)
+      fail(fmt::format("{} to {} by {} are not the ids of a set", first, last, step));
+    for (std::int64_t id = first; id <= last; id += step) ids.push_back(id);
+  }
+
   /// Adds numbers, ranges or the members of other sets.
   void read_ids(bool is_range, const std::map<std::string, Ids>& sets, Ids& ids) {
     std::vector<std::string> cells;
     while (lines_.next_data(cells)) {
       if (is_range) {
         if (cells.size() < 2) fail("expected first, last, step");
-        const std::int64_t step = cells.size() > 2 ? integer(cells[2]) : 1;
-        if (step <= 0) fail("the step of a set must be positive");
-        for (std::int64_t id = integer(cells[0]); id <= integer(cells[1]); id += step) ids.push_back(id);
+        add_range(integer(cells[0]), integer(cells[1]), cells.size() > 2 ? integer(cells[2]) : 1, ids);
         continue;
       }
       for (const std::string& cell : cells) {

@@ -71,7 +71,8 @@ class MeshMaker {
     if (group.name.empty()) return "";
     std::string name = group.name;
     if (block_names_.contains(fold(name))) name += "_" + fold(topology(group.shape).name);
-    block_names_.insert(fold(name));
+    const std::string with_shape = name;
+    for (int n = 2; !block_names_.insert(fold(name)).second; ++n) name = fmt::format("{}_{}", with_shape, n);
     return name;
   }
 

@@ -104,7 +104,7 @@ class MshReader {
     }
   }
 
-  /// What physical group an entity belongs to: the first, as an element can be in one block only.
+  /// What physical groups an entity belongs to.
   void read_entities() {
     std::int64_t counts[4];
     for (std::int64_t& count : counts) count = words_.integer();

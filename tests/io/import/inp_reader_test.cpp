@@ -81,6 +81,7 @@ TEST_CASE("what is wrong with an input file is said with its line", "[io][import
   CHECK_THAT(message_of(with(cube, "solid, S2", "sheet, S2")), Contains("element 18 has no face S2"));
   CHECK_THAT(message_of(with(cube, "*STEP", "*INCLUDE, INPUT=more.inp")), Contains("more.inp"));
   CHECK_THAT(message_of(with(cube, "2, 1., 0, 0", "1, 1., 0, 0")), Contains("node 1 is there twice"));
+  CHECK_THAT(message_of(with(cube, "1, 4, 1", "1, 4000000000000, 1")), Contains("are not the ids of a set"));
   CHECK_THAT(message_of("*NODE\n1, 0, 0, 0\n"), Contains("no *NODE or no *ELEMENT"));
 }
 

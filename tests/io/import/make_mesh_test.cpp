@@ -65,6 +65,15 @@ TEST_CASE("a group of two shapes is two blocks, of names and ids of their own", 
   CHECK(mesh.blocks()[1].id == 1);
 }
 
+TEST_CASE("blocks of one name and shape have names of their own", "[io][import]") {
+  DraftMesh draft = cube();
+  for (const std::int64_t id : {4, 5})
+    draft.groups.push_back({"body", id, 3, Shape::tet4, {id + 4}, {{4}, {5}, {6}, {9}}});
+  const Mesh mesh = make_mesh(draft).mesh;
+  CHECK(mesh.name({EntityKind::block, 1}) == "body_tetra4");
+  CHECK(mesh.name({EntityKind::block, 2}) == "body_tetra4_2");
+}
+
 TEST_CASE("a surface that lies on solids in part, or on none where it must, is refused", "[io][import]") {
   DraftMesh draft = cube();
   draft.groups.push_back({"skin", 2, 2, Shape::shell4, {8, 9}, {{4}, {5}, {6}, {7}, {1}, {8}, {9}, {2}}});
