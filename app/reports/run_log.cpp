@@ -11,6 +11,19 @@
 
 namespace contactsim {
 
+namespace {
+
+/// What ramped overlaps put into contact without springs, which gives it out at once [energy].
+double ramped_without_springs(const ContactForce& force) {
+  double sum = 0.0;
+  const auto histories = force.histories();
+  for (const PairIndex i : indices(histories))
+    sum += force.rules()[i].is_balanced ? histories[i].ramped : 0.0;
+  return sum;
+}
+
+}  // namespace
+
 void RunLog::look(RunEvent event, const Simulation& run) {
   if (event != RunEvent::step && progress_) progress_->wipe();
   switch (event) {
@@ -68,9 +81,9 @@ void RunLog::write_end(const Simulation& run) {
     log_.write(format_death_total(run.deaths()->tally(), run.deaths()->n_may_die()));
   }
   if (const ContactForce* force = run.contact_force()) {
-    log_.write(
-        format_energy_balance(run.state().energies, force->stored_at_start(), run.given_out_by_overlaps()) +
-        format_pair_histories(*run.contact_model(), force->histories()) + format_contact(*force));
+    log_.write(format_energy_balance(run.state().energies, force->stored_at_start(),
+                                     run.given_out_by_overlaps(), ramped_without_springs(*force)) +
+               format_pair_histories(*run.contact_model(), force->histories()) + format_contact(*force));
   }
   log_.write(format_stored_states(run.restart()));
   std::size_t n_elements = 0;

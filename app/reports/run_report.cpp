@@ -86,12 +86,12 @@ std::string format_stored_states(const RunRestart& restart) {
 }
 
 std::string format_energy_balance(const Energies& energies, double stored_at_start,
-                                  double given_out_by_overlaps) {
+                                  double given_out_by_overlaps, double ramped) {
   std::string text = "\nEnergy balance\n";
   const auto add = [&](const char* name, double energy) {
     text += fmt::format("  {:<30} {:>13.5e}\n", name, energy);
   };
-  const double impact = energies.impact + given_out_by_overlaps;
+  const double impact = energies.impact + given_out_by_overlaps + ramped;
   const double overlap_energy = stored_at_start + given_out_by_overlaps;
   const double lost = energies.friction + energies.contact_damping + impact;
   add("start, between half steps", energies.start);

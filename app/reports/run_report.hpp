@@ -35,8 +35,9 @@ std::string format_stored_states(const RunRestart& restart);
 /// What was put into a run with contact and what has become of it.
 ///   stored_at_start        in springs of overlaps, before the first step [energy]
 ///   given_out_by_overlaps  by contact without springs, to part them: booked as < 0 where sides met [energy]
+///   ramped  the same of overlaps that are ramped, whose work is external [energy]
 std::string format_energy_balance(const Energies& energies, double stored_at_start,
-                                  double given_out_by_overlaps);
+                                  double given_out_by_overlaps, double ramped);
 
 /// Times of the parts and the whole, steps and element-steps per second.
 ///   whole  seconds of the clock

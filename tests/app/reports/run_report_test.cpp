@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/reports/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include "support/catch.hpp"
+
+using namespace contactsim;
+using Catch::Contains;
+
+// A press fit without springs: the ramp's work of 2 is external, contact gave it out where sides met, to the
+// parts that hold it. 0.25 came out of overlaps of the mesh besides.
+TEST_CASE("what a ramped overlap puts in is neither held by contact nor lost", "[app][report]") {
+  Energies energies;
+  energies.external = 2.0;
+  energies.internal = 2.125;
+  energies.friction = 0.125;
+  energies.impact = -2.25;
+  energies.contact = -0.125;  // friction, impact and the work of the ramp
+  const std::string text = format_energy_balance(energies, 0.0, 0.25, 2.0);
+  const auto row = [](const char* name, double energy) {
+    return Contains(fmt::format("\n  {:<30} {:>13.5e}\n", name, energy));
+  };
+  CHECK_THAT(text, row("put in by the start, overlaps", 0.25));
+  CHECK_THAT(text, row("work of loads and motion", 2.0));
+  CHECK_THAT(text, row("held by contact", 0.0));
+  CHECK_THAT(text, row("lost where sides met", 0.0));
+}
