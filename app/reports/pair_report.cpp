@@ -50,7 +50,8 @@ std::string format_chosen(const ContactModel& model, TextTable table,
       ++n_more;
     }
   }
-  return table.format() + (n_more > 0 ? fmt::format("      and {}\n", pluralize(n_more, "more pair")) : "");
+  return (table.empty() ? "" : table.format()) +
+         (n_more > 0 ? fmt::format("      and {}\n", pluralize(n_more, "more pair")) : "");
 }
 
 TextTable start_table() {

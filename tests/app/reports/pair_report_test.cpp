@@ -114,6 +114,13 @@ TEST_CASE("the pair table shows gaps and reach, and counts far pairs of the defa
   CHECK_THAT(text, Contains("      1 pair of general or self contact with nothing in reach\n"));
 }
 
+TEST_CASE("pairs that are all far are counted without a table", "[app][pairs]") {
+  ContactModel model = three_pairs();
+  model.pairs[PairIndex{2}].is_from_defaults = true;
+  CHECK_THAT(format_pairs(model, three_summaries(), InitialGaps(3)),
+             Contains("\nContact pairs\n      3 pairs of general or self contact with nothing in reach\n"));
+}
+
 TEST_CASE("the pair table says what may not part and which sides of shells there are", "[app][pairs]") {
   ContactModel model = three_pairs();
   CHECK_THAT(format_pairs(model, three_summaries(), {}), !Contains("Sides of interactions"));
