@@ -61,8 +61,8 @@ TEST_CASE("a deck of solids runs to its termination time and tells how", "[app][
   const auto [code, out, err] = bar.run({"a.i"});
   CHECK(err == "");
   CHECK(code == 0);
-  CHECK_THAT(out,
-             Contains("  bar                            2000  HEX8       mean_quadrature         m (elastic)"));
+  CHECK_THAT(
+      out, Contains("  bar                            2000  HEX8       mean_quadrature         m (elastic)"));
   CHECK_THAT(out, Contains("mass 8000, 3 nodes held or driven") && Contains("set by element"));
   CHECK_THAT(out, Contains("Wall time") && Contains("million element-steps per second"));
   CHECK(bar.has("a.e"));

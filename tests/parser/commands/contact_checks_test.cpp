@@ -149,5 +149,6 @@ TEST_CASE("the periods of contact and of its interactions must be defined", "[pa
 
 TEST_CASE("the friction model of the defaults is looked up", "[parser][contact]") {
   CHECK(contact_name_messages("begin interaction defaults\nfriction model = glue\nend\n") ==
-        "a.i:3:18: error: unknown friction model 'glue'; the deck has no friction model: BEGIN CONSTANT FRICTION MODEL <name>, say\n");
+        "a.i:3:18: error: unknown friction model 'glue'; the deck has no friction model: BEGIN CONSTANT "
+        "FRICTION MODEL <name>, say\n");
 }

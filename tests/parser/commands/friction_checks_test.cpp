@@ -33,7 +33,8 @@ TEST_CASE("an unknown friction model is an error at the reference", "[parser][fr
   CHECK(use_of("rob", "begin constant friction model rub\nend\n") ==
         "a.i:5:18: error: unknown friction model 'rob'; did you mean 'rub'?\n");
   CHECK(use_of("rob", "") ==
-        "a.i:5:18: error: unknown friction model 'rob'; the deck has no friction model: BEGIN CONSTANT FRICTION MODEL <name>, say\n");
+        "a.i:5:18: error: unknown friction model 'rob'; the deck has no friction model: BEGIN CONSTANT "
+        "FRICTION MODEL <name>, say\n");
 }
 
 TEST_CASE("a material named as friction model is told apart", "[parser][friction]") {

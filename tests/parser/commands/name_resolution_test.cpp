@@ -63,7 +63,8 @@ TEST_CASE("each kind of name that is missing is told where it is used", "[parser
                     "begin prescribed velocity\nblock = b\ndirection = dwn\nfunction = rmap\nend\n"
                     "begin prescribed rotation\nrigid body = rc\ncylindrical axis = a\nfunction = f\nend\n")
             .messages ==
-        "a.i:11:13: error: unknown direction 'dwn'; the deck has no direction: DEFINE DIRECTION <name> WITH VECTOR <x> <y> <z>\n"
+        "a.i:11:13: error: unknown direction 'dwn'; the deck has no direction: DEFINE DIRECTION <name> WITH "
+        "VECTOR <x> <y> <z>\n"
         "a.i:12:12: error: unknown function 'rmap'; the deck has no function\n"
         "a.i:15:14: error: unknown rigid body 'rc'; did you mean 'rb'?\n"
         "a.i:16:20: error: unknown axis 'a'; the deck has no axis\n"
@@ -85,7 +86,8 @@ TEST_CASE("points and directions of an axis must be there when the axis is used"
                     "begin prescribed rotation\nblock = y\ncylindrical axis = b\nfunction = f\nend\n")
             .messages ==
         "a.i:2:26: error: unknown point 'p'; the deck has no point\n"
-        "a.i:2:38: error: unknown direction 'd'; the deck has no direction: DEFINE DIRECTION <name> WITH VECTOR <x> <y> <z>\n"
+        "a.i:2:38: error: unknown direction 'd'; the deck has no direction: DEFINE DIRECTION <name> WITH "
+        "VECTOR <x> <y> <z>\n"
         "a.i:3:26: error: unknown point 'q'; the deck has no point\n"
         "a.i:3:34: error: unknown point 's'; the deck has no point\n");
 }
