@@ -11,6 +11,7 @@ namespace contactsim {
 /// What a line may mean that its block does not know and that is spelled like none: "" when nothing comes to
 /// mind.
 ///   title  of the block
-std::string find_meaning(std::span<const Word> words, std::span<const Word> title, const TableText& table);
+std::string find_meaning(std::span<const Word> words, bool is_block, std::span<const Word> title,
+                         const TableText& table);
 
 }  // namespace contactsim

@@ -41,20 +41,22 @@ std::string block_title(const Block& block) {
                              : fmt::format("'{}'", joined_words(block.title, block.title.size()));
 }
 
+/// What may have been meant, the surest guess first.
+std::string hint_for_unknown(const std::vector<Word>& words, bool is_block, const Block& block,
+                             const TableText& table) {
+  if (std::string inside = find_inner_place(words, is_block, table); !inside.empty()) return inside;
+  const std::string nearest = (is_block ? table.blocks : table.commands).nearest(words);
+  if (!nearest.empty()) return fmt::format("did you mean '{}{}'?", is_block ? "begin " : "", nearest);
+  const std::string other = (is_block ? table.commands : table.blocks).nearest(words);
+  if (!other.empty() && is_block) return fmt::format("'{}' is a command line here, not a block", other);
+  if (!other.empty()) return fmt::format("'{0}' is a block here: begin {0}", other);
+  return find_meaning(words, is_block, block.title, table);
+}
+
 void report_unknown(const Item& item, const Block& block, const TableText& table, Binding& binding) {
   const auto& words = words_of(item);
   const bool is_block = std::holds_alternative<Block>(item.value);
-  const std::string nearest = (is_block ? table.blocks : table.commands).nearest(words);
-  const std::string other = (is_block ? table.commands : table.blocks).nearest(words);
-  std::string hint;
-  if (!nearest.empty()) {
-    hint = fmt::format("did you mean '{}{}'?", is_block ? "begin " : "", nearest);
-  } else if (!other.empty()) {
-    hint = is_block ? fmt::format("'{}' is a command line here, not a block", other)
-                    : fmt::format("'{0}' is a block here: begin {0}", other);
-  } else if (!is_block) {
-    hint = find_meaning(words, block.title, table);
-  }
+  const std::string hint = hint_for_unknown(words, is_block, block, table);
   const std::size_t n_shown = 4;
   std::string text =
       fmt::format("unknown {} '{}{}' in {}", is_block ? "block" : "command", joined_words(words, n_shown),

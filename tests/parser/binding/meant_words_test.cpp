@@ -32,11 +32,23 @@ TEST_CASE("words of conditions are told what says them here", "[parser][hints]")
              Contains("unknown command 'velocity = -5'") && Contains("MAGNITUDE says it"));
   CHECK_THAT(problems("begin prescribed displacement\nblock = b\ncomponent = x\nvalue = 1\nend\n"),
              Contains("SCALE FACTOR"));
+  CHECK_THAT(
+      problems("begin results output\ndatabase name = a.e\nat step 0 increment = 1\ndisplacement\nend\n"),
+      Contains("NODAL <variable> or ELEMENT <variable>"));
 }
 
 TEST_CASE("a line of an inner block is told where it belongs", "[parser][hints]") {
   CHECK_THAT(problems("begin contact definition\ngeneral contact = on\nend\n"),
              Contains("it belongs into BEGIN INTERACTION DEFAULTS"));
+}
+
+TEST_CASE("a block is told where it belongs, and its whole name", "[parser][hints]") {
+  CHECK_THAT(problems("begin interaction defaults\ngeneral contact = on\nend\n"),
+             Contains("unknown block 'interaction defaults' in 'presto region r'; it belongs into BEGIN "
+                      "CONTACT DEFINITION"));
+  CHECK_THAT(
+      parsed("begin sierra\nbegin presto procedure p\nbegin region r\nend\nend\nend\n").messages,
+      Contains("unknown block 'region r' in 'presto procedure p'; did you mean 'begin presto region'?"));
 }
 
 TEST_CASE("a direction is a name", "[parser][hints]") {
