@@ -9,37 +9,37 @@ namespace contactsim {
 
 double Expression::evaluate(std::span<const double> inputs) const {
   // Assigned names live at the front of the same array; the compiler has counted how far the stack grows.
-  using Kind = ExpressionStep::Kind;
+  using StepKind = ExpressionStep::Kind;
   std::array<double, max_expression_values> values;
   double* top = values.data() + n_locals_;
   for (std::size_t next = 0; next < steps_.size(); ++next) {
     const ExpressionStep& step = steps_[next];
     switch (step.kind) {
-      case Kind::number:
+      case StepKind::number:
         *top++ = step.number;
         break;
-      case Kind::input:
+      case StepKind::input:
         assert(step.index < inputs.size());
         *top++ = inputs[step.index];
         break;
-      case Kind::local:
+      case StepKind::local:
         *top++ = values[step.index];
         break;
-      case Kind::store:
+      case StepKind::store:
         values[step.index] = top[-1];
         break;
-      case Kind::drop:
+      case StepKind::drop:
         --top;
         break;
-      case Kind::call:
+      case StepKind::call:
         top -= step.index;
         *top = step.body({top, step.index});
         ++top;
         break;
-      case Kind::jump:
+      case StepKind::jump:
         next = step.index - 1;
         break;
-      case Kind::jump_if_false:
+      case StepKind::jump_if_false:
         if (*--top == 0.0) next = step.index - 1;
         break;
     }

@@ -121,8 +121,8 @@ void update_fibre(const NeoHookeanLaw& law, const FibreStep& step, FibreLanes& s
   const TensorLanes gradient{{{xx, xy, zx}, {zero, zero, zero}, {zero, zero, zero}}};
   SymmetricLanes b = transformed(tensor_of(state), deformation_of(gradient));
   const Lanes root = find_root(AcrossFibre(law, b)), stretch = root * root.sqrt();
-  for (const std::size_t i : {1, 2}) b[i] *= stretch * stretch;
-  for (const std::size_t i : {3, 5}) b[i] *= stretch;
+  for (const std::size_t i : {1U, 2U}) b[i] *= stretch * stretch;
+  for (const std::size_t i : {3U, 5U}) b[i] *= stretch;
   for (std::size_t i = 0; i < 6; ++i) state[i] = b[i];
   const Response response = MooneyRivlinLaw{law.moduli}.at(b);
   for (std::size_t i = 0; i < 3; ++i) stress[i] = response.stress[fibre_places[i]];

@@ -70,7 +70,8 @@ template <class Visit>
 void RangeElements::for_each_pair(Visit&& visit) {
   const int n_chunks = static_cast<int>(counts_.size());
   const auto begin_of = [&](int chunk) {
-    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(mesh_.n_elements()) * chunk / n_chunks);
+    const auto position = static_cast<std::uint64_t>(chunk);
+    return static_cast<std::uint32_t>(std::uint64_t{mesh_.n_elements()} * position / counts_.size());
   };
 #pragma omp parallel for schedule(static, 1) num_threads(n_chunks)
   for (int chunk = 0; chunk < n_chunks; ++chunk) {

@@ -60,8 +60,8 @@ Eigen::Matrix3d first_pk_stress(const E& e) {
 
 double max_shear(const Eigen::Vector3d& principal) { return 0.5 * (principal[0] - principal[2]); }
 
-constexpr auto scalar = FieldShape::scalar, vector = FieldShape::vector, list = FieldShape::list,
-               symmetric_tensor = FieldShape::symmetric_tensor, full_tensor = FieldShape::full_tensor;
+constexpr auto scalar = FieldShape::scalar, symmetric_tensor = FieldShape::symmetric_tensor,
+               full_tensor = FieldShape::full_tensor;
 
 constexpr std::array stress_rows{
     point_row(
@@ -90,7 +90,7 @@ constexpr std::array stress_rows{
         "min_principal_stress", scalar, [](const E& e) { return principal_values(e.stress())[2]; },
         "[force/length^2]"),
     point_row(
-        "principal_stresses", list, [](const E& e) { return principal_values(e.stress()); },
+        "principal_stresses", FieldShape::list, [](const E& e) { return principal_values(e.stress()); },
         "All three, the greatest first [force/length^2]"),
     point_row(
         "first_pk_stress", full_tensor, [](const E& e) { return components_of(first_pk_stress(e)); },
@@ -177,10 +177,10 @@ constexpr OutputRow two_modes(OutputRow row) {
 
 constexpr std::array cohesive_rows{
     two_modes(make_row(
-        "cohesive_separation", list, [](const E& e) { return CohesiveValues(e).separation; },
+        "cohesive_separation", FieldShape::list, [](const E& e) { return CohesiveValues(e).separation; },
         "Opening, less than 0 in compression, and sliding, means over the pairs of nodes [length]")),
     two_modes(make_row(
-        "cohesive_traction", list, [](const E& e) { return CohesiveValues(e).traction; },
+        "cohesive_traction", FieldShape::list, [](const E& e) { return CohesiveValues(e).traction; },
         "Against opening and against sliding, means over the pairs of nodes [force/length^2]")),
     cohesive_only(make_row(
         "cohesive_damage", scalar, [](const E& e) { return CohesiveValues(e).damage; },
@@ -194,7 +194,8 @@ constexpr std::array other_rows{
     make_row(
         "volume", scalar, [](const E& e) { return e.volume(); }, "Of now [length^3]"),
     make_row(
-        "centroid", vector, [](const E& e) { return Eigen::Vector3d(e.coordinates().rowwise().mean()); },
+        "centroid", FieldShape::vector,
+        [](const E& e) { return Eigen::Vector3d(e.coordinates().rowwise().mean()); },
         "Mean of the nodes now [length]"),
     make_row(
         "element_mass", scalar, [](const E& e) { return e.mass(); }, "[mass]"),

@@ -13,7 +13,7 @@ namespace contactsim {
 
 namespace {
 
-constexpr std::string_view prefix = "assembly_entity";
+constexpr std::string_view assembly_prefix = "assembly_entity";
 
 // Ids of the members, before they are looked up.
 struct StoredAssembly {
@@ -116,7 +116,7 @@ void check_nesting(const NetcdfFile& file, const std::vector<Assembly>& assembli
 std::vector<Assembly> read_assemblies(const NetcdfFile& file, const MeshParts& parts, Diagnostics& warnings) {
   std::vector<StoredAssembly> all_stored;
   std::vector<EntityRow> rows;
-  for (const std::string& variable_name : file.variable_names(prefix)) {
+  for (const std::string& variable_name : file.variable_names(assembly_prefix)) {
     all_stored.push_back(read_stored(file, variable_name, all_stored.size() + 1));
     rows.push_back(all_stored.back().row);
   }

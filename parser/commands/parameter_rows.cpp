@@ -36,6 +36,13 @@ std::string default_text_of(const Parameter& parameter, const Reader<V>& reader)
   return value != nullptr ? reader.show(*value) : "none";
 }
 
+/// The value of a line as the model has it: a real number times the factor of its parameter.
+template <class V>
+V scaled_value(V value, [[maybe_unused]] double factor) {
+  if constexpr (std::is_same_v<V, double>) value *= factor;
+  return value;
+}
+
 /// A line with one value.
 template <class V>
 Row<ParameterValues> value_row(const Parameter& parameter, const Reader<V>& reader) {
@@ -45,9 +52,7 @@ Row<ParameterValues> value_row(const Parameter& parameter, const Reader<V>& read
   const std::string target = parameter.stands_for.empty() ? parameter.phrase : parameter.stands_for;
   return {std::move(text), [read_value = reader.read, target, factor = parameter.factor](
                                Arguments& arguments, ParameterValues& values) {
-            V value = read_value(arguments);
-            if constexpr (std::is_same_v<V, double>) value *= factor;
-            values.set(target, std::move(value));
+            values.set(target, scaled_value<V>(read_value(arguments), factor));
           }};
 }
 

@@ -221,8 +221,8 @@ BOOST_SPIRIT_DEFINE(value, expression)
 
 const auto statement = -(name[write<&W::keep_name>] >> definition[write<&W::add_assignment>]) > expression;
 const auto between_statements = x3::raw[+x3::lit(';') >> !x3::eoi][write<&W::end_statement>];
-const auto statements = *x3::lit(';') >> -x3::raw[x3::eoi][fail_empty] >> statement >>
-                        *(between_statements > statement) >> *x3::lit(';') > x3::eoi;
+const auto statements = (*x3::lit(';') >> -x3::raw[x3::eoi][fail_empty] >> statement >>
+                         *(between_statements > statement) >> *x3::lit(';')) > x3::eoi;
 const auto aprepro_expression = expression > x3::eoi;
 
 const auto blank = x3::char_(" \t\n\r\f");
@@ -284,13 +284,13 @@ std::vector<ExpressionItem> parse_expression(std::string_view text, ExpressionDi
 }
 
 DeckExpression read_deck_expression(DeckLocation location, std::string text) {
-  DeckExpression expression{std::move(location), std::move(text)};
+  DeckExpression read{std::move(location), std::move(text)};
   try {
-    expression.items = parse_expression(expression.text, Dialects::function);
+    read.items = parse_expression(read.text, Dialects::function);
   } catch (const ExpressionError& error) {
-    expression.error = error;
+    read.error = error;
   }
-  return expression;
+  return read;
 }
 
 bool is_aprepro_name(std::string_view text) {

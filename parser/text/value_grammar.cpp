@@ -45,7 +45,7 @@ struct WrittenParser : x3::parser<WrittenParser<find>> {
 /// One word that is no symbol, and where it stands.
 struct NameParser : x3::parser<NameParser> {
   using attribute_type = DeckName;
-  static constexpr bool has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
 
   template <class Context, class RuleContext, class Attribute>
   bool parse(Iterator& first, const Iterator& last, const Context&, RuleContext&, Attribute& name) const {
@@ -98,7 +98,7 @@ std::string spell(std::string_view phrase) {
 /// The bare words of the longest phrase of a table that fits: its position.
 struct PhraseParser : x3::parser<PhraseParser> {
   using attribute_type = std::size_t;
-  static constexpr bool has_attribute = true;
+  [[maybe_unused]] static constexpr bool has_attribute = true;
 
   explicit PhraseParser(const PhraseTable& phrases) : table(phrases) {}
 

@@ -16,12 +16,13 @@ void sphere_volumes(const ModelBlock& block, const BatchChunk& chunk, const Eige
   }
 }
 
-ChunkStep stay(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {
+ChunkStep advance_particle(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {
   return batches::no_step();
 }
 
 }  // namespace
 
-const ElementFormulation sphere_particle{Shape::sphere, "particle", 1, 0, 0, &sphere_volumes, &stay};
+const ElementFormulation sphere_particle{Shape::sphere,   "particle",       1, 0, 0,
+                                         &sphere_volumes, &advance_particle};
 
 }  // namespace contactsim

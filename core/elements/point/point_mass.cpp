@@ -12,12 +12,13 @@ void unit_volumes(const ModelBlock&, const BatchChunk& chunk, const Eigen::Matri
   for (std::size_t i = chunk.first_batch; i < chunk.first_batch + chunk.n_batches; ++i) volumes[i].setOnes();
 }
 
-ChunkStep stay(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {
+ChunkStep advance_point(const ModelBlock&, const BatchChunk&, const Motion&, ModelBlockState&) {
   return batches::no_step();
 }
 
 constexpr ElementFormulation point_mass(std::string_view formulation, bool has_rotations) {
-  ElementFormulation element{Shape::sphere, formulation, 1, 0, 0, &unit_volumes, &stay, has_rotations};
+  ElementFormulation element{Shape::sphere,  formulation,  1, 0, 0, &unit_volumes,
+                             &advance_point, has_rotations};
   element.step_rule = StepRule::none;
   return element;
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/shell/quad_shell.hpp"
 
+#include "core/elements/shell/surface_pair.hpp"
+
 namespace contactsim {
 
 namespace {
-
-using Pair = std::array<Lanes, 2>;
-
-Lanes dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 /// Vectors at the nodes as multiples of 1, xi, eta and xi eta: each sums them with the signs of one of these.
 struct Modes {
@@ -25,14 +23,6 @@ struct Modes {
   }
 };
 
-/// In the frame, angular velocities as velocities of the normal's tip.
-Pair tip(const VectorLanes& w) { return {w[1], -w[0]}; }
-
-/// The moments that go with forces on the normal's tip.
-VectorLanes moment_of(const Pair& tip_force, const Lanes& about_normal) {
-  return {-tip_force[1], tip_force[0], about_normal};
-}
-
 /// Component xx, yy, xy of a symmetric tensor of the surface.
 constexpr std::size_t at(std::size_t i, std::size_t j) { return i == j ? i : 2; }
 
@@ -43,7 +33,7 @@ constexpr std::size_t at(std::size_t i, std::size_t j) { return i == j ? i : 2; 
 QuadShell::QuadShell(const NodeVectors<4>& x) {
   const Modes modes(x);
   const VectorLanes normal = cross(modes.a, modes.b), along_a = unit(modes.a), along_b = unit(modes.b);
-  const Lanes size = contactsim::dot(normal, normal).sqrt();
+  const Lanes size = dot(normal, normal).sqrt();
   area_ = 0.25 * size;
   VectorLanes sum, difference;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -59,11 +49,11 @@ QuadShell::QuadShell(const NodeVectors<4>& x) {
   }
   frame_[2] = scaled(normal, 1.0 / size);
   for (std::size_t i = 0; i < 2; ++i) {
-    a_[i] = contactsim::dot(frame_[i], modes.a);
-    b_[i] = contactsim::dot(frame_[i], modes.b);
-    c_[i] = contactsim::dot(frame_[i], modes.c);
+    a_[i] = dot(frame_[i], modes.a);
+    b_[i] = dot(frame_[i], modes.b);
+    c_[i] = dot(frame_[i], modes.c);
   }
-  z_ = 0.25 * contactsim::dot(frame_[2], modes.c);
+  z_ = 0.25 * dot(frame_[2], modes.c);
   const Lanes per_area = 1.0 / area_;
   xi_ = {b_[1] * per_area, -b_[0] * per_area};
   eta_ = {-a_[1] * per_area, a_[0] * per_area};
@@ -80,8 +70,8 @@ QuadShell::Rates QuadShell::rates(const NodeVectors<4>& velocities,
   const Modes v(velocities), w(angular_velocities);
   const VectorLanes va = to_local(frame_, v.a), vb = to_local(frame_, v.b), vc = to_local(frame_, v.c);
   const VectorLanes w0 = to_local(frame_, w.all), wc = to_local(frame_, w.c);
-  const Pair psi = tip(w0), psi_a = tip(to_local(frame_, w.a)), psi_b = tip(to_local(frame_, w.b)),
-             psi_c = tip(wc);
+  const SurfacePair psi = tip(w0), psi_a = tip(to_local(frame_, w.a)), psi_b = tip(to_local(frame_, w.b)),
+                    psi_c = tip(wc);
   Rates rates;
   Lanes gradient[2][2], bending[2][2];  // of velocities and of fibres
   const Lanes c_psi_a = dot(c_, psi_a), c_psi_b = dot(c_, psi_b);
@@ -125,8 +115,8 @@ void spread(const VectorLanes& all, const VectorLanes& a, const VectorLanes& b, 
 void QuadShell::set_forces(const Rates& r, NodeVectors<4>& force, NodeVectors<4>& moment) const {
   Lanes on_gradient[2][2], on_bending[2][2];
   VectorLanes fa, fb, fc, none;
-  Pair on_psi, on_psi_a, on_psi_b, on_psi_c;
-  Pair on_slope;
+  SurfacePair on_psi, on_psi_a, on_psi_b, on_psi_c;
+  SurfacePair on_slope;
   Lanes about_normal = Lanes::Zero(), about_normal_c = Lanes::Zero();
   const Lanes across_xi = 0.0625 * dot(xi_, r.shear), across_eta = 0.0625 * dot(eta_, r.shear);
   const Lanes on_edges = 0.25 * (r.hourglass[5] - r.hourglass[4]);

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/elements/shell/triangle_shell.hpp"
 
+#include "core/elements/shell/surface_pair.hpp"
+
 namespace contactsim {
 
 namespace {
 
-using Pair = std::array<Lanes, 2>;
-
-Lanes dot(const Pair& a, const Pair& b) { return a[0] * b[0] + a[1] * b[1]; }
-Pair operator-(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
+SurfacePair operator-(const SurfacePair& a, const SurfacePair& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
 /// A vector of the second or third node less that of the first.
 VectorLanes difference(const NodeVectors<3>& v, std::size_t node) {
@@ -19,9 +18,6 @@ VectorLanes sum(const NodeVectors<3>& v) {
   return {v[0][0] + v[0][1] + v[0][2], v[1][0] + v[1][1] + v[1][2], v[2][0] + v[2][1] + v[2][2]};
 }
 
-/// In the frame, angular velocities as velocities of the normal's tip.
-Pair tip(const VectorLanes& w) { return {w[1], -w[0]}; }
-
 /// Sets vectors that go with the sum over the nodes and with the differences to the first.
 void spread(const VectorLanes& all, const VectorLanes& second, const VectorLanes& third,
             NodeVectors<3>& nodes) {
@@ -29,20 +25,18 @@ void spread(const VectorLanes& all, const VectorLanes& second, const VectorLanes
     nodes[i] = {all[i] - second[i] - third[i], all[i] + second[i], all[i] + third[i]};
 }
 
-VectorLanes moment_of(const Pair& tip_force) { return {-tip_force[1], tip_force[0], Lanes::Zero()}; }
-
 }  // namespace
 
 TriangleShell::TriangleShell(const NodeVectors<3>& x) {
   const VectorLanes a = difference(x, 1), b = difference(x, 2), normal = cross(a, b);
-  const Lanes size = contactsim::dot(normal, normal).sqrt();
+  const Lanes size = dot(normal, normal).sqrt();
   area_ = 0.5 * size;
   frame_[0] = unit(a);
   frame_[2] = scaled(normal, 1.0 / size);
   frame_[1] = cross(frame_[2], frame_[0]);
   for (std::size_t i = 0; i < 2; ++i) {
-    a_[i] = contactsim::dot(frame_[i], a);
-    b_[i] = contactsim::dot(frame_[i], b);
+    a_[i] = dot(frame_[i], a);
+    b_[i] = dot(frame_[i], b);
   }
   const Lanes per_size = 1.0 / size;
   xi_ = {b_[1] * per_size, -b_[0] * per_size};
@@ -50,7 +44,7 @@ TriangleShell::TriangleShell(const NodeVectors<3>& x) {
 }
 
 TriangleShell::EdgeRows TriangleShell::edge_rows() const {
-  const Pair c = a_ - b_;
+  const SurfacePair c = a_ - b_;
   EdgeRows rows;
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -63,8 +57,8 @@ TriangleShell::EdgeRows TriangleShell::edge_rows() const {
 
 TriangleShell::Rates TriangleShell::rates(const NodeVectors<3>& v, const NodeVectors<3>& w) const {
   const VectorLanes va = to_local(frame_, difference(v, 1)), vb = to_local(frame_, difference(v, 2));
-  const Pair psi = tip(to_local(frame_, sum(w))), psi_a = tip(to_local(frame_, difference(w, 1))),
-             psi_b = tip(to_local(frame_, difference(w, 2)));
+  const SurfacePair psi = tip(to_local(frame_, sum(w))), psi_a = tip(to_local(frame_, difference(w, 1))),
+                    psi_b = tip(to_local(frame_, difference(w, 2)));
   const EdgeRows rows = edge_rows();
   Rates rates;
   rates.membrane = {xi_[0] * va[0] + eta_[0] * vb[0], xi_[1] * va[1] + eta_[1] * vb[1],
@@ -83,7 +77,7 @@ TriangleShell::Rates TriangleShell::rates(const NodeVectors<3>& v, const NodeVec
 void TriangleShell::set_forces(const Rates& r, NodeVectors<3>& force, NodeVectors<3>& moment) const {
   const EdgeRows rows = edge_rows();
   VectorLanes fa, fb, none;
-  Pair on_psi, on_psi_a, on_psi_b;
+  SurfacePair on_psi, on_psi_a, on_psi_b;
   constexpr std::size_t at[2][2] = {{0, 2}, {2, 1}};
   for (std::size_t i = 0; i < 2; ++i) {
     fa[i] = -(r.membrane[at[i][0]] * xi_[0] + r.membrane[at[i][1]] * xi_[1]);
@@ -100,8 +94,8 @@ void TriangleShell::set_forces(const Rates& r, NodeVectors<3>& force, NodeVector
   fb[2] = -(r.shear[0] * eta_[0] + r.shear[1] * eta_[1]);
   for (Lanes& component : none) component.setZero();
   spread(none, to_global(frame_, fa), to_global(frame_, fb), force);
-  spread(to_global(frame_, moment_of(on_psi)), to_global(frame_, moment_of(on_psi_a)),
-         to_global(frame_, moment_of(on_psi_b)), moment);
+  spread(to_global(frame_, moment_of(on_psi, none[0])), to_global(frame_, moment_of(on_psi_a, none[0])),
+         to_global(frame_, moment_of(on_psi_b, none[0])), moment);
 }
 
 std::array<std::array<Lanes, 3>, 2> TriangleShell::gradients() const {
@@ -111,7 +105,8 @@ std::array<std::array<Lanes, 3>, 2> TriangleShell::gradients() const {
 ShellSizes TriangleShell::sizes() const {
   ShellSizes sizes;
   sizes.area = area_;
-  const Pair first{-xi_[0] - eta_[0], -xi_[1] - eta_[1]};  // gradient of the first node's shape function
+  const SurfacePair first{-xi_[0] - eta_[0],
+                          -xi_[1] - eta_[1]};  // gradient of the first node's shape function
   sizes.gram = {first[0] * first[0] + xi_[0] * xi_[0] + eta_[0] * eta_[0],
                 first[1] * first[1] + xi_[1] * xi_[1] + eta_[1] * eta_[1],
                 first[0] * first[1] + xi_[0] * xi_[1] + eta_[0] * eta_[1]};
@@ -128,7 +123,7 @@ ShellSizes TriangleShell::sizes() const {
 }
 
 std::array<HourglassSizes, TriangleShell::n_modes> TriangleShell::hourglass_sizes() const {
-  const Pair c = a_ - b_;
+  const SurfacePair c = a_ - b_;
   return {
       {{Lanes::Zero(), 0.25 * (dot(a_, a_) + dot(b_, b_) + dot(c, c)), 4.0 / 3.0 * sizes().gram_trace()}}};
 }
