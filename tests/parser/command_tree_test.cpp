@@ -7,17 +7,11 @@
 #include <set>
 
 #include "support/catch.hpp"
+#include "support/row_path.hpp"
 
 using namespace contactsim;
 
 namespace {
-
-/// "sierra > function > x scale", for failures.
-std::string path_of(const TreeRow& entry) {
-  std::string path;
-  for (const RowText* block : entry.around) path += block->phrase + " > ";
-  return path + (entry.row->phrase.empty() ? entry.row->syntax : entry.row->phrase);
-}
 
 std::vector<std::string> phrases_of(const RowText& row) {
   std::vector<std::string> phrases = row.spellings;

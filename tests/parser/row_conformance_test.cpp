@@ -11,6 +11,7 @@
 #include "parser/text/syntax.hpp"
 #include "support/catch.hpp"
 #include "support/deck_dump.hpp"
+#include "support/row_path.hpp"
 
 using namespace contactsim;
 
@@ -94,12 +95,6 @@ std::string line_naming(const RowText& row) {
   INFO("a row of its own syntax needs an example: " << row.phrase);
   REQUIRE((has_example || is_value));
   return row.phrase + (is_value ? " = neer" : " " + example->second) + "\n";
-}
-
-std::string path_of(const TreeRow& entry) {
-  std::string path;
-  for (const RowText* block : entry.around) path += block->phrase + " > ";
-  return path + entry.row->phrase;
 }
 
 bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

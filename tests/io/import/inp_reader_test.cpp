@@ -5,6 +5,7 @@
 #include "io/import/inp_elements.hpp"
 #include "io/import/inp_lines.hpp"
 #include "support/catch.hpp"
+#include "support/replaced.hpp"
 #include "support/temporary_directory.hpp"
 
 using namespace contactsim;
@@ -13,7 +14,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-const std::string cube =
+const std::string cube_text =
     "** a cube and a sheet\n*Heading\n of the deck\n*NODE, NSET=All\n"
     "1, 0, 0, 0\n2, 1., 0, 0\n3, 1., 1., 0\n4, 0, 1., 0\n5, 0, 0, 1.\n6, 1., 0, 1.\n7, 1., 1., 1.\n8, 0, 1., "
     "1.\n"
@@ -23,19 +24,15 @@ const std::string cube =
     "*SURFACE, NAME=Top, TYPE=ELEMENT\nsolid, S2\n*Solid Section, elset=Solid, material=steel\n*STEP\n*END "
     "STEP\n";
 
-DraftMesh read_text(const std::string& text) {
+DraftMesh read_inp_text(const std::string& text) {
   const TemporaryDirectory directory;
   write_bytes(directory.file("m.inp"), text);
   return read_inp(directory.file("m.inp"));
 }
 
-std::string with(std::string text, const std::string& part, const std::string& other) {
-  return text.replace(text.find(part), part.size(), other);
-}
-
-std::string message_of(const std::string& text) {
+std::string inp_message(const std::string& text) {
   try {
-    read_text(text);
+    read_inp_text(text);
   } catch (const FileError& error) {
     return error.what();
   }
@@ -45,7 +42,7 @@ std::string message_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("blocks, sets and surfaces of an input file are read", "[io][import]") {
-  const DraftMesh mesh = read_text(cube);
+  const DraftMesh mesh = read_inp_text(cube_text);
   REQUIRE(mesh.groups.size() == 2);
   CHECK(mesh.groups[0].name == "Solid");
   CHECK(mesh.groups[0].shape == Shape::hex8);
@@ -63,26 +60,30 @@ TEST_CASE("blocks, sets and surfaces of an input file are read", "[io][import]")
 }
 
 TEST_CASE("sets and surfaces that become nothing are named", "[io][import]") {
-  CHECK(read_text(cube).passed_over.empty());
-  const DraftMesh mesh = read_text(cube + "*ELSET, ELSET=Half\n17\n*SURFACE, NAME=n, TYPE=NODE\nlow\n");
+  CHECK(read_inp_text(cube_text).passed_over.empty());
+  const DraftMesh mesh =
+      read_inp_text(cube_text + "*ELSET, ELSET=Half\n17\n*SURFACE, NAME=n, TYPE=NODE\nlow\n");
   REQUIRE(mesh.passed_over.size() == 2);
   CHECK_THAT(mesh.passed_over[0], Contains("surface 'n': passed over"));
   CHECK_THAT(mesh.passed_over[1], Contains("ELSET 'half': passed over"));
 }
 
 TEST_CASE("what is wrong with an input file is said with its line", "[io][import]") {
-  CHECK_THAT(message_of(with(cube, "C3D8R", "C3D20")),
+  CHECK_THAT(inp_message(replaced(cube_text, "C3D8R", "C3D20")),
              Contains("line 15: elements of the type 'C3D20' are not read"));
-  CHECK_THAT(message_of(with(cube, "10, 3\n", "11, 3\n")),
+  CHECK_THAT(inp_message(replaced(cube_text, "10, 3\n", "11, 3\n")),
              Contains("element 18 has the node 11, which is not there"));
-  CHECK_THAT(message_of(with(cube, "solid, S2", "solid, SPOS")),
+  CHECK_THAT(inp_message(replaced(cube_text, "solid, S2", "solid, SPOS")),
              Contains("expected an element or an ELSET and a face"));
-  CHECK_THAT(message_of(with(cube, "solid, S2", "19, S2")), Contains("there is no element 19"));
-  CHECK_THAT(message_of(with(cube, "solid, S2", "sheet, S2")), Contains("element 18 has no face S2"));
-  CHECK_THAT(message_of(with(cube, "*STEP", "*INCLUDE, INPUT=more.inp")), Contains("more.inp"));
-  CHECK_THAT(message_of(with(cube, "2, 1., 0, 0", "1, 1., 0, 0")), Contains("node 1 is there twice"));
-  CHECK_THAT(message_of(with(cube, "1, 4, 1", "1, 4000000000000, 1")), Contains("are not the ids of a set"));
-  CHECK_THAT(message_of("*NODE\n1, 0, 0, 0\n"), Contains("no *NODE or no *ELEMENT"));
+  CHECK_THAT(inp_message(replaced(cube_text, "solid, S2", "19, S2")), Contains("there is no element 19"));
+  CHECK_THAT(inp_message(replaced(cube_text, "solid, S2", "sheet, S2")),
+             Contains("element 18 has no face S2"));
+  CHECK_THAT(inp_message(replaced(cube_text, "*STEP", "*INCLUDE, INPUT=more.inp")), Contains("more.inp"));
+  CHECK_THAT(inp_message(replaced(cube_text, "2, 1., 0, 0", "1, 1., 0, 0")),
+             Contains("node 1 is there twice"));
+  CHECK_THAT(inp_message(replaced(cube_text, "1, 4, 1", "1, 4000000000000, 1")),
+             Contains("are not the ids of a set"));
+  CHECK_THAT(inp_message("*NODE\n1, 0, 0, 0\n"), Contains("no *NODE or no *ELEMENT"));
 }
 
 TEST_CASE("types of elements are known by how they begin, faces as Abaqus counts them", "[io][import]") {

@@ -347,7 +347,7 @@ TEST_CASE("loops and includes that cannot be carried out are reported", "[parser
         "  included from b:1\n  included from a.i:1\n");
 }
 
-TEST_CASE("a deck that expands without end is stopped with an error", "[parser][aprepro]") {
+TEST_CASE("a deck that expands without end is stopped with an error", "[parser][aprepro][slow]") {
   const auto stopped_by = [](const std::string& text, const FileReader& read_file = read_no_file) {
     Diagnostics found;
     try {

@@ -3,18 +3,13 @@
 
 #include "support/catch.hpp"
 #include "support/deck_dump.hpp"
+#include "support/name_at.hpp"
 
 using namespace contactsim;
 
 namespace {
 
 using K = NameKind;
-
-/// Line `line` of "a.i", column 5.
-DeckName name_at(const std::string& text, int line) {
-  static const auto file = std::make_shared<const SourceFile>(SourceFile{"a.i", "\n\n\n\n\n\n\n\n"});
-  return {text, {file, line, 5, nullptr}};
-}
 
 /// A block without content but what it refers to.
 void add_block(DeckNames& names, K kind, const DeckName& name,

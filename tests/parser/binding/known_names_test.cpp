@@ -3,17 +3,9 @@
 
 #include "support/catch.hpp"
 #include "support/deck_dump.hpp"
+#include "support/name_at.hpp"
 
 using namespace contactsim;
-
-namespace {
-
-DeckName name_at(const std::string& text, int line) {
-  static const auto file = std::make_shared<const SourceFile>(SourceFile{"a.i", "\n\n\n\n"});
-  return {text, {file, line, 5, nullptr}};
-}
-
-}  // namespace
 
 TEST_CASE("names are found in any case", "[parser][names]") {
   KnownNames names("function");

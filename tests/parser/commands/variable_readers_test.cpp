@@ -9,11 +9,11 @@ using namespace contactsim;
 namespace {
 
 /// What the reading of one line of an element death says.
-std::string death_messages(const std::string& line) {
+std::string line_messages(const std::string& line) {
   return bound_region("begin element death\n" + line + "\nend\n").messages;
 }
 
-VariableReference variable_of(const std::string& text) {
+VariableReference reference_of(const std::string& text) {
   const BoundRegion bound =
       bound_region("begin element death\ncriterion is element value of " + text + " > 1\nend\n");
   CHECK(bound.messages == "");
@@ -23,34 +23,34 @@ VariableReference variable_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a variable may name a component and an integration point", "[parser][variable]") {
-  CHECK(variable_of("stress").name.text == "stress");
-  CHECK(variable_of("stress").component == "");
-  CHECK_FALSE(variable_of("stress").integration_point);
-  CHECK(variable_of("Stress(XX)").name.text == "Stress");
-  CHECK(variable_of("stress(XX)").component == "xx");
-  CHECK(variable_of("stress(xy, 3)").component == "xy");
-  CHECK(variable_of("stress(xy, 3)").integration_point == 3);
-  CHECK(variable_of("stress(2,1)").component == "2");
+  CHECK(reference_of("stress").name.text == "stress");
+  CHECK(reference_of("stress").component == "");
+  CHECK_FALSE(reference_of("stress").integration_point);
+  CHECK(reference_of("Stress(XX)").name.text == "Stress");
+  CHECK(reference_of("stress(XX)").component == "xx");
+  CHECK(reference_of("stress(xy, 3)").component == "xy");
+  CHECK(reference_of("stress(xy, 3)").integration_point == 3);
+  CHECK(reference_of("stress(2,1)").component == "2");
 }
 
 TEST_CASE("a colon or a star stands for all components or points", "[parser][variable]") {
-  CHECK(variable_of("stress(:,:)").component == "");
-  CHECK_FALSE(variable_of("stress(:,:)").integration_point);
-  CHECK(variable_of("stress(*,2)").component == "");
-  CHECK(variable_of("stress(*,2)").integration_point == 2);
-  CHECK_FALSE(variable_of("stress(zz,*)").integration_point);
+  CHECK(reference_of("stress(:,:)").component == "");
+  CHECK_FALSE(reference_of("stress(:,:)").integration_point);
+  CHECK(reference_of("stress(*,2)").component == "");
+  CHECK(reference_of("stress(*,2)").integration_point == 2);
+  CHECK_FALSE(reference_of("stress(zz,*)").integration_point);
 }
 
 TEST_CASE("a wrong variable is told", "[parser][variable]") {
-  CHECK(death_messages("criterion is element value of stress(xx,0) > 1") ==
+  CHECK(line_messages("criterion is element value of stress(xx,0) > 1") ==
         "a.i:2:31: error: expected an integration point from 1, found '0'\n");
-  CHECK(death_messages("criterion is element value of stress(,1) > 1") ==
+  CHECK(line_messages("criterion is element value of stress(,1) > 1") ==
         "a.i:2:31: error: expected a component in 'stress(,1)'\n");
-  CHECK(death_messages("criterion is element value of > 1") ==
+  CHECK(line_messages("criterion is element value of > 1") ==
         "a.i:2:31: error: expected a variable after 'criterion', found '>'\n");
-  CHECK(death_messages("criterion is element value of 3 > 1") ==
+  CHECK(line_messages("criterion is element value of 3 > 1") ==
         "a.i:2:31: error: expected a variable after 'criterion', found '3'\n");
-  CHECK(death_messages("criterion is element value of") ==
+  CHECK(line_messages("criterion is element value of") ==
         "a.i:2:1: error: expected a variable after 'criterion', found the end of the line\n");
 }
 
@@ -72,8 +72,8 @@ TEST_CASE("every comparison is read", "[parser][variable]") {
 }
 
 TEST_CASE("a test without comparison or value is told", "[parser][variable]") {
-  CHECK(death_messages("criterion is element value of eqps 0.5") ==
+  CHECK(line_messages("criterion is element value of eqps 0.5") ==
         "a.i:2:36: error: expected one of <, <=, =, >=, > after 'eqps', found '0.5'\n");
-  CHECK(death_messages("criterion is element value of eqps >") ==
+  CHECK(line_messages("criterion is element value of eqps >") ==
         "a.i:2:1: error: expected a number after 'criterion', found the end of the line\n");
 }

@@ -19,7 +19,7 @@ std::string words(const std::string& text) {
   return dump(deck);
 }
 
-std::string errors(const std::string& text) {
+std::string line_errors(const std::string& text) {
   Diagnostics diagnostics;
   parse_syntax(make_source("a.i", text), diagnostics, read_no_file);
   return messages(diagnostics);
@@ -95,7 +95,7 @@ TEST_CASE("an apostrophe inside a word is no quote, nor is one that nothing clos
 
 TEST_CASE("a double quote that is never closed is an error at the quote, once", "[parser][lines]") {
   CHECK(
-      errors("e = \"x + 1\nf = 2\n") ==
+      line_errors("e = \"x + 1\nf = 2\n") ==
       "a.i:1:5: error: the quote \" is never closed; close it, or end the line with \\# to go on in the next "
       "one\n");
 }
@@ -120,7 +120,7 @@ TEST_CASE("text beyond ASCII may stand anywhere", "[parser][lines]") {
 }
 
 TEST_CASE("control characters are errors, one message for all alike", "[parser][lines]") {
-  CHECK(errors(std::string("a\0b\n\x01 c\rd\n\0", 11)) ==
+  CHECK(line_errors(std::string("a\0b\n\x01 c\rd\n\0", 11)) ==
         "a.i:1:2: error: control character 0x00 in the deck\n  1 more like this, at a.i:3:1\n"
         "a.i:2:1: error: control character 0x01 in the deck\n"
         "a.i:2:4: error: control character 0x0d in the deck\n");
