@@ -8,6 +8,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/threads.hpp"
+#include "core/dynamics/block_at_rest.hpp"
 #include "core/dynamics/discrete_steps.hpp"
 #include "core/elements/element_table.hpp"
 #include "core/elements/elements.hpp"
@@ -31,12 +32,8 @@ double find_step_at_rest(const Model& model, bool only_rigid) {
   double step = std::numeric_limits<double>::infinity();
   for (const ModelBlock& block : model.blocks) {
     if (only_rigid && !block.is_rigid) continue;
-    ModelBlockState state = make_state(block);
-    const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, model.mesh->n_nodes());
-    Motion motion{0.0, 0.0, model.mesh->coordinates(), still};
-    motion.angular_velocity = &still;
-    for (const BatchChunk& chunk : block.chunks)
-      step = std::min(step, block.element->advance(block, chunk, motion, state).stable_step);
+    BlockAtRest at_rest(*model.mesh, block);
+    for (const BatchChunk& chunk : block.chunks) step = std::min(step, at_rest.stable_step(chunk));
   }
   return step;
 }

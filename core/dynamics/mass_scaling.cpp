@@ -13,25 +13,19 @@
 #include "core/base/pluralize.hpp"
 #include "core/conditions/entity_elements.hpp"
 #include "core/definition/region.hpp"
-#include "core/elements/element_table.hpp"
+#include "core/dynamics/block_at_rest.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// Steps of the elements of a block at rest.
-class StepsAtRest {
+/// Steps of single elements of a block at rest, and what makes them longer.
+class ScaledBlock {
  public:
-  StepsAtRest(const Mesh& mesh, ModelBlock& block)
-      : block_(block),
-        state_(make_state(block)),
-        still_(Eigen::Matrix3Xd::Zero(3, mesh.n_nodes())),
-        motion_{0.0, 0.0, mesh.coordinates(), still_} {
-    motion_.angular_velocity = &still_;
-  }
+  ScaledBlock(const Mesh& mesh, ModelBlock& block) : block_(block), at_rest_(mesh, block) {}
 
   /// The stable step that an element allows alone [time].
-  double of(std::size_t element) {
+  double stable_step(std::size_t element) {
     const std::size_t batch = element / n_lanes;
     const auto lane = static_cast<Eigen::Index>(element % n_lanes);
     const auto parent =
@@ -45,12 +39,13 @@ class StepsAtRest {
     const std::optional<Lanes> inertia =
         block_.inertia.empty() ? std::nullopt : std::optional(block_.inertia[batch]);
     scale(batch, factors);
-    const double step = block_.element->advance(block_, alone, motion_, state_).stable_step;
+    const double step = at_rest_.stable_step(alone);
     block_.mass[batch] = mass;
     if (inertia) block_.inertia[batch] = *inertia;
     return step;
   }
 
+  /// Makes the elements of a batch heavier.
   void scale(std::size_t batch, const Lanes& factors) {
     block_.mass[batch] *= factors;
     if (!block_.inertia.empty()) block_.inertia[batch] *= factors;
@@ -58,9 +53,7 @@ class StepsAtRest {
 
  private:
   ModelBlock& block_;
-  ModelBlockState state_;
-  Eigen::Matrix3Xd still_;
-  Motion motion_;
+  BlockAtRest at_rest_;
 };
 
 /// What a MASS SCALING block has done.
@@ -76,12 +69,12 @@ void scale_block(const MassScaling& scaling, std::span<const ElementIndex> eleme
   const ElementIndex last{block.first_element.value + static_cast<std::uint32_t>(block.n_elements)};
   const auto end = std::ranges::lower_bound(elements, last);
   if (begin == end || block.is_rigid || block.element->step_rule != StepRule::material) return;
-  StepsAtRest steps(mesh, block);
+  ScaledBlock scaled(mesh, block);
   const double bound = scaling.allowable_mass_increase.value_or(std::numeric_limits<double>::infinity());
   constexpr double rounding = 1e-12;
   for (auto at = begin; at != end; ++at) {
     const std::size_t element = at->value - block.first_element.value;
-    const double step = steps.of(element), wanted = *scaling.target_time_step / step;
+    const double step = scaled.stable_step(element), wanted = *scaling.target_time_step / step;
     if (!(wanted > 1.0 + rounding)) continue;
     const double factor = std::min(wanted * wanted, std::max(bound, 1.0));
     if (factor < wanted * wanted) ++sum.n_bounded;
@@ -89,7 +82,7 @@ void scale_block(const MassScaling& scaling, std::span<const ElementIndex> eleme
     Lanes factors = Lanes::Ones();
     factors(lane) = factor;
     sum.added += (factor - 1.0) * block.mass[element / n_lanes](lane);
-    steps.scale(element / n_lanes, factors);
+    scaled.scale(element / n_lanes, factors);
     ++sum.n_scaled;
     sum.largest_factor = std::max(sum.largest_factor, factor);
   }
