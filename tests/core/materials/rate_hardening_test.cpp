@@ -12,19 +12,11 @@ namespace {
 constexpr ElasticModuli steel{160e9, 80e9};
 
 RateFactor johnson_cook(double constant, double reference) {
-  RateFactor factor;
-  factor.kind = RateFactor::Kind::johnson_cook;
-  factor.constant = constant;
-  factor.reference_rate = reference;
-  return factor;
+  return {.kind = RateFactor::Kind::johnson_cook, .constant = constant, .reference_rate = reference};
 }
 
 RateFactor breakdown(double coefficient, double exponent) {
-  RateFactor factor;
-  factor.kind = RateFactor::Kind::power_law_breakdown;
-  factor.coefficient = coefficient;
-  factor.exponent = exponent;
-  return factor;
+  return {.kind = RateFactor::Kind::power_law_breakdown, .coefficient = coefficient, .exponent = exponent};
 }
 
 /// Shears a point by an angle in one step; von Mises stress and plastic strain at the end.
