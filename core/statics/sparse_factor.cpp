@@ -8,37 +8,29 @@ namespace contactsim {
 
 namespace {
 
-class SymmetricEigenFactor final : public SparseFactor {
+template <class Factor>
+class EigenFactor final : public SparseFactor {
  public:
   bool factorise(const Matrix& matrix) override {
     factor_.compute(matrix);
     return factor_.info() == Eigen::Success;
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const override { return factor_.solve(right); }
-  std::int64_t n_negative() const override { return (factor_.vectorD().array() < 0.0).count(); }
-
- private:
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factor_;
-};
-
-class GeneralEigenFactor final : public SparseFactor {
- public:
-  bool factorise(const Matrix& matrix) override {
-    factor_.compute(matrix);
-    return factor_.info() == Eigen::Success;
+  std::int64_t n_negative() const override {
+    if constexpr (requires { factor_.vectorD(); }) return (factor_.vectorD().array() < 0.0).count();
+    return 0;
   }
-  Eigen::VectorXd solve(const Eigen::VectorXd& right) const override { return factor_.solve(right); }
-  std::int64_t n_negative() const override { return 0; }
 
  private:
-  Eigen::SparseLU<Matrix> factor_;
+  Factor factor_;
 };
 
 }  // namespace
 
 std::unique_ptr<SparseFactor> make_eigen_factor(bool is_symmetric) {
-  if (is_symmetric) return std::make_unique<SymmetricEigenFactor>();
-  return std::make_unique<GeneralEigenFactor>();
+  using Matrix = SparseFactor::Matrix;
+  if (is_symmetric) return std::make_unique<EigenFactor<Eigen::SimplicialLDLT<Matrix, Eigen::Lower>>>();
+  return std::make_unique<EigenFactor<Eigen::SparseLU<Matrix>>>();
 }
 
 std::unique_ptr<SparseFactor> make_sparse_factor(bool is_symmetric) {
