@@ -140,11 +140,12 @@ void LoadSteps::advance() {
 
 void LoadSteps::fail(double dt) const {
   const CgReport& search = report_.search;
-  std::string text = fmt::format(
-      "no equilibrium is found with a step of {:.4g}: after {} iterations {:.4g} of forces are left over, "
-      "{:.3g} "
-      "of their reference {:.4g}",
-      dt, search.n_iterations, search.residual, search.residual / search.reference, search.reference);
+  std::string text = fmt::format("no equilibrium is found with a step of {:.4g}: ", dt);
+  if (!(search.reference > 0.0))
+    throw SolveError(state_.time, text + "elements turn inside out from the first guess on");
+  text +=
+      fmt::format("after {} iterations {:.4g} of forces are left over, {:.3g} of their reference {:.4g}",
+                  search.n_iterations, search.residual, search.residual / search.reference, search.reference);
   if (residual_.size() == problem_.size())
     text += fmt::format(", most at node {}", model_.mesh->node_id(problem_.largest_at(residual_)));
   if (!(search.residual < runaway * search.reference))
@@ -152,6 +153,9 @@ void LoadSteps::fail(double dt) const {
   throw SolveError(state_.time, text);
 }
 
-void LoadSteps::archive(StateArchive& saved) { schedule_.archive(saved); }
+void LoadSteps::archive(StateArchive& saved) {
+  schedule_.archive(saved);
+  problem_.archive(saved);
+}
 
 }  // namespace contactsim

@@ -178,7 +178,10 @@ std::int64_t predict_linearly(Equilibrium& equilibrium, const Preconditioner& pr
   constexpr double tolerance = 1e-3;  // of the first residual: the search that follows does the rest
   Eigen::VectorXd at_base, moved;
   std::int64_t n_evaluations = 1;
-  if (!equilibrium.evaluate(increment, at_base)) return n_evaluations;
+  if (!equilibrium.evaluate(increment, at_base)) {
+    increment += prescribed;
+    return n_evaluations;
+  }
   // Sets `product` to the stiffness times a direction.
   const auto multiply = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) {
     ++n_evaluations;
@@ -189,8 +192,7 @@ std::int64_t predict_linearly(Equilibrium& equilibrium, const Preconditioner& pr
   };
   Eigen::VectorXd residual = at_base, solution = prescribed, product, z;
   if (!prescribed.isZero(0.0)) {
-    if (!multiply(prescribed, product)) return n_evaluations;
-    residual -= product;
+    if (multiply(prescribed, product)) residual -= product;
   }
   const double target = tolerance * equilibrium.norm(residual);
   preconditioner.apply(residual, z);

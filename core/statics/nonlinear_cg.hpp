@@ -47,7 +47,8 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
 /// residuals, such that prescribed directions may move far without turning elements inside out on the way.
 /// Source: Knoll and Keyes, J. Comput. Phys. 193 (2004) 357-397, eq. 10.
 ///   prescribed  what fixed and prescribed directions still have to move, 0 of the others
-///   increment   in: where to linearise; out: with the prescribed part, and what balances it linearly
+///   increment   in: where to linearise; out: with the prescribed part in any case, and what balances it
+///   linearly
 /// Returns the number of evaluations of the residual.
 std::int64_t predict_linearly(Equilibrium& equilibrium, const Preconditioner& preconditioner,
                               const Eigen::VectorXd& prescribed, std::int64_t max_iterations,

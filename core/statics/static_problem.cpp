@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/state_archive.hpp"
 #include "core/base/threads.hpp"
 #include "core/dynamics/state_motion.hpp"
 
@@ -161,6 +162,7 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   const Eigen::VectorXd all = internal + external + contact;
   Eigen::VectorXd free = all;
   project(free);
+  largest_reference_ = std::max(largest_reference_, reference_now());
   Energies& energies = state_.energies;
   energies.internal -= internal.dot(increment);
   energies.contact -= contact.dot(increment);
@@ -189,7 +191,18 @@ double StaticProblem::norm(const Eigen::VectorXd& residual) const {
   return std::sqrt(residual.cwiseAbs2().dot(weights_));
 }
 
+/// What comes back to rest without loads has no reference of its own: it is not below a thousandth of the
+/// largest so far. Source: what RESIDUAL ROUNDOFF TOLERANCE of Sierra/SM is for.
 double StaticProblem::reference() const {
+  constexpr double least = 1e-3;
+  return std::max(reference_now(), least * largest_reference_);
+}
+
+void StaticProblem::archive(StateArchive& saved) {
+  saved.numbers("run/largest_reference", largest_reference_);
+}
+
+double StaticProblem::reference_now() const {
   Eigen::VectorXd reaction = -all_forces(), free = reaction;
   project(free);
   reaction -= free;

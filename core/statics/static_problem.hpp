@@ -11,6 +11,8 @@
 
 namespace contactsim {
 
+class StateArchive;
+
 /// The forces of a model at the end of a load step, whose increment is sought: every evaluation begins with
 /// what elements remember of the step's start, so that trials leave no trace. Inertia has no part in it.
 class StaticProblem final : public Equilibrium {
@@ -33,6 +35,7 @@ class StaticProblem final : public Equilibrium {
   void accept(const Eigen::VectorXd& increment);
   /// Brings back the state that the step began at.
   void restore();
+  void archive(StateArchive& saved);
   /// The node with the largest force in a residual.
   NodeIndex largest_at(const Eigen::VectorXd& residual) const;
 
@@ -61,6 +64,7 @@ class StaticProblem final : public Equilibrium {
  private:
   static constexpr double probe_angle = 1e-6;
 
+  double reference_now() const;
   void remember();
   void recall_elements();
   void move_to(const Eigen::VectorXd& increment);
@@ -80,6 +84,7 @@ class StaticProblem final : public Equilibrium {
   double probe_length_;
   Eigen::VectorXd weights_;  // of squared residuals: 1, and 1/length^2 of moments
   double dt_ = 0.0;
+  double largest_reference_ = 0.0;  // of accepted steps
   std::vector<FreeDirections> free_, free_rotations_;
   Eigen::VectorXd prescribed_;
   // Of the state at the start of the step.

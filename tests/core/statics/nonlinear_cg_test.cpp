@@ -114,6 +114,14 @@ TEST_CASE("a search has the iterations that it shall have at least", "[core][sta
   CHECK(nonlinear_cg(row, Identity(), settings, u).n_iterations == 4);
 }
 
+TEST_CASE("a prediction that cannot be evaluated has what is prescribed all the same", "[core][statics]") {
+  SpringRow row(3, 0.0, 0.0);
+  row.largest = -1.0;  // nothing can be evaluated
+  Eigen::VectorXd prescribed = Eigen::Vector3d(0.0, 0.0, 1.0), u = Eigen::VectorXd::Zero(3);
+  predict_linearly(row, Identity(), prescribed, 100, u);
+  CHECK(u == prescribed);
+}
+
 TEST_CASE("a linear prediction moves what stands between held ends along", "[core][statics]") {
   SpringRow row(10, 0.0, 0.0);
   row.holds_last = true;
