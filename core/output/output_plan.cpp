@@ -15,6 +15,10 @@ namespace contactsim {
 
 namespace {
 
+/// An estimate takes a second for so many steps. Of more it looks at some alone: what is due by steps counts
+/// less then.
+constexpr std::int64_t max_steps_looked_at = 10'000'000;
+
 void check_clashes(const std::vector<std::string>& paths, const DeckName& region, Diagnostics& diagnostics) {
   std::map<std::filesystem::path, int> n_uses;
   for (const std::string& path : paths) {
@@ -79,12 +83,16 @@ Mesh OutputPlan::results_mesh() const {
 
 std::vector<OutputEstimate> OutputPlan::estimate(double begin, double step, std::int64_t n_steps) {
   std::vector<std::int64_t> n_due(results_.size() + heartbeats_.size(), 0);
-  for (std::int64_t i = 0; i <= n_steps; ++i) {
+  const std::int64_t stride = 1 + n_steps / max_steps_looked_at;
+  const auto look = [&](std::int64_t i) {
     find_due({i, begin + static_cast<double>(i) * step, i == n_steps});
-    for (std::size_t k = 0; k < n_due.size(); ++k)
-      n_due[k] +=
-          (k < results_.size() ? results_[k].is_due : heartbeats_[k - results_.size()].is_due) ? 1 : 0;
-  }
+    for (std::size_t k = 0; k < n_due.size(); ++k) {
+      const bool is_due = k < results_.size() ? results_[k].is_due : heartbeats_[k - results_.size()].is_due;
+      n_due[k] += is_due ? 1 : 0;
+    }
+  };
+  for (std::int64_t i = 0; i < n_steps; i += stride) look(i);
+  look(n_steps);
   std::vector<OutputEstimate> estimates;
   const auto add = [&](const std::string& path, std::int64_t n_states, const OutputBytes& bytes) {
     estimates.push_back({path, n_states, bytes.start + static_cast<std::uint64_t>(n_states) * bytes.step});

@@ -104,7 +104,8 @@ std::vector<Row<Requests>> variable_request_rows(RequestPlaces places) {
   std::vector<Row<Requests>> rows{
       make("variables", L::any, "Variables of any kind, in their own dimensions"),
       make("global variables", L::global, "Values of the whole model").or_spelled("global"),
-      make("nodal variables", L::nodal, "Values at nodes")
+      make("nodal variables", L::nodal,
+           "Values at nodes; v(x) is one component, v(magnitude) the length of a vector")
           .or_spelled("node variables")
           .or_spelled("nodal")
           .or_spelled("node"),

@@ -100,6 +100,16 @@ TEST_CASE("a check tells the bytes of the files of a run within a tenth", "[app]
   check_estimate(directory, "two_blocks.i", {"two_blocks.e"});
 }
 
+TEST_CASE("a check of a run that would never end is done all the same", "[app][check]") {
+  const Boxes boxes(contact + results("nodal displacement\n"));
+  std::string deck = boxes.read("a.i");
+  const std::string end = "termination time = 1e-3";
+  boxes.write("a.i", deck.replace(deck.find(end), end.size(), "termination time = 1e8"));
+  const auto [code, out, err] = boxes.run({"a.i", "--check"});
+  CHECK(code == 0);
+  CHECK(estimated_bytes(out, "a.e") > 1'000'000'000);
+}
+
 TEST_CASE("a check finds what a run would refuse", "[app][check]") {
   const auto found = [](const std::string& more) {
     const auto [code, out, err] = Boxes(contact + more).run({"a.i", "--check"});
