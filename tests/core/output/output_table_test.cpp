@@ -6,8 +6,7 @@
 #include <set>
 #include <string>
 
-#include "support/catch.hpp"
-#include "support/sample_run.hpp"
+#include "support/row_values.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
@@ -19,39 +18,6 @@ std::vector<OutputRow> all_rows() {
   for (const auto some : {global_output_rows(), nodal_output_rows(), element_output_rows()})
     rows.insert(rows.end(), some.begin(), some.end());
   return rows;
-}
-
-std::vector<double> values_of(const SampleRun& run, const OutputRow& row, const EntityRange& range) {
-  std::vector<double> values(range.count * static_cast<std::size_t>(row.n_components()), std::nan(""));
-  row.fill(run.context(), range, values);
-  return values;
-}
-
-std::vector<double> values_of(const SampleRun& run, FieldLocation location, const std::string& name,
-                              const EntityRange& range = {}) {
-  for (const OutputRow& row : all_rows()) {
-    if (row.name == name && row.location == location) return values_of(run, row, range);
-  }
-  FAIL(name);
-  return {};
-}
-
-std::vector<double> global(const SampleRun& run, const std::string& name) {
-  return values_of(run, FieldLocation::global, name);
-}
-
-std::vector<double> nodal(const SampleRun& run, const std::string& name, std::size_t node) {
-  return values_of(run, FieldLocation::node, name, {0, node, 1, {}});
-}
-
-std::vector<double> element(const SampleRun& run, const std::string& name, std::size_t i,
-                            std::size_t block = 0) {
-  return values_of(run, FieldLocation::element, name, {block, i, 1, {}});
-}
-
-void check_close(const std::vector<double>& found, const std::vector<double>& expected) {
-  REQUIRE(found.size() == expected.size());
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(expected[i]).margin(1e-12));
 }
 
 Eigen::Matrix3d shear_and_stretch() {
