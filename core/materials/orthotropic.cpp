@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Matrix3d;
 
-/// Strain along i by stress along j.
+/// Strain along i by stress along j: 1 / E_i, and -nu_ij / E_i = -nu_ji / E_j beside the diagonal.
 Matrix3d compliance_of(const OrthotropicConstants& m) {
   return Matrix3d{{1.0 / m.e11, -m.nu12 / m.e11, -m.nu13 / m.e11},
                   {-m.nu12 / m.e11, 1.0 / m.e22, -m.nu23 / m.e22},
@@ -55,13 +55,18 @@ ElasticModuli bounds_of(const Matrix3d& direct, const std::array<double, 3>& she
   return {lambda + 2.0 / 3.0 * bound, bound};
 }
 
-/// The isotropic material that has the same energy on average over all directions. Source: Voigt (1928).
+/// The isotropic material that has the same energy on average over all directions:
+///   9 K = C11 + C22 + C33 + 2 (C12 + C23 + C13)
+///   15 G = C11 + C22 + C33 - (C12 + C23 + C13) + 3 (C44 + C55 + C66)
+/// Source: Voigt, Lehrbuch der Kristallphysik (1928).
 ElasticModuli mean_of(const Matrix3d& direct, const std::array<double, 3>& shear) {
   const double diagonal = direct.trace(), across = direct(0, 1) + direct(1, 2) + direct(0, 2);
   const double shears = shear[0] + shear[1] + shear[2];
   return {(diagonal + 2.0 * across) / 9.0, (diagonal - across + 3.0 * shears) / 15.0};
 }
 
+/// The largest ratio of energies that a strain in the plane has in the law and in the isotropic material that
+/// is alike: the largest eigenvalue x of Q e = x Q_alike e, or a ratio of shear moduli.
 double ratio_of_planes(const OrthotropicLaw& law) {
   const PlaneModuli alike(law.moduli);
   const double across = std::max(alike.across, 0.0);
@@ -141,6 +146,8 @@ LaneModuli OrthotropicLaw::update(const StrainStep& step, SymmetricLanes& stress
 void OrthotropicLaw::update_plane(const PlaneStep& step, PlaneLanes& stress, std::span<Lanes> state) const {
   const Lanes &c = state[0], &s = state[1];  // direction 1 along x and y
   const Lanes cc = c * c, ss = s * s, cs = c * s;
+  // Strains and stresses are turned by the angle whose cosine and sine these are; xy, yz and zx are twice the
+  // components of the tensor.
   const auto& [xx, yy, xy, yz, zx] = step.strain;
   const Lanes e1 = cc * xx + ss * yy + cs * xy, e2 = ss * xx + cc * yy - cs * xy;
   const Lanes s1 = plane[0] * e1 + plane[2] * e2, s2 = plane[2] * e1 + plane[1] * e2;
@@ -162,6 +169,8 @@ OrthotropicLaw make_orthotropic_law(const OrthotropicConstants& constants) {
     for (std::size_t j = 0; j < 3; ++j)
       law.direct[i][j] = direct(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   }
+  // Without stress along 3: Q11 = E1 / (1 - nu12 nu21), Q22 = E2 / (...), Q12 = nu12 E2 / (...), where
+  // nu21 = nu12 E2 / E1.
   const double scale = 1.0 / (1.0 - constants.nu12 * constants.nu12 * constants.e22 / constants.e11);
   law.plane = {scale * constants.e11, scale * constants.e22, scale * constants.nu12 * constants.e22};
   law.bounds = bounds_of(direct, law.shear);

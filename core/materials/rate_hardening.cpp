@@ -57,6 +57,8 @@ struct IsGrowthIsotropic {
 
 }  // namespace
 
+// Johnson and Cook: 1 + C ln(rate / reference), from the reference on. Power-law breakdown: 1 + asinh(p) with
+// p = (rate / g)^(1/n), so that dp / d rate = p / (n rate).
 RateFactor::Value RateFactor::at(const Lanes& rate) const {
   if (kind == Kind::johnson_cook) {
     const Lanes relative = rate / reference_rate;
@@ -72,6 +74,8 @@ RateFactor::Value RateFactor::at(const Lanes& rate) const {
 }
 
 FlowStress RateHardening::at(const Lanes& eqps, const Lanes& increment, double dt) const {
+  // Within a step rate = increment / dt, so that each factor's slope over the increment is that over the rate
+  // divided by dt.
   const FlowStress slow =
       std::visit([&](const auto& hardening) { return hardening.at(eqps, increment, dt); }, at_rest);
   const Lanes rate = increment / dt;

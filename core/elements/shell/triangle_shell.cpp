@@ -38,6 +38,7 @@ TriangleShell::TriangleShell(const NodeVectors<3>& x) {
     a_[i] = dot(frame_[i], a);
     b_[i] = dot(frame_[i], b);
   }
+  // The gradients g2, g3 of the shape functions: g2 . a = g3 . b = 1, g2 . b = g3 . a = 0.
   const Lanes per_size = 1.0 / size;
   xi_ = {b_[1] * per_size, -b_[0] * per_size};
   eta_ = {-a_[1] * per_size, a_[0] * per_size};
@@ -60,6 +61,8 @@ TriangleShell::Rates TriangleShell::rates(const NodeVectors<3>& v, const NodeVec
   const SurfacePair psi = tip(to_local(frame_, sum(w))), psi_a = tip(to_local(frame_, difference(w, 1))),
                     psi_b = tip(to_local(frame_, difference(w, 2)));
   const EdgeRows rows = edge_rows();
+  // With u_i the velocity and p_i that of the normal's tip: strain u_(i,j), curvature p_(i,j), both with xy
+  // twice the tensor's, shear u_3,i + mean p_i + what the edges add.
   Rates rates;
   rates.membrane = {xi_[0] * va[0] + eta_[0] * vb[0], xi_[1] * va[1] + eta_[1] * vb[1],
                     xi_[1] * va[0] + eta_[1] * vb[0] + xi_[0] * va[1] + eta_[0] * vb[1]};
