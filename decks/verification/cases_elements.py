@@ -6,7 +6,7 @@ from cases import FORMULATIONS, balances, case
 from cases_enforcement import held_force, two_columns
 from cases_solids import cantilever_mesh, energy_check, frequency
 from mesh_maker import MeshMaker
-from runs import Check
+from runs import Check, at_most
 
 
 def split(mesh, n_nodes=10):
@@ -63,3 +63,29 @@ def cohesive_pull(bench):
     checks.append(Check("open: stress of the press [Pa]", -200e9 * 2e-5 / 0.2,
                         np.mean(runs[0]["stress"][runs[0]["Time"] > 8.2e-3]), 0.02))
     return checks + balances(runs)
+
+
+def two_cubes_of_one_block(is_split):
+    mesh = MeshMaker()
+    mesh.hexes("bar", (0, 0, 0), (1, 1, 1), (2, 2, 2))
+    mesh.new_body()
+    mesh.hexes("bar", (1.05, 0.1, 0.13), (1, 1, 1), (3, 3, 3))
+    if is_split:
+        mesh.split_hexes(10)
+    mesh.node_set("left", lambda x, y, z: x < 1.02)
+    mesh.node_set("right", lambda x, y, z: x > 1.02)
+    return mesh
+
+
+@case()
+def self_contact(bench):
+    checks = []
+    for form in ("face_face", "node_face"):
+        for enforcement in ("momentum_balance", "penalty"):
+            for is_split in (False, True):
+                run = bench.run("self_contact", two_cubes_of_one_block(is_split), form=form, enforcement=enforcement)
+                label = f"{form}, {enforcement}, {'TET10' if is_split else 'HEX8'}"
+                checks += [at_most(f"{label}: deepest penetration", np.max(run["contact_penetration_max"]), 0.005),
+                           at_most(f"{label}: momentum", np.max(np.abs(run["momentum_x"])), 1e-9 * 500),
+                           Check(f"{label}: they part", 1.0, float(run["vr"][-1] > 0.2 and run["vl"][-1] < -0.2), 0)]
+    return checks

@@ -47,6 +47,17 @@ def sliding_block(bench):
 
 
 @case()
+def sticking_block(bench):
+    checks = []
+    for form in ("face_face", "node_face"):
+        run = bench.run("sliding_block", slider(), form=form, model="stick")
+        checks += [at_most(f"{form}: distance where it would slide 1e-3", abs(run["x"][-1]), 5e-5),
+                   at_most(f"{form}: largest velocity in the last half",
+                           np.max(np.abs(run["v"][len(run["v"]) // 2:])), 0.01)]
+    return checks
+
+
+@case()
 def sliding_far(bench):
     """For a metre, in one g."""
     run = bench.run("sliding_block", slider(has_plate=False), base="plane", mu=0.2, vx=2, vy=0, gx=0, gz=9.81,
