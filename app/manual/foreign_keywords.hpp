@@ -42,7 +42,10 @@ std::span<const std::string_view> foreign_programs();
 /// OptiStruct contact control.
 std::span<const ForeignKeyword> foreign_keywords();
 
-/// Those of LS-DYNA, which stand in a file of their own.
+/// Those of one program, each in a file of its own.
+std::span<const ForeignKeyword> abaqus_keywords();
+std::span<const ForeignKeyword> calculix_keywords();
+std::span<const ForeignKeyword> optistruct_keywords();
 std::span<const ForeignKeyword> dyna_keywords();
 
 /// Row of what others have and contactsim leaves out on purpose.
