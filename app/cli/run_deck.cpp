@@ -18,6 +18,7 @@
 #include "app/run/file_clashes.hpp"
 #include "app/run/simulation.hpp"
 #include "app/run/start_overlap.hpp"
+#include "app/run/stop_on_errors.hpp"
 #include "contact/mesh/smooth_surfaces.hpp"
 #include "contact/output/surface_summary.hpp"
 #include "core/definition/simulation.hpp"
@@ -94,10 +95,6 @@ RunSettings run_settings(const Options& options, const Mesh& mesh, Log& log) {
 void obey(StopSignals& signals, Simulation& simulation) {
   if (const auto signal = signals.find_stop()) simulation.stop(*signal);
   if (signals.take_restart_wish()) simulation.store_restart();
-}
-
-void stop_on_errors(const Diagnostics& diagnostics) {
-  if (diagnostics.has_errors()) throw DeckError(diagnostics);
 }
 
 ExitCode estimate_run(Simulation& simulation, Log& log) {

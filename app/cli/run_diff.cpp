@@ -11,6 +11,7 @@
 #include "app/compare/compare_ownership.hpp"
 #include "app/compare/ownership_table.hpp"
 #include "app/reports/surface_report.hpp"
+#include "app/run/stop_on_errors.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_summary.hpp"
 #include "core/base/errors.hpp"
@@ -21,15 +22,11 @@ namespace {
 
 constexpr int same = 0, different = 1, unreadable = 2;
 
-void stop_on_errors_of(const Diagnostics& diagnostics) {
-  if (diagnostics.has_errors()) throw DeckError(diagnostics);
-}
-
 /// The surfaces of a deck on a mesh, without a run. Throws DeckError, FileError.
 OwnershipTable resolve_table(const DeckRequest& request, const std::optional<std::string>& mesh_path) {
   Diagnostics found;
   const RunDeck deck = read_run_deck(request, found);
-  stop_on_errors_of(found);
+  stop_on_errors(found);
   const Region region = choose_region(deck.definition, true, found).region;
   if (!region.contact) throw FileError(request.path, "the deck has no contact definition");
   Options options;
@@ -37,7 +34,7 @@ OwnershipTable resolve_table(const DeckRequest& request, const std::optional<std
   options.mesh = mesh_path;
   const Mesh mesh = read_run_mesh(options, deck.definition, region, found);
   const ContactModel model = make_contact_model(deck.definition, region, mesh, found);
-  stop_on_errors_of(found);
+  stop_on_errors(found);
   OwnershipTable table;
   read_surfaces_json(request.path, format_surfaces_json(model, summarize(model, mesh)), table);
   read_surfaces_csv(request.path, format_surfaces_csv(model, list_facets(model, mesh)), table);

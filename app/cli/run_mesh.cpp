@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/run/stop_on_errors.hpp"
 #include "core/base/errors.hpp"
 #include "core/definition/simulation.hpp"
 #include "core/mesh/omit_blocks.hpp"
@@ -56,7 +57,7 @@ Mesh read_run_mesh(const Options& options, const SimulationDefinition& definitio
   if (model == nullptr) return mesh;
   Diagnostics problems;
   mesh = omit_blocks(*model, std::move(mesh), problems);
-  if (problems.has_errors()) throw DeckError(problems);
+  stop_on_errors(problems);
   return mesh;
 }
 

@@ -11,6 +11,7 @@
 #include "app/report/results_mesh.hpp"
 #include "app/report/write_report.hpp"
 #include "app/reports/surface_report.hpp"
+#include "app/run/stop_on_errors.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_summary.hpp"
 #include "core/base/errors.hpp"
@@ -87,13 +88,13 @@ void add_mesh(const std::string& results, const std::string& deck, ReportRun& ru
       run.notes.push_back("The results hold no deck: owners are those of the side sets contact_<surface>.");
     } else {
       const auto definition = parse_deck_text(run.name, deck, {{}, true}, found);
-      if (found.has_errors()) throw DeckError(found);
+      stop_on_errors(found);
       run.title = title_of(definition);
       const Region region = choose_region(definition, true, found).region;
       const Mesh meant = with_cohesive_blocks(definition, region, mesh);
       if (region.contact) {
         const ContactModel model = make_contact_model(definition, region, meant, found);
-        if (found.has_errors()) throw DeckError(found);
+        stop_on_errors(found);
         run.surfaces = format_surfaces_json(model, summarize(model, meant));
       }
       run.mesh = make_report_mesh(results, meant, ReportRegion{definition, region});

@@ -4,6 +4,7 @@
 #include "app/cli/exit_guard.hpp"
 #include "app/reports/pair_report.hpp"
 #include "app/reports/surface_report.hpp"
+#include "app/run/stop_on_errors.hpp"
 #include "contact/mesh/contact_model.hpp"
 #include "contact/output/surface_drawing.hpp"
 #include "contact/overlap/initial_gaps.hpp"
@@ -73,7 +74,7 @@ ResolvedContact resolve_contact(const Options& options, const SimulationDefiniti
     return {std::nullopt, write_surface_files(options, nullptr, {}, {}, mesh, log)};
   }
   ContactModel model = make_contact_model(definition, region, mesh, warnings);
-  if (warnings.has_errors()) throw DeckError(warnings);
+  stop_on_errors(warnings);
   check_elements(mesh, blocks_in_contact(model, mesh));
   const auto summaries = summarize(model, mesh);
   const auto starts = find_initial_gaps(model, mesh, region.contact->dash);

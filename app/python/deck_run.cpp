@@ -5,19 +5,12 @@
 #include "app/cli/read_run_deck.hpp"
 #include "app/cli/run_mesh.hpp"
 #include "app/run/start_overlap.hpp"
+#include "app/run/stop_on_errors.hpp"
 #include "contact/mesh/smooth_surfaces.hpp"
 #include "core/base/errors.hpp"
 #include "core/elements/cohesive_section.hpp"
 
 namespace contactsim {
-
-namespace {
-
-void stop_on_errors(const Diagnostics& diagnostics) {
-  if (diagnostics.has_errors()) throw DeckError(diagnostics);
-}
-
-}  // namespace
 
 DeckRun::DeckRun(const DeckRunRequest& request) : results_(request.results) {
   definition_ =

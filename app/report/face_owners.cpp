@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/run/stop_on_errors.hpp"
 #include "contact/mesh/contact_model.hpp"
-#include "core/base/errors.hpp"
 #include "core/definition/contact.hpp"
 #include "core/definition/simulation.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 OwnershipRules make_rules(const ReportRegion& region, const Mesh& mesh) {
   Diagnostics found;
   auto requests = find_surface_requests(region.definition, region.region, mesh, found);
-  if (found.has_errors()) throw DeckError(found);
+  stop_on_errors(found);
   return {std::move(requests), mesh, region.region.contact->subdomain};
 }
 

@@ -9,16 +9,13 @@
 
 #include "app/run/refusals.hpp"
 #include "app/run/run_outputs.hpp"
+#include "app/run/stop_on_errors.hpp"
 #include "contact/interface_laws/refuse_laws.hpp"
 #include "core/definition/simulation.hpp"
 
 namespace contactsim {
 
 namespace {
-
-void stop_on_errors(const Diagnostics& diagnostics) {
-  if (diagnostics.has_errors()) throw DeckError(diagnostics);
-}
 
 /// Throws DeckError for what cannot be run.
 Setup set_up_or_stop(const RunInput& input, Diagnostics& diagnostics) {
