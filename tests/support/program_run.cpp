@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "support/replaced.hpp"
+
 namespace contactsim::test {
 
 namespace {
@@ -76,6 +78,11 @@ std::string read_terminal(int terminal) {
 void ProgramDirectory::write(const std::string& name, std::string_view text) const {
   std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
   write_bytes(path(name), text);
+}
+
+void ProgramDirectory::edit(const std::string& name, const std::string& part,
+                            const std::string& other) const {
+  write(name, replaced(read(name), part, other));
 }
 
 void ProgramDirectory::copy_decks(const std::vector<std::string>& names) const {

@@ -21,6 +21,8 @@ class ProgramDirectory {
  public:
   /// Makes a file, and the directories on the way to it.
   void write(const std::string& name, std::string_view text) const;
+  /// Replaces the first place of a part of a file, which must be there.
+  void edit(const std::string& name, const std::string& part, const std::string& other) const;
   /// Copies files of the source tree's decks/ into the directory, under their own names.
   void copy_decks(const std::vector<std::string>& names) const;
 
@@ -42,6 +44,11 @@ class ProgramDirectory {
 
  private:
   TemporaryDirectory directory_, captured_;
+};
+
+/// A directory with the deck two_blocks.i and its mesh.
+struct TwoBlocks : ProgramDirectory {
+  TwoBlocks() { copy_decks({"two_blocks.i", "two_blocks.g"}); }
 };
 
 }  // namespace contactsim::test

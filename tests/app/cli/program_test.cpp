@@ -8,17 +8,13 @@
 
 using Catch::Matchers::Contains;
 using contactsim::test::ProgramDirectory;
+using contactsim::test::TwoBlocks;
 
 namespace {
 
 constexpr const char* surface_warnings =
     "two_blocks.i:59:9: warning: surface 'left': 4 faces already in surface 'top' [surface-overlap]\n"
     "two_blocks.i:59:9: warning: surface 'right': 4 faces already in surface 'top' [surface-overlap]\n";
-
-/// A directory with the deck two_blocks.i and its mesh.
-struct TwoBlocks : ProgramDirectory {
-  TwoBlocks() { copy_decks({"two_blocks.i", "two_blocks.g"}); }
-};
 
 }  // namespace
 

@@ -10,13 +10,13 @@
 using namespace contactsim;
 using Catch::Matchers::Contains;
 using contactsim::test::ProgramDirectory;
+using contactsim::test::TwoBlocks;
 
 namespace {
 
 /// The tables of decks/two_blocks.i with the patch named first (1) and last (2).
-struct Tables : ProgramDirectory {
+struct Tables : TwoBlocks {
   Tables() {
-    copy_decks({"two_blocks.i", "two_blocks.g"});
     for (const std::string order : {"1", "2"})
       run({"two_blocks.i", "--check", "-D", "order=" + order, "--surfaces-json", order + ".json",
            "--surfaces-csv", order + ".csv", "--summary", "summary" + order + ".json"});

@@ -14,8 +14,7 @@ constexpr const char* deck_of_contact = "contact surface all contains left right
 }  // namespace
 
 TEST_CASE("a mesh of the command line goes before the deck's DATABASE NAME", "[app][mesh]") {
-  const ProgramDirectory directory;
-  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
+  const contactsim::test::TwoBlocks directory;
   const std::string mesh = directory.read("two_blocks.g");
   directory.write("two_blocks.g", "not this one");
   directory.write("other.g", mesh);
@@ -63,8 +62,7 @@ TEST_CASE("a mesh that a deck does not name and that is not there is told so", "
 }
 
 TEST_CASE("a mesh beside a deck elsewhere is pointed at, not taken", "[app][mesh]") {
-  const ProgramDirectory directory;
-  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
+  const contactsim::test::TwoBlocks directory;
   directory.write("run/x", "");
   directory.write("sub/two_blocks.i", directory.read("two_blocks.i"));
   directory.write("sub/two_blocks.g", directory.read("two_blocks.g"));
@@ -95,8 +93,7 @@ TEST_CASE("what is no mesh is called what it is", "[app][mesh]") {
 }
 
 TEST_CASE("a mesh cut short is refused", "[app][mesh]") {
-  const ProgramDirectory directory;
-  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
+  const contactsim::test::TwoBlocks directory;
   const std::string mesh = directory.read("two_blocks.g");
   directory.write("two_blocks.g", mesh.substr(0, mesh.size() - GENERATE(std::size_t{1}, 100, 4000)));
   const auto [code, out, err] = directory.run({"two_blocks.i", "--check"});

@@ -27,10 +27,7 @@ Json data_of(const std::string& page) {
 struct ShortImpact : ProgramDirectory {
   ShortImpact() {
     copy_decks({"impact.i", "impact.g"});
-    std::string deck = read("impact.i");
-    const std::string whole = "termination time = 120e-6";
-    deck.replace(deck.find(whole), whole.size(), "termination time = 6e-6");
-    write("impact.i", deck);
+    edit("impact.i", "termination time = 120e-6", "termination time = 6e-6");
   }
 };
 
@@ -121,14 +118,9 @@ TEST_CASE("a run that does not get to its end writes its page all the same", "[a
 }
 
 TEST_CASE("curves of a long run are thinned out and reach its end", "[app][report]") {
-  const ProgramDirectory directory;
-  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
-  std::string deck = directory.read("two_blocks.i");
-  for (const auto& [from, to] :
-       {std::pair<std::string, std::string>{"termination time = 1e-3", "termination time = 0.25"},
-        {"increment = 1e-4", "increment = 0.1"}})
-    deck.replace(deck.find(from), from.size(), to);
-  directory.write("two_blocks.i", deck);
+  const test::TwoBlocks directory;
+  directory.edit("two_blocks.i", "termination time = 1e-3", "termination time = 0.25");
+  directory.edit("two_blocks.i", "increment = 1e-4", "increment = 0.1");
   REQUIRE(directory.run({"two_blocks.i", "--report", "r.html"}).exit_code == 0);
   const Json run = data_of(directory.read("r.html"))["runs"][0];
   REQUIRE(run["summary"]["run"]["steps"] > 2000);
@@ -141,8 +133,7 @@ TEST_CASE("curves of a long run are thinned out and reach its end", "[app][repor
 }
 
 TEST_CASE("a check writes a page of the surfaces", "[app][report]") {
-  const ProgramDirectory directory;
-  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
+  const test::TwoBlocks directory;
   REQUIRE(directory.run({"two_blocks.i", "--check", "-D", "order=2", "--report", "c.html"}).exit_code == 0);
   const Json run = data_of(directory.read("c.html"))["runs"][0];
   CHECK(run["mesh"]["owners"] == Json({"left", "right", "cladding", "top"}));

@@ -13,21 +13,17 @@
 using namespace contactsim;
 using Catch::Matchers::Contains;
 using contactsim::test::ProgramDirectory;
+using contactsim::test::TwoBlocks;
 
 namespace {
 
 /// A directory with a deck that takes a fraction of a second, below a folder of its own, with an include and
 /// the mesh beside the place where commands are given.
-struct Study : ProgramDirectory {
+struct Study : TwoBlocks {
   Study() {
-    copy_decks({"two_blocks.i", "two_blocks.g"});
-    std::string deck = read("two_blocks.i");
-    const auto replace = [&](const std::string& from, const std::string& to) {
-      deck.replace(deck.find(from), from.size(), to);
-    };
-    replace("friction coefficient = 0.3", "{include(friction.inc)}");
-    replace("termination time = 1e-3", "termination time = {end_time}");
-    write("decks/blocks.i", "# {ifndef(end_time)}\n# {end_time = 1e-4}\n# {endif}\n" + deck);
+    write("decks/blocks.i", "# {ifndef(end_time)}\n# {end_time = 1e-4}\n# {endif}\n" + read("two_blocks.i"));
+    edit("decks/blocks.i", "friction coefficient = 0.3", "{include(friction.inc)}");
+    edit("decks/blocks.i", "termination time = 1e-3", "termination time = {end_time}");
     write("friction.inc", "friction coefficient = {mu}\n");
   }
   /// The field of a run in study.csv.

@@ -10,13 +10,12 @@
 using namespace contactsim;
 using Catch::Matchers::Contains;
 using contactsim::test::ProgramDirectory;
+using contactsim::test::TwoBlocks;
 using nlohmann::json;
 
 namespace {
 
-/// A directory with the deck two_blocks.i and its mesh.
-struct Blocks : ProgramDirectory {
-  Blocks() { copy_decks({"two_blocks.i", "two_blocks.g"}); }
+struct Blocks : TwoBlocks {
   json summary() const { return json::parse(read("s.json")); }
 };
 

@@ -18,8 +18,7 @@ struct Run {
 };
 
 Run run_two_blocks(const std::string& order, const std::string& n_threads) {
-  const ProgramDirectory directory;
-  directory.copy_decks({"two_blocks.i", "two_blocks.g"});
+  const contactsim::test::TwoBlocks directory;
   const auto [code, out, err] =
       directory.run({"two_blocks.i", "--tables", "-D", "order=" + order, "--threads", n_threads,
                      "--surfaces-json", "s.json", "--surfaces-csv", "s.csv", "--surfaces", "s.exo"});
