@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "contact/formulations/face_plane.hpp"
 #include "contact/formulations/interface_constraint.hpp"
 #include "contact/formulations/near_pairs.hpp"
 #include "contact/geometry/node_face.hpp"
@@ -24,19 +25,6 @@ constexpr double farther_share = 1e-3;
 
 /// Overlaps of less than this share of the smaller face are none.
 constexpr double negligible_overlap = 1e-6;
-
-/// The change of a face's weights by which its linear extension moves a point along it.
-///   way  in the plane of the face [length]
-Eigen::Vector4d weights_of_way(const MovingFace& face, const Eigen::Vector3d& way) {
-  const FaceMap map = make_face_map(face.x, face.is_triangle);
-  const Eigen::Vector3d &a = map.c[1], &b = map.c[2];
-  const double aa = a.squaredNorm(), bb = b.squaredNorm(), ab = a.dot(b), det = aa * bb - ab * ab;
-  if (!(det > 0.0)) return Eigen::Vector4d::Zero();
-  const double wa = way.dot(a), wb = way.dot(b);
-  const double xi = (wa * bb - wb * ab) / det, eta = (wb * aa - wa * ab) / det;
-  if (face.is_triangle) return {-xi - eta, xi, eta, 0.0};
-  return 0.25 * Eigen::Vector4d(-xi - eta, xi - eta, xi + eta, eta - xi);
-}
 
 /// The side of each pair that slides.
 class SlidingSides {
@@ -293,28 +281,5 @@ void StartPartners<Row>::archive(const std::string& name, StateArchive& saved) {
 
 template class StartPartners<FaceIndex>;
 template class StartPartners<SurfaceNodeIndex>;
-
-PlanePoint project_onto_plane(const MovingFace& face, const Eigen::Vector3d& point) {
-  const FaceMap map = make_face_map(face.x, face.is_triangle);
-  const auto found = project_onto_face(face.x, face.is_triangle, point);
-  const Eigen::Vector3d centre = map.centre();
-  PlanePoint on_plane;
-  on_plane.normal = face.normal();
-  // The point of the face next to it; without a projection the middle will do.
-  double xi = face.is_triangle ? 1.0 / 3.0 : 0.0, eta = xi;
-  if (found && face.is_triangle) {
-    xi = std::clamp(found->xi, 0.0, 1.0);
-    eta = std::clamp(found->eta, 0.0, 1.0 - xi);
-  } else if (found) {
-    xi = std::clamp(found->xi, -1.0, 1.0);
-    eta = std::clamp(found->eta, -1.0, 1.0);
-  }
-  const Eigen::Vector3d away = point - map.at(xi, eta);
-  on_plane.gap = away.dot(on_plane.normal);
-  const Eigen::Vector3d along = away - on_plane.gap * on_plane.normal;
-  on_plane.beyond = found ? found->beyond : (point - centre).norm();
-  on_plane.weights = corner_weights(xi, eta, face.is_triangle) + weights_of_way(face, along);
-  return on_plane;
-}
 
 }  // namespace contactsim

@@ -93,15 +93,4 @@ class StartPartners {
   std::vector<Start> starts_;  // [n_pairs]
 };
 
-/// A point that stands over the plane of a face beyond its edges, in the linear extension of the face.
-struct PlanePoint {
-  Eigen::Vector4d weights;  ///< of the corners, sum 1 [1]
-  Eigen::Vector3d normal;   ///< unit, out of the face [1]
-  double gap = 0.0;         ///< along the normal, < 0 behind [length]
-  double beyond = 0.0;      ///< how far it is from the face, seen along the normal [length]
-};
-
-/// Where a point stands over the plane of a face.
-PlanePoint project_onto_plane(const MovingFace& face, const Eigen::Vector3d& point);
-
 }  // namespace contactsim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/formulations/face_plane.hpp"
 #include "contact/formulations/node_face/near_faces.hpp"
 
 namespace contactsim {

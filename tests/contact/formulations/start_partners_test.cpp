@@ -19,14 +19,6 @@ MovingFace quad() {
   return face;
 }
 
-MovingFace triangle() {
-  MovingFace face;
-  face.is_triangle = true;
-  face.x << 0, 1, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1;
-  face.v.setZero();
-  return face;
-}
-
 /// A cube of 2 x 2 x 2 on another one, whose nodes, or faces, slide infinitesimally.
 struct SlidingCubes : ContactParts {
   explicit SlidingCubes(const std::string& more = "")
@@ -111,29 +103,6 @@ TEST_CASE("faces that slide keep the faces that they lie over, carried along", "
     }
   }
   CHECK(n_kept == 4);
-}
-
-TEST_CASE("the plane of a face goes on beyond its edges", "[contact][start_partners]") {
-  for (const MovingFace& face : {quad(), triangle()}) {
-    for (const Vector3d& point : {Vector3d(9, -3, 1.25), Vector3d(-40, 30, 1.25), Vector3d(0.2, 0.3, 0.5)}) {
-      const PlanePoint found = project_onto_plane(face, point);
-      CHECK(found.normal.isApprox(Vector3d::UnitZ()));
-      CHECK(found.gap == Approx(point.z() - face.x(2, 0)));
-      CHECK(found.weights.sum() == Approx(1.0));
-      // Right below the point: forces along the normal leave no moment.
-      CHECK((face.x * found.weights - (point - found.gap * found.normal)).norm() < 1e-12);
-    }
-  }
-}
-
-TEST_CASE("the plane of a warped face goes on flat from its edge", "[contact][start_partners]") {
-  MovingFace face = quad();
-  face.x(2, 2) = 0.1;
-  const PlanePoint at = project_onto_plane(face, {3.001, 0.5, 0.0}),
-                   far = project_onto_plane(face, {6, 0.5, 0.0});
-  CHECK(at.normal.isApprox(far.normal));
-  CHECK((face.x * far.weights + far.gap * far.normal - Vector3d(6, 0.5, 0.0)).norm() < 1e-12);
-  CHECK(far.beyond > at.beyond);
 }
 
 TEST_CASE("a face is carried with the velocities that belong there", "[contact][start_partners]") {
