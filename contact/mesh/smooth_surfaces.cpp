@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
+#include "contact/mesh/deck_shapes.hpp"
 #include "contact/mesh/feature_edges.hpp"
+#include "contact/mesh/fitted_shapes.hpp"
 #include "contact/smoothing/round_fit.hpp"
-#include "core/base/find_definition.hpp"
 #include "core/definition/contact.hpp"
 #include "core/definition/simulation.hpp"
 
@@ -17,177 +17,12 @@ namespace contactsim {
 
 namespace {
 
-/// Faces that turn by more than this cosine are not of one round surface: nine faces go once round.
-constexpr double smooth_turn = 0.76;
-
-/// Makes shapes of those of the deck.
-class ShapeReader {
- public:
-  ShapeReader(const SimulationDefinition& definition, Diagnostics& diagnostics)
-      : definition_(definition), diagnostics_(diagnostics) {}
-
-  std::optional<RoundShape> shape_of(const SmoothingRegion& region) const {
-    return std::visit([&](const auto& shape) { return make(shape, region.location); }, *region.shape);
-  }
-
- private:
-  std::optional<RoundShape> make(const CircumferentialShape& shape, const DeckLocation& location) const {
-    return about(shape.axis, location);
-  }
-  std::optional<RoundShape> make(const SphericalShape& shape, const DeckLocation&) const {
-    const auto center = find(shape.center);
-    if (!center) return std::nullopt;
-    RoundShape made;
-    made.kind = RoundShape::Kind::spherical;
-    made.origin = *center;
-    return made;
-  }
-  std::optional<RoundShape> make(const ToroidalShape& shape, const DeckLocation& location) const {
-    auto made = about(shape.axis, location);
-    if (!made) return std::nullopt;
-    made->kind = RoundShape::Kind::toroidal;
-    made->arc_radius = shape.radius;
-    return made;
-  }
-
-  std::optional<Eigen::Vector3d> find(const PointReference& point) const {
-    if (const auto* coordinates = std::get_if<Eigen::Vector3d>(&point)) return *coordinates;
-    const auto* found = find_definition(definition_.points, std::get<DeckName>(point), "point", diagnostics_);
-    return found ? std::optional(found->coordinates) : std::nullopt;
-  }
-  std::optional<RoundShape> about(const AxisReference& axis, const DeckLocation& location) const {
-    if (!axis.axis) return through(find((*axis.points)[0]), find((*axis.points)[1]), location);
-    const auto* found = find_definition(definition_.axes, *axis.axis, "axis", diagnostics_);
-    if (found == nullptr) return std::nullopt;
-    const auto point = find(found->point);
-    if (!found->direction) return through(point, find(*found->second_point), location);
-    const auto* direction =
-        find_definition(definition_.directions, *found->direction, "direction", diagnostics_);
-    if (!point || direction == nullptr) return std::nullopt;
-    return through(point, Eigen::Vector3d(*point + direction->vector.stableNormalized()), location);
-  }
-  std::optional<RoundShape> through(const std::optional<Eigen::Vector3d>& first,
-                                    const std::optional<Eigen::Vector3d>& second,
-                                    const DeckLocation& location) const {
-    if (!first || !second) return std::nullopt;
-    const Eigen::Vector3d way = (*second - *first).stableNormalized();
-    if (way.norm() > 0.5) {
-      RoundShape made;
-      made.origin = *first;
-      made.axis = way;
-      return made;
-    }
-    diagnostics_.add_error(location, "the axis of the smoothing runs through one point only",
-                           "its two points lie at one place");
-    return std::nullopt;
-  }
-
-  const SimulationDefinition& definition_;
-  Diagnostics& diagnostics_;
-};
-
-SmoothingShapes shapes_of_deck(const SurfaceSmoothing& smoothing, const ContactModel& model,
-                               const ShapeReader& reader) {
-  const auto& surfaces = model.surfaces.surfaces;
-  SmoothingShapes made{smoothing.name.text, false,
-                       IndexedVector<SurfaceIndex, SurfaceShapes>(surfaces.size())};
-  for (const SmoothingRegion& region : smoothing.regions) {
-    if (!region.shape) continue;
-    const auto shape = reader.shape_of(region);
-    if (!shape) continue;
-    for (const SurfaceIndex i : indices(surfaces)) {
-      const auto names = [&](const DeckName& name) {
-        return fold(name.text) == "all" || fold(name.text) == fold(surfaces[i].name);
-      };
-      if (std::ranges::any_of(region.surfaces, names)) made.surfaces[i].given.assign(1, *shape);
-    }
-  }
-  return made;
-}
-
-/// The parts of a surface that are connected by edges at which it turns smoothly, as lists of faces.
-std::vector<std::vector<FaceIndex>> smooth_parts(const ContactKinematics& start, SurfaceIndex surface) {
-  const ContactMesh& contact_mesh = start.contact_mesh();
-  IndexedVector<FaceIndex, std::uint8_t> is_taken(contact_mesh.faces.size(), 0);
-  const auto normal_of = [&](FaceIndex face) -> Eigen::Vector3d {
-    return start.area(contact_mesh.faces[face]).normalized();
-  };
-  std::vector<std::vector<FaceIndex>> parts;
-  for (const FaceIndex seed : contact_mesh.faces_of(surface)) {
-    if (is_taken[seed] != 0) continue;
-    std::vector<FaceIndex>& part = parts.emplace_back(1, seed);
-    is_taken[seed] = 1;
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      const ContactFace& face = contact_mesh.faces[part[i]];
-      const std::size_t n = face.is_triangle() ? 3 : 4;
-      for (std::size_t k = 0; k < n; ++k) {
-        const auto beyond =
-            find_face_beyond(contact_mesh, part[i], {face.corners[k], face.corners[(k + 1) % n]});
-        if (!beyond || is_taken[*beyond] != 0) continue;
-        if (!(normal_of(part[i]).dot(normal_of(*beyond)) > smooth_turn)) continue;
-        is_taken[*beyond] = 1;
-        part.push_back(*beyond);
-      }
-    }
-  }
-  return parts;
-}
-
-SurfacePart part_of(const ContactKinematics& start, const std::vector<FaceIndex>& faces) {
-  SurfacePart part;
-  std::set<std::uint32_t> nodes;
-  for (const FaceIndex index : faces) {
-    const ContactFace& face = start.contact_mesh().faces[index];
-    const std::size_t n = face.is_triangle() ? 3 : 4;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < n; ++k) sum += start.x(face.corners[k]);
-    part.centres.push_back(sum / static_cast<double>(n));
-    part.areas.push_back(start.area(face));
-    nodes.insert(face.corners.begin(), face.corners.end());
-  }
-  for (const std::uint32_t node : nodes) part.nodes.push_back(start.x(node));
-  return part;
-}
-
-SurfaceShapes fitted_shapes(const ContactKinematics& start, SurfaceIndex surface) {
-  SurfaceShapes shapes;
-  for (const auto& faces : smooth_parts(start, surface)) {
-    const PartFit fit = fit_part(part_of(start, faces));
-    if (fit.shape) {
-      shapes.fitted.push_back(*fit.shape);
-      shapes.fitted.back().n_faces = faces.size();
-    } else if (fit.is_flat) {
-      ++shapes.n_flat;
-    } else {
-      shapes.least_residual =
-          shapes.n_unfitted == 0 ? fit.least_residual : std::min(shapes.least_residual, fit.least_residual);
-      ++shapes.n_unfitted;
-    }
-  }
-  return shapes;
-}
-
-SmoothingShapes shapes_of_mesh(const ContactModel& model, const Mesh& mesh) {
-  SmoothingShapes made{"AUTO", true,
-                       IndexedVector<SurfaceIndex, SurfaceShapes>(model.surfaces.surfaces.size())};
-  const ContactMesh contact_mesh = make_contact_mesh(model, mesh);
-  const ContactKinematics start = kinematics_of_mesh(contact_mesh, mesh);
-  for (const SurfaceIndex i : indices(made.surfaces)) {
-    const bool is_asked_for = std::ranges::any_of(model.pairs, [&](const SurfacePair& pair) {
-      return pair.smoothing_choice.kind == SmoothingChoice::Kind::automatic &&
-             (pair.first == i || pair.second == i);
-    });
-    if (is_asked_for) made.surfaces[i] = fitted_shapes(start, i);
-  }
-  return made;
-}
-
 /// Finds the smoothing of a pair, a new one at its first pair.
 class SmoothingFinder {
  public:
   SmoothingFinder(const SimulationDefinition& definition, const ContactDefinition& contact, const Mesh& mesh,
                   ContactModel& model, Diagnostics& diagnostics)
-      : contact_(contact), mesh_(mesh), model_(model), reader_(definition, diagnostics) {}
+      : contact_(contact), mesh_(mesh), model_(model), definition_(definition), diagnostics_(diagnostics) {}
 
   OptionalIndex<std::uint32_t> find(const SmoothingChoice& choice) {
     if (choice.kind == SmoothingChoice::Kind::off) return std::nullopt;
@@ -203,7 +38,7 @@ class SmoothingFinder {
     } else {
       const SurfaceSmoothing* found = find_by_name(contact_.smoothings, choice.name.text);
       if (found == nullptr) return std::nullopt;  // an error of the deck
-      model_.smoothings.push_back(shapes_of_deck(*found, model_, reader_));
+      model_.smoothings.push_back(shapes_of_deck(*found, model_, definition_, diagnostics_));
     }
     return static_cast<std::uint32_t>(model_.smoothings.size() - 1);
   }
@@ -212,7 +47,8 @@ class SmoothingFinder {
   const ContactDefinition& contact_;
   const Mesh& mesh_;
   ContactModel& model_;
-  ShapeReader reader_;
+  const SimulationDefinition& definition_;
+  Diagnostics& diagnostics_;
 };
 
 /// Whether a smoothing has a shape for a side that has faces.
