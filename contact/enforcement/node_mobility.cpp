@@ -13,7 +13,8 @@ namespace contactsim {
 
 namespace {
 
-/// Bound of the largest eigenvalue of a symmetric matrix without negative ones, by the smaller of two bounds.
+/// Bound of the largest eigenvalue of a symmetric matrix without negative ones: the smaller one of the trace,
+/// which is the sum of all, and of Gershgorin's, the largest sum of absolute values of a row.
 double largest_stretch(const Eigen::Matrix3d& symmetric) {
   return std::min(symmetric.trace(), symmetric.cwiseAbs().rowwise().sum().maxCoeff());
 }
@@ -54,6 +55,8 @@ NodeMobility::General& NodeMobility::make_general(std::uint32_t body) {
   return generals_.emplace_back();
 }
 
+/// Plain nodes answer by 1 / m alike along all axes. Others by P / m and P' / I, where P and P' project onto
+/// the directions along and about which conditions leave them free.
 void NodeMobility::set_nodes(const Model& model, const ModelFreeDirections& directions) {
   const ContactMesh& contact_mesh = kinematics_->contact_mesh();
   const bool turns = model.inertia.cols() > 0;
@@ -89,6 +92,8 @@ void NodeMobility::set_bodies(const Model& model, const ModelFreeDirections& dir
   }
 }
 
+/// Angular velocity by moment: R I^-1 R^T of a free body that is turned by R, else the inverse of
+/// P R I R^T P where it has one, with the projection P onto the axes about which it is free.
 void NodeMobility::turn_bodies(const Model& model, const ModelFreeDirections& directions,
                                const State& state) {
   for (std::uint32_t i = 0; i < model.rigid.bodies.size(); ++i) {
