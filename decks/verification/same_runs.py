@@ -4,7 +4,8 @@
 
   same_runs.py OLD NEW [CASE ...]   the verification cases (the short ones by default), and the decks above this folder
 
-Left out is what no two runs share: times of the clock in logs, QA and info records, the case whose run is killed.
+Left out is what no two runs share: times of the clock, date and command in logs, QA and info records, the case whose
+run is killed.
 """
 import re
 import shutil
@@ -19,7 +20,7 @@ from cases import CASES
 from runs import Bench
 
 DEMOS = ("two_blocks.i", "taylor_bar.i", "impact.i")
-CLOCK = re.compile(r"^.*( s +\d+\.\d %|per second).*$", re.MULTILINE)
+CLOCK = re.compile(r"^(.*( s +\d+\.\d %|per second| s of the clock ).*|  (date|command) {4,}.*)$", re.MULTILINE)
 EXODUS = re.compile(r"\.[egh](-s\d+)?$")
 OF_THE_PROGRAM = {"qa_records", "info_records"}  # its version, the time of day
 
