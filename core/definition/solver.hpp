@@ -2,11 +2,30 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "core/base/names.hpp"
 
 namespace contactsim {
+
+/// What a line with DURING says of one time stepping block: it sets a field of a copy of the settings.
+template <class Settings>
+struct DuringPeriod {
+  DeckName period;
+  std::function<void(Settings&)> set;
+};
+
+/// The settings of a time stepping block: those of all with what is said of this one.
+template <class Settings>
+Settings settings_during(const Settings& settings, const DeckName& period) {
+  Settings of_period = settings;
+  for (const DuringPeriod<Settings>& during : settings.during) {
+    if (during.period == period) during.set(of_period);
+  }
+  return of_period;
+}
 
 /// What residuals are compared with. Source: Sierra/SM 5.22, BEGIN CG, REFERENCE.
 enum class ResidualReference : std::uint8_t {
@@ -15,10 +34,11 @@ enum class ResidualReference : std::uint8_t {
   belytschko  ///< the largest of loads, forces of the elements and reactions
 };
 
-/// BEGIN FULL TANGENT PRECONDITIONER: a factor of the whole stiffness, made anew where it has become a bad one.
+/// BEGIN FULL TANGENT PRECONDITIONER: a factor of the whole stiffness, made anew where it has become a bad
+/// one.
 struct FullTangentSettings {
   DeckName name;
-  double tangent_diagonal_scale = 0.0;           ///< of the diagonal that is added to it, >= 0 [1]
+  double tangent_diagonal_scale = 0.0;  ///< of the diagonal that is added to it, >= 0 [1]
 };
 
 /// BEGIN CG. Source: Sierra/SM 5.20 and 5.22, BEGIN CG.
@@ -33,6 +53,7 @@ struct CgSettings {
   double line_search_tolerance = 1e-2;  ///< of the slope along a direction, > 0 [1]
   ResidualReference reference = ResidualReference::external;
   std::optional<FullTangentSettings> full_tangent;
+  std::vector<DuringPeriod<CgSettings>> during;  ///< in deck order
 
   double acceptable_relative() const {
     return acceptable_relative_residual.value_or(10.0 * target_relative_residual);
@@ -65,6 +86,7 @@ struct AdaptiveTimeStepping {
   std::int64_t iteration_window = 0;       ///< around the target, where the step stays
   std::optional<double> max_multiplier;    ///< largest step over the given one, > 0; absent: no bound [1]
   double min_multiplier = 1e-6;            ///< smallest step over the given one, > 0 [1]
+  std::vector<DuringPeriod<AdaptiveTimeStepping>> during;  ///< in deck order
 };
 
 }  // namespace contactsim

@@ -27,7 +27,7 @@ constexpr double no_bound = std::numeric_limits<double>::infinity();
 LoadSchedule::LoadSchedule(std::vector<LoadPeriod> periods, std::optional<AdaptiveTimeStepping> adaption)
     : periods_(std::move(periods)),
       adaption_(adaption.value_or(AdaptiveTimeStepping{})),
-      max_multiplier_(adaption ? adaption->max_multiplier.value_or(no_bound) : 1.0) {}
+      no_multiplier_(adaption ? no_bound : 1.0) {}
 
 const LoadPeriod& LoadSchedule::period_at(double time) const {
   const auto next = std::find_if(periods_.begin(), periods_.end() - 1,
@@ -56,22 +56,26 @@ double LoadSchedule::end_of(double time, double dt) const {
   return time + dt * (1.0 + round_off) >= period.end ? period.end : time + dt;
 }
 
-void LoadSchedule::note_success(std::int64_t n_iterations) {
+void LoadSchedule::note_success(double begun, std::int64_t n_iterations) {
   n_cutbacks_ = 0;
-  const std::int64_t target = adaption_.target_iterations, window = adaption_.iteration_window;
+  const AdaptiveTimeStepping adaption = adaption_at(begun);
+  const std::int64_t target = adaption.target_iterations, window = adaption.iteration_window;
   if (target > 0 && n_iterations > target + window) {
-    multiplier_ = std::max(adaption_.min_multiplier, multiplier_ * adaption_.cutback_factor);
+    multiplier_ = std::max(adaption.min_multiplier, multiplier_ * adaption.cutback_factor);
     return;
   }
   const bool is_easy = target == 0 || n_iterations < target - window;
-  if (is_easy) multiplier_ = std::min(max_multiplier_, multiplier_ * adaption_.growth_factor);
+  if (is_easy)
+    multiplier_ =
+        std::min(adaption.max_multiplier.value_or(no_multiplier_), multiplier_ * adaption.growth_factor);
 }
 
-bool LoadSchedule::cut_back() {
-  if (n_cutbacks_ >= adaption_.max_failure_cutbacks) return false;
-  if (multiplier_ <= adaption_.min_multiplier) return false;
+bool LoadSchedule::cut_back(double begun) {
+  const AdaptiveTimeStepping adaption = adaption_at(begun);
+  if (n_cutbacks_ >= adaption.max_failure_cutbacks) return false;
+  if (multiplier_ <= adaption.min_multiplier) return false;
   ++n_cutbacks_;
-  multiplier_ = std::max(adaption_.min_multiplier, multiplier_ * adaption_.cutback_factor);
+  multiplier_ = std::max(adaption.min_multiplier, multiplier_ * adaption.cutback_factor);
   return true;
 }
 
@@ -84,7 +88,7 @@ namespace {
 /// What a period says about its steps.
 LoadPeriod make_period(const TimeSteppingBlock& block, double end, const Region& region,
                        const SimulationDefinition& definition, Diagnostics& diagnostics) {
-  LoadPeriod period{block.start_time, end, end - block.start_time, {}};
+  LoadPeriod period{block.name, block.start_time, end, end - block.start_time, {}};
   const auto found = std::ranges::find_if(block.implicit_parameters, [&](const ImplicitTimeParameters& p) {
     return fold(p.name.text) == fold(region.name.text);
   });

@@ -15,6 +15,7 @@ class StateArchive;
 
 /// A time stepping block of load steps.
 struct LoadPeriod {
+  DeckName name;
   double start = 0.0, end = 0.0;     ///< [time]
   double increment = 0.0;            ///< of a step, > 0 [time]
   std::optional<Function> function;  ///< of time, whose value is the step in place of it
@@ -39,10 +40,14 @@ class LoadSchedule {
   /// Whether a step that begins there is the first one of its period.
   bool begins_period(double time) const;
 
+  /// The time stepping block that a step belongs to which begins there.
+  const DeckName& period_name(double time) const { return period_at(time).name; }
+
   /// To be called after a step that has found equilibrium.
-  void note_success(std::int64_t n_iterations);
+  ///   begun  when the step began [time]
+  void note_success(double begun, std::int64_t n_iterations);
   /// To be called after one that has not. Returns false when steps may not get smaller any more.
-  bool cut_back();
+  bool cut_back(double begun);
 
   double multiplier() const { return multiplier_; }
   void archive(StateArchive& saved);
@@ -51,8 +56,12 @@ class LoadSchedule {
   const LoadPeriod& period_at(double time) const;
 
   std::vector<LoadPeriod> periods_;
+  AdaptiveTimeStepping adaption_at(double time) const {
+    return settings_during(adaption_, period_at(time).name);
+  }
+
   AdaptiveTimeStepping adaption_;
-  double max_multiplier_;
+  double no_multiplier_;  // the largest where none is given
   double multiplier_ = 1.0;
   std::int64_t n_cutbacks_ = 0;  // in a row
 };

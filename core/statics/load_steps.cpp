@@ -14,12 +14,13 @@ namespace contactsim {
 
 namespace {
 
-/// Fills in what the deck leaves open. Source: Sierra/SM 5.20, BEGIN CG, MAXIMUM ITERATIONS.
-SolverSettings complete(SolverSettings settings, const Mesh& mesh) {
-  CgSettings& cg = settings.cg;
+/// The settings of a time stepping block, with what the deck leaves open. Source: Sierra/SM 5.20, BEGIN CG,
+/// MAXIMUM ITERATIONS.
+CgSettings settings_of(const CgSettings& settings, const DeckName& period, const Mesh& mesh) {
+  CgSettings cg = settings_during(settings, period);
   if (cg.max_iterations == 0)
     cg.max_iterations = cg.full_tangent ? 100 : std::max<std::int64_t>(mesh.n_nodes(), 1000);
-  return settings;
+  return cg;
 }
 
 /// Forces left over that are this many times as large as what loads them speak of a body that flies away.
@@ -31,7 +32,7 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, const SolverSettings&
                      LoadSchedule schedule, State& state)
     : model_(model),
       terms_(terms),
-      settings_(complete(settings, *model.mesh)),
+      settings_(settings),
       schedule_(std::move(schedule)),
       state_(state),
       problem_(model, terms, settings_.cg.reference, state),
@@ -77,21 +78,22 @@ Eigen::VectorXd LoadSteps::first_guess(double dt) const {
 
 /// Searches for equilibrium: with a full tangent by Newton's steps, and where these lead nowhere, or without
 /// one, by conjugate gradients.
-void LoadSteps::search(Eigen::VectorXd& increment) {
+void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
   const Eigen::VectorXd begun = increment;
   if (has_tangent()) {
     const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at); };
-    report_.search = newton(problem_, *tangent_, settings_.cg, renew, increment);
+    report_.search = newton(problem_, *tangent_, cg, renew, increment);
     report_.n_evaluations += report_.search.n_evaluations;
     if (report_.search.end == CgReport::End::converged) return;
     increment = begun;
     report_.n_evaluations += blocks_.renew(increment);
   }
-  report_.search = nonlinear_cg(problem_, blocks_, settings_.cg, increment);
+  report_.search = nonlinear_cg(problem_, blocks_, cg, increment);
   report_.n_evaluations += report_.search.n_evaluations;
 }
 
 bool LoadSteps::try_step(double dt) {
+  const CgSettings cg = settings_of(settings_.cg, schedule_.period_name(state_.time), *model_.mesh);
   Eigen::VectorXd increment = first_guess(dt);
   problem_.begin_step(dt);
   Eigen::VectorXd residual;
@@ -102,11 +104,11 @@ bool LoadSteps::try_step(double dt) {
   Eigen::VectorXd held = increment;
   problem_.project(held);
   const Eigen::VectorXd left = problem_.prescribed() - (increment - held);
-  report_.n_evaluations +=
-      has_tangent() ? predict_linearly(problem_, *tangent_, left, 1, increment)
-                    : predict_linearly(problem_, blocks_, left, settings_.cg.max_iterations, increment);
+  report_.n_evaluations += has_tangent()
+                               ? predict_linearly(problem_, *tangent_, left, 1, increment)
+                               : predict_linearly(problem_, blocks_, left, cg.max_iterations, increment);
 
-  search(increment);
+  search(cg, increment);
   ++report_.n_evaluations;
   if (report_.search.end == CgReport::End::failed || !problem_.evaluate(increment, residual)) {
     residual_ = residual;
@@ -123,7 +125,7 @@ void LoadSteps::advance() {
   while (!try_step(dt)) {
     const CgReport failed = report_.search;
     problem_.restore();
-    if (!schedule_.cut_back()) {
+    if (!schedule_.cut_back(begun)) {
       report_.search = failed;
       fail(dt);
     }
@@ -131,7 +133,7 @@ void LoadSteps::advance() {
     dt = schedule_.step_at(begun);
   }
   if (has_tangent()) report_.n_negative = tangent_->n_negative();
-  schedule_.note_success(report_.search.n_iterations);
+  schedule_.note_success(begun, report_.search.n_iterations);
   state_.dt = dt;
   state_.time = schedule_.end_of(begun, dt);
   ++state_.step;

@@ -41,7 +41,7 @@ class LoadSteps {
 
  private:
   bool try_step(double dt);
-  void search(Eigen::VectorXd& increment);
+  void search(const CgSettings& cg, Eigen::VectorXd& increment);
   Eigen::VectorXd first_guess(double dt) const;
   void renew_preconditioner(const Eigen::VectorXd& increment);
   bool has_tangent() const;

@@ -16,17 +16,21 @@ Row<Nothing> line(std::string_view phrase, std::string_view syntax, const std::s
   return ignored<Nothing>(phrase, syntax, "implicit only: " + help);
 }
 
-/// A value that is the same in all time stepping blocks.
-template <class V>
-Reader<V> always(Reader<V> reader) {
-  reader.read = [read_value = reader.read](Arguments& arguments) {
-    V value = read_value(arguments);
-    if (arguments.is_next("during"))
-      arguments.refuse(arguments.peek(),
-                       "DURING is not supported: one value is for all time stepping blocks");
-    return value;
+/// A command with one value for all time stepping blocks, or DURING some.
+template <class T, class V, class F>
+Row<T> during_row(std::string_view phrase, const Reader<V>& reader, F T::*field, std::string_view help,
+                  std::string_view default_text = "") {
+  Row<T> made = row(phrase, reader, field, help, default_text);
+  made.text.syntax += " [DURING <time stepping block> ...]";
+  made.text.is_single = false;
+  made.text.references.push_back(NameKind::time_stepping_block);
+  made.read_command = [read_value = reader.read, field](Arguments& arguments, T& target) {
+    const V value = read_value(arguments);
+    if (!arguments.accept("during")) return store(value, target.*field);
+    for (DeckName& period : arguments.references(NameKind::time_stepping_block))
+      target.during.push_back({std::move(period), [value, field](T& settings) { settings.*field = value; }});
   };
-  return reader;
+  return made;
 }
 
 /// A positive number below 1.
@@ -83,18 +87,18 @@ const Table<CgSettings>& cg_table() {
   using C = CgSettings;
   static const auto reference = choice_of<ResidualReference>({"external", "internal", "belytschko"});
   static const Table<C> table({
-      row("target relative residual", always(read::positive), &C::target_relative_residual,
-          "Forces left over, of the reference, that end a search [1]"),
-      row("target residual", always(read::positive), &C::target_residual,
-          "Forces left over that end a search [force]"),
-      row("acceptable relative residual", always(read::positive), &C::acceptable_relative_residual,
-          "What is put up with after the last iteration, of the reference [1]", "10 times the target"),
-      row("acceptable residual", always(read::positive), &C::acceptable_residual,
-          "What is put up with after the last iteration [force]"),
-      row("minimum iterations", always(read::non_negative_integer), &C::min_iterations,
-          "Iterations of a search at least [1]"),
-      row("maximum iterations", always(read::positive_integer), &C::max_iterations,
-          "Iterations of a search at most [1]", "100 with a full tangent, else nodes, at least 1000"),
+      during_row("target relative residual", read::positive, &C::target_relative_residual,
+                 "Forces left over, of the reference, that end a search [1]"),
+      during_row("target residual", read::positive, &C::target_residual,
+                 "Forces left over that end a search [force]"),
+      during_row("acceptable relative residual", read::positive, &C::acceptable_relative_residual,
+                 "What is put up with after the last iteration, of the reference [1]", "10 times the target"),
+      during_row("acceptable residual", read::positive, &C::acceptable_residual,
+                 "What is put up with after the last iteration [force]"),
+      during_row("minimum iterations", read::non_negative_integer, &C::min_iterations,
+                 "Iterations of a search at least [1]"),
+      during_row("maximum iterations", read::positive_integer, &C::max_iterations,
+                 "Iterations of a search at most [1]", "100 with a full tangent, else nodes, at least 1000"),
       row("reference", reference, &C::reference,
           "What forces left over are compared with: loads and reactions, forces of elements, or the largest"),
       row<C>("line search", "SECANT [<tolerance>]", read_line_search,
@@ -169,15 +173,15 @@ const Table<AdaptiveTimeStepping>& adaptive_time_stepping_table() {
       row("growth factor", read::positive, &A::growth_factor, "Factor of the step after an easy one [1]"),
       row("maximum failure cutbacks", read::non_negative_integer, &A::max_failure_cutbacks,
           "Cutbacks in a row at most [1]"),
-      row("target iterations", always(read::non_negative_integer), &A::target_iterations,
-          "A step of fewer iterations is easy, one of more has smaller ones follow [1]",
-          "every step is easy"),
+      during_row("target iterations", read::non_negative_integer, &A::target_iterations,
+                 "A step of fewer iterations is easy, one of more has smaller ones follow [1]",
+                 "every step is easy"),
       row("iteration window", read::non_negative_integer, &A::iteration_window,
           "Iterations around the target that leave the step as it is [1]"),
-      row("maximum multiplier", always(read::positive), &A::max_multiplier,
-          "Largest step over the one of the deck [1]", "no bound"),
-      row("minimum multiplier", always(read::positive), &A::min_multiplier,
-          "Smallest step over the one of the deck [1]"),
+      during_row("maximum multiplier", read::positive, &A::max_multiplier,
+                 "Largest step over the one of the deck [1]", "no bound"),
+      during_row("minimum multiplier", read::positive, &A::min_multiplier,
+                 "Smallest step over the one of the deck [1]"),
       ignored<A>("method", "= <name>", "iterations are what the step adapts to"),
       refused<A>("active periods", "= <period> ...", "Steps adapt in all time stepping blocks"),
   });

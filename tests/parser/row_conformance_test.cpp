@@ -88,6 +88,7 @@ std::string line_naming(const RowText& row) {
       {"smoothing", "= neer"},
       {"model", "= neer during periods neer"}};
   if (row.is_block) return "begin " + row.phrase + " neer\nend\n";
+  if (row.syntax.ends_with("[DURING <time stepping block> ...]")) return row.phrase + " = 1 during neer\n";
   const auto example = examples.find(row.phrase);
   const bool has_example = example != examples.end();
   const bool is_value = row.references.size() == 1 &&

@@ -97,14 +97,41 @@ TEST_CASE("what implicit lines do not do is told", "[parser][implicit]") {
   CHECK(with_lines("begin solver\nbegin cg\npreconditioner = elastic\nend\nend\n").messages ==
         "a.i:7:18: warning: the stiffness of each node, by probes, is used in its place; PRECONDITIONER = "
         "PROBE says so [deck-ignored]\n");
-  CHECK(with_lines("begin solver\nbegin cg\ntarget residual = 1 during p1\nend\nend\n").messages ==
-        "a.i:7:21: error: DURING is not supported: one value is for all time stepping blocks\n");
   CHECK(with_lines("begin adaptive time stepping\ncutback factor = 1.5\nend\n").messages ==
         "a.i:6:18: error: the factor must be below 1\n");
-  CHECK(with_lines("begin implicit dynamics\nend\n").messages ==
-        "a.i:5:7: error: block 'implicit dynamics' is not supported and would change the answer; inertia takes "
-        "part in explicit procedures alone\n");
+  CHECK(
+      with_lines("begin implicit dynamics\nend\n").messages ==
+      "a.i:5:7: error: block 'implicit dynamics' is not supported and would change the answer; inertia takes "
+      "part in explicit procedures alone\n");
   CHECK(with_lines("begin solver\nbegin control contact\nend\nend\n").messages ==
         "a.i:6:7: warning: block 'control contact' has no effect here; contact is not part of quasi-static "
         "procedures yet [deck-ignored]\n");
+}
+
+TEST_CASE("values may be of one time stepping block", "[parser][implicit]") {
+  const ParsedDeck deck = parsed_sierra(
+      "begin adagio procedure p\n"
+      "begin time control\n"
+      "begin time stepping block one\nstart time = 0\n"
+      "begin parameters for adagio region r\ntime increment = 1\nend\nend\n"
+      "begin time stepping block two\nstart time = 1\n"
+      "begin parameters for adagio region r\ntime increment = 1\nend\nend\n"
+      "termination time = 2\nend\n"
+      "begin adagio region r\n"
+      "use finite element model m\n"
+      "begin solver\nbegin cg\n"
+      "target relative residual = 1e-6 during two\n"
+      "target relative residual = 1e-5\n"
+      "maximum iterations = 7 during one two\n"
+      "end\nend\n"
+      "end\nend\n"
+      "begin finite element model m\nend\n");
+  CHECK(deck.messages.empty());
+  const CgSettings& cg = region_of(deck).solver->cg;
+  CHECK(cg.target_relative_residual == 1e-5);
+  CHECK(settings_during(cg, {"one", {}}).target_relative_residual == 1e-5);
+  CHECK(settings_during(cg, {"TWO", {}}).target_relative_residual == 1e-6);
+  CHECK(settings_during(cg, {"two", {}}).max_iterations == 7);
+  CHECK_THAT(with_lines("begin solver\nbegin cg\ntarget residual = 1 during p1\nend\nend\n").messages,
+             Catch::Matchers::Contains("p1"));
 }
