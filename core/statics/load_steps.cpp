@@ -110,8 +110,9 @@ bool LoadSteps::try_step(double dt) {
 
   search(cg, increment);
   ++report_.n_evaluations;
-  if (report_.search.end == CgReport::End::failed || !problem_.evaluate(increment, residual)) {
-    residual_ = residual;
+  const bool exists = problem_.evaluate(increment, residual);
+  if (report_.search.end == CgReport::End::failed || !exists) {
+    residual_ = exists ? residual : Eigen::VectorXd();
     return false;
   }
   problem_.accept(increment);

@@ -69,8 +69,8 @@ TEST_CASE("load steps have the same bytes for any number of threads", "[app][sta
 }
 
 TEST_CASE("load steps go on from a stored state with the same bytes", "[app][statics]") {
-  const BentBar bar;
   for (const std::string& solver : {tight, full}) {
+    const BentBar bar;
     const std::string stored = "begin restart data\nat step 0 increment = 2\nend\n";
     bar.write_deck(solver + stored);
     REQUIRE(bar.run({"a.i"}).exit_code == 0);
@@ -81,7 +81,6 @@ TEST_CASE("load steps go on from a stored state with the same bytes", "[app][sta
     const std::string lines = rest.substr(rest.find('\n') + 1);
     CHECK(lines.size() > 100);
     CHECK(straight.substr(straight.size() - lines.size()) == lines);
-    std::filesystem::remove(bar.path("a.csv-s0002"));
   }
 }
 
