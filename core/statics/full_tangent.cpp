@@ -4,9 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <span>
-
-#include "core/base/errors.hpp"
+#include <utility>
 
 namespace contactsim {
 

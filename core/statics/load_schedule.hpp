@@ -54,12 +54,11 @@ class LoadSchedule {
 
  private:
   const LoadPeriod& period_at(double time) const;
-
-  std::vector<LoadPeriod> periods_;
   AdaptiveTimeStepping adaption_at(double time) const {
     return settings_during(adaption_, period_at(time).name);
   }
 
+  std::vector<LoadPeriod> periods_;
   AdaptiveTimeStepping adaption_;
   double no_multiplier_;  // the largest where none is given
   double multiplier_ = 1.0;

@@ -60,7 +60,6 @@ bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
 void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment) {
   if (tangent_) report_.n_evaluations += tangent_->renew(increment);
   if (!has_tangent()) report_.n_evaluations += blocks_.renew(increment);
-  ++report_.n_preconditioners;
 }
 
 /// The increment of the last step, scaled, of all nodes: nothing before the first.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <optional>
 
 #include "core/statics/full_tangent.hpp"
@@ -14,10 +13,9 @@ namespace contactsim {
 /// What a load step came to.
 struct LoadStepReport {
   CgReport search;
-  std::int64_t n_evaluations = 0;      ///< of the residual, preconditioner and predictor included
-  std::int64_t n_preconditioners = 0;  ///< made in the step
-  std::int64_t n_cutbacks = 0;         ///< before it found equilibrium
-  std::int64_t n_negative = 0;         ///< directions of negative stiffness where the last factor was made
+  std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
+  std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
+  std::int64_t n_negative = 0;     ///< directions of negative stiffness where the last factor was made
 };
 
 /// A quasi-static run: from one equilibrium to the next, as time goes by and nothing moves by inertia. The
@@ -35,7 +33,6 @@ class LoadSteps {
   void advance();
 
   const LoadStepReport& report() const { return report_; }
-  const LoadSchedule& schedule() const { return schedule_; }
   /// Saves or restores what the next step builds on besides the state.
   void archive(StateArchive& saved);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "parser/commands/implicit_commands.hpp"
 
-#include <fmt/format.h>
-
 #include "parser/commands/block_rows.hpp"
 
 namespace contactsim {
