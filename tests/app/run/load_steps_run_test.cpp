@@ -133,6 +133,9 @@ TEST_CASE("what load steps do not know is refused", "[app][statics]") {
              Contains("contact in a quasi-static procedure is not supported"));
   CHECK_THAT(refusal("begin initial velocity\nblock = bar\ncomponent = x\nmagnitude = 1\nend\n"),
              Contains("an initial velocity in a quasi-static procedure is not supported"));
+  CHECK_THAT(refusal("begin initial condition\nblock = bar\nvariable type = node\ninitialize variable name = "
+                     "velocity\nmagnitude = 1 0 0\nend\n"),
+             Contains("an initial velocity in a quasi-static procedure is not supported"));
   CHECK_THAT(refusal("begin prescribed acceleration\nnode set = tip\ncomponent = y\nfunction = ramp\nend\n"),
              Contains("a prescribed acceleration in a quasi-static procedure is not supported"));
   bar.write_deck("", "", "");
