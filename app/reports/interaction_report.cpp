@@ -75,6 +75,18 @@ TextTable settings_table() {
                             {"damping\nfraction", 9}});
 }
 
+std::string_view name_of(Enforcement enforcement) {
+  switch (enforcement) {
+    case Enforcement::momentum_balance:
+      return "momentum_balance";
+    case Enforcement::penalty:
+      return "penalty";
+    case Enforcement::augmented_lagrange:
+      break;
+  }
+  return "augmented_lagrange";
+}
+
 std::string format_settings(const std::vector<InteractionRow>& rows) {
   TextTable table = settings_table();
   for (const InteractionRow& listed : rows) {
@@ -85,7 +97,7 @@ std::string format_settings(const std::vector<InteractionRow>& rows) {
         pair.formulation == ConstraintFormulation::node_face ? listed.lengths.tangential : LengthRange{};
     const auto capture = pair.capture_tolerance ? pair.capture_tolerance : pair.normal_tolerance;
     table.add(pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
-              pair.enforcement == Enforcement::penalty ? "penalty" : "momentum_balance",
+              name_of(pair.enforcement),
               length_or_auto(pair.normal_tolerance, listed.lengths.normal),
               length_or_auto(pair.tangential_tolerance, beyond),
               length_or_auto(pair.overlap_normal_tolerance, listed.lengths.overlap_normal),

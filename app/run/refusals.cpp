@@ -23,9 +23,6 @@ void refuse_in_statics(const Region& region, Diagnostics& diagnostics) {
     diagnostics.add_error(name.location, fmt::format("{} in a quasi-static procedure is not supported", what),
                           std::move(hint));
   };
-  if (region.contact)
-    refuse_here(region.contact->name, "contact",
-                "a PRESTO PROCEDURE runs it; without it the parts must be joined by the mesh");
   for (const auto& death : region.element_deaths) refuse_here(death.name, "element death");
   for (const auto& scaling : region.mass_scalings) refuse_here(scaling.name, "mass scaling");
   for (const auto& damping : region.viscous_dampings) refuse_here(damping.name, "viscous damping");

@@ -110,7 +110,7 @@ void Simulation::step() {
   try_to([&] {
     run.advance();
     run.energy_warnings.step(run.state);
-    if (run.contact) run.contact->stop_at_runaway(run.state);
+    if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
     end_step();
     store(false, false);
   });

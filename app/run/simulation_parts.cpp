@@ -65,12 +65,13 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
   stop_on_errors(diagnostics);
   set_initial_state(setup.initial, setup.model.blocks, state);
   if (death) death->begin(state);
+  if (contact) {
+    timed_contact.emplace(contact->force());
+    state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
+  }
   if (setup.load_schedule)
-    load_steps.emplace(setup.model, terms(), input.region.solver.value_or(SolverSettings{}),
-                       *setup.load_schedule, state);
-  if (!contact) return;
-  timed_contact.emplace(contact->force());
-  state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
+    load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr,
+                       input.region.solver.value_or(SolverSettings{}), *setup.load_schedule, state);
 }
 
 Checkpoint Simulation::Parts::checkpoint() {

@@ -216,7 +216,7 @@ void warn_of_idle_settings(const ContactModel& contact, Diagnostics& warnings) {
                                        describe_law(*pair.law)),
                            "with friction it would be the spring along the surface");
     }
-    if (pair.enforcement == Enforcement::penalty) continue;
+    if (pair.enforcement != Enforcement::momentum_balance) continue;
     if (pair.penalty_scale == 1.0 && pair.damping_fraction == 0.0) continue;
     if (!reported.insert(to_string(pair.location)).second) continue;
     const bool is_scale = pair.penalty_scale != 1.0;

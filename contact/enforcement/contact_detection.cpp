@@ -47,6 +47,10 @@ void ContactDetection::begin_step() {
   for_each_of_points(formulations_, [](auto& formulation) { formulation.begin_step(); });
 }
 
+void ContactDetection::undo_begin_step() {
+  for_each_of_points(formulations_, [](auto& formulation) { formulation.undo_begin_step(); });
+}
+
 void ContactDetection::find_lost(std::vector<LostContact>& lost) const {
   for_each_of_points(formulations_, [&](const auto& formulation) { formulation.find_lost(rules_, lost); });
 }
@@ -87,10 +91,11 @@ void ContactDetection::find_constraints(const ContactStepContext& context, bool 
 
 void ContactDetection::detect_constraints(const ContactStepContext& context, ConstrainedPairs& constrained,
                                           std::vector<ConstraintForces>& found) {
-  decaying_.step(context, found);
+  if (!context.is_static) decaying_.step(context, found);
   for_each_of_constraints(formulations_, [&](auto& formulation) {
     const std::size_t n_before = found.size();
     formulation.detect(context, found);
+    if (context.is_trial) return;
     formulation.update(context, std::span<const ConstraintForces>(found).subspan(n_before), constrained,
                        decaying_);
   });

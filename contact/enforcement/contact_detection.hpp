@@ -30,10 +30,18 @@ class ContactDetection {
 
   /// Begins a step: what is known of the last one is kept, and gathered anew.
   void begin_step();
+  /// What is known of the last step may change with candidates again. Precondition: none was remembered since.
+  void undo_begin_step();
   /// The narrow phase: takes all contact points of the pairs that the context enforces, in their order.
   /// Returns those that touch under a GLUED MODEL.
   template <class Take>
   std::vector<ContactPoint> visit_points(const ContactStepContext& context, const Take& take);
+  /// Calls take(point, coupling) for points of faces that visit_points() has found in a trial:
+  /// FaceFaceContacts::visit_couplings().
+  void visit_couplings(const ContactStepContext& context, std::span<const ContactPoint> points,
+                       const FaceFaceContacts::TakeCoupling& take) const {
+    formulations_.get<FaceFaceContacts>().visit_couplings(context, points, take);
+  }
   /// Appends the contacts that ended in the last step though they were deep.
   void find_lost(std::vector<LostContact>& lost) const;
 

@@ -118,7 +118,7 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
   std::vector<ContactPoint> to_glue;
   if (has_penalty_) {
     to_glue = detection_.visit_points(context, [&](const ContactPoint& point) { points_.push_back(point); });
-    if (context.dt > 0.0) {
+    if (context.dt > 0.0 && !context.is_static) {
       const auto energy = histories_.update_available_energy(rules_, assembler_);
       limit_returned_energy(kinematics_, assembler_.work(), {energy, histories_.min_energy()},
                             mobility_.find_accelerations(kinematics_, points_), points_);
@@ -128,8 +128,9 @@ void ContactForce::add_penalty_points(const ContactStepContext& context) {
   add_constraints(context, to_glue);
 }
 
-void ContactForce::write_forces(Eigen::Matrix3Xd& forces) {
-  const auto nodes = assembler_.nodes();
+void ContactForce::write_forces(const ContactAssembler& assembler, OffsetMoments& moments,
+                                Eigen::Matrix3Xd& forces) {
+  const auto nodes = assembler.nodes();
   const std::size_t n_mesh_points = contact_mesh_.n_mesh_points();
   // Several points of lofts may hang on one node of the mesh.
   for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
@@ -138,7 +139,7 @@ void ContactForce::write_forces(Eigen::Matrix3Xd& forces) {
                [&](std::size_t i) { forces.col(contact_mesh_.mesh_nodes[i]) = nodes[i].head<3>(); });
   for (std::size_t i = n_mesh_points; i < nodes.size(); ++i)
     forces.col(contact_mesh_.mesh_nodes[i]) += nodes[i].head<3>();
-  offset_moments_.add_forces(forces);
+  moments.add_forces(forces);
 }
 
 void ContactForce::set_moments(const Motion& /*motion*/, Eigen::Matrix3Xd& moments) {
@@ -173,8 +174,10 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     update_candidates(motion);
   }
   begin_step(motion);
-  add_penalty_points({kinematics_, rules_, constrained_, motion.dt, motion.stable_step, &depths_});
-  write_forces(forces);
+  add_penalty_points(setup_.is_static ? static_context(motion.dt, false)
+                                      : ContactStepContext{kinematics_, rules_, constrained_, motion.dt,
+                                                           motion.stable_step, &depths_});
+  write_forces(assembler_, offset_moments_, forces);
   if (is_first) {
     set_start_depths(points_, contact_mesh_);
     stored_at_start_ = stored();
@@ -184,7 +187,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   if (!balances_) report.supplied_work = end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
   report.contact_damping_work = assembler_.damped();
-  limit_step(motion, report);
+  if (!setup_.is_static) limit_step(motion, report);
   return report;
 }
 
@@ -249,7 +252,7 @@ std::optional<ForceReport> ContactForce::balance(const State& state, Eigen::Matr
     points_.insert(points_.end(), balance_.points().begin(), balance_.points().end());
   }
   if (balances_pulls_) pull_eigenvalue_ = largest_eigenvalue();
-  write_forces(forces);
+  write_forces(assembler_, offset_moments_, forces);
   ForceReport report;
   report.supplied_work = end_step(state.time, state.dt);
   report.balanced_nodes = balance_.mesh_nodes();

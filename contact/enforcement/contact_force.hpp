@@ -8,11 +8,13 @@
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
 #include "contact/enforcement/contact_setup.hpp"
+#include "contact/enforcement/contact_trial.hpp"
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/enforcement/offset_moments.hpp"
 #include "contact/enforcement/pair_histories.hpp"
 #include "contact/formulations/penetration_depths.hpp"
 #include "core/elements/force_term.hpp"
+#include "core/statics/static_contact.hpp"
 
 namespace contactsim {
 
@@ -23,7 +25,7 @@ struct ContactStep {
 
 /// The forces of contact: search when something has moved far enough, contact points, penalties, friction
 /// and ties. Each contact point pushes both sides alike. The same bits for any number of threads.
-class ContactForce final : public ForceTerm {
+class ContactForce final : public ForceTerm, public StaticContact {
  public:
   /// All that the setup refers to must outlive this.
   explicit ContactForce(const ContactSetup& setup);
@@ -36,6 +38,16 @@ class ContactForce final : public ForceTerm {
   std::optional<ForceReport> balance(const State& state, Eigen::Matrix3Xd& forces) override;
   /// Of the forces on lofts about the nodes of the mesh that they hang on.
   void set_moments(const Motion& motion, Eigen::Matrix3Xd& moments) override;
+
+  // Of load steps.
+  void begin_trials(const Motion& motion) override;
+  void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) override;
+  void visit_springs(const std::function<void(const ContactSpring&)>& take) const override;
+  MultiplierChange update_multipliers(double tolerance) override;
+  double longest_motion() const override;
+  void give_up_trials() override;
+  ForceReport accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) override;
+  const ContactMultipliers& multipliers() const { return multipliers_; }
 
   /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
@@ -98,7 +110,11 @@ class ContactForce final : public ForceTerm {
   void add_penalty_points(const ContactStepContext& context);
   void add_to_sums(const ContactPoint& point);
   void add_constraints(const ContactStepContext& context, std::span<const ContactPoint> to_glue);
-  void write_forces(Eigen::Matrix3Xd& forces);
+  void write_forces(const ContactAssembler& assembler, OffsetMoments& moments, Eigen::Matrix3Xd& forces);
+  void move_to_trial(const Motion& motion);
+  ContactStepContext static_context(double dt, bool is_trial) const;
+  bool holds_multipliers(const ContactPoint& point) const;
+  bool has_multipliers_on_second(const ContactPoint& point) const;
   LoftSpins make_spins() const;
   double largest_eigenvalue();
   void limit_step(const Motion& motion, ForceReport& report);
@@ -135,6 +151,8 @@ class ContactForce final : public ForceTerm {
   std::vector<ConstraintForces> constraint_forces_;    // of the step
   IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
+  ContactMultipliers multipliers_;       // of load steps
+  std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   ContactStep step_share_;
   double stored_at_start_ = 0.0;
   double pull_eigenvalue_ = 0.0;  // of laws that pull where momentum is balanced, in the last step [1/time^2]

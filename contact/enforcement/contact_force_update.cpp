@@ -81,18 +81,21 @@ LoftSpins ContactForce::make_spins() const {
 /// The stiffness behind faces and nodes as elements have it, limited by what masses and conditions allow now.
 ///   start  the faces at the start
 void ContactForce::limit_stiffness(const ContactKinematics& start) {
+  // Of load steps, which no stable step limits: it leaves a few hundredths of what an element gives way by.
+  constexpr double static_scale = 10.0;
+  const double scale = setup_.is_static ? static_scale : 1.0;
   std::size_t n = 0;
   const bool is_new = element_stiffness_.empty();
   const auto begin_anew = [&](auto& items) {
     for (auto& item : items) {
       if (is_new) element_stiffness_.push_back(item.penalty_properties.stiffness);
-      item.penalty_properties.stiffness = element_stiffness_[n++];
+      item.penalty_properties.stiffness = scale * element_stiffness_[n++];
     }
   };
   begin_anew(contact_mesh_.faces);
   begin_anew(contact_mesh_.surface_nodes);
   begin_anew(contact_mesh_.edges);
-  contactsim::limit_stiffness(start, mobility_, start_step_, contact_mesh_);
+  contactsim::limit_stiffness(start, mobility_, setup_.is_static ? 0.0 : start_step_, contact_mesh_);
 }
 
 void ContactForce::remap(const ContactRemap& remap) {
@@ -100,6 +103,8 @@ void ContactForce::remap(const ContactRemap& remap) {
   constrained_.remap(remap);
   depths_.remap(remap);
   detection_.remap(remap);
+  multipliers_.remap(remap);
+  trial_.reset();
   histories_.add_released(detection_.released_faces(), detection_.released_nodes(), contact_mesh_);
   keep_constraints(remap, constraint_forces_);
   assembler_.remap(remap);

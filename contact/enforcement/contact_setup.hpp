@@ -18,6 +18,7 @@ struct ContactSetup {
   const Model& model;
   std::span<const TimeSteppingBlock> time_stepping_blocks;  ///< the periods of the procedure
   std::span<const FunctionDefinition> functions = {};       ///< that friction models name
+  bool is_static = false;                                   ///< of load steps, which no mass has a part in
 };
 
 }  // namespace contactsim

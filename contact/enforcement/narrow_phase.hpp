@@ -13,7 +13,8 @@ namespace contactsim {
 /// Finds the contact points of formulations on all threads, always in the same order.
 class NarrowPhase {
  public:
-  /// Takes the contact points of a formulation in the order of its rows, and has it remember them.
+  /// Takes the contact points of a formulation in the order of its rows, and has it remember them but in
+  /// trials.
   template <class F, class Take>
   void visit_points(F& formulation, const ContactStepContext& context, const Take& take);
 
@@ -40,7 +41,7 @@ void NarrowPhase::detect_in_chunks(F& formulation, const ContactStepContext& con
     return rows;
   };
   const auto take_points = [&](CandidateRows rows, const std::vector<ContactPoint>& points) {
-    formulation.update(context, rows, points);
+    if (!context.is_trial) formulation.update(context, rows, points);
     for (const ContactPoint& point : points) take(point);
   };
   if (n_threads == 1) {

@@ -54,6 +54,8 @@ concept FormulationBase = requires(F formulation, const ContactRemap& remap, Sta
 ///       marks the faces of which bounds are needed until the next search
 ///   begin_step()
 ///       what was remembered becomes that of the last step
+///   undo_begin_step()
+///       the opposite, before the first update(): a search may follow
 ///   detect(context, rows, points)
 ///       the narrow phase: appends the contact points of the pairs that the context enforces, row by row.
 ///       Changes nothing; rows may be shared among threads
@@ -81,6 +83,7 @@ concept PointFormulation = FormulationBase<F> && std::constructible_from<F, cons
   { is.n_candidates() } -> std::same_as<std::size_t>;
   is.watch(is_watched);
   formulation.begin_step();
+  formulation.undo_begin_step();
   is.detect(context, CandidateRows{}, points);
   formulation.update(context, CandidateRows{}, found);
   is.find_lost(context.rules, lost);

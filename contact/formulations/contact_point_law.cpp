@@ -39,7 +39,8 @@ void push_node(const NodePenaltyInput& push, ContactPoint& point) {
   }
   const PairPenalty& penalty = push.penalty;
   const double speed = push.velocity.dot(point.normal), stiffness = penalty.stiffness * push.area;
-  const double depth_ahead = -point.gap - std::min(0.0, speed) * push.dt;
+  const double ahead = push.is_static ? 0.0 : push.dt;
+  const double depth_ahead = -point.gap - std::min(0.0, speed) * ahead;
   const double slope = penalty.pressure == nullptr ? stiffness * penalty.law.slope(depth_ahead)
                                                    : push.area * penalty.slope_of_pressure(depth_ahead);
   point.stiffness = damped_stiffness(slope, push.damping_fraction);

@@ -61,6 +61,7 @@ struct NodePenaltyInput {
   double dt = 0.0;                ///< [time]
   double coming_dt = 0.0;         ///< > 0: momentum is balanced, the gap alone makes no force [time]
   Eigen::Vector3d last_velocity;  ///< the same as velocity in the step before [length/time]
+  bool is_static = false;         ///< of a load step: stiffness is that of now
 };
 
 /// Fills in stiffness, and where the node is behind the other side, or it pulls, area, force, damping and

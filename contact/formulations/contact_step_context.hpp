@@ -8,6 +8,8 @@
 
 namespace contactsim {
 
+class ContactMultipliers;
+
 /// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
 /// threads.
 inline constexpr std::size_t rows_per_chunk = 256;
@@ -24,11 +26,16 @@ struct ContactStepContext {
   /// velocities are those that the coming step would have without contact.
   bool balances = false;
   double coming_dt = 0.0;  ///< the coming step, for balances [time]
+  /// Of load steps, whose forces are those of one state: nothing looks ahead.
+  bool is_static = false;
+  bool is_trial = false;                            ///< nothing is remembered of what is found
+  const ContactMultipliers* multipliers = nullptr;  ///< null without any
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the
   /// penalty of what it brings into touch [time].
   double ahead() const {
     constexpr double steps = 2.0;
+    if (is_static) return 0.0;
     return steps * (balances ? coming_dt : dt > 0.0 ? dt : first_dt);
   }
   /// Whether a pair's contact points are looked for now.

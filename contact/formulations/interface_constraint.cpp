@@ -43,12 +43,6 @@ Eigen::Matrix<double, 3, 4> couple(const Eigen::Matrix<double, 3, 4>& x, const E
   return forces;
 }
 
-Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& a) {
-  Eigen::Matrix3d matrix;
-  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return matrix;
-}
-
 }  // namespace
 
 Eigen::Matrix3d axes_of(const FaceCorners& x) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "contact/geometry/contact_point.hpp"
@@ -17,6 +18,8 @@ class PenetrationDepths {
 
   /// Begins a step: what was noted becomes what is known.
   void begin_step(std::size_t n_faces);
+  /// The opposite, before the first note().
+  void undo_begin_step() { std::swap(last_, next_); }
   /// Adds a contact point to what is known of its faces in the next step. Of a node these are the faces of
   /// its surface that are turned towards the other side.
   void note(const ContactKinematics& kinematics, const ContactPoint& point);

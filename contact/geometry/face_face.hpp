@@ -64,16 +64,36 @@ struct FaceFaceContact {
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
 };
 
+/// By how much the corners of two faces count as deeper than they are [length].
+struct CornerDepths {
+  Eigen::Vector4d first = Eigen::Vector4d::Zero(), second = Eigen::Vector4d::Zero();
+
+  bool is_zero() const { return first.isZero(0.0) && second.isZero(0.0); }
+};
+
 /// Integrates the pressure stiffness * f(penetration) of the depth law over the part of the overlap of two
 /// faces that lies behind the other face, by the area of the face that leans more. Both faces get the same
 /// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
 /// of any shape.
 ///   activation_distance  gaps up to it count as near [length]
+///   deeper               by which gaps count as deeper, linear between the corners
 /// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput.
 /// Methods Appl. Mech. Eng. 193 (2004) 601-629, over the clipped polygon, which is clipped where the gap
 /// closes as well: without that corners make or lose a tenth of their energy.
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
-                                       const PairPenalty& penalty, double activation_distance);
+                                       const PairPenalty& penalty, double activation_distance,
+                                       const CornerDepths& deeper = {});
+
+/// Products of the shape functions of two faces' corners over their overlap: those of the first face, then
+/// those of the second with their signs turned, such that it takes the corners' motion along a direction to
+/// the forces of springs of unit stiffness per area that hold the faces [length^2].
+using CornerCoupling = Eigen::Matrix<double, 8, 8>;
+
+/// The products over the part of the overlap that touches, or over all of it.
+///   depth   what lies deeper is another wall [length]
+///   deeper  by which gaps count as deeper
+CornerCoupling find_overlap_coupling(const MovingFace& first, const MovingFace& second, double depth,
+                                     const CornerDepths& deeper, bool is_of_all = false);
 
 /// Whether two faces face each other, and no part of both lies on the other side of where the gap closes
 /// than the rest, or beyond the activation distance.

@@ -86,6 +86,8 @@ class ContactKinematics {
   }
   /// The way from the node of the mesh to the points of lofts [3 x n_loft_points] [length].
   const Eigen::Matrix3Xd& offsets() const { return offsets_; }
+  /// Brings back those of an earlier moment.
+  void set_offsets(const Eigen::Matrix3Xd& offsets) { offsets_ = offsets; }
   const FaceBound& bound(FaceIndex face) const { return bounds_[face]; }
   MovingFace face(FaceIndex face) const;
   FaceCorners face_corners(FaceIndex face) const { return corners(contact_mesh_.faces[face]); }

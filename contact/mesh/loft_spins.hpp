@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/geometry/cross_matrix.hpp"
 #include "contact/lofting/loft_points.hpp"
 #include "contact/mesh/free_directions.hpp"
 #include "core/base/optional_index.hpp"
@@ -62,6 +63,12 @@ class LoftSpins {
     }
     return own + free_[i] * (flexible_[i] * sum - own);
   }
+  /// By what a neighbour's motion against the node turns it [1/length].
+  Eigen::Matrix3d turn_by(std::size_t i, std::size_t neighbour) const {
+    return free_[i] * flexible_[i] * cross_matrix(arms_[first_[i] + neighbour]);
+  }
+  /// What of its own rotation the node keeps [1].
+  Eigen::Matrix3d own_turn(std::size_t i) const { return Eigen::Matrix3d::Identity() - free_[i]; }
   /// The spin in the middle of a step, by which the node turns through the angle 2 atan(dt |W| / 2).
   ///   coordinates, velocity  [3 x n_nodes] of the mesh at its end, in its middle [length] [length/time]
   Eigen::Vector3d mid_spin(std::size_t i, const Eigen::Matrix3Xd& coordinates,

@@ -22,9 +22,13 @@ std::shared_ptr<const FrictionLaw> frictionless_law() {
 
 namespace {
 
-/// What has a stiffness or a pressure of its own is elastic, whatever ENFORCEMENT says.
+/// What has a stiffness or a pressure of its own is elastic, whatever ENFORCEMENT says; in quasi-static
+/// procedures multipliers make a stiffness exact.
 void set_enforcement(const PairSettings& settings, const ContactDefinition& contact, SurfacePair& pair) {
-  pair.enforcement = settings.enforcement.value_or(Enforcement::momentum_balance);
+  using enum Enforcement;
+  const Enforcement own = contact.enforcement.is_static ? augmented_lagrange : momentum_balance;
+  pair.enforcement = settings.enforcement == penalty ? penalty : own;
+  if (contact.enforcement.is_static && !has_pressure(*pair.law, contact.friction_models)) return;
   if (pair.penalty_stiffness || has_pressure(*pair.law, contact.friction_models))
     pair.enforcement = Enforcement::penalty;
 }
@@ -54,7 +58,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   pair.penalty_scale = settings.penalty_scale.value_or(1.0) * contact.enforcement.penalty_scale;
   if (settings.penalty_stiffness) pair.penalty_stiffness = settings.penalty_stiffness->given;
   set_enforcement(settings, contact, pair);
-  pair.damping_fraction = settings.damping_fraction.value_or(0.0);
+  pair.damping_fraction = contact.enforcement.is_static ? 0.0 : settings.damping_fraction.value_or(0.0);
   return pair;
 }
 
@@ -226,6 +230,28 @@ SurfacePairs PairMaker::take() {
   return pairs;
 }
 
+/// Warns of a way of enforcement that is of the other kind of procedure.
+void warn_of_foreign_enforcement(const ContactDefinition& contact, Diagnostics& diagnostics) {
+  const bool is_static = contact.enforcement.is_static;
+  const Enforcement foreign =
+      is_static ? Enforcement::momentum_balance : Enforcement::augmented_lagrange;
+  const auto look_at = [&](const std::optional<Enforcement>& enforcement, const DeckName& name) {
+    if (enforcement != foreign) return;
+    diagnostics.add_warning("enforcement-of-other-procedures", name.location,
+                            is_static ? "ENFORCEMENT = MOMENTUM_BALANCE has no effect in a quasi-static "
+                                        "procedure, where nothing has momentum"
+                                      : "ENFORCEMENT = AUGMENTED_LAGRANGE has no effect in an explicit procedure, "
+                                        "where momentum is balanced",
+                            is_static ? "AUGMENTED_LAGRANGE, the default, lets nothing through"
+                                      : "MOMENTUM_BALANCE, the default, lets nothing through");
+  };
+  look_at(contact.enforcement.enforcement, contact.name);
+  if (contact.interaction_defaults)
+    look_at(contact.interaction_defaults->pair.enforcement, contact.interaction_defaults->name);
+  for (const Interaction& interaction : contact.interactions)
+    look_at(interaction.pair.enforcement, interaction.name);
+}
+
 }  // namespace
 
 SurfacePairs make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
@@ -237,6 +263,7 @@ SurfacePairs make_surface_pairs(const ContactDefinition& contact, const ContactS
       maker.add_exclusion(exclusion);
   }
   for (std::size_t i = 0; i < contact.interactions.size(); ++i) maker.add_interaction(i);
+  warn_of_foreign_enforcement(contact, diagnostics);
   SurfacePairs pairs = maker.take();
   if (pairs.empty() && !diagnostics.has_errors()) {
     diagnostics.add_warning("contact-without-pairs", contact.name.location,

@@ -26,8 +26,9 @@ struct DashOptions {
 };
 
 /// How the sides of a pair are kept apart. momentum_balance: by forces that let nothing through at the end of
-/// the step, from masses and the step; penalty: by an elastic force that grows with the penetration.
-enum class Enforcement : std::uint8_t { momentum_balance, penalty };
+/// the step, from masses and the step; penalty: by an elastic force that grows with the penetration;
+/// augmented_lagrange: by that made exact with multipliers, of quasi-static procedures.
+enum class Enforcement : std::uint8_t { momentum_balance, penalty, augmented_lagrange };
 
 /// BEGIN ENFORCEMENT OPTIONS, and the line ENFORCEMENT of the contact definition. Source: Sierra/SM 5.22, 8.2
 /// and 8.9.
@@ -35,6 +36,7 @@ struct EnforcementOptions {
   std::optional<Enforcement> enforcement;  ///< of pairs that say nothing else
   std::int64_t balance_iterations = 20;    ///< MOMENTUM BALANCE ITERATIONS, the most of a step, >= 1
   double penalty_scale = 1.0;              ///< of all pairs, times their own, > 0 [1]
+  bool is_static = false;  ///< the procedure is quasi-static: pairs know neither momentum nor rates
 };
 
 /// BEGIN SURFACE OPTIONS, older SHELL LOFTING: how lofted elements of some contact surfaces get their

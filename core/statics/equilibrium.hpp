@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 
 namespace contactsim {
 
@@ -21,9 +22,15 @@ class Equilibrium {
   virtual double norm(const Eigen::VectorXd& residual) const { return residual.norm(); }
   /// What sizes of residuals are compared with, of the last evaluation [force].
   virtual double reference() const = 0;
+  /// The size of a residual that round-off makes of one that is none, of the last evaluation [force].
+  virtual double round_off() const { return 0.0; }
   /// The largest factor by which a direction is still small enough for the difference of two residuals to be
   /// a derivative [1].
   virtual double probe_factor(const Eigen::VectorXd& direction) const = 0;
+  /// The largest factor by which a search may go along a direction in one trial [1].
+  virtual double longest_step(const Eigen::VectorXd& /*direction*/) const {
+    return std::numeric_limits<double>::infinity();
+  }
   /// Takes out of a vector what lies along fixed and prescribed directions.
   virtual void project(Eigen::VectorXd& /*vector*/) const {}
 };

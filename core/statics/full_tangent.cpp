@@ -8,6 +8,17 @@
 
 namespace contactsim {
 
+namespace {
+
+/// The size of the springs: another one where some have come, gone, begun to stick or to slide.
+double size_of(const std::vector<ContactSpring>& springs) {
+  double size = 0.0;
+  for (const ContactSpring& spring : springs) size += spring.coupling.norm() * spring.stiffness.norm();
+  return size;
+}
+
+}  // namespace
+
 FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings)
     : problem_(problem),
       graph_(graph),
@@ -59,6 +70,15 @@ void FullTangent::steady_rotations() {
   }
 }
 
+void FullTangent::steady_free_bodies() {
+  const auto n = static_cast<Eigen::Index>(per_node_);
+  for (std::uint32_t node = 0; node < free_shares_.size(); ++node) {
+    if (free_shares_[node] == 0.0) continue;
+    Eigen::Map<Eigen::MatrixXd> block(block_of(node, node), n, n);
+    block.diagonal() *= 1.0 + free_shares_[node];
+  }
+}
+
 void FullTangent::number_unknowns() {
   numbers_.assign(static_cast<std::size_t>(problem_.size()), -1);
   places_.clear();
@@ -95,13 +115,23 @@ SparseFactor::Matrix FullTangent::assemble() {
       }
     }
   }
+  for (const ContactSpring& spring : springs_) {
+    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+      for (Eigen::Index k = 0; k < block.size(); ++k) {
+        const Eigen::Index i = k % 3, j = k / 3;
+        const int row = number(a.node, static_cast<std::size_t>(i + (a.turns ? 3 : 0))),
+                  column = number(b.node, static_cast<std::size_t>(j + (b.turns ? 3 : 0)));
+        if (row >= 0 && column >= 0 && block(i, j) != 0.0) add(row, column, block(i, j));
+      }
+    });
+  }
   const auto n = static_cast<Eigen::Index>(places_.size());
   SparseFactor::Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
-std::int64_t FullTangent::renew(const Eigen::VectorXd& increment) {
+std::int64_t FullTangent::probe_elements(const Eigen::VectorXd& increment) {
   columns_.assign(first_.back() * per_node_ * per_node_, 0.0);
   const std::int64_t n_evaluations = probe_.differentiate(
       increment, [&](std::uint32_t node, Eigen::Index unknown, const Eigen::VectorXd& column) {
@@ -116,10 +146,38 @@ std::int64_t FullTangent::renew(const Eigen::VectorXd& increment) {
   if (n_evaluations == 0) return 0;
   hold_directions();
   steady_rotations();
+  steady_free_bodies();
   number_unknowns();
-  exists_ = factor_->factorise(assemble());
-  columns_ = {};
+  find_largest();
   return n_evaluations;
+}
+
+std::int64_t FullTangent::renew(const Eigen::VectorXd& increment, bool may_keep_elements) {
+  constexpr double same = 1e-3;
+  Eigen::VectorXd residual;
+  if (!problem_.evaluate(increment, residual)) return 1;
+  std::int64_t n_evaluations = 1;
+  springs_ = problem_.contact_springs();
+  const double size = size_of(springs_);
+  const bool keeps = may_keep_elements && !columns_.empty() &&
+                     std::abs(size - spring_size_) > same * std::max(size, spring_size_);
+  if (!keeps) {
+    const std::int64_t n_probes = probe_elements(increment);
+    if (n_probes == 0) return n_evaluations;
+    n_evaluations += n_probes;
+  }
+  spring_size_ = size;
+  exists_ = factor_->factorise(assemble());
+  return n_evaluations;
+}
+
+void FullTangent::find_largest() {
+  largest_ = 0.0;
+  for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
+    if (graph_.neighbours(node).empty()) continue;
+    const double* own = block_of(node, node);
+    for (std::size_t i = 0; i < 3; ++i) largest_ = std::max(largest_, own[i * per_node_ + i]);
+  }
 }
 
 void FullTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {

@@ -18,10 +18,15 @@ class FullTangent final : public Preconditioner {
   /// All must outlive it.
   FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings);
 
-  /// Makes the factor at an increment of the step; the one before stays where it cannot be evaluated. Returns
+  /// Makes the factor at an increment of the step; the one before stays where it cannot be evaluated. Where
+  /// contact has other springs than in the last factor, these alone are made anew, if that is wanted. Returns
   /// the evaluations of the residual.
-  std::int64_t renew(const Eigen::VectorXd& increment);
+  std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false);
+  /// The largest stiffness of a node against moving, without contact [force/length].
+  double largest() const { return largest_; }
   bool exists() const { return exists_; }
+  /// Shares of their stiffness that nodes get to the ground in the factor [n_nodes]: find_free_bodies().
+  void set_free(std::vector<double> shares) { free_shares_ = std::move(shares); }
   /// Directions along which the stiffness of solids is negative: of a body that has buckled; 0 where nodes
   /// turn, whose factor does not tell.
   std::int64_t n_negative() const { return exists_ ? factor_->n_negative() : 0; }
@@ -32,6 +37,9 @@ class FullTangent final : public Preconditioner {
   double* block_of(std::uint32_t node, std::uint32_t neighbour);
   void hold_directions();
   void steady_rotations();
+  void steady_free_bodies();
+  void find_largest();
+  std::int64_t probe_elements(const Eigen::VectorXd& increment);
   void number_unknowns();
   SparseFactor::Matrix assemble();
   bool is_symmetric() const { return per_node_ == 3; }
@@ -44,6 +52,10 @@ class FullTangent final : public Preconditioner {
   std::vector<std::size_t> first_;  // [n_nodes + 1] of a node's blocks, over its neighbours
   // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
   std::vector<double> columns_;
+  std::vector<double> free_shares_;  // [n_nodes], or empty [1]
+  std::vector<ContactSpring> springs_;  // of contact
+  double spring_size_ = 0.0;         // what tells whether they have changed
+  double largest_ = 0.0;
   std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
   std::unique_ptr<SparseFactor> factor_;

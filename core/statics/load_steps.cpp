@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/errors.hpp"
 #include "core/base/state_archive.hpp"
 #include "core/dynamics/state_motion.hpp"
+#include "core/statics/free_bodies.hpp"
 
 namespace contactsim {
 
@@ -28,14 +30,14 @@ constexpr double runaway = 1e3;
 
 }  // namespace
 
-LoadSteps::LoadSteps(const Model& model, ForceTerms terms, const SolverSettings& settings,
-                     LoadSchedule schedule, State& state)
+LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contact,
+                     const SolverSettings& settings, LoadSchedule schedule, State& state)
     : model_(model),
       terms_(terms),
       settings_(settings),
       schedule_(std::move(schedule)),
       state_(state),
-      problem_(model, terms, settings_.cg.reference, state),
+      problem_(model, terms, contact, settings_.cg.reference, state),
       graph_(model.mesh->n_nodes(), *model.mesh, model.blocks),
       blocks_(problem_, graph_) {
   if (settings_.cg.full_tangent) tangent_.emplace(problem_, graph_, *settings_.cg.full_tangent);
@@ -45,9 +47,15 @@ void LoadSteps::start() {
   const Motion motion = motion_of(state_, 0.0);
   terms_.internal.set_forces(motion, state_.forces.internal);
   terms_.external.set_forces(motion, state_.forces.external);
+  if (terms_.contact != nullptr) terms_.contact->set_forces(motion, state_.forces.contact);
   if (state_.rotations.exist()) {
-    terms_.internal.set_moments(motion, state_.rotations.moments.internal);
-    terms_.external.set_moments(motion, state_.rotations.moments.external);
+    NodalForces& moments = state_.rotations.moments;
+    terms_.internal.set_moments(motion, moments.internal);
+    terms_.external.set_moments(motion, moments.external);
+    if (terms_.contact != nullptr) {
+      moments.contact.resizeLike(moments.internal);
+      terms_.contact->set_moments(motion, moments.contact);
+    }
   }
   state_.velocity.setZero();
   state_.acceleration.setZero();
@@ -57,9 +65,10 @@ void LoadSteps::start() {
 
 bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
 
-void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment) {
-  if (tangent_) report_.n_evaluations += tangent_->renew(increment);
+void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements) {
+  if (tangent_) report_.n_evaluations += tangent_->renew(increment, may_keep_elements);
   if (!has_tangent()) report_.n_evaluations += blocks_.renew(increment);
+  problem_.set_stiffness(has_tangent() ? tangent_->largest() : blocks_.largest());
 }
 
 /// The increment of the last step, scaled, of all nodes: nothing before the first.
@@ -80,7 +89,7 @@ Eigen::VectorXd LoadSteps::first_guess(double dt) const {
 void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
   const Eigen::VectorXd begun = increment;
   if (has_tangent()) {
-    const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at); };
+    const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at, true); };
     report_.search = newton(problem_, *tangent_, cg, renew, increment);
     report_.n_evaluations += report_.search.n_evaluations;
     if (report_.search.end == CgReport::End::converged) return;
@@ -91,10 +100,50 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
   report_.n_evaluations += report_.search.n_evaluations;
 }
 
+/// Updates multipliers and searches again until contact no longer changes. Returns whether equilibrium was
+/// found, and contact is acceptable. Source: Sierra/SM 5.22, BEGIN CONTROL CONTACT.
+bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment) {
+  const ControlContact control =
+      settings_during(settings_.control_contact, schedule_.period_name(step_begun_));
+  const auto is_below = [&](double share) {
+    return report_.contact.change <= share * report_.contact.reference;
+  };
+  Eigen::VectorXd residual;
+  std::int64_t n_iterations = report_.search.n_iterations;
+  for (;;) {
+    report_.n_evaluations += 1;
+    if (!problem_.evaluate(increment, residual)) return false;
+    const bool is_last = report_.n_updates >= control.max_iterations;
+    const bool is_forced = report_.n_updates < control.min_iterations;
+    const double tolerance = is_last     ? std::numeric_limits<double>::infinity()
+                             : is_forced ? 0.0
+                                         : control.target_relative_residual;
+    report_.contact = problem_.contact()->update_multipliers(tolerance);
+    if (is_below(control.target_relative_residual) && report_.n_updates >= control.min_iterations) return true;
+    if (is_last) return control.max_iterations == 0 || is_below(control.acceptable_relative());
+    ++report_.n_updates;
+    search(cg, increment);
+    n_iterations += report_.search.n_iterations;
+    report_.search.n_iterations = n_iterations;
+    if (report_.search.end == CgReport::End::failed) return false;
+  }
+}
+
+/// Bodies that only contact may hold drift until they touch: no farther in one trial than contact sees.
+void LoadSteps::find_free() {
+  std::vector<double> shares = find_free_bodies(problem_, graph_, state_.coordinates);
+  const bool are_any = std::ranges::any_of(shares, [](double share) { return share > 0.0; });
+  problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()
+                                                                 : std::numeric_limits<double>::infinity());
+  if (tangent_) tangent_->set_free(std::move(shares));
+}
+
 bool LoadSteps::try_step(double dt) {
   const CgSettings cg = settings_of(settings_.cg, schedule_.period_name(state_.time), *model_.mesh);
   Eigen::VectorXd increment = first_guess(dt);
+  step_begun_ = state_.time;
   problem_.begin_step(dt);
+  find_free();
   Eigen::VectorXd residual;
   ++report_.n_evaluations;
   if (!increment.isZero(0.0) && !problem_.evaluate(increment, residual)) increment.setZero();
@@ -108,9 +157,11 @@ bool LoadSteps::try_step(double dt) {
                                : predict_linearly(problem_, blocks_, left, cg.max_iterations, increment);
 
   search(cg, increment);
+  bool is_found = report_.search.end != CgReport::End::failed;
+  if (is_found && problem_.contact() != nullptr) is_found = control_contact(cg, increment);
   ++report_.n_evaluations;
   const bool exists = problem_.evaluate(increment, residual);
-  if (report_.search.end == CgReport::End::failed || !exists) {
+  if (!is_found || !exists) {
     residual_ = exists ? residual : Eigen::VectorXd();
     return false;
   }

@@ -15,6 +15,8 @@ struct LoadStepReport {
   CgReport search;
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
+  std::int64_t n_updates = 0;      ///< of the multipliers of contact, after each of which it was sought anew
+  MultiplierChange contact;        ///< that the multipliers would still have changed by at the end
   std::int64_t n_negative = 0;     ///< directions of negative stiffness where the last factor was made
 };
 
@@ -23,8 +25,9 @@ struct LoadStepReport {
 class LoadSteps {
  public:
   /// All must outlive it. Preconditions: no rigid bodies; nothing in the model depends on velocities.
-  LoadSteps(const Model& model, ForceTerms terms, const SolverSettings& settings, LoadSchedule schedule,
-            State& state);
+  ///   contact  the same as that of the terms, null without
+  LoadSteps(const Model& model, ForceTerms terms, StaticContact* contact, const SolverSettings& settings,
+            LoadSchedule schedule, State& state);
 
   /// Finds the forces of the start, and the first step. Throws SolveError.
   void start();
@@ -38,9 +41,11 @@ class LoadSteps {
 
  private:
   bool try_step(double dt);
+  void find_free();
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
+  bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
   Eigen::VectorXd first_guess(double dt) const;
-  void renew_preconditioner(const Eigen::VectorXd& increment);
+  void renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements = false);
   bool has_tangent() const;
   [[noreturn]] void fail(double dt) const;
 
@@ -54,6 +59,7 @@ class LoadSteps {
   NodalBlocks blocks_;
   std::optional<FullTangent> tangent_;
   Eigen::VectorXd residual_;  // of the last evaluation
+  double step_begun_ = 0.0;   // [time]
   LoadStepReport report_;
 };
 

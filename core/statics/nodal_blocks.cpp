@@ -2,6 +2,7 @@
 #include "core/statics/nodal_blocks.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/threads.hpp"
@@ -24,6 +25,18 @@ Eigen::MatrixXd positive_inverse(const Eigen::MatrixXd& stiffness) {
   return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
 }
 
+/// Adds what springs resist each node's own motion with.
+///   blocks  [per_node x per_node n_nodes]
+void add_contact(const std::vector<ContactSpring>& springs, Eigen::MatrixXd& blocks) {
+  const Eigen::Index per_node = blocks.rows();
+  for (const ContactSpring& spring : springs) {
+    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+      if (a.node == b.node)
+        blocks.block<3, 3>(a.turns ? 3 : 0, per_node * b.node + (b.turns ? 3 : 0)) += block;
+    });
+  }
+}
+
 }  // namespace
 
 NodalBlocks::NodalBlocks(StaticProblem& problem, const NodeGraph& graph)
@@ -40,6 +53,10 @@ std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
         for (Eigen::Index i = 0; i < per_node_; ++i) block(i) = column(probe_.place(node, i));
       });
   if (n_evaluations == 0) return 0;
+  largest_ = 0.0;
+  for (Eigen::Index i = 0; i < probe_.n_nodes(); ++i)
+    largest_ = std::max(largest_, blocks.block<3, 3>(0, per_node_ * i).diagonal().maxCoeff());
+  add_contact(problem_.contact_springs(), blocks);
   const auto n_nodes = static_cast<std::size_t>(probe_.n_nodes());
   parallel_for(n_nodes, threads_for(100 * n_nodes), [&](std::size_t node) {
     const auto first = static_cast<Eigen::Index>(node) * per_node_;

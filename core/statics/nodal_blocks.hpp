@@ -16,12 +16,16 @@ class NodalBlocks final : public Preconditioner {
   /// the evaluations of the residual.
   std::int64_t renew(const Eigen::VectorXd& increment);
 
+  /// The largest stiffness of a node against moving [force/length].
+  double largest() const { return largest_; }
+
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 
  private:
   StaticProblem& problem_;
   TangentProbe probe_;
   Eigen::Index per_node_;
+  double largest_ = 0.0;      // of displacements, without contact [force/length]
   Eigen::MatrixXd inverses_;  // [per_node x per_node n_nodes]
 };
 

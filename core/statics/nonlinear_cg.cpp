@@ -66,7 +66,8 @@ bool Search::move() {
   constexpr double widest = 4.0;
   const double slope = direction_.dot(residual_);
   if (!(slope > 0.0) || !std::isfinite(slope)) return false;
-  double way = way_, near = 0.0, near_slope = slope;
+  const double longest = equilibrium_.longest_step(direction_);
+  double way = std::min(way_, longest), near = 0.0, near_slope = slope;
   std::optional<double> far;
   double far_slope = 0.0;
   for (int trial = 0, halvings = 0;; ++trial) {
@@ -79,13 +80,14 @@ bool Search::move() {
     }
     const double found = direction_.dot(trial_residual_);
     if (std::abs(found) <= settings_.line_search_tolerance * slope || trial + 1 == max_trials) break;
+    if (found > 0.0 && way >= longest) break;
     if (found > 0.0) {
       const double fall = near_slope - found;
       if (!far) far_slope = fall > 0.0 ? found * (way - near) / fall : infinity;  // how far it seems to be
       near = way;
       near_slope = found;
       if (!far) {
-        way += std::min(far_slope, (widest - 1.0) * way);
+        way = std::min(way + std::min(far_slope, (widest - 1.0) * way), longest);
         continue;
       }
     } else {
@@ -94,7 +96,7 @@ bool Search::move() {
     }
     way = near + (*far - near) * near_slope / (near_slope - far_slope);
   }
-  way_ = way;
+  way_ = std::max(way, std::numeric_limits<double>::min());
   increment_ = trial_;
   last_residual_.swap(residual_);
   residual_.swap(trial_residual_);
@@ -113,7 +115,7 @@ bool is_balanced(const Equilibrium& equilibrium, double size, const CgSettings& 
   report.residual = size;
   report.reference = equilibrium.reference();
   if (report.n_iterations < settings.min_iterations) return false;
-  if (size != 0.0 &&
+  if (size > equilibrium.round_off() &&
       !is_below(size, report.reference, settings.target_relative_residual, settings.target_residual))
     return false;
   report.end = CgReport::End::converged;
@@ -132,15 +134,19 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
   ++report.n_evaluations;
   bool exists = equilibrium.evaluate(increment, residual);
   double last = infinity, least = infinity;
+  bool is_limited = false;  // the last step
   for (int n_idle = 0; exists; ++report.n_iterations) {
     const double size = equilibrium.norm(residual);
     if (!std::isfinite(size) || is_balanced(equilibrium, size, settings, report)) break;
-    n_idle = size < least ? 0 : n_idle + 1;
+    n_idle = size < least || is_limited ? 0 : n_idle + 1;
     least = std::min(least, size);
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
     if (size > slow * last) renew(increment);
     last = size;
     preconditioner.apply(residual, z);
+    const double longest = equilibrium.longest_step(z);
+    is_limited = longest < 1.0;
+    if (is_limited) z *= longest;
     exists = false;
     for (int i = 0; i < max_halvings && !exists; ++i, z *= 0.5) {
       trial = increment + z;
@@ -210,7 +216,9 @@ std::int64_t predict_linearly(Equilibrium& equilibrium, const Preconditioner& pr
     direction = z + now / z_dot_residual * direction;
     z_dot_residual = now;
   }
-  increment += solution;
+  // What contact alone holds drifts no farther than contact sees; prescribed motion is what it is.
+  const Eigen::VectorXd free = solution - prescribed;
+  increment += prescribed + std::min(1.0, equilibrium.longest_step(free)) * free;
   return n_evaluations;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/errors.hpp"
+#include "core/base/optional_index.hpp"
 #include "core/base/state_archive.hpp"
 #include "core/base/threads.hpp"
 #include "core/dynamics/state_motion.hpp"
@@ -53,9 +54,11 @@ void project_nodes(const std::vector<FreeDirections>& free, Eigen::Index first, 
 
 }  // namespace
 
-StaticProblem::StaticProblem(const Model& model, ForceTerms terms, ResidualReference reference, State& state)
+StaticProblem::StaticProblem(const Model& model, ForceTerms terms, StaticContact* contact,
+                             ResidualReference reference, State& state)
     : model_(model),
       terms_(terms),
+      contact_(contact),
       kind_(reference),
       state_(state),
       n_(state.coordinates.size()),
@@ -96,6 +99,11 @@ void StaticProblem::remember() {
 void StaticProblem::begin_step(double dt) {
   remember();
   dt_ = dt;
+  if (contact_ != nullptr) {
+    Motion motion = motion_of(state_, dt);
+    motion.time += dt;
+    contact_->begin_trials(motion);
+  }
   const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, n_ / 3);
   // An acceleration from rest whose half step brings the mean velocity of the step about.
   const auto increment_of = [&](const KinematicConstraints& constraints, const Eigen::Matrix3Xd* angle) {
@@ -125,10 +133,12 @@ void StaticProblem::restore() {
   state_.velocity = velocity_;
   state_.rotations = rotations_;
   state_.forces = forces_;
+  if (contact_ != nullptr) contact_->give_up_trials();
 }
 
 void StaticProblem::move_to(const Eigen::VectorXd& increment) {
   state_.time = time_ + dt_;
+  increment_ = increment.head(n_).cwiseAbs().maxCoeff();
   state_.coordinates = coordinates_ + increment.head(n_).reshaped(3, n_ / 3);
   state_.velocity = increment.head(n_).reshaped(3, n_ / 3) / dt_;
   if (!state_.rotations.exist()) return;
@@ -136,19 +146,24 @@ void StaticProblem::move_to(const Eigen::VectorXd& increment) {
   state_.rotations.velocity = increment.tail(n_).reshaped(3, n_ / 3) / dt_;
 }
 
+void StaticProblem::set_forces(const Motion& motion) {
+  terms_.external.set_forces(motion, state_.forces.external);
+  terms_.internal.set_forces(motion, state_.forces.internal);
+  NodalForces& moments = state_.rotations.moments;
+  if (contact_ != nullptr && !holds_contact_)
+    contact_->try_forces(motion, state_.forces.contact, state_.rotations.exist() ? &moments.contact : nullptr);
+  if (!state_.rotations.exist()) return;
+  terms_.internal.set_moments(motion, moments.internal);
+  terms_.external.set_moments(motion, moments.external);
+}
+
 bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) {
   recall_elements();
   move_to(increment);
-  const Motion motion = motion_of(state_, dt_);
-  terms_.external.set_forces(motion, state_.forces.external);
   try {
-    terms_.internal.set_forces(motion, state_.forces.internal);
+    set_forces(motion_of(state_, dt_));
   } catch (const SolveError&) {
     return false;
-  }
-  if (state_.rotations.exist()) {
-    terms_.internal.set_moments(motion, state_.rotations.moments.internal);
-    terms_.external.set_moments(motion, state_.rotations.moments.external);
   }
   residual = all_forces();
   project(residual);
@@ -156,6 +171,10 @@ bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& 
 }
 
 void StaticProblem::accept(const Eigen::VectorXd& increment) {
+  if (contact_ != nullptr) {
+    const ForceReport report = contact_->accept_trial(motion_of(state_, dt_), state_.forces.contact);
+    state_.energies.friction += report.friction_work;
+  }
   const Eigen::VectorXd internal = mean_forces(&NodalForces::internal);
   const Eigen::VectorXd external = mean_forces(&NodalForces::external);
   const Eigen::VectorXd contact = mean_forces(&NodalForces::contact);
@@ -167,11 +186,38 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   energies.internal -= internal.dot(increment);
   energies.contact -= contact.dot(increment);
   energies.external += external.dot(increment) - (all - free).dot(increment);
+  // What has held a start that was out of balance lets go steadily.
+  if (state_.step == 0) {
+    Eigen::VectorXd unbalanced = forces_of(&NodalForces::internal, forces_, rotations_.moments) +
+                                 forces_of(&NodalForces::external, forces_, rotations_.moments) +
+                                 forces_of(&NodalForces::contact, forces_, rotations_.moments);
+    project(unbalanced);
+    energies.external -= 0.5 * unbalanced.dot(increment);
+  }
   energies.hourglass = 0.0;
   for (const ModelBlockState& block : state_.blocks) energies.hourglass += block.hourglass_work;
   energies.error = energies.internal + energies.contact - energies.external;
   for (const double term : {energies.internal, energies.external, energies.contact})
     energies.largest = std::max(energies.largest, std::abs(term));
+}
+
+std::vector<ContactSpring> StaticProblem::contact_springs() const {
+  std::vector<ContactSpring> springs;
+  if (contact_ == nullptr) return springs;
+  std::vector<OptionalIndex<std::uint32_t>> held_at(static_cast<std::size_t>(2 * n_ / 3));
+  std::vector<Eigen::Matrix3d> free;
+  visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
+    held_at[2 * std::size_t{node} + (first > 0 ? 1 : 0)] = static_cast<std::uint32_t>(free.size());
+    free.push_back(Eigen::Matrix3d::Identity() - held);
+  });
+  contact_->visit_springs([&](const ContactSpring& spring) {
+    springs.push_back(spring);
+    for (SpringEnd& end : springs.back().ends) {
+      const auto held = held_at[2 * std::size_t{end.node} + (end.turns ? 1 : 0)];
+      if (held) end.share *= free[*held];
+    }
+  });
+  return springs;
 }
 
 Eigen::VectorXd StaticProblem::unknown_scales(std::uint32_t node) const {
@@ -196,6 +242,11 @@ double StaticProblem::norm(const Eigen::VectorXd& residual) const {
 double StaticProblem::reference() const {
   constexpr double least = 1e-3;
   return std::max(reference_now(), least * largest_reference_);
+}
+
+double StaticProblem::round_off() const {
+  constexpr double share = 1e-14;
+  return share * stiffness_ * increment_ * std::sqrt(static_cast<double>(n_));
 }
 
 void StaticProblem::archive(StateArchive& saved) {
@@ -223,6 +274,11 @@ double StaticProblem::probe_factor(const Eigen::VectorXd& direction) const {
   if (state_.rotations.exist())
     factor = std::min(factor, probe_angle / direction.tail(n_).cwiseAbs().maxCoeff());
   return factor;
+}
+
+double StaticProblem::longest_step(const Eigen::VectorXd& direction) const {
+  const double longest = std::sqrt(direction.head(n_).reshaped(3, n_ / 3).colwise().squaredNorm().maxCoeff());
+  return longest > 0.0 ? longest_motion_ / longest : std::numeric_limits<double>::infinity();
 }
 
 void StaticProblem::project(Eigen::VectorXd& vector) const {

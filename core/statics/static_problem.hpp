@@ -8,6 +8,7 @@
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/statics/equilibrium.hpp"
+#include "core/statics/static_contact.hpp"
 
 namespace contactsim {
 
@@ -18,7 +19,9 @@ class StateArchive;
 class StaticProblem final : public Equilibrium {
  public:
   /// All must outlive it. Precondition: no rigid bodies.
-  StaticProblem(const Model& model, ForceTerms terms, ResidualReference reference, State& state);
+  ///   contact  the same as that of the terms, null without
+  StaticProblem(const Model& model, ForceTerms terms, StaticContact* contact, ResidualReference reference,
+                State& state);
 
   /// Unknowns: 3 a node, 6 where nodes turn.
   Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
@@ -36,13 +39,24 @@ class StaticProblem final : public Equilibrium {
   /// Brings back the state that the step began at.
   void restore();
   void archive(StateArchive& saved);
+  /// Has contact push as it did in the last evaluation, whatever moves from now on; or lets it follow again.
+  void hold_contact(bool does) { holds_contact_ = does; }
+  /// The springs of contact in the last evaluation, without what moves along held directions.
+  std::vector<ContactSpring> contact_springs() const;
+  StaticContact* contact() const { return contact_; }
+  /// Has no trial of a search move a node by more than a length.
+  void limit_motion(double longest) { longest_motion_ = longest; }
+  /// Takes notice of the largest stiffness of a node, by which round-off is known [force/length].
+  void set_stiffness(double largest) { stiffness_ = largest; }
   /// The node with the largest force in a residual.
   NodeIndex largest_at(const Eigen::VectorXd& residual) const;
 
   bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override;
   double norm(const Eigen::VectorXd& residual) const override;
   double reference() const override;
+  double round_off() const override;
   double probe_factor(const Eigen::VectorXd& direction) const override;
+  double longest_step(const Eigen::VectorXd& direction) const override;
   void project(Eigen::VectorXd& vector) const override;
 
   /// By how much an unknown may move for a derivative by differences [length], of rotations [1].
@@ -68,6 +82,7 @@ class StaticProblem final : public Equilibrium {
   void remember();
   void recall_elements();
   void move_to(const Eigen::VectorXd& increment);
+  void set_forces(const Motion& motion);
   using Part = Eigen::Matrix3Xd NodalForces::*;
   Eigen::VectorXd forces_of(Part part, const NodalForces& forces, const NodalForces& moments) const;
   Eigen::VectorXd forces_of(Part part) const {
@@ -78,11 +93,16 @@ class StaticProblem final : public Equilibrium {
 
   const Model& model_;
   ForceTerms terms_;
+  StaticContact* contact_;
   ResidualReference kind_;
   State& state_;
   Eigen::Index n_;  // 3 n_nodes
   double probe_length_;
   Eigen::VectorXd weights_;  // of squared residuals: 1, and 1/length^2 of moments
+  bool holds_contact_ = false;
+  double stiffness_ = 0.0;    // largest of a node [force/length]
+  double increment_ = 0.0;    // largest of a node in the last evaluation [length]
+  double longest_motion_ = std::numeric_limits<double>::infinity();  // [length]
   double dt_ = 0.0;
   double largest_reference_ = 0.0;  // of accepted steps
   std::vector<FreeDirections> free_, free_rotations_;

@@ -3,9 +3,26 @@
 
 namespace contactsim {
 
+namespace {
+
+/// Holds the forces of contact for as long as it lives.
+class HeldContact {
+ public:
+  explicit HeldContact(StaticProblem& problem) : problem_(problem) { problem_.hold_contact(true); }
+  ~HeldContact() { problem_.hold_contact(false); }
+  HeldContact(const HeldContact&) = delete;
+  HeldContact& operator=(const HeldContact&) = delete;
+
+ private:
+  StaticProblem& problem_;
+};
+
+}  // namespace
+
 std::int64_t TangentProbe::differentiate(const Eigen::VectorXd& increment, const Take& take) {
   Eigen::VectorXd base, moved;
   if (!problem_.evaluate(increment, base)) return 0;
+  const HeldContact held(problem_);
   std::vector<std::vector<std::uint32_t>> nodes_of(colours_.n_colours);
   for (std::uint32_t node = 0; node < colours_.colour.size(); ++node) {
     if (colours_.colour[node] < colours_.n_colours) nodes_of[colours_.colour[node]].push_back(node);

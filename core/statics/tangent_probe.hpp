@@ -9,8 +9,9 @@
 
 namespace contactsim {
 
-/// The stiffness by differences of residuals in which all nodes of a colour move at once: exact for every
-/// element and material, with whatever its law does on the way from the start of the step.
+/// The stiffness of all but contact by differences of residuals in which all nodes of a colour move at once:
+/// exact for every element and material, with whatever its law does on the way from the start of the step.
+/// That of contact, which no pattern of elements holds, is in StaticProblem::contact_springs() afterwards.
 class TangentProbe {
  public:
   /// All must outlive it.

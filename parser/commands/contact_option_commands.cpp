@@ -139,11 +139,17 @@ const Table<ContactDebug>& debug_table() {
 
 void read_enforcement(Arguments& arguments, ContactDefinition& contact) {
   const Word word = arguments.at_end() ? Word{} : arguments.peek();
-  if (arguments.accept("al") || arguments.accept("kinematic")) {
-    arguments.warn("deck-ignored", word, "this enforcement is of implicit runs only", "momentum is balanced");
+  if (arguments.accept("al")) {
+    contact.enforcement.enforcement = Enforcement::augmented_lagrange;
     return;
   }
-  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty"});
+  if (arguments.accept("kinematic")) {
+    arguments.warn("deck-ignored", word, "kinematic enforcement has no effect",
+                   "momentum is balanced in explicit procedures, AUGMENTED_LAGRANGE lets nothing through in "
+                   "others");
+    return;
+  }
+  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty", "augmented_lagrange"});
   contact.enforcement.enforcement = enforcement.read(arguments);
 }
 
@@ -212,11 +218,10 @@ std::vector<Row<ContactDefinition>> contact_option_rows() {
   return joined<C>({
       {
           row<C>("search", "= {DASH|ACME}", read_search, "Search algorithm; ACME is taken as DASH", "DASH"),
-          row<C>("enforcement", "= {MOMENTUM_BALANCE|PENALTY|AL|KINEMATIC}", read_enforcement,
-                 "How the sides of all pairs are kept apart that say nothing else; AL and KINEMATIC, of "
-                 "implicit "
-                 "runs, leave it at that",
-                 "MOMENTUM_BALANCE"),
+          row<C>("enforcement", "= {MOMENTUM_BALANCE|PENALTY|AUGMENTED_LAGRANGE|AL|KINEMATIC}", read_enforcement,
+                 "How the sides of all pairs are kept apart that say nothing else, AL is short for "
+                 "AUGMENTED_LAGRANGE; KINEMATIC leaves it at the default",
+                 "MOMENTUM_BALANCE, AUGMENTED_LAGRANGE in quasi-static procedures"),
           ignored<C>("contact residual norm scale factor", "= <real>", "Of implicit runs only"),
           block<C, SearchOptions>("search options", Naming::optional, search_options_table, &C::search,
                                   "Reach and rhythm of the search"),

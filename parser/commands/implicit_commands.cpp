@@ -113,6 +113,26 @@ const Table<CgSettings>& cg_table() {
   return table;
 }
 
+const Table<ControlContact>& control_contact_table() {
+  using C = ControlContact;
+  const std::string_view one = "what the multipliers still change contact forces by is the one measure";
+  static const Table<C> table({
+      during_row("target relative residual", read::positive, &C::target_relative_residual,
+                 "Change of contact forces by their multipliers that ends a step, of these forces [1]"),
+      during_row("acceptable relative residual", read::positive, &C::acceptable_relative_residual,
+                 "What is put up with after the last iteration [1]", "10 times the target"),
+      during_row("maximum iterations", read::non_negative_integer, &C::max_iterations,
+                 "Updates of the multipliers in a step at most; 0: the penalty alone [1]"),
+      during_row("minimum iterations", read::non_negative_integer, &C::min_iterations,
+                 "Updates of the multipliers in a step at least [1]"),
+      ignored<C>("target relative contact residual", "= <real> [DURING <period> ...]", one),
+      ignored<C>("acceptable relative contact residual", "= <real> [DURING <period> ...]", one),
+      ignored<C>("level", "= <integer>", "contact is the one level"),
+      ignored<C>("reference", "= {BELYTSCHKO|EXTERNAL|INTERNAL}", one),
+  });
+  return table;
+}
+
 const TableText& control_text() {
   static const Table<Nothing> table({
       line("target relative residual", "= <real> [DURING <period> ...]", "residual aimed at [1]"),
@@ -154,7 +174,10 @@ const Table<SolverSettings>& solver_table() {
           "loadstep predictor", Naming::optional, predictor_table,
           [](S& solver, LoadstepPredictor predictor) { solver.predictor = std::move(predictor); },
           "First guess of a step"),
-      ignored_block<S>("control contact", control_text, "contact is not part of quasi-static procedures yet"),
+      block<S, ControlContact>(
+          "control contact", Naming::optional, control_contact_table,
+          [](S& solver, ControlContact control) { solver.control_contact = std::move(control); },
+          "How exactly contact holds: updates of its multipliers in each step"),
       ignored_block<S>("control failure", control_text,
                        "elements do not fail in quasi-static procedures yet"),
       ignored_block<S>("control stiffness", control_text, "all stiffness acts from the first iteration on"),

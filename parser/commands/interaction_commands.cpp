@@ -120,7 +120,7 @@ std::vector<Row<PairSettings>> meeting_rows() {
   static const auto formulation = choice_of<ConstraintFormulation>({"node_face", "face_face"});
   static const auto behavior =
       choice_of<InteractionBehavior>({"sliding", "infinitesimal_sliding", "no_interaction"});
-  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty"});
+  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty", "augmented_lagrange"});
   return {
       row("friction model", read::name_of(NameKind::friction_model), &P::friction_model,
           "Friction model of the pair", "frictionless")
@@ -134,8 +134,9 @@ std::vector<Row<PairSettings>> meeting_rows() {
           "SLIDING"),
       row("enforcement", enforcement, &P::enforcement,
           "How the sides are kept apart: MOMENTUM_BALANCE lets nothing through and does not lower the time "
-          "step; PENALTY is elastic. A given PENALTY STIFFNESS means PENALTY",
-          "MOMENTUM_BALANCE"),
+          "step; PENALTY is elastic. A given PENALTY STIFFNESS means PENALTY. AUGMENTED_LAGRANGE, of "
+          "quasi-static procedures, makes the penalty exact by multipliers",
+          "MOMENTUM_BALANCE, AUGMENTED_LAGRANGE in quasi-static procedures"),
       row("normal tolerance", read::non_negative, &P::normal_tolerance,
           "Reach of the search off a face [length]", "automatic"),
       row("tangential tolerance", read::non_negative, &P::tangential_tolerance,

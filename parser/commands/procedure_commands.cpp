@@ -87,6 +87,9 @@ void add_procedure(Procedures& procedures, Procedure procedure, Solution solutio
   } else if (!procedure.implicit_by) {
     procedure.implicit_by = find_implicit_parameters(procedure);
   }
+  for (Region& region : procedure.regions) {
+    if (region.contact) region.contact->enforcement.is_static = procedure.implicit_by.has_value();
+  }
   procedures.push_back(std::move(procedure));
 }
 

@@ -45,10 +45,14 @@ void EdgeEdgeContacts::take_candidates(EdgePairLists candidates) {
   candidates_ = std::move(candidates);
 }
 
-void EdgeEdgeContacts::begin_step() {
+void EdgeEdgeContacts::swap_steps() {
   std::swap(depth_before_, depth_now_);
-  std::fill(depth_now_.begin(), depth_now_.end(), 0.0f);
   std::swap(slips_before_, slips_now_);
+}
+
+void EdgeEdgeContacts::begin_step() {
+  swap_steps();
+  std::fill(depth_now_.begin(), depth_now_.end(), 0.0f);
   slips_now_.assign(candidates_.partners.size(), no_slip);
 }
 

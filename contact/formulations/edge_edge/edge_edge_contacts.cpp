@@ -245,7 +245,8 @@ ContactPoint EdgeEdgeContacts::make_contact_point(const ContactStepContext& cont
   if (is_sharp && !touched && context.dt > 0.0 && point.gap + closed < -shallow) return point;
   const double width = std::min(first.width, second.width);
   const double area = width * (pair_point.length > 0.0 ? pair_point.length : width);
-  push_node({penalty, rule.pair->damping_fraction, area, relative, context.dt, context.coming_dt, relative},
+  push_node({penalty, rule.pair->damping_fraction, area, relative, context.dt, context.coming_dt, relative,
+             context.is_static},
             point);
   return point;
 }

@@ -29,6 +29,7 @@ class EdgeEdgeContacts {
   void watch(IndexedVector<FaceIndex, std::uint8_t>& /*is_watched*/) const {}
 
   void begin_step();
+  void undo_begin_step() { swap_steps(); }
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points);
   /// None: an edge that has passed another is behind its faces, which know it.
@@ -42,6 +43,7 @@ class EdgeEdgeContacts {
   void archive(StateArchive& saved);
 
  private:
+  void swap_steps();
   /// Slip that is held at the one or two contact points of a pair [length].
   using ElasticSlips = std::array<Eigen::Vector3d, 2>;
   struct Pair {

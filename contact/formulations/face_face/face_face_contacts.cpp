@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contact/formulations/cohesive_traction.hpp"
+#include "contact/formulations/contact_multipliers.hpp"
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/facets.hpp"
@@ -75,7 +76,7 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   const double held = rule.pair->held_gap(thinner(candidate));
   const GapOffsets& offsets = context.rules.gap_offsets();
   const double reach = std::max({activation_distance, margin, held}) + offsets.reach(candidate.pair) +
-                       std::max(0.0, rule.begin_gap);
+                       std::max(0.0, rule.begin_gap) + (context.multipliers ? context.multipliers->largest() : 0.0);
   if (!may_meet(context, candidate, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
@@ -91,12 +92,13 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
                 flat_share * thinner(candidate)});
     return add_balanced_points(context, candidate, faces, found, points);
   }
-  penalty.closing = closed;
+  penalty.closing = context.is_static ? 0.0 : closed;
   const PenaltyPush push{faces, penalty, activation_distance};
   if (held > 0.0) return add_spring_points(context, candidate, push, points);
   if (!faces.are_round()) return add_penalty_points(context, candidate, push, points);
   const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
-  const auto contact = find_smooth_contact({patch_1, patch_2, faces.offset}, penalty, activation_distance);
+  const double offset = faces.offset + faces.deeper.first.mean() + faces.deeper.second.mean();
+  const auto contact = find_smooth_contact({patch_1, patch_2, offset}, penalty, activation_distance);
   add_penalty_point(context, candidate, push, contact, points);
 }
 
@@ -129,6 +131,11 @@ FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const Contac
                      history_.has_touched(candidate.position)};
   carry(candidate.carry, faces.first, faces.second);
   if (!faces.are_round()) take_off(faces.offset, faces.second, faces.first);
+  if (context.multipliers == nullptr || context.multipliers->empty()) return faces;
+  const auto depths_of = [&](FaceIndex face) {
+    return context.multipliers->of_corners(candidate.pair, contact_mesh_.faces[face], contact_mesh_);
+  };
+  faces.deeper = {depths_of(candidate.first), depths_of(candidate.second)};
   return faces;
 }
 
@@ -158,7 +165,8 @@ void FaceFaceContacts::add_spring_points(const ContactStepContext& context, cons
       if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
     }
     push_node(
-        {push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0, apart},
+        {push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0, apart,
+         context.is_static},
         point);
     add_friction_to(context, candidate, push, apart, point);
     points.push_back(point);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/face_face/face_face_history.hpp"
 #include "contact/formulations/start_partners.hpp"
@@ -31,6 +34,7 @@ class FaceFaceContacts {
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(candidates_, contact_mesh_.faces.size()); }
+  void undo_begin_step() { history_.undo_begin_step(); }
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     if (rows.begin < rows.end) history_.update(context, candidates_, points);
@@ -38,6 +42,12 @@ class FaceFaceContacts {
   void find_lost(const PairRules& rules, std::vector<LostContact>& lost) const {
     history_.find_lost(contact_mesh_, rules, lost);
   }
+  /// Calls take(point, coupling) for the contact points of faces that detect() has found, with the products of
+  /// shape functions over the area that each stands for. Of round surfaces the overlap of the faces stands for
+  /// that of the surfaces.
+  using TakeCoupling = std::function<void(const ContactPoint& point, const CornerCoupling& coupling)>;
+  void visit_couplings(const ContactStepContext& context, std::span<const ContactPoint> points,
+                       const TakeCoupling& take) const;
   /// How deep each face was in the last step [n_faces], 0 where it did not touch; nothing before the first
   /// [length].
   std::span<const float> depths() const { return history_.depths(); }
@@ -67,6 +77,7 @@ class FaceFaceContacts {
     const SmoothFace *round_first, *round_second;  ///< null of a face that stands for itself
     double offset;                                 ///< taken off the gap of round surfaces [length]
     bool did_touch;                                ///< in the last step
+    CornerDepths deeper = {};                      ///< by the pair's multipliers [length]
     bool are_round() const { return round_first != nullptr || round_second != nullptr; }
   };
   /// What is taken off the gap of the mesh [length].
@@ -112,6 +123,11 @@ class FaceFaceContacts {
   ///   closed  by which the gap has shrunk in the step [length]
   bool met_in_front(const ContactStepContext& context, const Candidate& candidate,
                     const FaceFaceContact& contact, double closed) const;
+  /// Calls visit(first, second, deeper, facet of each) for the flat faces, or the facets of warped ones, that
+  /// a pair meets with.
+  template <class Visit>
+  void visit_flat(const Candidate& candidate, const PenaltyPush& push, const Visit& visit) const;
+  CornerCoupling coupling_of(const ContactStepContext& context, const Candidate& candidate) const;
   /// Adds the friction of a penalty's contact point.
   ///   apart  velocity of the first side against the second [length/time]
   void add_friction_to(const ContactStepContext& context, const Candidate& candidate, const PenaltyPush& push,

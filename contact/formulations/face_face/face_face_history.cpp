@@ -93,19 +93,23 @@ void FaceFaceHistory::remap(const ContactRemap& remap, std::span<const std::size
     partners->assign(depth_now_.size(), std::nullopt);
 }
 
-void FaceFaceHistory::begin_step(const FacePairLists& candidates, std::size_t n_faces) {
+void FaceFaceHistory::swap_steps() {
   std::swap(touched_before_, touched_now_);
-  touched_now_.assign(candidates.partners.size(), 0);
   std::swap(held_before_, held_now_);
-  held_now_.clear();
   std::swap(depth_before_, depth_now_);
   std::swap(partner_before_, partner_now_);
+  if (has_friction_) std::swap(means_, next_means_);
+}
+
+void FaceFaceHistory::begin_step(const FacePairLists& candidates, std::size_t n_faces) {
+  swap_steps();
+  touched_now_.assign(candidates.partners.size(), 0);
+  held_now_.clear();
   depth_before_.resize(n_faces, 0.0f);
   partner_before_.resize(n_faces);
   depth_now_.assign(n_faces, 0.0f);
   partner_now_.assign(n_faces, std::nullopt);
   if (!has_friction_) return;
-  std::swap(means_, next_means_);
   means_.resize(n_faces, Eigen::Vector4d::Zero());
   next_means_.assign(n_faces, Eigen::Vector4d::Zero());
 }

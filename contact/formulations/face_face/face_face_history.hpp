@@ -45,6 +45,8 @@ class FaceFaceHistory {
   /// Goes over to other candidates.
   void transfer(const FacePairLists& before, const FacePairLists& after);
   void begin_step(const FacePairLists& candidates, std::size_t n_faces);
+  /// What was remembered before is so again. Precondition: no update() since.
+  void undo_begin_step() { swap_steps(); }
   /// Takes contact points over, those of one pair of faces together.
   void update(const ContactStepContext& context, const FacePairLists& candidates,
               std::span<const ContactPoint> points);
@@ -70,6 +72,7 @@ class FaceFaceHistory {
   void update_faces(const ContactPoint& point);
 
   void hold(const ContactPoint& point);
+  void swap_steps();
 
   bool has_friction_, may_hold_;
   std::vector<std::uint8_t> touched_before_, touched_now_;  // [n_candidates] in the last step, in this one

@@ -24,6 +24,7 @@ struct NodeFaceContacts::NearFace {
   bool is_plane = false;  ///< the node stands over the plane of the face, beyond its edges
   double beyond = 0.0;    ///< by so much [length]
   bool pulls = false;     ///< it has touched and may not part
+  double deeper = 0.0;    ///< by the node's multiplier [length]
 };
 
 /// The few faces that a node is near to. More than fit are left out, the ones found last.

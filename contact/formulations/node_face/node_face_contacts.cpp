@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/formulations/cohesive_traction.hpp"
+#include "contact/formulations/contact_multipliers.hpp"
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/near_pairs.hpp"
@@ -94,7 +95,9 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
   const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
   const double deepest = std::max(
       {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
-  const double offset = context.rules.gap_offsets().of_node(near_face.pair, row) + rule.begin_gap;
+  near_face.deeper = context.multipliers ? context.multipliers->of_node(near_face.pair, row) : 0.0;
+  const double offset =
+      context.rules.gap_offsets().of_node(near_face.pair, row) + rule.begin_gap + near_face.deeper;
   const double beyond = allowed_beyond(*rule.pair, bound);
   // Behind the edge of a hollow a node may stand as far beyond it as it is deep.
   const double behind = std::max(0.0f, bound.warp() - bound.height_of(x));
@@ -218,7 +221,7 @@ ContactPoint NodeFaceContacts::make_contact_point(const ContactStepContext& cont
   contact_point.normal = near_face.point.normal;
   contact_point.gap = near_face.point.gap;
   contact_point.pulls = near_face.pulls;
-  contact_point.begin_gap = context.rules.of_node(near_face.pair, row).begin_gap;
+  contact_point.begin_gap = context.rules.of_node(near_face.pair, row).begin_gap + near_face.deeper;
   push_node(make_push(context, row, near_face, contact_point), contact_point);
   return contact_point;
 }
@@ -236,7 +239,7 @@ NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, 
       context.kinematics.velocity_beside(node.node, arm) - moving.v * contact_point.second.weights;
   const Eigen::Vector3d last = context.kinematics.last_velocity_beside(node.node, arm) -
                                context.kinematics.last_face(near_face.face).v * contact_point.second.weights;
-  return {near_face.penalty, pair.damping_fraction, area, relative, context.dt, context.coming_dt, last};
+  return {near_face.penalty, pair.damping_fraction, area, relative, context.dt, context.coming_dt, last, context.is_static};
 }
 
 }  // namespace contactsim

@@ -34,6 +34,7 @@ class NodeFaceContacts {
   void watch(IndexedVector<FaceIndex, std::uint8_t>& is_watched) const;
 
   void begin_step() { history_.begin_step(); }
+  void undo_begin_step() {}
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points) {
     history_.update(context, rows.begin / rows_per_chunk, points);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact/formulations/cohesive_traction.hpp"
+#include "contact/formulations/contact_multipliers.hpp"
 #include "contact/formulations/contact_point_law.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/interface_laws/friction.hpp"
@@ -99,8 +100,11 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
                                    const PairRule& rule, std::vector<ContactPoint>& points) const {
   const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.row];
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * candidate.normal;
+  const double deeper =
+      context.multipliers ? context.multipliers->of_node(candidate.pair, candidate.row) : 0.0;
   const double gap = gap_of(context.kinematics, candidate) -
-                     context.rules.gap_offsets().of_node(candidate.pair, candidate.row) - rule.begin_gap;
+                     context.rules.gap_offsets().of_node(candidate.pair, candidate.row) - rule.begin_gap -
+                     deeper;
   const Eigen::Vector3d velocity = context.kinematics.velocity_beside(node.node, arm);
   const double margin = context.balances ? closed_share * node.penalty_properties.thickness : 0.0;
   const double near = -context.ahead() * velocity.dot(candidate.normal);
@@ -117,7 +121,7 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
   point.first.radius = node.radius;
   point.normal = candidate.normal;
   point.gap = gap;
-  point.begin_gap = rule.begin_gap;
+  point.begin_gap = rule.begin_gap + deeper;
   point.pulls = pulls;
   const PairPenalty penalty = make_pair_penalty(node.penalty_properties, nullptr, rule);
   const double area = context.kinematics.area_against(node, candidate.normal);
@@ -127,7 +131,8 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
                               velocity,
                               context.dt,
                               context.coming_dt,
-                              context.kinematics.last_velocity_beside(node.node, arm)};
+                              context.kinematics.last_velocity_beside(node.node, arm),
+                              context.is_static};
   push_node(push, point);
   if (rule.acts_apart()) {
     point.elastic_slip = candidate.elastic_slip;

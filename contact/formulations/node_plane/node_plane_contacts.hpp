@@ -20,6 +20,7 @@ class NodePlaneContacts {
   void watch(IndexedVector<FaceIndex, std::uint8_t>& /*is_watched*/) const {}
 
   void begin_step() {}
+  void undo_begin_step() {}
   void detect(const ContactStepContext& context, CandidateRows rows, std::vector<ContactPoint>& points) const;
   void update(const ContactStepContext& context, CandidateRows rows, std::span<const ContactPoint> points);
   /// None: a plane has no far side.

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/enforcement/contact_springs.hpp"
+
+#include "contact/geometry/cross_matrix.hpp"
+#include "core/elements/minimum_nodal_mass.hpp"
+
+namespace contactsim {
+
+/// Moves a corner by the rotation of a node, or of the mid surface around it.
+void ContactSprings::add_turning(std::size_t corner, std::uint32_t mesh_node, const Eigen::Vector3d& arm,
+                                 ContactSpring& spring) const {
+  const auto number = static_cast<std::uint8_t>(corner);
+  // A rotation w moves the end of an arm r by w x r = -[r] w.
+  const Eigen::Matrix3d by_rotation = -cross_matrix(arm);
+  const LoftSpins& spins = kinematics_.spins();
+  const OptionalIndex<std::uint32_t> spin = spins.find(mesh_node);
+  if (model_.inertia.cols() > 0 && model_.inertia(0, mesh_node) > minimum_nodal_mass) {
+    const Eigen::Matrix3d own = spin ? spins.own_turn(*spin) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+    if (!own.isZero(0.0)) spring.ends.push_back({mesh_node, true, number, by_rotation * own});
+  }
+  if (!spin) return;
+  const auto around = spins.neighbours(*spin);
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    const Eigen::Matrix3d share = by_rotation * spins.turn_by(*spin, k);
+    sum += share;
+    spring.ends.push_back({around[k], false, number, share});
+  }
+  spring.ends.push_back({mesh_node, false, number, -sum});
+}
+
+/// Fastens a corner to a contact node.
+///   beside  from the node to the corner [length]
+void ContactSprings::add_corner(std::size_t corner, std::uint32_t node, const Eigen::Vector3d& beside,
+                                ContactSpring& spring) const {
+  const ContactMesh& contact_mesh = kinematics_.contact_mesh();
+  const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
+  spring.ends.push_back(
+      {mesh_node, false, static_cast<std::uint8_t>(corner), Eigen::Matrix3d::Identity()});
+  Eigen::Vector3d arm = beside;
+  if (const std::size_t n = contact_mesh.n_mesh_points(); node >= n)
+    arm += kinematics_.offsets().col(static_cast<Eigen::Index>(node - n));
+  if (!arm.isZero(0.0)) add_turning(corner, mesh_node, arm, spring);
+}
+
+void ContactSprings::add_corners(const ContactPoint& point, ContactSpring& spring) const {
+  std::size_t corner = 0;
+  for (const ContactPointSide* side : {&point.first, &point.second}) {
+    const Eigen::Vector3d beside = (side == &point.first ? -side->radius : side->radius) * point.normal;
+    for (std::size_t k = 0; k < 4; ++k, ++corner) {
+      if (!spring.coupling.row(static_cast<Eigen::Index>(corner)).isZero(0.0))
+        add_corner(corner, side->nodes[k], beside, spring);
+    }
+  }
+}
+
+ContactSpring ContactSprings::spring_between(const ContactPoint& point,
+                                             const Eigen::Matrix3d& stiffness) const {
+  ContactSpring spring;
+  Eigen::Matrix<double, 8, 1> weights;
+  weights << point.first.weights, -point.second.weights;
+  spring.coupling = weights * weights.transpose();
+  spring.stiffness = stiffness;
+  add_corners(point, spring);
+  return spring;
+}
+
+ContactSpring ContactSprings::spring_of(const ContactPoint& point) const {
+  return spring_between(point, point.stiffness * point.normal * point.normal.transpose());
+}
+
+ContactSpring ContactSprings::spring_of(const ContactPoint& point, const CornerCoupling& coupling) const {
+  ContactSpring spring;
+  spring.coupling = coupling;
+  spring.stiffness = point.stiffness / point.area * point.normal * point.normal.transpose();
+  add_corners(point, spring);
+  return spring;
+}
+
+std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoint& point) const {
+  if (!(rules_.of(point).friction > 0.0)) return std::nullopt;
+  const double held = point.tangential.norm(), slips = point.slip.norm();
+  const double way = point.elastic_slip.norm() + slips;
+  if (!(held > 0.0) && slips > 0.0) return std::nullopt;
+  Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - point.normal * point.normal.transpose();
+  if (slips > 0.0) along -= point.tangential * point.tangential.transpose() / (held * held);
+  return spring_between(point, (slips > 0.0 ? held / way : point.stiffness) * along);
+}
+
+ContactSpring ContactSprings::spring_of(const Tie& tie) const {
+  ContactSpring spring;
+  spring.coupling = tie.stiffness;
+  spring.stiffness.setIdentity();
+  for (std::size_t k = 0; k < tie.nodes.size(); ++k) {
+    if (!tie.stiffness.row(static_cast<Eigen::Index>(k)).isZero(0.0))
+      add_corner(k, tie.nodes[k], Eigen::Vector3d::Zero(), spring);
+  }
+  return spring;
+}
+
+ContactSpring ContactSprings::spring_of(const InterfaceConstraint& constraint) const {
+  ContactSpring spring;
+  spring.coupling = constraint.springs.asDiagonal();
+  spring.stiffness.setIdentity();
+  for (std::size_t k = 0; k < constraint.nodes.size(); ++k) {
+    if (constraint.springs[static_cast<Eigen::Index>(k)] != 0.0)
+      add_corner(k, constraint.nodes[k], Eigen::Vector3d::Zero(), spring);
+  }
+  return spring;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/free_bodies.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/optional_index.hpp"
+
+namespace contactsim {
+
+namespace {
+
+using Modes = Eigen::Matrix<double, 3, 6>;
+using ModeMatrix = Eigen::Matrix<double, 6, 6>;
+
+/// What elements join.
+struct Body {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of its nodes [length]
+  std::size_t n_nodes = 0;
+  double size = 0.0;                      ///< of the node farthest from there [length]
+  ModeMatrix held = ModeMatrix::Zero();   ///< what conditions hold of its rigid motions [1]
+};
+
+/// Numbers bodies in the order of their first nodes [n_nodes]; nodes without elements have none.
+std::vector<OptionalIndex<std::uint32_t>> number_bodies(const NodeGraph& graph) {
+  std::vector<OptionalIndex<std::uint32_t>> body_of(graph.n_nodes());
+  std::uint32_t n_bodies = 0;
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t first = 0; first < graph.n_nodes(); ++first) {
+    if (body_of[first] || graph.neighbours(first).empty()) continue;
+    body_of[first] = n_bodies;
+    open.push_back(first);
+    while (!open.empty()) {
+      const std::uint32_t node = open.back();
+      open.pop_back();
+      for (const std::uint32_t other : graph.neighbours(node)) {
+        if (body_of[other]) continue;
+        body_of[other] = n_bodies;
+        open.push_back(other);
+      }
+    }
+    ++n_bodies;
+  }
+  return body_of;
+}
+
+/// How far translations and rotations of the whole body, the latter by 1 at its size, move a node.
+Modes modes_at(const Body& body, const Eigen::Vector3d& x) {
+  Modes modes;
+  modes.leftCols<3>().setIdentity();
+  const Eigen::Vector3d arm = (x - body.centre) / body.size;
+  for (int i = 0; i < 3; ++i) modes.col(3 + i) = Eigen::Vector3d::Unit(i).cross(arm);
+  return modes;
+}
+
+bool is_free(const Body& body) {
+  constexpr double nothing = 1e-9;
+  const Eigen::SelfAdjointEigenSolver<ModeMatrix> solver(body.held, Eigen::EigenvaluesOnly);
+  return !(solver.eigenvalues()[0] > nothing);
+}
+
+/// A cube of n nodes in spacing h, of modulus E, has nodes of stiffness E h and resists being stretched with
+/// E h n^(1/3).
+double ground_share(const Body& body) {
+  constexpr double share = 1e-2;
+  return share * std::pow(static_cast<double>(body.n_nodes), -2.0 / 3.0);
+}
+
+}  // namespace
+
+std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGraph& graph,
+                                     const Eigen::Matrix3Xd& coordinates) {
+  const auto body_of = number_bodies(graph);
+  std::vector<Body> bodies;
+  const auto for_each_node = [&](const auto& do_one) {
+    for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
+      if (!body_of[node]) continue;
+      bodies.resize(std::max<std::size_t>(bodies.size(), *body_of[node] + std::size_t{1}));
+      do_one(bodies[*body_of[node]], Eigen::Vector3d(coordinates.col(node)));
+    }
+  };
+  for_each_node([](Body& body, const Eigen::Vector3d& x) {
+    body.centre += (x - body.centre) / static_cast<double>(++body.n_nodes);
+  });
+  for_each_node([](Body& body, const Eigen::Vector3d& x) {
+    body.size = std::max(body.size, (x - body.centre).norm());
+  });
+  problem.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
+    if (!body_of[node]) return;
+    Body& body = bodies[*body_of[node]];
+    if (first == 0) {
+      const Modes modes = modes_at(body, coordinates.col(node));
+      body.held += modes.transpose() * held * modes;
+    } else {
+      body.held.bottomRightCorner<3, 3>() += held;
+    }
+  });
+  std::vector<double> body_shares;
+  for (const Body& body : bodies) body_shares.push_back(is_free(body) ? ground_share(body) : 0.0);
+  std::vector<double> shares(graph.n_nodes(), 0.0);
+  for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
+    if (body_of[node]) shares[node] = body_shares[*body_of[node]];
+  }
+  return shares;
+}
+
+}  // namespace contactsim

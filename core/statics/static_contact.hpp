@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "core/elements/force_term.hpp"
+
+namespace contactsim {
+
+/// A node of the mesh that a corner of a spring moves with.
+struct SpringEnd {
+  std::uint32_t node = 0;    ///< of the mesh
+  bool turns = false;        ///< by its rotation; else by its displacement
+  std::uint8_t corner = 0;   ///< of the spring
+  Eigen::Matrix3d share;     ///< by what its motion moves the corner [1], of rotations [length]
+};
+
+/// What contact resists small motions with at a contact point, over the overlap of two faces, or where
+/// something is tied: the force on corner i is the sum over j of - coupling(i, j) stiffness u_j.
+struct ContactSpring {
+  static constexpr std::size_t max_corners = 8;
+
+  std::vector<SpringEnd> ends;
+  Eigen::Matrix<double, 8, 8> coupling;  ///< symmetric, without negative eigenvalues [1] or [length^2]
+  Eigen::Matrix3d stiffness;             ///< symmetric [force/length] over the dimension of coupling
+
+  /// Calls take(end a, end b, block) with the stiffness between the motions of every two ends.
+  template <class Take>
+  void visit_blocks(const Take& take) const {
+    for (const SpringEnd& a : ends) {
+      const Eigen::Matrix3d force = a.share.transpose() * stiffness;
+      for (const SpringEnd& b : ends) {
+        const double factor = coupling(a.corner, b.corner);
+        if (factor != 0.0) take(a, b, Eigen::Matrix3d(factor * force * b.share));
+      }
+    }
+  }
+};
+
+/// What an update of multipliers came to.
+struct MultiplierChange {
+  double change = 0.0;     ///< size of the change of the forces of contact [force]
+  double reference = 0.0;  ///< size of these forces [force]
+};
+
+/// Contact whose forces are asked for again and again until a load step has found equilibrium: nothing that a
+/// trial finds is remembered.
+class StaticContact {
+ public:
+  virtual ~StaticContact() = default;
+
+  /// Begins a load step.
+  ///   motion  its time and size; the coordinates are still those of its start, where nothing moves
+  virtual void begin_trials(const Motion& motion) = 0;
+  /// Sets the forces of contact after a motion from the start of the step. Throws SolveError.
+  ///   forces, moments  [3 x n_nodes] [force] [force length]; the latter null where no node turns
+  virtual void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) = 0;
+  /// Calls take(spring) for all that held in the last trial.
+  virtual void visit_springs(const std::function<void(const ContactSpring&)>& take) const = 0;
+  /// Adds what penetrates in the last trial to the multipliers, unless that changes the forces of contact by
+  /// less than a tolerance.
+  ///   tolerance  of their size [1]
+  virtual MultiplierChange update_multipliers(double tolerance) = 0;
+  /// How far a node may move in one trial without getting past what it should touch [length].
+  virtual double longest_motion() const = 0;
+  /// Ends a step that found no equilibrium: what is known is that of its start.
+  virtual void give_up_trials() = 0;
+  /// Ends a step with the state that the last trial was of, which becomes what is remembered.
+  virtual ForceReport accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) = 0;
+};
+
+}  // namespace contactsim
