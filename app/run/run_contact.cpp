@@ -62,8 +62,7 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       untied_(find_untied_parts(contact_, mesh_, input.region.contact->dash)),
       offset_overlaps_(find_offset_overlaps(input)),
       force_(ContactSetup{*input.region.contact, contact_, model,
-                          input.procedure.time_control->time_stepping_blocks, input.definition.functions,
-                          input.procedure.implicit_by.has_value()}),
+                          input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
       output_(force_, contact_, model),
       debug_(contact_debug_files(input.definition, input.region.contact->debug)) {}
 

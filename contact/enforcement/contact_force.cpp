@@ -174,7 +174,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     update_candidates(motion);
   }
   begin_step(motion);
-  add_penalty_points(setup_.is_static ? static_context(motion.dt, false)
+  add_penalty_points(setup_.is_static() ? static_context(motion.dt, false)
                                       : ContactStepContext{kinematics_, rules_, constrained_, motion.dt,
                                                            motion.stable_step, &depths_});
   write_forces(assembler_, offset_moments_, forces);
@@ -187,7 +187,7 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   if (!balances_) report.supplied_work = end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
   report.contact_damping_work = assembler_.damped();
-  if (!setup_.is_static) limit_step(motion, report);
+  if (!setup_.is_static()) limit_step(motion, report);
   return report;
 }
 

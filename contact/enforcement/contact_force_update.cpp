@@ -83,7 +83,7 @@ LoftSpins ContactForce::make_spins() const {
 void ContactForce::limit_stiffness(const ContactKinematics& start) {
   // Of load steps, which no stable step limits: it leaves a few hundredths of what an element gives way by.
   constexpr double static_scale = 10.0;
-  const double scale = setup_.is_static ? static_scale : 1.0;
+  const double scale = setup_.is_static() ? static_scale : 1.0;
   std::size_t n = 0;
   const bool is_new = element_stiffness_.empty();
   const auto begin_anew = [&](auto& items) {
@@ -95,7 +95,7 @@ void ContactForce::limit_stiffness(const ContactKinematics& start) {
   begin_anew(contact_mesh_.faces);
   begin_anew(contact_mesh_.surface_nodes);
   begin_anew(contact_mesh_.edges);
-  contactsim::limit_stiffness(start, mobility_, setup_.is_static ? 0.0 : start_step_, contact_mesh_);
+  contactsim::limit_stiffness(start, mobility_, setup_.is_static() ? 0.0 : start_step_, contact_mesh_);
 }
 
 void ContactForce::remap(const ContactRemap& remap) {

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "contact/mesh/contact_model.hpp"
+#include "core/definition/contact.hpp"
 #include "core/definition/declarations.hpp"
 #include "core/definition/function.hpp"
 #include "core/definition/time_control.hpp"
@@ -18,7 +19,9 @@ struct ContactSetup {
   const Model& model;
   std::span<const TimeSteppingBlock> time_stepping_blocks;  ///< the periods of the procedure
   std::span<const FunctionDefinition> functions = {};       ///< that friction models name
-  bool is_static = false;                                   ///< of load steps, which no mass has a part in
+
+  /// Of load steps, which no mass has a part in.
+  bool is_static() const { return definition.enforcement.is_static; }
 };
 
 }  // namespace contactsim

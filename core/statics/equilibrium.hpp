@@ -31,6 +31,8 @@ class Equilibrium {
   virtual double longest_step(const Eigen::VectorXd& /*direction*/) const {
     return std::numeric_limits<double>::infinity();
   }
+  /// Whether forces come and go with small motions, as those of contact do.
+  virtual bool is_rough() const { return false; }
   /// Takes out of a vector what lies along fixed and prescribed directions.
   virtual void project(Eigen::VectorXd& /*vector*/) const {}
 };

@@ -130,7 +130,8 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
   constexpr int max_idle = 6;       // steps without a smaller residual than the least so far
   constexpr int max_halvings = 10;  // of a step that cannot be evaluated
   CgReport report;
-  Eigen::VectorXd residual, z, trial;
+  constexpr double growth = 2.0;    // of a residual with contact, from which on a step is halved
+  Eigen::VectorXd residual, moved, z, trial, best_trial;
   ++report.n_evaluations;
   bool exists = equilibrium.evaluate(increment, residual);
   double last = infinity, least = infinity;
@@ -148,12 +149,20 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
     is_limited = longest < 1.0;
     if (is_limited) z *= longest;
     exists = false;
-    for (int i = 0; i < max_halvings && !exists; ++i, z *= 0.5) {
+    double best = infinity;
+    for (int i = 0; i < max_halvings; ++i, z *= 0.5) {
       trial = increment + z;
       ++report.n_evaluations;
-      exists = equilibrium.evaluate(trial, residual) && residual.allFinite();
+      if (!equilibrium.evaluate(trial, moved) || !moved.allFinite()) continue;
+      const double now = equilibrium.norm(moved);
+      if (now >= best) break;
+      exists = true;
+      best = now;
+      best_trial = trial;
+      residual = moved;
+      if (!equilibrium.is_rough() || now <= growth * size) break;
     }
-    increment.swap(trial);
+    if (exists) increment.swap(best_trial);
   }
   return report;
 }

@@ -56,6 +56,7 @@ class StaticProblem final : public Equilibrium {
   double reference() const override;
   double round_off() const override;
   double probe_factor(const Eigen::VectorXd& direction) const override;
+  bool is_rough() const override { return contact_ != nullptr; }
   double longest_step(const Eigen::VectorXd& direction) const override;
   void project(Eigen::VectorXd& vector) const override;
 

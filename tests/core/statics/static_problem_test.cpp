@@ -45,7 +45,7 @@ struct Cube {
     }
     state = make_state(mesh.coordinates(), model.blocks, 0.0);
     internal.emplace(model, state);
-    problem.emplace(model, ForceTerms{*internal, nothing}, ResidualReference::internal, state);
+    problem.emplace(model, ForceTerms{*internal, nothing}, nullptr, ResidualReference::internal, state);
     problem->begin_step(1.0);
   }
 

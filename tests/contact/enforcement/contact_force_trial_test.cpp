@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact in load steps: trials leave no trace, springs are derivatives of forces, multipliers let nothing
+// through.
+#include <cmath>
+
+#include "contact/enforcement/contact_force.hpp"
+#include "support/catch.hpp"
+#include "support/contact_bodies.hpp"
+#include "support/random_faces.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+using Eigen::Matrix3Xd;
+
+namespace {
+
+/// Two plates that have just touched, of a quasi-static procedure, and trials from where they are.
+class StaticPlates {
+ public:
+  explicit StaticPlates(const std::string& lines) : bodies(plates(), static_region(lines)) {
+    bodies.ask();
+    start_ = bodies.x;
+    Random random(5);
+    for (Eigen::Index i = 0; i < start_.cols(); ++i) noise_.col(i) = random_vector(random, 1.0);
+  }
+
+  void begin() {
+    start_ = bodies.x;
+    bodies.time += step;
+    bodies.dt = step;
+    bodies.v.setZero();
+    bodies.contact.begin_trials(bodies.motion());
+  }
+  /// The forces after the upper plate has moved and all nodes a bit at random.
+  Matrix3Xd try_motion(const Eigen::Vector3d& upper, double noise) {
+    move(upper, noise);
+    Matrix3Xd forces = Matrix3Xd::Zero(3, bodies.x.cols());
+    bodies.contact.try_forces(bodies.motion(), forces, nullptr);
+    return forces;
+  }
+  Matrix3Xd accept(const Eigen::Vector3d& upper, double noise) {
+    move(upper, noise);
+    bodies.contact.accept_trial(bodies.motion(), bodies.forces);
+    return bodies.forces;
+  }
+  void move(const Eigen::Vector3d& upper, double noise) {
+    bodies.x = start_ + noise * noise_;
+    bodies.shift(1, upper);
+    bodies.v = (bodies.x - start_) / step;
+  }
+
+  static constexpr double step = 0.5;
+  ContactBodies bodies;
+
+ private:
+  static MeshBuilder plates() {
+    return MeshBuilder()
+        .add_hexes({.id = 1, .cells = {3, 3, 1}, .size = {3, 3, 1}})
+        .add_hexes({.id = 2,
+                    .cells = {2, 2, 1},
+                    .origin = {0.4, 0.3, 1.0},
+                    .size = {2, 2, 1},
+                    .share_nodes = false});
+  }
+  static Region static_region(const std::string& lines) {
+    Region region;
+    region.contact = parse_contact("begin constant friction model rough\nfriction coefficient = 0.4\nend\n" +
+                                   general_contact(lines));
+    region.contact->enforcement.is_static = true;
+    return region;
+  }
+
+  Matrix3Xd start_, noise_ = Matrix3Xd::Zero(3, 34);
+};
+
+const std::string node_face = "constraint formulation = node_face\n", rough = "friction model = rough\n";
+
+}  // namespace
+
+TEST_CASE("trials of contact leave no trace", "[contact][contact_force][statics]") {
+  const std::string form = GENERATE(std::string(), node_face) + GENERATE(std::string(), rough);
+  StaticPlates quiet(form), tried(form);
+  const Eigen::Vector3d down(0.02, 0.01, -0.03), further(0.05, 0.0, -0.06);
+  for (StaticPlates* plates : {&quiet, &tried}) plates->begin();
+  const Matrix3Xd first = tried.try_motion(down, 0.001);
+  tried.try_motion({0.7, 0.9, 0.4}, 0.01);  // far enough for other candidates
+  tried.try_motion({0, 0, -0.4}, 0.05);
+  CHECK(tried.try_motion(down, 0.001) == first);
+  CHECK(first.norm() > 0.0);
+  tried.bodies.contact.give_up_trials();
+  tried.move({0, 0, 0}, 0.0);
+  tried.bodies.time -= StaticPlates::step;
+  tried.begin();
+  CHECK(tried.accept(down, 0.001) == quiet.accept(down, 0.001));
+  CHECK(tried.bodies.forces == first);
+  for (StaticPlates* plates : {&quiet, &tried}) plates->begin();
+  tried.try_motion({0.9, 0, 0}, 0.0);
+  CHECK(tried.accept(further, 0.002) == quiet.accept(further, 0.002));
+}
+
+TEST_CASE("springs of contact are the derivatives of its forces", "[contact][contact_force][statics]") {
+  const std::string form = GENERATE(std::string(), node_face);
+  StaticPlates plates(form);
+  plates.begin();
+  const Eigen::Vector3d down(0, 0, -0.03);
+  plates.try_motion(down, 0.0);
+  const Eigen::Index n = plates.bodies.x.cols();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  plates.bodies.contact.visit_springs([&](const ContactSpring& spring) {
+    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+      stiffness.block<3, 3>(3 * a.node, 3 * b.node) += block;
+    });
+  });
+  CHECK((stiffness - stiffness.transpose()).norm() < 1e-12 * stiffness.norm());
+  // Along the normal, which these plates keep.
+  constexpr double size = 1e-6;
+  const Matrix3Xd base = plates.try_motion(down, 0.0);
+  double error = 0.0, largest = 0.0;
+  for (Eigen::Index node = 0; node < n; ++node) {
+    plates.move(down, 0.0);
+    plates.bodies.x(2, node) += size;
+    Matrix3Xd moved = Matrix3Xd::Zero(3, n);
+    plates.bodies.contact.try_forces(plates.bodies.motion(), moved, nullptr);
+    const Matrix3Xd slope = (base - moved) / size;
+    for (Eigen::Index other = 0; other < n; ++other) {
+      error = std::max(error, std::abs(slope(2, other) - stiffness(3 * other + 2, 3 * node + 2)));
+      largest = std::max(largest, std::abs(slope(2, other)));
+    }
+  }
+  CHECK(largest > 0.0);
+  CHECK(error < 0.02 * largest);
+}
+
+TEST_CASE("multipliers grow by what penetrates and go on where contact was",
+          "[contact][contact_force][statics]") {
+  const std::string form = GENERATE(std::string(), node_face);
+  StaticPlates plates(form);
+  plates.begin();
+  const Eigen::Vector3d down(0, 0, -0.01);
+  const double once = plates.try_motion(down, 0.0).norm();
+  MultiplierChange change = plates.bodies.contact.update_multipliers(1e-3);
+  CHECK(change.change == Approx(change.reference).epsilon(1e-6));
+  const double twice = plates.try_motion(down, 0.0).norm();
+  CHECK(twice == Approx(2.0 * once).epsilon(1e-6));
+  // Where nothing penetrates any more they alone press as much as before.
+  CHECK(plates.try_motion({0, 0, 0}, 0.0).norm() == Approx(once).epsilon(1e-6));
+  change = plates.bodies.contact.update_multipliers(1e-3);
+  CHECK(change.change < 1e-9 * change.reference);
+  // Sides that part by more than the multipliers let go.
+  CHECK(plates.try_motion({0, 0, 0.02}, 0.0).norm() == 0.0);
+  plates.bodies.contact.give_up_trials();
+  CHECK(plates.bodies.contact.multipliers().empty());
+}
