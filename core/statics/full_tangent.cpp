@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/full_tangent.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace contactsim {
@@ -12,62 +9,18 @@ FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const F
     : problem_(problem),
       graph_(graph),
       settings_(settings),
-      probe_(problem, graph, ColourDistance::two_elements),
-      per_node_(static_cast<std::size_t>(probe_.unknowns_per_node())),
-      factor_(make_sparse_factor(is_symmetric())) {
-  std::size_t n_pairs = 0;
-  for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
-    first_.push_back(n_pairs);
-    n_pairs += graph.neighbours(node).size();
-  }
-  first_.push_back(n_pairs);
-}
-
-double* FullTangent::block_of(std::uint32_t node, std::uint32_t neighbour) {
-  const auto neighbours = graph_.neighbours(node);
-  const auto place = std::lower_bound(neighbours.begin(), neighbours.end(), neighbour) - neighbours.begin();
-  return columns_.data() + (first_[node] + static_cast<std::size_t>(place)) * per_node_ * per_node_;
-}
-
-/// Gives directions that are held, which have no stiffness left, that of their node.
-void FullTangent::hold_directions() {
-  problem_.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
-    if (graph_.neighbours(node).empty()) return;
-    Eigen::Map<Eigen::MatrixXd> block(block_of(node, node), static_cast<Eigen::Index>(per_node_),
-                                      static_cast<Eigen::Index>(per_node_));
-    const double own = block.diagonal().segment<3>(first).maxCoeff();
-    block.block<3, 3>(first, first) += (own > 0.0 ? own : 1.0) * held;
-  });
-}
-
-/// Turning about the normal of a flat shell meets next to no stiffness: along such directions a node
-/// gets a share of the stiffness that it has along others.
-void FullTangent::steady_rotations() {
-  constexpr double nothing = 1e-5, share = 1e-3;
-  const auto n = static_cast<Eigen::Index>(per_node_);
-  for (std::uint32_t node = 0; node < graph_.n_nodes() && per_node_ > 3; ++node) {
-    if (graph_.neighbours(node).empty()) continue;
-    Eigen::Map<Eigen::MatrixXd> block(block_of(node, node), n, n);
-    const Eigen::Matrix3d turning = block.bottomRightCorner<3, 3>();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (turning + turning.transpose()));
-    const double largest = solver.eigenvalues()(2);
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const Eigen::Vector3d axis = solver.eigenvectors().col(i);
-      if (std::abs(solver.eigenvalues()(i)) <= nothing * largest)
-        block.bottomRightCorner<3, 3>() += share * largest * axis * axis.transpose();
-    }
-  }
-}
+      blocks_(problem, graph),
+      factor_(make_sparse_factor(is_symmetric())) {}
 
 void FullTangent::number_unknowns() {
   numbers_.assign(static_cast<std::size_t>(problem_.size()), -1);
   places_.clear();
   for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
     if (graph_.neighbours(node).empty()) continue;
-    const double* own = block_of(node, node);
-    for (std::size_t i = 0; i < per_node_; ++i) {
-      if (own[i * per_node_ + i] == 0.0) continue;  // rotations of a node of solids
-      const auto place = static_cast<std::size_t>(probe_.place(node, static_cast<Eigen::Index>(i)));
+    const double* own = blocks_.own_block(node);
+    for (std::size_t i = 0; i < blocks_.per_node(); ++i) {
+      if (own[i * blocks_.per_node() + i] == 0.0) continue;  // rotations of a node of solids
+      const std::size_t place = blocks_.place(node, i);
       numbers_[place] = static_cast<int>(places_.size());
       places_.push_back(place);
     }
@@ -78,7 +31,7 @@ void FullTangent::number_unknowns() {
 SparseFactor::Matrix FullTangent::assemble() {
   std::vector<Eigen::Triplet<double>> entries;
   const auto number = [&](std::uint32_t node, std::size_t unknown) {
-    return numbers_[static_cast<std::size_t>(probe_.place(node, static_cast<Eigen::Index>(unknown)))];
+    return numbers_[blocks_.place(node, unknown)];
   };
   const auto add = [&](int row, int column, double value) {
     if (is_symmetric() && row < column) std::swap(row, column);
@@ -86,15 +39,13 @@ SparseFactor::Matrix FullTangent::assemble() {
     if (row == column) value *= 1.0 + settings_.tangent_diagonal_scale;
     entries.emplace_back(row, column, value);
   };
-  for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
-    for (const std::uint32_t other : graph_.neighbours(node)) {
-      const double* rows = block_of(node, other);
-      for (std::size_t k = 0; k < per_node_ * per_node_; ++k) {
-        const int column = number(node, k / per_node_), row = number(other, k % per_node_);
-        if (row >= 0 && column >= 0 && (rows[k] != 0.0 || row == column)) add(row, column, rows[k]);
-      }
+  const std::size_t n_unknowns = blocks_.per_node();
+  blocks_.visit([&](std::uint32_t row_node, std::uint32_t column_node, const double* block) {
+    for (std::size_t k = 0; k < n_unknowns * n_unknowns; ++k) {
+      const int column = number(column_node, k / n_unknowns), row = number(row_node, k % n_unknowns);
+      if (row >= 0 && column >= 0 && (block[k] != 0.0 || row == column)) add(row, column, block[k]);
     }
-  }
+  });
   const auto n = static_cast<Eigen::Index>(places_.size());
   SparseFactor::Matrix matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -102,23 +53,11 @@ SparseFactor::Matrix FullTangent::assemble() {
 }
 
 std::int64_t FullTangent::renew(const Eigen::VectorXd& increment) {
-  columns_.assign(first_.back() * per_node_ * per_node_, 0.0);
-  const std::int64_t n_evaluations = probe_.differentiate(
-      increment, [&](std::uint32_t node, Eigen::Index unknown, const Eigen::VectorXd& column) {
-        double* rows = columns_.data() + first_[node] * per_node_ * per_node_ +
-                       static_cast<std::size_t>(unknown) * per_node_;
-        for (const std::uint32_t neighbour : graph_.neighbours(node)) {
-          for (std::size_t i = 0; i < per_node_; ++i)
-            rows[i] = column(probe_.place(neighbour, static_cast<Eigen::Index>(i)));
-          rows += per_node_ * per_node_;
-        }
-      });
+  const std::int64_t n_evaluations = blocks_.renew(increment);
   if (n_evaluations == 0) return 0;
-  hold_directions();
-  steady_rotations();
   number_unknowns();
   exists_ = factor_->factorise(assemble());
-  columns_ = {};
+  blocks_.clear();
   return n_evaluations;
 }
 

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "core/definition/solver.hpp"
 #include "core/statics/sparse_factor.hpp"
-#include "core/statics/tangent_probe.hpp"
+#include "core/statics/tangent.hpp"
+#include "core/statics/tangent_blocks.hpp"
 
 namespace contactsim {
 
@@ -13,37 +13,27 @@ namespace contactsim {
 /// take thousands of iterations. Of solids it is L D L^T of the symmetric part, which following loads alone
 /// spoil; where nodes turn, L U of the true one: shells and beams that turn by a tenth in a step have an
 /// unsymmetric one, and by its symmetric part Newton's steps do not converge.
-class FullTangent final : public Preconditioner {
+class FullTangent final : public Tangent {
  public:
   /// All must outlive it.
   FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings);
 
-  /// Makes the factor at an increment of the step; the one before stays where it cannot be evaluated. Returns
-  /// the evaluations of the residual.
-  std::int64_t renew(const Eigen::VectorXd& increment);
-  bool exists() const { return exists_; }
-  /// Directions along which the stiffness of solids is negative: of a body that has buckled; 0 where nodes
-  /// turn, whose factor does not tell.
-  std::int64_t n_negative() const { return exists_ ? factor_->n_negative() : 0; }
+  std::int64_t renew(const Eigen::VectorXd& increment) override;
+  bool exists() const override { return exists_; }
+  /// 0 where nodes turn, whose factor does not tell.
+  std::int64_t n_negative() const override { return exists_ ? factor_->n_negative() : 0; }
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 
  private:
-  double* block_of(std::uint32_t node, std::uint32_t neighbour);
-  void hold_directions();
-  void steady_rotations();
   void number_unknowns();
   SparseFactor::Matrix assemble();
-  bool is_symmetric() const { return per_node_ == 3; }
+  bool is_symmetric() const { return blocks_.per_node() == 3; }
 
   StaticProblem& problem_;
   const NodeGraph& graph_;
   const FullTangentSettings& settings_;
-  TangentProbe probe_;
-  std::size_t per_node_;
-  std::vector<std::size_t> first_;  // [n_nodes + 1] of a node's blocks, over its neighbours
-  // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
-  std::vector<double> columns_;
+  TangentBlocks blocks_;
   std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
   std::unique_ptr<SparseFactor> factor_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <memory>
 
-#include "core/statics/full_tangent.hpp"
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
 #include "core/statics/nonlinear_cg.hpp"
+#include "core/statics/tangent.hpp"
 
 namespace contactsim {
 
@@ -14,6 +14,7 @@ namespace contactsim {
 struct LoadStepReport {
   CgReport search;
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
+  std::int64_t n_linear = 0;       ///< iterations of the equation solver, all trials of the step included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
   std::int64_t n_negative = 0;     ///< directions of negative stiffness where the last factor was made
 };
@@ -52,8 +53,8 @@ class LoadSteps {
   StaticProblem problem_;
   NodeGraph graph_;
   NodalBlocks blocks_;
-  std::optional<FullTangent> tangent_;
-  Eigen::VectorXd residual_;  // of the last evaluation
+  std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
+  Eigen::VectorXd residual_;          // of the last evaluation
   LoadStepReport report_;
 };
 
