@@ -34,10 +34,18 @@ enum class ResidualReference : std::uint8_t {
   belytschko  ///< the largest of loads, forces of the elements and reactions
 };
 
-/// BEGIN FULL TANGENT PRECONDITIONER: a factor of the whole stiffness, made anew where it has become a bad
+/// How equations of the whole stiffness are solved.
+enum class LinearSolver : std::uint8_t {
+  automatic,  ///< by multigrid for large solids, else by a factor
+  multigrid,  ///< conjugate gradients with smoothed aggregation
+  direct      ///< a sparse factor
+};
+
+/// BEGIN FULL TANGENT PRECONDITIONER: the inverse of the whole stiffness, made anew where it has become a bad
 /// one.
 struct FullTangentSettings {
   DeckName name;
+  LinearSolver linear_solver = LinearSolver::automatic;
   double tangent_diagonal_scale = 0.0;  ///< of the diagonal that is added to it, >= 0 [1]
 };
 

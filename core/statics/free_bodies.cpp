@@ -12,7 +12,7 @@ namespace contactsim {
 
 namespace {
 
-using Modes = Eigen::Matrix<double, 3, 6>;
+using BodyModes = Eigen::Matrix<double, 3, 6>;
 using ModeMatrix = Eigen::Matrix<double, 6, 6>;
 
 /// What elements join.
@@ -47,8 +47,8 @@ std::vector<OptionalIndex<std::uint32_t>> number_bodies(const NodeGraph& graph) 
 }
 
 /// How far translations and rotations of the whole body, the latter by 1 at its size, move a node.
-Modes modes_at(const Body& body, const Eigen::Vector3d& x) {
-  Modes modes;
+BodyModes modes_at(const Body& body, const Eigen::Vector3d& x) {
+  BodyModes modes;
   modes.leftCols<3>().setIdentity();
   const Eigen::Vector3d arm = (x - body.centre) / body.size;
   for (int i = 0; i < 3; ++i) modes.col(3 + i) = Eigen::Vector3d::Unit(i).cross(arm);
@@ -91,7 +91,7 @@ std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGra
     if (!body_of[node]) return;
     Body& body = bodies[*body_of[node]];
     if (first == 0) {
-      const Modes modes = modes_at(body, coordinates.col(node));
+      const BodyModes modes = modes_at(body, coordinates.col(node));
       body.held += modes.transpose() * held * modes;
     } else {
       body.held.bottomRightCorner<3, 3>() += held;

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "core/definition/solver.hpp"
 #include "core/statics/sparse_factor.hpp"
-#include "core/statics/tangent_probe.hpp"
+#include "core/statics/tangent.hpp"
+#include "core/statics/tangent_blocks.hpp"
 
 namespace contactsim {
 
@@ -13,53 +13,47 @@ namespace contactsim {
 /// take thousands of iterations. Of solids it is L D L^T of the symmetric part, which following loads alone
 /// spoil; where nodes turn, L U of the true one: shells and beams that turn by a tenth in a step have an
 /// unsymmetric one, and by its symmetric part Newton's steps do not converge.
-class FullTangent final : public Preconditioner {
+///
+/// A factor of solids is kept for as long as conjugate gradients on the stiffness of now need few iterations
+/// with it: contact changes a few springs in every iteration, and a factor costs as much as a hundred solutions
+/// with it.
+class FullTangent final : public Tangent {
  public:
   /// All must outlive it.
   FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings);
 
-  /// Makes the factor at an increment of the step; the one before stays where it cannot be evaluated. Where
-  /// contact has other springs than in the last factor, these alone are made anew, if that is wanted. Returns
-  /// the evaluations of the residual.
-  std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false);
-  /// The largest stiffness of a node against moving, without contact [force/length].
-  double largest() const { return largest_; }
-  bool exists() const { return exists_; }
-  /// Shares of their stiffness that nodes get to the ground in the factor [n_nodes]: find_free_bodies().
-  void set_free(std::vector<double> shares) { free_shares_ = std::move(shares); }
-  /// Directions along which the stiffness of solids is negative: of a body that has buckled; 0 where nodes
-  /// turn, whose factor does not tell.
-  std::int64_t n_negative() const { return exists_ ? factor_->n_negative() : 0; }
+  std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) override;
+  void set_free(std::vector<double> shares) override { free_shares_ = std::move(shares); }
+  double largest() const override { return largest_; }
+  bool exists() const override { return exists_; }
+  /// 0 where nodes turn, whose factor does not tell; of the last factor.
+  std::int64_t n_negative() const override { return exists_ ? factor_->n_negative() : 0; }
+  std::int64_t n_iterations() const override { return n_iterations_; }
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 
  private:
-  double* block_of(std::uint32_t node, std::uint32_t neighbour);
-  void hold_directions();
-  void steady_rotations();
-  void steady_free_bodies();
-  void find_largest();
-  std::int64_t probe_elements(const Eigen::VectorXd& increment);
+  bool probe_elements(const Eigen::VectorXd& increment, std::int64_t& n_evaluations);
   void number_unknowns();
   SparseFactor::Matrix assemble();
-  bool is_symmetric() const { return per_node_ == 3; }
+  bool is_symmetric() const { return blocks_.per_node() == 3; }
+  bool factorise() const;
+  bool solve_by_old_factor(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const;
 
   StaticProblem& problem_;
   const NodeGraph& graph_;
   const FullTangentSettings& settings_;
-  TangentProbe probe_;
-  std::size_t per_node_;
-  std::vector<std::size_t> first_;  // [n_nodes + 1] of a node's blocks, over its neighbours
-  // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
-  std::vector<double> columns_;
+  TangentBlocks blocks_;
   std::vector<double> free_shares_;  // [n_nodes], or empty [1]
-  std::vector<ContactSpring> springs_;  // of contact
-  double spring_size_ = 0.0;         // what tells whether they have changed
-  double largest_ = 0.0;
+  double largest_ = 0.0;             // [force/length]
+  double spring_size_ = 0.0;         // of contact, which tells whether its springs have changed
   std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
+  SparseFactor::Matrix matrix_;      // of now; the lower half of a symmetric one
   std::unique_ptr<SparseFactor> factor_;
-  bool exists_ = false;
+  mutable bool exists_ = false;
+  mutable bool is_current_ = false;  // the factor is that of the matrix
+  mutable std::int64_t n_iterations_ = 0;
 };
 
 }  // namespace contactsim

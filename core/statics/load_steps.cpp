@@ -40,7 +40,7 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
       problem_(model, terms, contact, settings_.cg.reference, state),
       graph_(model.mesh->n_nodes(), *model.mesh, model.blocks),
       blocks_(problem_, graph_) {
-  if (settings_.cg.full_tangent) tangent_.emplace(problem_, graph_, *settings_.cg.full_tangent);
+  if (settings_.cg.full_tangent) tangent_ = make_tangent(problem_, graph_, *settings_.cg.full_tangent);
 }
 
 void LoadSteps::start() {
@@ -173,6 +173,7 @@ void LoadSteps::advance() {
   report_ = {};
   double dt = state_.next_dt;
   const double begun = state_.time;
+  const std::int64_t n_linear = tangent_ ? tangent_->n_iterations() : 0;
   while (!try_step(dt)) {
     const CgReport failed = report_.search;
     problem_.restore();
@@ -183,7 +184,10 @@ void LoadSteps::advance() {
     ++report_.n_cutbacks;
     dt = schedule_.step_at(begun);
   }
-  if (has_tangent()) report_.n_negative = tangent_->n_negative();
+  if (has_tangent()) {
+    report_.n_negative = tangent_->n_negative();
+    report_.n_linear = tangent_->n_iterations() - n_linear;
+  }
   schedule_.note_success(begun, report_.search.n_iterations);
   state_.dt = dt;
   state_.time = schedule_.end_of(begun, dt);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <optional>
+#include <memory>
 
-#include "core/statics/full_tangent.hpp"
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
 #include "core/statics/nonlinear_cg.hpp"
+#include "core/statics/tangent.hpp"
 
 namespace contactsim {
 
@@ -14,6 +14,7 @@ namespace contactsim {
 struct LoadStepReport {
   CgReport search;
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
+  std::int64_t n_linear = 0;       ///< iterations of the equation solver, all trials of the step included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
   std::int64_t n_updates = 0;      ///< of the multipliers of contact, after each of which it was sought anew
   MultiplierChange contact;        ///< that the multipliers would still have changed by at the end
@@ -57,9 +58,9 @@ class LoadSteps {
   StaticProblem problem_;
   NodeGraph graph_;
   NodalBlocks blocks_;
-  std::optional<FullTangent> tangent_;
-  Eigen::VectorXd residual_;  // of the last evaluation
-  double step_begun_ = 0.0;   // [time]
+  std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
+  Eigen::VectorXd residual_;          // of the last evaluation
+  double step_begun_ = 0.0;           // [time]
   LoadStepReport report_;
 };
 

@@ -1,29 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/nodal_blocks.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/threads.hpp"
+#include "core/statics/positive_inverse.hpp"
 
 namespace contactsim {
 
 namespace {
-
-/// The inverse of a stiffness in which directions without any have an inverse of 0, and those of a negative
-/// one that of its size: what gives way is still to be moved.
-Eigen::MatrixXd positive_inverse(const Eigen::MatrixXd& stiffness) {
-  constexpr double nothing = 1e-9;  // of the largest
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(0.5 * (stiffness + stiffness.transpose()));
-  const double largest = solver.eigenvalues().cwiseAbs().maxCoeff();
-  Eigen::VectorXd inverse(stiffness.rows());
-  for (Eigen::Index i = 0; i < inverse.size(); ++i) {
-    const double value = std::abs(solver.eigenvalues()(i));
-    inverse(i) = value > nothing * largest ? 1.0 / value : 0.0;
-  }
-  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
-}
 
 /// Adds what springs resist each node's own motion with.
 ///   blocks  [per_node x per_node n_nodes]
@@ -64,7 +49,7 @@ std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
     const Eigen::MatrixXd scaled =
         scales.asDiagonal() * blocks.middleCols(first, per_node_) * scales.asDiagonal();
     inverses_.middleCols(first, per_node_) =
-        scales.asDiagonal() * positive_inverse(scaled) * scales.asDiagonal();
+        scales.asDiagonal() * positive_inverse<Eigen::Dynamic>(scaled) * scales.asDiagonal();
   });
   return n_evaluations;
 }

@@ -30,6 +30,10 @@ class StaticProblem final : public Equilibrium {
   ///   dt  of the step [time]
   /// Throws SolveError when a condition has no finite value.
   void begin_step(double dt);
+  /// Where nodes are at an increment of the step [3 x n_nodes].
+  Eigen::Matrix3Xd coordinates_at(const Eigen::VectorXd& increment) const {
+    return coordinates_ + increment.head(n_).reshaped(3, n_ / 3);
+  }
   /// What prescribed directions move by in the step, 0 of the others.
   const Eigen::VectorXd& prescribed() const { return prescribed_; }
   /// Takes the state of the last evaluation as that of the step's end, with the work that was done on the way

@@ -44,19 +44,35 @@ Reader<double> cutback() {
   return reader;
 }
 
+/// The solvers of Sierra/SM stand for the choice of contactsim.
+void read_linear_solver(Arguments& arguments, FullTangentSettings& full) {
+  static const Choices words({"auto", "amg", "direct", "feti", "gdsw", "tpetra"});
+  const Word& word = arguments.peek();
+  const std::size_t choice = arguments.choice(words);
+  if (choice == 1) full.linear_solver = LinearSolver::multigrid;
+  if (choice == 2) full.linear_solver = LinearSolver::direct;
+  if (choice > 2)
+    arguments.warn("deck-ignored", word,
+                   "the equation solver is one of contactsim's own, chosen by the model",
+                   "LINEAR SOLVER = AUTO says so; AMG and DIRECT choose");
+}
+
 const Table<FullTangentSettings>& full_tangent_table() {
   using F = FullTangentSettings;
   const std::string_view when =
-      "the factor is made anew in each step, and where an iteration leaves more than a tenth";
-  const std::string_view own = "the one factorisation that there is does without";
+      "it is made anew in each step, and where an iteration leaves more than a tenth";
+  const std::string_view own = "the equation solvers that there are do without";
   static const Table<F> table({
       row("tangent diagonal scale", read::non_negative, &F::tangent_diagonal_scale,
-          "Share of the diagonal that is added to the factor, for bodies that nothing holds yet [1]"),
+          "Share of the diagonal that is added to the stiffness, for bodies that nothing holds yet [1]"),
       ignored<F>("iteration update", "= <integer>", when),
       ignored<F>("small number of iterations", "= <integer>", when),
       ignored<F>("maximum updates for modelproblem", "= <integer>", when),
       ignored<F>("step update", "= <integer>", when),
-      ignored<F>("linear solver", "= <equation solver>", own),
+      row<F>(
+          "linear solver", "= {AUTO|AMG|DIRECT|FETI|GDSW|TPETRA}", read_linear_solver,
+          "Equation solver: AMG is multigrid, for large solids; DIRECT a sparse factor; AUTO the sooner one",
+          "AUTO"),
       ignored<F>("nodal probe factor", "= <real>", "probes are a millionth of the distance between nodes"),
       ignored<F>("constraint enforcement", "= <method>", own),
       ignored<F>("minimum smoothing iterations", "= <integer>", own),
@@ -106,8 +122,7 @@ const Table<CgSettings>& cg_table() {
       block<C, FullTangentSettings>(
           "full tangent preconditioner", Naming::optional, full_tangent_table,
           [](C& cg, FullTangentSettings full) { cg.full_tangent = std::move(full); },
-          "A factor of the whole stiffness in place of the nodal preconditioner: for slender and thin "
-          "bodies"),
+          "The whole stiffness in place of that of each node: for slender, thin and large bodies"),
       ignored<C>("iteration print", "= <integer>", "the log has a line for every step"),
   });
   return table;

@@ -1,67 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/static_problem.hpp"
 
-#include "core/dynamics/internal_force.hpp"
-#include "core/elements/elements.hpp"
-#include "core/materials/elastic.hpp"
 #include "core/statics/full_tangent.hpp"
 #include "core/statics/nodal_blocks.hpp"
 #include "support/catch.hpp"
-#include "support/mesh_builder.hpp"
+#include "support/static_cube.hpp"
 
 using namespace contactsim;
 using namespace contactsim::test;
 
-namespace {
-
-class NoLoad final : public ForceTerm {
- public:
-  ForceReport set_forces(const Motion& motion, Eigen::Matrix3Xd& forces) override {
-    forces = Eigen::Matrix3Xd::Zero(3, motion.coordinates.cols());
-    return {};
-  }
-};
-
-/// Two by two by two cells of an elastic cube of edge 2, one node held.
-struct Cube {
-  Mesh mesh = MeshBuilder().add_hexes({.cells = {2, 2, 2}, .size = {2, 2, 2}}).build();
-  Model model;
-  State state;
-  NoLoad nothing;
-  std::optional<InternalForce> internal;
-  std::optional<StaticProblem> problem;
-
-  explicit Cube(std::vector<NodeIndex> held = {}) {
-    model.mesh = &mesh;
-    ElementProperties properties{ElasticLaw{{160e9, 80e9}}, 7800.0};
-    properties.linear_bulk_viscosity = properties.quadratic_bulk_viscosity = 0.0;
-    model.blocks.push_back(make_solid_block(mesh, 0, hex8_selective_deviatoric, properties));
-    model.mass = lumped_mass(mesh, model.blocks);
-    if (!held.empty()) {
-      PrescribedMotion fixed;
-      fixed.direction = Components{{true, true, true}};
-      fixed.nodes = std::move(held);
-      model.kinematic_constraints = KinematicConstraints(mesh, {fixed});
-    }
-    state = make_state(mesh.coordinates(), model.blocks, 0.0);
-    internal.emplace(model, state);
-    problem.emplace(model, ForceTerms{*internal, nothing}, nullptr, ResidualReference::internal, state);
-    problem->begin_step(1.0);
-  }
-
-  Eigen::VectorXd pulled(double size) const {
-    Eigen::VectorXd increment(problem->size());
-    for (Eigen::Index i = 0; i < increment.size(); i += 3)
-      increment.segment<3>(i) =
-          size * mesh.coordinates().col(i / 3).cwiseProduct(Eigen::Vector3d(1.0, -0.3, 0.2));
-    return increment;
-  }
-};
-
-}  // namespace
-
 TEST_CASE("trials leave no trace in elements", "[core][statics]") {
-  Cube cube;
+  StaticCube cube;
   Eigen::VectorXd first, second, other;
   const Eigen::VectorXd small = cube.pulled(1e-3), large = cube.pulled(0.2);
   REQUIRE(cube.problem->evaluate(small, first));
@@ -73,14 +22,14 @@ TEST_CASE("trials leave no trace in elements", "[core][statics]") {
 }
 
 TEST_CASE("elements that turn inside out have no forces", "[core][statics]") {
-  Cube cube;
+  StaticCube cube;
   Eigen::VectorXd residual;
   CHECK_FALSE(cube.problem->evaluate(cube.pulled(-3.0), residual));
   CHECK(cube.problem->evaluate(cube.pulled(-0.1), residual));
 }
 
 TEST_CASE("the work of an accepted increment is that of the mean force", "[core][statics]") {
-  Cube cube;
+  StaticCube cube;
   const Eigen::VectorXd increment = cube.pulled(1e-6);
   Eigen::VectorXd residual;
   REQUIRE(cube.problem->evaluate(increment, residual));
@@ -95,7 +44,7 @@ TEST_CASE("the work of an accepted increment is that of the mean force", "[core]
 }
 
 TEST_CASE("a factor of the whole stiffness undoes it", "[core][statics]") {
-  Cube cube({NodeIndex{0}, NodeIndex{2}, NodeIndex{6}});
+  StaticCube cube({NodeIndex{0}, NodeIndex{2}, NodeIndex{6}});
   const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
   const FullTangentSettings settings;
   FullTangent tangent(*cube.problem, graph, settings);
@@ -109,7 +58,7 @@ TEST_CASE("a factor of the whole stiffness undoes it", "[core][statics]") {
 }
 
 TEST_CASE("nodal blocks are those of the whole stiffness", "[core][statics]") {
-  Cube cube;
+  StaticCube cube;
   const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
   NodalBlocks blocks(*cube.problem, graph);
   CHECK(blocks.renew(Eigen::VectorXd::Zero(cube.problem->size())) == 1 + 3 * 8);

@@ -38,6 +38,7 @@ TEST_CASE("the lines of a solver reach their fields", "[parser][implicit]") {
       "line search secant 1e-3\n"
       "begin full tangent preconditioner\n"
       "tangent diagonal scale = 1e-6\n"
+      "linear solver = amg\n"
       "end\n"
       "end\n"
       "begin loadstep predictor\n"
@@ -57,6 +58,7 @@ TEST_CASE("the lines of a solver reach their fields", "[parser][implicit]") {
   CHECK(solver.cg.line_search_tolerance == 1e-3);
   const FullTangentSettings& full = *solver.cg.full_tangent;
   CHECK(full.tangent_diagonal_scale == 1e-6);
+  CHECK(full.linear_solver == LinearSolver::multigrid);
   CHECK(solver.predictor.type == LoadstepPredictor::Type::scale_factor);
   CHECK(solver.predictor.scale_factor == 0.5);
   CHECK(solver.predictor.first_scale_factor == 0.0);
@@ -69,6 +71,29 @@ TEST_CASE("a solver without lines has the defaults of the manual", "[parser][imp
   CHECK(cg.acceptable_relative() == Approx(1e-3));
   CHECK(cg.reference == ResidualReference::external);
   CHECK_FALSE(cg.full_tangent);
+}
+
+TEST_CASE("equation solvers are chosen by the deck or by the model", "[parser][implicit]") {
+  const auto with_solver = [](const std::string& line) {
+    return with_lines("begin solver\nbegin cg\nbegin full tangent preconditioner\n" + line +
+                      "end\nend\nend\n");
+  };
+  const auto solver_of = [](const ParsedDeck& deck) {
+    return region_of(deck).solver->cg.full_tangent->linear_solver;
+  };
+  CHECK(solver_of(with_solver("")) == LinearSolver::automatic);
+  CHECK(solver_of(with_solver("linear solver = auto\n")) == LinearSolver::automatic);
+  CHECK(solver_of(with_solver("linear solver = direct\n")) == LinearSolver::direct);
+  const ParsedDeck of_sierra = with_solver("linear solver = gdsw\n");
+  CHECK(solver_of(of_sierra) == LinearSolver::automatic);
+  CHECK(of_sierra.messages ==
+        "a.i:8:17: warning: the equation solver is one of contactsim's own, chosen by the model; LINEAR "
+        "SOLVER = "
+        "AUTO says so; AMG and DIRECT choose [deck-ignored]\n");
+  CHECK(with_solver("linear solver = agm\n").messages ==
+        "a.i:8:17: error: expected one of auto, amg, direct, feti, gdsw, tpetra for 'linear solver', found "
+        "'agm'; did you mean "
+        "'amg'?\n");
 }
 
 TEST_CASE("the lines of adaptive time stepping reach their fields", "[parser][implicit]") {

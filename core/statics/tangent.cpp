@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/tangent.hpp"
+
+#include "core/statics/full_tangent.hpp"
+#include "core/statics/multigrid_tangent.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Elastic cubes of more nodes are solved sooner by multigrid than by a factor of MUMPS (README).
+constexpr std::uint32_t most_nodes_of_factor = 10000;
+
+bool has_rotations(const StaticProblem& problem, const NodeGraph& graph) {
+  return problem.size() > 3 * Eigen::Index{graph.n_nodes()};
+}
+
+}  // namespace
+
+LinearSolver choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph) {
+  return has_rotations(problem, graph) || graph.n_nodes() <= most_nodes_of_factor ? LinearSolver::direct
+                                                                                  : LinearSolver::multigrid;
+}
+
+std::unique_ptr<Tangent> make_tangent(StaticProblem& problem, const NodeGraph& graph,
+                                      const FullTangentSettings& settings) {
+  LinearSolver solver = settings.linear_solver;
+  if (solver == LinearSolver::automatic || has_rotations(problem, graph))
+    solver = choose_linear_solver(problem, graph);
+  if (solver == LinearSolver::multigrid) return std::make_unique<MultigridTangent>(problem, graph, settings);
+  return std::make_unique<FullTangent>(problem, graph, settings);
+}
+
+}  // namespace contactsim

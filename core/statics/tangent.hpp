@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/definition/solver.hpp"
+#include "core/statics/node_graph.hpp"
+#include "core/statics/static_problem.hpp"
+
+namespace contactsim {
+
+/// The inverse of the whole stiffness, for Newton's steps.
+class Tangent : public Preconditioner {
+ public:
+  /// Makes it at an increment of the step; the one before stays where it cannot be evaluated. Returns the
+  /// evaluations of the residual.
+  ///   may_keep_elements  where contact has other springs than before, these alone may be made anew
+  virtual std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) = 0;
+  /// Shares of their stiffness that nodes get to the ground [n_nodes]: find_free_bodies().
+  virtual void set_free(std::vector<double> shares) = 0;
+  /// The largest stiffness of a node against moving, without contact [force/length].
+  virtual double largest() const = 0;
+  virtual bool exists() const = 0;
+  /// Directions along which the stiffness is known to be negative: of a body that has buckled.
+  virtual std::int64_t n_negative() const = 0;
+  /// Iterations of its equation solver so far.
+  virtual std::int64_t n_iterations() const { return 0; }
+};
+
+/// The solver that a deck leaves open: multigrid for solids of so many unknowns that a factor takes longer.
+LinearSolver choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph);
+
+/// Makes the tangent that the settings ask for. Where nodes turn it is a factor. All must outlive it.
+std::unique_ptr<Tangent> make_tangent(StaticProblem& problem, const NodeGraph& graph,
+                                      const FullTangentSettings& settings);
+
+}  // namespace contactsim

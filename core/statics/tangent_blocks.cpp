@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/tangent_blocks.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace contactsim {
+
+namespace {
+
+/// A matrix with blocks put in beside those that it has.
+///   blocks  by rows, then by columns; none of them twice or there already
+BlockMatrix<3, 3> with_blocks(const BlockMatrix<3, 3>& matrix, const std::vector<NodeBlock>& blocks) {
+  BlockMatrix<3, 3> merged;
+  merged.n_columns = matrix.n_columns;
+  merged.first.push_back(0);
+  merged.columns.reserve(matrix.n_blocks() + blocks.size());
+  merged.values.reserve(9 * merged.columns.capacity());
+  auto next = blocks.begin();
+  const auto append = [&](std::uint32_t column, const double* block) {
+    merged.columns.push_back(column);
+    merged.values.insert(merged.values.end(), block, block + 9);
+  };
+  for (std::uint32_t row = 0; row < matrix.n_rows(); ++row) {
+    for (std::size_t k = matrix.first[row]; k < matrix.first[row + std::size_t{1}]; ++k) {
+      for (; next != blocks.end() && next->row == row && next->column < matrix.columns[k]; ++next)
+        append(next->column, next->stiffness.data());
+      append(matrix.columns[k], matrix.values.data() + 9 * k);
+    }
+    for (; next != blocks.end() && next->row == row; ++next) append(next->column, next->stiffness.data());
+    merged.first.push_back(merged.columns.size());
+  }
+  return merged;
+}
+
+/// The halves of blocks and of their transposes, by rows and columns, each once.
+std::vector<NodeBlock> symmetric_halves(const std::vector<NodeBlock>& blocks) {
+  std::vector<NodeBlock> all;
+  for (const NodeBlock& block : blocks) {
+    all.push_back({block.row, block.column, 0.5 * block.stiffness});
+    all.push_back({block.column, block.row, 0.5 * block.stiffness.transpose()});
+  }
+  const auto key = [](const NodeBlock& block) { return std::tie(block.row, block.column); };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const NodeBlock& a, const NodeBlock& b) { return key(a) < key(b); });
+  std::vector<NodeBlock> sums;
+  for (const NodeBlock& block : all) {
+    if (!sums.empty() && key(sums.back()) == key(block))
+      sums.back().stiffness += block.stiffness;
+    else
+      sums.push_back(block);
+  }
+  return sums;
+}
+
+}  // namespace
+
+TangentBlocks::TangentBlocks(StaticProblem& problem, const NodeGraph& graph)
+    : problem_(problem),
+      graph_(graph),
+      probe_(problem, graph, ColourDistance::two_elements),
+      per_node_(static_cast<std::size_t>(probe_.unknowns_per_node())) {
+  std::size_t n_pairs = 0;
+  for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
+    first_.push_back(n_pairs);
+    n_pairs += graph.neighbours(node).size();
+  }
+  first_.push_back(n_pairs);
+}
+
+std::size_t TangentBlocks::offset(std::uint32_t node, std::uint32_t neighbour) const {
+  const auto neighbours = graph_.neighbours(node);
+  const auto place = std::lower_bound(neighbours.begin(), neighbours.end(), neighbour) - neighbours.begin();
+  return (first_[node] + static_cast<std::size_t>(place)) * per_node_ * per_node_;
+}
+
+bool TangentBlocks::are_neighbours(std::uint32_t a, std::uint32_t b) const {
+  const auto neighbours = graph_.neighbours(a);
+  return std::binary_search(neighbours.begin(), neighbours.end(), b);
+}
+
+/// Gives directions that are held, which have no stiffness left, that of their node.
+void TangentBlocks::hold_directions() {
+  problem_.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
+    if (graph_.neighbours(node).empty()) return;
+    Eigen::Map<Eigen::MatrixXd> block(block_of(node, node), static_cast<Eigen::Index>(per_node_),
+                                      static_cast<Eigen::Index>(per_node_));
+    const double own = block.diagonal().segment<3>(first).maxCoeff();
+    block.block<3, 3>(first, first) += (own > 0.0 ? own : 1.0) * held;
+  });
+}
+
+/// Turning about the normal of a flat shell meets next to no stiffness: along such directions a node
+/// gets a share of the stiffness that it has along others.
+void TangentBlocks::steady_rotations() {
+  constexpr double nothing = 1e-5, share = 1e-3;
+  const auto n = static_cast<Eigen::Index>(per_node_);
+  for (std::uint32_t node = 0; node < graph_.n_nodes() && per_node_ > 3; ++node) {
+    if (graph_.neighbours(node).empty()) continue;
+    Eigen::Map<Eigen::MatrixXd> block(block_of(node, node), n, n);
+    const Eigen::Matrix3d turning = block.bottomRightCorner<3, 3>();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(0.5 * (turning + turning.transpose()));
+    const double largest = solver.eigenvalues()(2);
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const Eigen::Vector3d axis = solver.eigenvectors().col(i);
+      if (std::abs(solver.eigenvalues()(i)) <= nothing * largest)
+        block.bottomRightCorner<3, 3>() += share * largest * axis * axis.transpose();
+    }
+  }
+}
+
+std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
+  columns_.assign(first_.back() * per_node_ * per_node_, 0.0);
+  const std::int64_t n_evaluations = probe_.differentiate(
+      increment, [&](std::uint32_t node, Eigen::Index unknown, const Eigen::VectorXd& column) {
+        double* rows = columns_.data() + first_[node] * per_node_ * per_node_ +
+                       static_cast<std::size_t>(unknown) * per_node_;
+        for (const std::uint32_t neighbour : graph_.neighbours(node)) {
+          for (std::size_t i = 0; i < per_node_; ++i)
+            rows[i] = column(probe_.place(neighbour, static_cast<Eigen::Index>(i)));
+          rows += per_node_ * per_node_;
+        }
+      });
+  if (n_evaluations == 0) return 0;
+  hold_directions();
+  steady_rotations();
+  return n_evaluations;
+}
+
+std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs) {
+  std::vector<NodeBlock> blocks;
+  for (const ContactSpring& spring : springs) {
+    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+      blocks.push_back({a.node, b.node, block, a.turns, b.turns});
+    });
+  }
+  return blocks;
+}
+
+void TangentBlocks::join(const std::vector<NodeBlock>& blocks) {
+  // Of displacements and rotations of each node.
+  std::vector<std::uint32_t> held_place(2 * std::size_t{graph_.n_nodes()}, UINT32_MAX);
+  std::vector<Eigen::Matrix3d> free;
+  problem_.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
+    held_place[2 * std::size_t{node} + (first > 0 ? 1 : 0)] = static_cast<std::uint32_t>(free.size());
+    free.push_back(Eigen::Matrix3d::Identity() - held);
+  });
+  joined_.clear();
+  for (NodeBlock block : blocks) {
+    if (graph_.neighbours(block.row).empty() || graph_.neighbours(block.column).empty()) continue;
+    const std::uint32_t row = held_place[2 * std::size_t{block.row} + (block.row_turns ? 1 : 0)];
+    const std::uint32_t column = held_place[2 * std::size_t{block.column} + (block.column_turns ? 1 : 0)];
+    if (row != UINT32_MAX) block.stiffness = (free[row] * block.stiffness).eval();
+    if (column != UINT32_MAX) block.stiffness = (block.stiffness * free[column]).eval();
+    joined_.push_back(block);
+  }
+}
+
+void TangentBlocks::steady(const std::vector<double>& shares) {
+  const auto n = static_cast<Eigen::Index>(per_node_);
+  for (std::uint32_t node = 0; node < shares.size(); ++node) {
+    if (shares[node] > 0.0)
+      Eigen::Map<Eigen::MatrixXd>(block_of(node, node), n, n).diagonal() *= 1.0 + shares[node];
+  }
+}
+
+double TangentBlocks::largest() const {
+  double largest = 0.0;
+  for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
+    if (graph_.neighbours(node).empty()) continue;
+    const double* own = own_block(node);
+    for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, own[i * per_node_ + i]);
+  }
+  return largest;
+}
+
+void TangentBlocks::clear() {
+  columns_ = {};
+  joined_ = {};
+}
+
+/// Each pair of blocks across the diagonal is worked out at its earlier node.
+void TangentBlocks::make_symmetric(double diagonal_scale) {
+  parallel_for(graph_.n_nodes(), threads_for(first_.back()), [&](std::uint32_t node) {
+    for (const std::uint32_t other : graph_.neighbours(node)) {
+      if (other < node) continue;
+      Eigen::Map<Eigen::Matrix3d> here(block_of(node, other)), across(block_of(other, node));
+      // Here stand the forces of the other node by the displacements of this one.
+      const Eigen::Matrix3d mean = 0.5 * (here.transpose() + across);
+      here = mean;
+      across = mean.transpose();
+      if (other == node) here.diagonal() *= 1.0 + diagonal_scale;
+    }
+  });
+}
+
+/// Adds the parts between neighbours to theirs; returns the others.
+std::vector<NodeBlock> TangentBlocks::take_apart() {
+  std::vector<NodeBlock> apart;
+  for (const NodeBlock& part : joined_) {
+    if (are_neighbours(part.column, part.row)) {
+      Eigen::Map<Eigen::Matrix3d> block(block_of(part.column, part.row));
+      block += part.stiffness;
+    } else {
+      apart.push_back(part);
+    }
+  }
+  return apart;
+}
+
+BlockMatrix<3, 3> TangentBlocks::take_symmetric(double diagonal_scale) {
+  const std::vector<NodeBlock> apart = take_apart();
+  make_symmetric(diagonal_scale);
+  BlockMatrix<3, 3> matrix;
+  matrix.n_columns = graph_.n_nodes();
+  matrix.first = first_;
+  matrix.columns.reserve(first_.back());
+  for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
+    const auto neighbours = graph_.neighbours(node);
+    matrix.columns.insert(matrix.columns.end(), neighbours.begin(), neighbours.end());
+  }
+  matrix.values = std::move(columns_);
+  if (!apart.empty()) matrix = with_blocks(matrix, symmetric_halves(apart));
+  clear();
+  return matrix;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/multigrid_tangent.hpp"
+
+#include "core/statics/full_tangent.hpp"
+#include "support/catch.hpp"
+#include "support/static_cube.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+std::vector<NodeIndex> nodes_below(std::uint32_t n) {
+  std::vector<NodeIndex> nodes;
+  for (std::uint32_t node = 0; node < n; ++node) nodes.push_back({node});
+  return nodes;
+}
+
+Eigen::VectorXd some_force(StaticProblem& problem) {
+  Eigen::VectorXd force = Eigen::ArrayXd::LinSpaced(problem.size(), 0.0, 30.0).sin();
+  problem.project(force);
+  return force;
+}
+
+}  // namespace
+
+TEST_CASE("multigrid and a factor are the same inverse to a thousandth", "[core][statics]") {
+  StaticCube cube(nodes_below(40), 8);
+  const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
+  const FullTangentSettings settings;
+  FullTangent factor(*cube.problem, graph, settings);
+  MultigridTangent multigrid(*cube.problem, graph, settings);
+  CHECK_FALSE(multigrid.exists());
+  const Eigen::VectorXd at = cube.pulled(0.0);
+  CHECK(factor.renew(at) == multigrid.renew(at));
+  REQUIRE(factor.exists());
+  REQUIRE(multigrid.exists());
+  Eigen::VectorXd exact, near;
+  const Eigen::VectorXd force = some_force(*cube.problem);
+  factor.apply(force, exact);
+  multigrid.apply(force, near);
+  CHECK((near - exact).norm() < 1e-2 * exact.norm());
+  CHECK(multigrid.n_iterations() > 3);
+  CHECK(multigrid.n_iterations() < 20);
+  CHECK(multigrid.n_negative() == 0);
+}
+
+TEST_CASE("what cannot be evaluated leaves the multigrid as it is", "[core][statics]") {
+  StaticCube cube(nodes_below(9), 2);
+  const NodeGraph graph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
+  const FullTangentSettings settings;
+  MultigridTangent multigrid(*cube.problem, graph, settings);
+  REQUIRE(multigrid.renew(cube.pulled(0.0)) > 0);
+  Eigen::VectorXd before, after;
+  const Eigen::VectorXd force = some_force(*cube.problem);
+  multigrid.apply(force, before);
+  CHECK(multigrid.renew(cube.pulled(-3.0)) == 0);
+  multigrid.apply(force, after);
+  CHECK(before == after);
+}
+
+TEST_CASE("large solids are for multigrid, unless the deck says otherwise", "[core][statics]") {
+  StaticCube small, large({}, 22);
+  const NodeGraph small_graph(small.mesh.n_nodes(), small.mesh, small.model.blocks);
+  const NodeGraph large_graph(large.mesh.n_nodes(), large.mesh, large.model.blocks);
+  CHECK(choose_linear_solver(*small.problem, small_graph) == LinearSolver::direct);
+  CHECK(choose_linear_solver(*large.problem, large_graph) == LinearSolver::multigrid);
+  FullTangentSettings settings;
+  settings.linear_solver = LinearSolver::multigrid;
+  const auto made = make_tangent(*small.problem, small_graph, settings);
+  CHECK(dynamic_cast<MultigridTangent*>(made.get()) != nullptr);
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/statics/tangent_blocks.hpp"
+
+#include "support/catch.hpp"
+#include "support/static_cube.hpp"
+
+using namespace contactsim;
+using namespace contactsim::test;
+
+namespace {
+
+NodeGraph graph_of(const StaticCube& cube) {
+  return NodeGraph(cube.mesh.n_nodes(), cube.mesh, cube.model.blocks);
+}
+
+/// The stiffness as visit() shows it.
+Eigen::MatrixXd visited(const TangentBlocks& blocks, Eigen::Index size) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(size, size);
+  blocks.visit([&](std::uint32_t row, std::uint32_t column, const double* block) {
+    dense.block<3, 3>(3 * row, 3 * column) += Eigen::Map<const Eigen::Matrix3d>(block);
+  });
+  return dense;
+}
+
+Eigen::MatrixXd dense_of(const BlockMatrix<3, 3>& matrix) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * matrix.n_rows(), 3 * matrix.n_columns);
+  for (std::uint32_t row = 0; row < matrix.n_rows(); ++row) {
+    CHECK(std::is_sorted(matrix.columns_of(row).begin(), matrix.columns_of(row).end()));
+    for (const std::uint32_t column : matrix.columns_of(row))
+      dense.block<3, 3>(3 * row, 3 * column) += matrix.block(matrix.place_of(row, column));
+  }
+  return dense;
+}
+
+/// Springs between nodes at two edges of the cube, which share no element, and between neighbours. As contact
+/// gives them: not symmetric.
+std::vector<NodeBlock> springs() {
+  Eigen::Matrix3d spring;
+  spring << 4.0, 1.0, 0.0, 0.5, 3.0, 0.0, 0.0, 0.2, 5.0;
+  spring *= 1e11;
+  return {{0, 0, spring},  {0, 26, -spring}, {26, 0, -spring}, {26, 26, spring},
+          {8, 20, spring}, {13, 14, spring}, {8, 20, spring}};
+}
+
+}  // namespace
+
+TEST_CASE("blocks are the derivatives of the residual", "[core][statics]") {
+  StaticCube cube;
+  const NodeGraph graph = graph_of(cube);
+  TangentBlocks blocks(*cube.problem, graph);
+  const Eigen::Index size = cube.problem->size();
+  REQUIRE(blocks.renew(Eigen::VectorXd::Zero(size)) > 0);
+  const Eigen::MatrixXd stiffness = visited(blocks, size);
+  const Eigen::VectorXd increment = cube.pulled(1e-9);
+  Eigen::VectorXd residual;
+  REQUIRE(cube.problem->evaluate(increment, residual));
+  CHECK((stiffness * increment + residual).norm() < 1e-5 * residual.norm());
+}
+
+TEST_CASE("blocks between nodes that share no element come beside those of the mesh", "[core][statics]") {
+  StaticCube cube;
+  const NodeGraph graph = graph_of(cube);
+  TangentBlocks blocks(*cube.problem, graph);
+  const Eigen::Index size = cube.problem->size();
+  REQUIRE(blocks.renew(Eigen::VectorXd::Zero(size)) > 0);
+  Eigen::MatrixXd expected = visited(blocks, size);
+  blocks.join(springs());
+  for (const NodeBlock& part : springs())
+    expected.block<3, 3>(3 * part.row, 3 * part.column) += part.stiffness;
+  CHECK((visited(blocks, size) - expected).norm() < 1e-14 * expected.norm());
+  Eigen::MatrixXd symmetric = 0.5 * (expected + expected.transpose());
+  symmetric.diagonal() *= 1.0 + 1e-3;
+  CHECK((dense_of(blocks.take_symmetric(1e-3)) - symmetric).norm() < 1e-14 * symmetric.norm());
+}
+
+TEST_CASE("nothing joins held nodes to others", "[core][statics]") {
+  StaticCube cube({NodeIndex{0}, NodeIndex{13}});
+  const NodeGraph graph = graph_of(cube);
+  TangentBlocks blocks(*cube.problem, graph);
+  REQUIRE(blocks.renew(Eigen::VectorXd::Zero(cube.problem->size())) > 0);
+  blocks.join(springs());
+  const Eigen::MatrixXd stiffness = dense_of(blocks.take_symmetric(0.0));
+  for (const Eigen::Index node : {0, 13}) {
+    Eigen::MatrixXd rows = stiffness.middleRows<3>(3 * node);
+    CHECK(rows.middleCols<3>(3 * node).diagonal().minCoeff() > 0.0);
+    rows.middleCols<3>(3 * node).setZero();
+    CHECK(rows.isZero(0.0));
+  }
+  CHECK(stiffness.block<3, 3>(3 * 8, 3 * 20).norm() > 0.0);
+}
