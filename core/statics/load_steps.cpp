@@ -49,6 +49,7 @@ void LoadSteps::start() {
     terms_.internal.set_moments(motion, state_.rotations.moments.internal);
     terms_.external.set_moments(motion, state_.rotations.moments.external);
   }
+  problem_.begin();
   state_.velocity.setZero();
   state_.acceleration.setZero();
   state_.next_dt = schedule_.step_at(state_.time);

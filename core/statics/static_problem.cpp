@@ -79,6 +79,13 @@ Eigen::VectorXd StaticProblem::all_forces() const {
          forces_of(&NodalForces::contact);
 }
 
+void StaticProblem::begin() {
+  free_ = model_.kinematic_constraints.find_free_directions(state_.time);
+  if (state_.rotations.exist())
+    free_rotations_ = model_.rotation_constraints.find_free_directions(state_.time);
+  largest_reference_ = reference_now();
+}
+
 void StaticProblem::remember() {
   time_ = state_.time;
   coordinates_ = state_.coordinates;
@@ -169,7 +176,7 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   energies.external += external.dot(increment) - (all - free).dot(increment);
   energies.hourglass = 0.0;
   for (const ModelBlockState& block : state_.blocks) energies.hourglass += block.hourglass_work;
-  energies.error = energies.internal + energies.contact - energies.external;
+  energies.error = energies.internal + energies.contact - energies.external - energies.start;
   for (const double term : {energies.internal, energies.external, energies.contact})
     energies.largest = std::max(energies.largest, std::abs(term));
 }

@@ -23,6 +23,9 @@ class StaticProblem final : public Equilibrium {
   /// Unknowns: 3 a node, 6 where nodes turn.
   Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
 
+  /// To be called once the forces of the start are known: what was taken over may come back to rest without
+  /// loads.
+  void begin();
   /// Begins a step at the state: fixed and prescribed directions and what is remembered are those of now.
   ///   dt  of the step [time]
   /// Throws SolveError when a condition has no finite value.
