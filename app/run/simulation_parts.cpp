@@ -122,7 +122,7 @@ void Simulation::Parts::advance() {
 }
 
 void Simulation::Parts::start_anew() {
-  if (load_steps) return load_steps->start();
+  if (load_steps) return load_steps->start(setup.transfer.has_value());
   at_start = start(setup.model, terms(), setup.control, state);
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.

@@ -41,7 +41,7 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, const SolverSettings&
   if (settings_.cg.full_tangent) tangent_.emplace(problem_, graph_, *settings_.cg.full_tangent);
 }
 
-void LoadSteps::start() {
+void LoadSteps::start(bool takes_over) {
   const Motion motion = motion_of(state_, 0.0);
   terms_.internal.set_forces(motion, state_.forces.internal);
   terms_.external.set_forces(motion, state_.forces.external);
@@ -50,6 +50,7 @@ void LoadSteps::start() {
     terms_.external.set_moments(motion, state_.rotations.moments.external);
   }
   problem_.begin();
+  if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
   state_.velocity.setZero();
   state_.acceleration.setZero();
   state_.next_dt = schedule_.step_at(state_.time);

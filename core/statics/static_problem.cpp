@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
 
 #include "core/base/errors.hpp"
 #include "core/base/state_archive.hpp"
@@ -86,6 +88,19 @@ void StaticProblem::begin() {
   largest_reference_ = reference_now();
 }
 
+void StaticProblem::let_go_until(double time) {
+  held_ = all_forces();
+  project(held_);
+  held_from_ = state_.time;
+  held_until_ = time;
+}
+
+/// How much of it is still held [1].
+double StaticProblem::share_held(double time) const {
+  if (held_.size() == 0) return 0.0;
+  return std::clamp((held_until_ - time) / (held_until_ - held_from_), 0.0, 1.0);
+}
+
 void StaticProblem::remember() {
   time_ = state_.time;
   coordinates_ = state_.coordinates;
@@ -158,6 +173,7 @@ bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& 
     terms_.external.set_moments(motion, state_.rotations.moments.external);
   }
   residual = all_forces();
+  if (const double share = share_held(state_.time); share > 0.0) residual -= share * held_;
   project(residual);
   return true;
 }
@@ -167,7 +183,9 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   const Eigen::VectorXd external = mean_forces(&NodalForces::external);
   const Eigen::VectorXd contact = mean_forces(&NodalForces::contact);
   const Eigen::VectorXd all = internal + external + contact;
+  const double share = 0.5 * (share_held(time_) + share_held(state_.time));
   Eigen::VectorXd free = all;
+  if (share > 0.0) free -= share * held_;
   project(free);
   largest_reference_ = std::max(largest_reference_, reference_now());
   Energies& energies = state_.energies;
@@ -207,6 +225,11 @@ double StaticProblem::reference() const {
 
 void StaticProblem::archive(StateArchive& saved) {
   saved.numbers("run/largest_reference", largest_reference_);
+  const std::string name = "run/out_of_balance";
+  if (saved.restores() ? !saved.has(name) : held_.size() == 0) return;
+  held_.resize(size());
+  saved.fixed(name, std::span(held_.data(), static_cast<std::size_t>(held_.size())));
+  saved.numbers(name + "_times", held_from_, held_until_);
 }
 
 double StaticProblem::reference_now() const {
