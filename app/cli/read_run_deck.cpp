@@ -71,7 +71,7 @@ void tell_of_other(const char* what, const DeckName& other, const DeckName& chos
                             fmt::format("that of '{}' is taken", chosen.text), length);
   } else {
     diagnostics.add_error(
-        other.location, fmt::format("a second {} in one deck is not supported", what),
+        other.location, fmt::format("a second {} is not supported here", what),
         fmt::format("'{}' would be run without it: make it a deck of its own, or pass it over "
                     "with --lenient",
                     chosen.text),
@@ -81,6 +81,10 @@ void tell_of_other(const char* what, const DeckName& other, const DeckName& chos
 
 }  // namespace
 
+int merit_of(const Procedure& procedure, const Region& region) {
+  return (region.contact ? 2 : 0) + (procedure.implicit_by ? 0 : 1);
+}
+
 ChosenRegion choose_region(const SimulationDefinition& definition, bool may_pass_over,
                            Diagnostics& diagnostics) {
   const Procedure* of = nullptr;
@@ -88,7 +92,7 @@ ChosenRegion choose_region(const SimulationDefinition& definition, bool may_pass
   int best = -1;
   for (const Procedure& procedure : definition.procedures) {
     for (const Region& region : procedure.regions) {
-      const int merit = (region.contact ? 2 : 0) + (procedure.implicit_by ? 0 : 1);
+      const int merit = merit_of(procedure, region);
       if (merit <= best) continue;
       best = merit;
       of = &procedure;
@@ -106,6 +110,27 @@ ChosenRegion choose_region(const SimulationDefinition& definition, bool may_pass
     }
   }
   return {*of, *chosen};
+}
+
+std::vector<ChosenRegion> choose_regions(const SimulationDefinition& definition, bool may_pass_over,
+                                         Diagnostics& diagnostics) {
+  std::vector<ChosenRegion> all;
+  for (const Procedure& procedure : definition.procedures) {
+    const auto merit = [&](const Region& region) { return merit_of(procedure, region); };
+    const auto best = std::ranges::max_element(procedure.regions, {}, merit);
+    if (best == procedure.regions.end()) continue;
+    for (const Region& region : procedure.regions) {
+      if (&region != &*best) tell_of_other("region", region.name, best->name, may_pass_over, diagnostics);
+    }
+    all.push_back({procedure, *best});
+  }
+  if (all.empty()) all.emplace_back();
+  for (const Procedure& procedure : definition.procedures) {
+    if (procedure.regions.empty() && definition.procedures.size() > 1)
+      diagnostics.add_error(procedure.name.location,
+                            fmt::format("the procedure '{}' has no region", procedure.name.text));
+  }
+  return all;
 }
 
 }  // namespace contactsim

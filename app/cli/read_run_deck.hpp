@@ -41,11 +41,20 @@ struct ChosenRegion {
   Region region;
 };
 
-/// The region to work on: with contact before without, of an explicit procedure before an implicit one, then
-/// the first.
+/// What a region is preferred by to others, as choose_region() says.
+int merit_of(const Procedure& procedure, const Region& region);
+
+/// The region to work on, where one is enough: with contact before without, of an explicit procedure before
+/// an implicit one, then the first.
 ///   may_pass_over  others are left out with a warning; else each is an error, as they would change the
 ///   answer
 ChosenRegion choose_region(const SimulationDefinition& definition, bool may_pass_over,
                            Diagnostics& diagnostics);
+
+/// The region of every procedure, in deck order: of several in one that with contact, then the first. At
+/// least one, without names where the deck has none. Errors: procedures without a region.
+///   may_pass_over  other regions are left out with a warning; else each is an error
+std::vector<ChosenRegion> choose_regions(const SimulationDefinition& definition, bool may_pass_over,
+                                         Diagnostics& diagnostics);
 
 }  // namespace contactsim

@@ -2,27 +2,20 @@
 #include "app/cli/run_deck.hpp"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include <algorithm>
-#include <utility>
 
+#include "app/cli/prepared_region.hpp"
 #include "app/cli/read_run_deck.hpp"
 #include "app/cli/run_mesh.hpp"
+#include "app/cli/run_procedures.hpp"
 #include "app/cli/surface_stage.hpp"
 #include "app/reports/deck_report.hpp"
-#include "app/reports/overlap_report.hpp"
-#include "app/reports/run_head.hpp"
-#include "app/reports/run_log.hpp"
-#include "app/reports/surface_report.hpp"
-#include "app/run/file_clashes.hpp"
-#include "app/run/simulation.hpp"
+#include "app/reports/procedure_report.hpp"
+#include "app/run/procedure_checks.hpp"
 #include "app/run/start_overlap.hpp"
 #include "app/run/stop_on_errors.hpp"
-#include "contact/mesh/smooth_surfaces.hpp"
-#include "contact/output/surface_summary.hpp"
 #include "core/definition/simulation.hpp"
-#include "core/elements/cohesive_section.hpp"
 
 namespace contactsim {
 
@@ -59,76 +52,25 @@ void add_name_errors(const Options& options, const SimulationDefinition& definit
   }
 }
 
-/// Removes overlaps where the deck wants it; the mesh whose nodes have moved, if some have.
-std::optional<Mesh> part_overlaps(const RunInput& input, Log& log, Diagnostics& warnings) {
-  auto removed = remove_initial_overlap(input);
-  if (!removed) return std::nullopt;
-  log.write(format_overlap(*removed, *input.contact, input.mesh));
-  return move_nodes(input, std::move(*removed), warnings);
-}
-
-std::vector<StartOverlap> find_overlaps(const RunInput& input, Log& log) {
-  if (input.contact == nullptr) return {};
-  auto overlaps = find_start_overlaps(*input.contact, input.mesh, *input.region.contact);
-  log.write(format_start_overlaps(overlaps, *input.contact, input.mesh));
-  return overlaps;
-}
-
-/// The mesh that the deck names must outlive the run as well.
-void check_mesh_is_kept(const Options& options, const std::string& mesh_path) {
-  const RunFile mesh{mesh_path, "the mesh"};
-  const std::string clash = find_file_clash({&mesh, 1}, files_written(options));
-  if (!clash.empty()) throw FileError(mesh_path, clash);
-}
-
-RunSettings run_settings(const Options& options, const Mesh& mesh, Log& log) {
-  std::vector<RunFile> kept = files_read(options);
-  kept.push_back({mesh.path(), "the mesh"});
-  for (RunFile& file : files_written(options)) {
-    if (file.path != options.results) kept.push_back(std::move(file));
+/// The region that files of surfaces and the report are of: as choose_region() has it.
+std::size_t find_shown(const std::vector<ChosenRegion>& chosen) {
+  std::size_t shown = 0;
+  const auto merit = [&](std::size_t i) { return merit_of(chosen[i].procedure, chosen[i].region); };
+  for (std::size_t i = 1; i < chosen.size(); ++i) {
+    if (merit(i) > merit(shown)) shown = i;
   }
-  return {options.results, options.command_line, std::move(kept),
-          [&log](std::string_view text) { log.write(text); }};
+  return shown;
 }
 
-/// Has the run do what signals ask for.
-void obey(StopSignals& signals, Simulation& simulation) {
-  if (const auto signal = signals.find_stop()) simulation.stop(*signal);
-  if (signals.take_restart_wish()) simulation.store_restart();
-}
-
-ExitCode estimate_run(Simulation& simulation, Log& log) {
-  const RunEstimate estimate = simulation.estimate();
-  log.write(format_estimate(estimate));
-  log.write_to_file(format_estimated_time(estimate, omp_get_max_threads()));
-  return ExitCode::done;
-}
-
-/// The loop of a run.
-ExitCode run_steps(Simulation& simulation, StopSignals& signals) {
-  ExitCode code = ExitCode::done;
-  try {
-    simulation.begin();
-    obey(signals, simulation);
-    while (!simulation.is_over()) {
-      simulation.step();
-      obey(signals, simulation);
-    }
-  } catch (const SolveError&) {
-    code = ExitCode::solve;
-  }
-  simulation.finish();
-  return simulation.stopped_by() ? ExitCode::stopped : code;
-}
-
-ExitCode run_to_end(Simulation& simulation, StopSignals& signals, RunSummary& summary) {
-  try {
-    const ExitCode code = run_steps(simulation, signals);
-    note_run(simulation, summary);
-    return code;
-  } catch (...) {
-    note_run(simulation, summary);
-    throw;
+void warn_of_hidden_tables(const Options& options, const std::vector<ChosenRegion>& chosen, std::size_t shown,
+                           Diagnostics& warnings) {
+  if (!options.surfaces_json && !options.surfaces_csv && !options.surfaces_exodus) return;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (i == shown || !chosen[i].region.contact) continue;
+    warnings.add_warning("deck-region", chosen[i].procedure.name.location,
+                         fmt::format("the files of surfaces do not hold those of the procedure '{}'",
+                                     chosen[i].procedure.name.text),
+                         fmt::format("they hold those of '{}'", chosen[shown].procedure.name.text));
   }
 }
 
@@ -140,6 +82,7 @@ ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagno
       {options.deck, options.definitions, options.is_lenient, options.includes_folder}, warnings);
   summary.deck_digest = format_digest(digest);
   draft.deck = sources;
+  check_procedures(definition, warnings);
   log.begin(asks_to_resume(definition));
   if (warnings.has_errors()) {
     if (options.stage != Stage::parse) add_name_errors(options, definition, warnings);
@@ -149,55 +92,34 @@ ExitCode run_deck(const Options& options, StopSignals& signals, Log& log, Diagno
   if (options.stage == Stage::parse) return ExitCode::done;
 
   const bool may_pass_over = options.is_lenient || options.stage == Stage::tables;
-  const auto [procedure, region] = choose_region(definition, may_pass_over, warnings);
+  const std::vector<ChosenRegion> chosen = choose_regions(definition, may_pass_over, warnings);
+  const std::size_t shown = find_shown(chosen);
   if (options.report) {
     draft.definition = definition;
-    draft.region = region;
+    draft.region = chosen[shown].region;
   }
   if (options.stage == Stage::run) stop_on_errors(warnings);
-  const std::string mesh_path = run_mesh_path(options, definition, region);
-  check_mesh_is_kept(options, mesh_path);
-  if (options.summary) summary.mesh = {mesh_path, digest_of_file(mesh_path), std::nullopt, std::nullopt};
-  Mesh mesh = with_cohesive_blocks(definition, region, read_run_mesh(options, definition, region, warnings));
-  log.write(fmt::format("Mesh {}\n{}", mesh.path(), format_mesh(mesh)));
-  draft.has_mesh = true;
-  if (summary.mesh) summary.mesh = {mesh_path, summary.mesh->digest, mesh.n_nodes(), mesh.n_elements()};
-  signals.end_if_stopped();
+  warn_of_hidden_tables(options, chosen, shown, warnings);
 
-  ResolvedContact contact;
-  if (region.contact || options.stage != Stage::run) {
-    contact = resolve_contact(options, definition, region, mesh, log, warnings);
-    if (contact.model) note_pairs(*contact.model, summary);
-    if (contact.model && options.report)
-      draft.surfaces = format_surfaces_json(*contact.model, summarize(*contact.model, mesh));
-    if (contact.code != ExitCode::done) return contact.code;
+  const DeckWay way{options, definition, signals, log, warnings, summary, draft};
+  MeshesByModel meshes;
+  std::vector<PreparedRegion> regions;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (chosen.size() > 1 && (chosen[i].region.contact || options.stage != Stage::run))
+      log.write(format_procedure(chosen[i].procedure, chosen[i].region,
+                                 i > 0 ? &regions.back().procedure : nullptr));
+    regions.push_back(prepare_region(way, chosen[i], meshes, i == shown));
+    if (regions.back().code != ExitCode::done) return regions.back().code;
   }
-  signals.end_if_stopped();
-  RunInput input{definition, procedure, region, mesh, contact.model ? &*contact.model : nullptr};
-  if (auto moved = part_overlaps(input, log, warnings)) {
-    mesh = std::move(*moved);
-    refit_smoothings(mesh, *contact.model);
-  }
-  const std::vector<StartOverlap> overlaps = find_overlaps(input, log);
   // A deck of contact alone has nothing else to check.
   const bool is_run_known = definition.form == DeckForm::full;
   if (options.stage == Stage::tables || (options.stage == Stage::check && !is_run_known)) {
-    warn_of_overlaps(input, overlaps, {}, warnings);
+    for (const PreparedRegion& region : regions)
+      warn_of_overlaps(region.input(definition), region.overlaps, {}, warnings);
     return ExitCode::done;
   }
-
   signals.end_if_stopped();
-  input.overlaps = overlaps;
-  Simulation simulation(input, run_settings(options, mesh, log), warnings);
-  signals.end_if_stopped();
-  if (options.stage == Stage::check) return estimate_run(simulation, log);
-  if (options.is_strict && !warnings.empty()) return ExitCode::done;
-  RunLog run_log(log);
-  simulation.observe([&](RunEvent event, const Simulation& run) { run_log.look(event, run); });
-  if (options.report)
-    simulation.observe([&](RunEvent event, const Simulation& run) { draft.curves.look(event, run); });
-  draft.output_paths = simulation.output_paths();
-  return run_to_end(simulation, signals, summary);
+  return run_procedures(way, regions);
 }
 
 }  // namespace contactsim

@@ -36,6 +36,7 @@ double largest_of(const std::vector<double>& values) {
 }  // namespace
 
 void RunCurves::look(RunEvent event, const Simulation& run) {
+  if (event == RunEvent::begun) last_step_ = -1;  // procedures count their own
   const std::int64_t step = run.state().step;
   const bool is_due = event == RunEvent::step && step % stride_ == 0;
   const bool is_last = event == RunEvent::ended && !run.failure();

@@ -58,16 +58,22 @@ Json energies_json(const Energies& e) {
           {"error_share", e.largest > 0.0 ? finite_or_null(e.error / e.largest) : Json(0.0)}};
 }
 
-Json run_json(const std::optional<SummaryRun>& run) {
-  if (!run) return nullptr;
-  return {{"steps", run->n_steps},
-          {"time", finite_or_null(run->time)},
-          {"termination_time", finite_or_null(run->termination_time)},
-          {"ended_by", known_or_null(run->ended_by)},
-          {"stable_step", positive_or_null(run->stable_step)},
-          {"last_step", positive_or_null(run->last_step)},
-          {"energies", energies_json(run->energies)},
-          {"wall_time", wall_time_json(*run)}};
+Json run_json(const SummaryRun& run) {
+  return {{"steps", run.n_steps},
+          {"time", finite_or_null(run.time)},
+          {"termination_time", finite_or_null(run.termination_time)},
+          {"ended_by", known_or_null(run.ended_by)},
+          {"stable_step", positive_or_null(run.stable_step)},
+          {"last_step", positive_or_null(run.last_step)},
+          {"energies", energies_json(run.energies)},
+          {"wall_time", wall_time_json(run)}};
+}
+
+/// The procedures that have begun before that of "run".
+Json earlier_runs_json(const std::vector<SummaryRun>& runs) {
+  Json all = Json::array();
+  for (const SummaryRun& run : runs) all.push_back({{"procedure", run.procedure}, {"run", run_json(run)}});
+  return all;
 }
 
 Json pair_json(const SummaryPair& pair) {
@@ -133,21 +139,21 @@ std::string format_summary(const RunSummary& summary) {
   Json definitions = Json::object(), pairs = Json::array();
   for (const auto& [name, value] : summary.definitions) definitions[name] = value;
   for (const SummaryPair& pair : summary.pairs) pairs.push_back(pair_json(pair));
-  const Json json{
-      {"schema", "contactsim-summary/1"},
-      {"version", version},
-      {"state", state_of(summary)},
-      {"exit_code", summary.exit_code ? Json(static_cast<int>(*summary.exit_code)) : Json(nullptr)},
-      {"stage", summary.stage},
-      {"deck", {{"path", summary.deck}, {"digest", text_or_null(summary.deck_digest)}}},
-      {"mesh", mesh_json(summary.mesh)},
-      {"definitions", std::move(definitions)},
-      {"threads", summary.n_threads},
-      {"run", run_json(summary.run)},
-      {"pairs", std::move(pairs)},
-      {"pairs_in_all", summary.n_pairs},
-      {"warnings", warnings_json(summary.found)},
-      {"errors", errors_json(summary)}};
+  Json json{{"schema", "contactsim-summary/1"},
+            {"version", version},
+            {"state", state_of(summary)},
+            {"exit_code", summary.exit_code ? Json(static_cast<int>(*summary.exit_code)) : Json(nullptr)},
+            {"stage", summary.stage},
+            {"deck", {{"path", summary.deck}, {"digest", text_or_null(summary.deck_digest)}}},
+            {"mesh", mesh_json(summary.mesh)},
+            {"definitions", std::move(definitions)},
+            {"threads", summary.n_threads},
+            {"run", summary.run ? run_json(*summary.run) : Json(nullptr)},
+            {"pairs", std::move(pairs)},
+            {"pairs_in_all", summary.n_pairs},
+            {"warnings", warnings_json(summary.found)},
+            {"errors", errors_json(summary)}};
+  if (!summary.earlier_runs.empty()) json["earlier_runs"] = earlier_runs_json(summary.earlier_runs);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -73,7 +73,7 @@ void RunLog::write_step(const Simulation& run, bool is_last) {
 
 void RunLog::write_end(const Simulation& run) {
   write_step(run, true);
-  if (!run.failure() && run.end()) log_.write(fmt::format("The run ends here: {}\n", *run.end()));
+  if (!run.failure() && run.end()) log_.write(fmt::format("The run ends here: {}\n", run.end()->reason));
   if (!run.failure() && run.stopped_by())
     log_.write_error(fmt::format("stopped by {} after step {}", *run.stopped_by(), run.state().step));
   if (run.deaths() != nullptr) {

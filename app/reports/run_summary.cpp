@@ -8,6 +8,7 @@
 
 #include "contact/enforcement/contact_force.hpp"
 #include "core/base/digest.hpp"
+#include "core/definition/procedure.hpp"
 
 namespace contactsim {
 
@@ -53,13 +54,15 @@ void note_pairs(const ContactModel& model, RunSummary& summary) {
 void note_run(const Simulation& run, RunSummary& summary) {
   const State& state = run.state();
   SummaryRun& noted = summary.run.emplace();
+  noted.procedure = run.procedure().name.text;
   noted.n_steps = state.step;
   noted.time = state.time;
   noted.termination_time = run.control().termination_time();
   noted.stable_step = run.start_report().stable_step;
   noted.last_step = state.dt;
   noted.energies = state.energies;
-  noted.ended_by = run.stopped_by() ? run.stopped_by() : run.end();
+  noted.ended_by = run.stopped_by();
+  if (!noted.ended_by && run.end()) noted.ended_by = run.end()->reason;
   noted.seconds = run.seconds();
   if (noted.seconds > 0.0) noted.parts = run.part_times();
   if (run.contact_force() == nullptr) return;

@@ -31,8 +31,9 @@ struct SummaryPair {
   std::optional<PairHistory> history;
 };
 
-/// How far a run has come.
+/// How far the run of a procedure has come.
 struct SummaryRun {
+  std::string procedure;
   std::int64_t n_steps = 0;
   double time = 0.0, termination_time = 0.0;  ///< [time]
   double stable_step = 0.0;                   ///< at the start, not scaled; 0: not known [time]
@@ -51,7 +52,8 @@ struct RunSummary {
   std::vector<std::pair<std::string, std::string>> definitions;  ///< of -D
   int n_threads = 0;
   std::optional<SummaryMesh> mesh;
-  std::optional<SummaryRun> run;
+  std::optional<SummaryRun> run;         ///< of the last procedure that has begun
+  std::vector<SummaryRun> earlier_runs;  ///< of those before it
   std::vector<SummaryPair> pairs;        ///< those that have touched, and others as long as there are few
   std::size_t n_pairs = 0;               ///< of all
   Diagnostics found;                     ///< warnings, and errors of the deck

@@ -5,7 +5,10 @@
 
 #include <string_view>
 
+#include "app/run/simulation.hpp"
 #include "core/definition/procedure.hpp"
+#include "core/interface_laws/interface_law_table.hpp"
+#include "core/statics/load_steps.hpp"
 
 namespace contactsim {
 
@@ -34,9 +37,83 @@ void refuse_in_statics(const Region& region, Diagnostics& diagnostics) {
   }
 }
 
+bool is_of_velocity(const InitialCondition& condition) {
+  return condition.variable && fold(condition.variable->text) == "velocity";
+}
+
+/// Adds errors for what is not supported where a state is taken over.
+class TransferRefusals {
+ public:
+  TransferRefusals(const RunInput& input, Diagnostics& diagnostics)
+      : input_(input), diagnostics_(diagnostics) {}
+
+  void refuse_earlier() const;
+  void refuse_initial_conditions() const;
+  void refuse_contact() const;
+
+ private:
+  void refuse_here(const DeckLocation& location, std::string_view what, std::string hint = "") const {
+    diagnostics_.add_error(location,
+                           fmt::format("{} is not supported together with a PROCEDURAL TRANSFER", what),
+                           std::move(hint));
+  }
+
+  const RunInput& input_;
+  Diagnostics& diagnostics_;
+};
+
+void TransferRefusals::refuse_earlier() const {
+  const Simulation& earlier = *input_.earlier;
+  const DeckLocation& location = input_.procedure.transfers.front().name.location;
+  if (earlier.contact_force() != nullptr)
+    refuse_here(location, "contact in the procedure before", "the state of contact is not taken over yet");
+  if (!earlier.model().rigid.empty())
+    refuse_here(location, "a rigid body in the procedure before",
+                "a block of an elastic material 1000 times as stiff takes its place");
+  if (earlier.deaths() != nullptr && input_.region.element_deaths.empty())
+    refuse_here(location, "ELEMENT DEATH in the procedure before alone",
+                "the same block in this region says which elements go on to die");
+}
+
+void TransferRefusals::refuse_initial_conditions() const {
+  const Region& region = input_.region;
+  for (const InitialCondition& condition : region.initial_conditions) {
+    if (!is_of_velocity(condition))
+      refuse_here(condition.name.location, "an initial condition of anything but velocity");
+  }
+  if (input_.earlier->load_steps() != nullptr) return;
+  const char* why = "the velocities of the procedure before are taken over";
+  for (const auto& velocity : region.initial_velocities)
+    refuse_here(velocity.name.location, "an initial velocity", why);
+  for (const InitialCondition& condition : region.initial_conditions) {
+    if (is_of_velocity(condition)) refuse_here(condition.name.location, "an initial velocity", why);
+  }
+}
+
+/// What contact does once with the mesh, before the first step.
+void TransferRefusals::refuse_contact() const {
+  if (input_.contact == nullptr) return;
+  const ContactDefinition& contact = *input_.region.contact;
+  const char* why = "it acts on the mesh, not on the state that is taken over";
+  if (contact.overlap_removal.is_on()) refuse_here(contact.name.location, "overlap removal", why);
+  for (const SurfacePair& pair : input_.contact->pairs) {
+    if (pair.closes_gaps()) return refuse_here(pair.location, "moving nodes onto the other side", why);
+    if (row_of(*pair.law).holds_at_start)
+      return refuse_here(pair.location, "contact that holds what is near at the start", why);
+  }
+}
+
 }  // namespace
 
-void refuse_what_is_missing(const Procedure& procedure, const Region& region, Diagnostics& diagnostics) {
+void refuse_what_is_missing(const RunInput& input, Diagnostics& diagnostics) {
+  const Procedure& procedure = input.procedure;
+  const Region& region = input.region;
+  if (input.earlier != nullptr && !procedure.transfers.empty()) {
+    const TransferRefusals refusals(input, diagnostics);
+    refusals.refuse_earlier();
+    refusals.refuse_initial_conditions();
+    refusals.refuse_contact();
+  }
   if (procedure.implicit_by) refuse_in_statics(region, diagnostics);
   if (!procedure.time_control) {
     diagnostics.add_error(procedure.name.location, "the procedure has no TIME CONTROL",

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "app/run/run_input.hpp"
 #include "core/base/diagnostics.hpp"
-#include "core/definition/declarations.hpp"
 
 namespace contactsim {
 
-/// Adds an error for everything in the region that would change the motion and that this version does not act
-/// on, and a warning for what would not.
-void refuse_what_is_missing(const Procedure& procedure, const Region& region, Diagnostics& diagnostics);
+/// Adds an error for everything in the region or, where it takes its state over, in the procedure before that
+/// would change the motion and that this version does not act on, and a warning for what would not.
+void refuse_what_is_missing(const RunInput& input, Diagnostics& diagnostics);
 
 }  // namespace contactsim

@@ -16,14 +16,20 @@
 
 namespace contactsim {
 
+class Simulation;
+
 /// What a run is made from, by a deck and a mesh file or in code. All must outlive it.
 struct RunInput {
   const SimulationDefinition& definition;
   const Procedure& procedure;  ///< of the definition
   const Region& region;        ///< of the procedure
   const Mesh& mesh;
-  const ContactModel* contact = nullptr;        ///< of region and mesh; null: nothing touches
-  std::span<const StartOverlap> overlaps = {};  ///< of contact surfaces, on this mesh
+  const ContactModel* contact = nullptr;  ///< of region and mesh; null: nothing touches
+  /// Of contact surfaces, on this mesh; found anew where a state is taken over.
+  std::span<const StartOverlap> overlaps = {};
+  /// That of the procedure before, over when this one begins: what PROCEDURAL TRANSFER takes its state from,
+  /// until then; null: there is none.
+  const Simulation* earlier = nullptr;
 };
 
 /// What a run needs for its outputs besides its input.
@@ -33,6 +39,8 @@ struct RunSettings {
   std::vector<RunFile> kept_files;          ///< that no output may replace
   /// Takes what heartbeats write to cout, cerr, log, ...
   std::function<void(std::string_view)> write_text = [](std::string_view) {};
+  /// The last step ends at the termination time, where another procedure goes on; else at it or past it.
+  bool ends_on_time = false;
 };
 
 }  // namespace contactsim

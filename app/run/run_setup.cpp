@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/run/simulation.hpp"
 #include "core/base/errors.hpp"
 #include "core/death/death_sets.hpp"
 #include "core/definition/procedure.hpp"
@@ -56,6 +57,16 @@ std::optional<LoadSchedule> find_load_schedule(const RunInput& input, Diagnostic
   return make_load_schedule(input.definition, input.procedure, input.region, diagnostics);
 }
 
+std::optional<StateTransfer> find_transfer(const RunInput& input, const ConditionScope& scope,
+                                           const Model& model) {
+  if (input.earlier == nullptr || input.procedure.transfers.empty()) return std::nullopt;
+  const Simulation& earlier = *input.earlier;
+  StateTransfer transfer = find_state_transfer(scope, input.procedure.transfers, earlier.model(), model);
+  // What load steps move by in their time is no motion.
+  transfer.takes_velocities = earlier.load_steps() == nullptr;
+  return transfer;
+}
+
 }  // namespace
 
 Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
@@ -85,13 +96,16 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   set_rigid_velocities(scope, model.rigid, initial.velocity);
   auto death_sets = find_death_sets(scope, model);
   refuse_inertia(input, model, initial, diagnostics);
+  auto transfer = find_transfer(input, scope, model);
   if (input.procedure.implicit_by) make_static(model);
+  if (transfer) keep_drilling(*transfer, input.earlier->model(), model);
   return {std::move(model),
           std::move(external),
           std::move(initial),
           std::move(control),
           find_load_schedule(input, diagnostics),
-          std::move(death_sets)};
+          std::move(death_sets),
+          std::move(transfer)};
 }
 
 }  // namespace contactsim

@@ -56,6 +56,7 @@ void Simulation::begin() {
 
 void Simulation::begin_anew() {
   Parts& run = *parts_;
+  run.take_over();
   run.start_anew();
   notify(RunEvent::begun);
   run.energy_warnings.begin(run.state);
@@ -160,6 +161,7 @@ void Simulation::write(bool is_last) {
   add_time(parts_->output_seconds, [&] { parts_->outputs.write(parts_->state, is_last); });
 }
 
+const Procedure& Simulation::procedure() const { return parts_->input.procedure; }
 const Mesh& Simulation::mesh() const { return parts_->input.mesh; }
 const Model& Simulation::model() const { return parts_->setup.model; }
 const State& Simulation::state() const { return parts_->state; }
@@ -172,7 +174,7 @@ const LoadSteps* Simulation::load_steps() const {
 }
 const StepReport& Simulation::start_report() const { return parts_->at_start; }
 const std::optional<std::string>& Simulation::failure() const { return parts_->failure; }
-const std::optional<std::string>& Simulation::end() const { return parts_->end; }
+const std::optional<EarlyEnd>& Simulation::end() const { return parts_->end; }
 const std::optional<std::string>& Simulation::stopped_by() const { return parts_->stopped_by; }
 double Simulation::seconds() const { return parts_->whole_seconds; }
 std::vector<PartTime> Simulation::part_times() const { return parts_->times(); }

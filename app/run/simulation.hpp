@@ -17,6 +17,7 @@
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/dynamics/time_step.hpp"
+#include "core/output/termination.hpp"
 
 namespace contactsim {
 
@@ -73,8 +74,8 @@ class Simulation {
   /// run could not write, SolveError.
   RunEstimate estimate();
 
-  /// Completes the state of the start, or restores that of an earlier run where the definition says so, and
-  /// writes what is due. Throws FileError, SolveError.
+  /// Takes over what RunInput::earlier says and completes the state of the start, or restores that of an
+  /// earlier run where the definition says so, and writes what is due. Throws FileError, SolveError.
   void begin();
   /// Whether the termination time has come, a SOLUTION TERMINATION holds, or stop() was called.
   bool is_over() const;
@@ -90,6 +91,7 @@ class Simulation {
   /// Stores a state to resume from now, if the region has RESTART DATA. Throws FileError.
   void store_restart();
 
+  const Procedure& procedure() const;
   const Mesh& mesh() const;
   const Model& model() const;
   const State& state() const;
@@ -105,7 +107,7 @@ class Simulation {
 
   const StepReport& start_report() const;             ///< of begin(), unless it resumed
   const std::optional<std::string>& failure() const;  ///< what the SolveError said
-  const std::optional<std::string>& end() const;      ///< why the run ends before its termination time
+  const std::optional<EarlyEnd>& end() const;         ///< why the run ends before its termination time
   const std::optional<std::string>& stopped_by() const;
   /// What contact without springs gave out to come out of overlaps of the mesh [energy].
   double given_out_by_overlaps() const;

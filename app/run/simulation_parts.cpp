@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -19,7 +20,7 @@ namespace {
 
 /// Throws DeckError for what cannot be run.
 Setup set_up_or_stop(const RunInput& input, Diagnostics& diagnostics) {
-  refuse_what_is_missing(input.procedure, input.region, diagnostics);
+  refuse_what_is_missing(input, diagnostics);
   if (input.contact != nullptr) {
     const auto& control = input.procedure.time_control;
     const LawScope laws{
@@ -42,6 +43,12 @@ std::unique_ptr<RunDeath> make_death(const ConditionScope& scope, Setup& setup, 
   if (scope.region.element_deaths.empty()) return nullptr;
   return std::make_unique<RunDeath>(scope, setup.death_sets, outputs.variables(),
                                     DeathParts{setup.external, contact});
+}
+
+/// Has the last two steps be of equal size, so that none vanishes, and end at a time.
+StepTarget make_last_target(double time) {
+  const double round_off = 1e-12 * std::abs(time);
+  return {[=](double now) { return time - now > round_off ? std::optional(time) : std::nullopt; }, 2};
 }
 
 }  // namespace
@@ -86,6 +93,7 @@ void Simulation::Parts::prepare_files() {
   check_files();
   for (StepTarget& target : outputs.step_targets()) setup.control.add_target(std::move(target));
   if (auto target = restart.step_target()) setup.control.add_target(std::move(*target));
+  if (settings.ends_on_time) setup.control.add_target(make_last_target(setup.control.termination_time()));
 }
 
 void Simulation::Parts::check_files() const {
@@ -94,9 +102,20 @@ void Simulation::Parts::check_files() const {
   check_output_paths(settings.kept_files, paths);
 }
 
-std::optional<std::string> Simulation::Parts::find_end() {
+std::optional<EarlyEnd> Simulation::Parts::find_end() {
   const auto found = outputs.check_termination(state);
-  return contact && input.region.contact->overlap_removal.is_all_there_is ? "OVERLAP REMOVAL ONLY" : found;
+  const bool removes_overlap_alone = contact && input.region.contact->overlap_removal.is_all_there_is;
+  return removes_overlap_alone ? EarlyEnd{"OVERLAP REMOVAL ONLY"} : found;
+}
+
+void Simulation::Parts::take_over() {
+  if (!setup.transfer) return;
+  contactsim::take_over(*setup.transfer, input.earlier->model(), input.earlier->state(), setup.model, state);
+  if (death) death->begin(state);
+  if (!contact) return;
+  overlaps = find_start_overlaps(contact->model(), input.mesh.with_coordinates(state.coordinates),
+                                 *input.region.contact);
+  input.overlaps = overlaps;
 }
 
 void Simulation::Parts::advance() {
@@ -104,7 +123,7 @@ void Simulation::Parts::advance() {
 }
 
 void Simulation::Parts::start_anew() {
-  if (load_steps) return load_steps->start();
+  if (load_steps) return load_steps->start(setup.transfer.has_value());
   at_start = start(setup.model, terms(), setup.control, state);
   if (contact) contact->warn_of_start(diagnostics);
   // The step of rigid bodies alone is a proposal; contact makes its stiffness after it.

@@ -32,15 +32,18 @@ struct Simulation::Parts {
   void prepare_files();
   /// Throws FileError when a file of the run would replace what must be kept, or cannot be written.
   void check_files() const;
+  /// The state that the procedure before has come to becomes that of the start, as far as it is taken over.
+  void take_over();
   /// Finds the forces of the start, and what they warn of.
   void start_anew();
   /// Moves the state by a step, explicit or to the next equilibrium. Throws SolveError.
   void advance();
   /// Why the run ends with its state, if it does.
-  std::optional<std::string> find_end();
+  std::optional<EarlyEnd> find_end();
   std::vector<PartTime> times() const;
 
-  const RunInput input;
+  RunInput input;
+  std::vector<StartOverlap> overlaps;  // of contact with what was taken over
   const RunSettings settings;
   Diagnostics& diagnostics;
   Setup setup;
@@ -57,7 +60,7 @@ struct Simulation::Parts {
   EnergyWarnings energy_warnings;
   std::vector<Observer> observers;
   StepReport at_start;
-  std::optional<std::string> end;         // why the run ends before its termination time
+  std::optional<EarlyEnd> end;            // why the run ends before its termination time
   std::optional<std::string> stopped_by;  // a signal, say
   std::optional<std::string> failure;
   double begun = 0.0;  // of the clock [s]

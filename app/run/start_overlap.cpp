@@ -129,6 +129,10 @@ std::string names_of(const ContactModel& model, PairIndex pair) {
 void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overlaps,
                       IndexedSpan<PairIndex, const double> stored, Diagnostics& warnings) {
   if (input.contact == nullptr || input.region.contact->overlap_removal.is_on()) return;
+  const bool takes_over = input.earlier != nullptr && !input.procedure.transfers.empty();
+  const char* hint = takes_over ? "the state that is taken over has them there"
+                                : "INITIAL OVERLAP REMOVAL = ON in the contact definition moves them apart "
+                                  "before the first step";
   for (const StartOverlap& overlap : overlaps) {
     const SurfacePair& pair = input.contact->pairs[overlap.pair];
     const bool is_tied = row_of(*pair.law).holding == ContactLaw::tied;
@@ -140,9 +144,7 @@ void warn_of_overlaps(const RunInput& input, std::span<const StartOverlap> overl
     if (!stored.empty() && stored[overlap.pair] > 0.0)
       text += fmt::format("; contact stores {:.4g} of energy in it, which the bodies will get",
                           stored[overlap.pair]);
-    warnings.add_warning("overlap-at-start", pair.location, text,
-                         "INITIAL OVERLAP REMOVAL = ON in the contact definition moves them apart before the "
-                         "first step");
+    warnings.add_warning("overlap-at-start", pair.location, text, hint);
   }
 }
 

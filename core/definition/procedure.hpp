@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "core/definition/entity_set.hpp"
 #include "core/definition/region.hpp"
 #include "core/definition/time_control.hpp"
 
 namespace contactsim {
 
-/// BEGIN PROCEDURAL TRANSFER <name>: takes the state over from the procedure before.
+/// BEGIN PROCEDURAL TRANSFER <name>: takes the state of blocks over from the procedure before.
 struct ProceduralTransfer {
   DeckName name;
-  bool includes_all_blocks = false;
-  std::vector<DeckName> blocks;
+  EntitySet set;  ///< blocks alone
 };
 
 /// The block that makes a procedure implicit.

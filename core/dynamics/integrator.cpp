@@ -162,7 +162,7 @@ void update_energies(const EnergyBalance& balance, State& state) {
   state.begun = balance.begun;
   state.momentum = balance.momentum;
   const double seen = balance.conserved + balance.unseen;
-  if (state.step == 0) energies.start = seen + energies.contact;
+  if (state.step == 0) energies.start += seen + energies.contact;
   energies.error = seen + energies.internal + energies.contact - energies.external - energies.start;
   for (const double term : {energies.kinetic, energies.internal, energies.external, energies.contact})
     energies.largest = std::max(energies.largest, std::abs(term));

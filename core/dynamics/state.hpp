@@ -53,7 +53,8 @@ struct Energies {
   /// energy has too much. Source: Krieg and Key, in: Numerical and Computer Methods in Structural Mechanics,
   /// Academic Press (1973) 237-258 [energy].
   double unseen = 0.0;
-  double start = 0.0;    ///< kinetic energy at the start, as the error takes it [energy]
+  double start =
+      0.0;  ///< what the error is 0 with: kinetic energy at the start, what was taken over [energy]
   double largest = 0.0;  ///< of the terms so far, to compare the error with [energy]
 };
 

@@ -124,10 +124,10 @@ void OutputPlan::open_files() {
         settings_.writers.open_heartbeat(heartbeat.plan.file, value_names(heartbeat.plan.values));
 }
 
-std::optional<std::string> OutputPlan::check_termination(const State& state) {
+std::optional<EarlyEnd> OutputPlan::check_termination(const State& state) {
   const OutputContext context{model_, state};
   user_outputs_.compute(context, !terminations_.is_empty() || settings_.always_computes);
-  return terminations_.find_reason(context);
+  return terminations_.find_end(context);
 }
 
 bool OutputPlan::find_due(const OutputTime& now) {

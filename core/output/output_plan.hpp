@@ -42,9 +42,8 @@ class OutputPlan {
   OutputPlan& operator=(const OutputPlan&) = delete;
 
   /// Brings what the deck computes to the state, and says whether a SOLUTION TERMINATION ends the run with
-  /// it: why, in words. To be called once for the state of the start and that after every step, before
-  /// write().
-  std::optional<std::string> check_termination(const State& state);
+  /// it. To be called once for the state of the start and that after every step, before write().
+  std::optional<EarlyEnd> check_termination(const State& state);
 
   /// Writes what is due.
   ///   is_last  the run ends with this state

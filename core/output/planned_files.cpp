@@ -21,12 +21,6 @@ bool has_lines(const OutputSchedule& schedule) {
          !schedule.additional_times.empty() || !schedule.additional_steps.empty();
 }
 
-bool is_log(const std::string& stream) {
-  constexpr std::array names{"cout", "stdout", "cerr", "stderr", "clog", "log", "output", "outputp0"};
-  const std::string folded = fold(stream);
-  return std::find(names.begin(), names.end(), folded) != names.end();
-}
-
 /// That of the file, else that of the deck: of its TITLE, else behind BEGIN SIERRA.
 std::string title_of(const SimulationDefinition& definition, const OutputDatabase& database) {
   if (!database.title.empty()) return database.title;
@@ -50,6 +44,12 @@ std::vector<std::vector<std::string>> names_of_blocks(const ConditionScope& scop
 }
 
 }  // namespace
+
+bool goes_to_log(const HeartbeatOutput& output) {
+  constexpr std::array names{"cout", "stdout", "cerr", "stderr", "clog", "log", "output", "outputp0"};
+  const std::string folded = output.stream ? fold(output.stream->text) : "";
+  return std::find(names.begin(), names.end(), folded) != names.end();
+}
 
 ResultsOutput make_default_results() {
   ResultsOutput output;
@@ -99,7 +99,7 @@ PlannedHeartbeat plan_heartbeat(const ConditionScope& scope, const HeartbeatOutp
     scope.diagnostics.add_warning("units-line-left-out", output.name.location,
                                   "UNITS LINE does nothing here: programs read SPYHIS by its form");
   }
-  PlannedHeartbeat plan{{is_log(path) ? "" : path, output, {}},
+  PlannedHeartbeat plan{{goes_to_log(output) ? "" : path, output, {}},
                         has_lines(schedule),
                         OutputTimes(schedule, every_step),
                         make_single_values(variables, output.variables, "_", scope.diagnostics)};

@@ -26,6 +26,9 @@ struct PlannedHeartbeat {
   RequestedFields values;
 };
 
+/// Whether the lines of a heartbeat go to the log, as those of STREAM NAME = COUT, LOG and the like.
+bool goes_to_log(const HeartbeatOutput& output);
+
 /// The results of a run that is asked for a file by the command line alone.
 ResultsOutput make_default_results();
 

@@ -34,6 +34,7 @@ Terminations::Terminations(std::span<const SolutionTermination> definitions, con
   for (const SolutionTermination& definition : definitions) {
     Block& block = blocks_.emplace_back();
     block.skipped_times = definition.skipped_times;
+    block.scope = definition.scope;
     for (const TerminationCriterion& criterion : definition.criteria) {
       Diagnostics problems;
       const auto selection = find_selection(variables, criterion.location, criterion.test.variable, problems);
@@ -68,7 +69,7 @@ std::optional<double> Terminations::find_fulfilling(const Criterion& criterion,
   return found;
 }
 
-std::optional<std::string> Terminations::find_reason(const OutputContext& context) const {
+std::optional<EarlyEnd> Terminations::find_end(const OutputContext& context) const {
   const double time = context.state.time;
   for (const Block& block : blocks_) {
     const bool is_skipped = std::any_of(block.skipped_times.begin(), block.skipped_times.end(),
@@ -78,8 +79,9 @@ std::optional<std::string> Terminations::find_reason(const OutputContext& contex
       const auto found = find_fulfilling(criterion, context);
       if (!found) continue;
       const VariableTest& test = criterion.definition.test;
-      return fmt::format("{} is {:.6g} {} {:.6g}", test.variable.name.text, *found, symbol(test.comparison),
-                         test.value);
+      return EarlyEnd{fmt::format("{} is {:.6g} {} {:.6g}", test.variable.name.text, *found,
+                                  symbol(test.comparison), test.value),
+                      block.scope == SolutionTermination::Scope::procedure};
     }
   }
   return std::nullopt;

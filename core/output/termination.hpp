@@ -11,6 +11,12 @@
 
 namespace contactsim {
 
+/// Why a run ends before its termination time.
+struct EarlyEnd {
+  std::string reason;                 ///< in words
+  bool ends_procedure_alone = false;  ///< TERMINATE TYPE = PROCEDURE: the procedures after it are run
+};
+
 /// The SOLUTION TERMINATION blocks of a region: what ends the run early.
 /// Source: Sierra/SM 5.22, solution termination.
 class Terminations {
@@ -19,9 +25,9 @@ class Terminations {
   Terminations(std::span<const SolutionTermination> definitions, const OutputVariables& variables,
                Diagnostics& diagnostics);
 
-  /// Why the run ends with a state, in words; nothing when it goes on. A value that is not a number fulfils
-  /// no criterion.
-  std::optional<std::string> find_reason(const OutputContext& context) const;
+  /// Why the run ends with a state; nothing when it goes on. A value that is not a number fulfils no
+  /// criterion.
+  std::optional<EarlyEnd> find_end(const OutputContext& context) const;
 
   bool is_empty() const { return blocks_.empty(); }
 
@@ -37,6 +43,7 @@ class Terminations {
   struct Block {
     std::vector<TimeRange> skipped_times;
     std::vector<Criterion> criteria;
+    SolutionTermination::Scope scope;
   };
   std::vector<Block> blocks_;
 };

@@ -43,7 +43,7 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
   if (settings_.cg.full_tangent) tangent_ = make_tangent(problem_, graph_, *settings_.cg.full_tangent);
 }
 
-void LoadSteps::start() {
+void LoadSteps::start(bool takes_over) {
   const Motion motion = motion_of(state_, 0.0);
   terms_.internal.set_forces(motion, state_.forces.internal);
   terms_.external.set_forces(motion, state_.forces.external);
@@ -57,6 +57,8 @@ void LoadSteps::start() {
       terms_.contact->set_moments(motion, moments.contact);
     }
   }
+  problem_.begin();
+  if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
   state_.velocity.setZero();
   state_.acceleration.setZero();
   state_.next_dt = schedule_.step_at(state_.time);

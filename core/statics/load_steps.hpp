@@ -31,7 +31,9 @@ class LoadSteps {
             LoadSchedule schedule, State& state);
 
   /// Finds the forces of the start, and the first step. Throws SolveError.
-  void start();
+  ///   takes_over  the state is one that another procedure came to: what is out of balance in it is let go
+  ///               evenly over the first time stepping block
+  void start(bool takes_over = false);
   /// Brings the state to the next equilibrium. Throws SolveError when none is found however small the step:
   /// the state is then the last equilibrium.
   void advance();

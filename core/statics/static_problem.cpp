@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string>
 
 #include "core/base/errors.hpp"
 #include "core/base/optional_index.hpp"
@@ -80,6 +82,26 @@ Eigen::VectorXd StaticProblem::mean_forces(Part part) const {
 Eigen::VectorXd StaticProblem::all_forces() const {
   return forces_of(&NodalForces::internal) + forces_of(&NodalForces::external) +
          forces_of(&NodalForces::contact);
+}
+
+void StaticProblem::begin() {
+  free_ = model_.kinematic_constraints.find_free_directions(state_.time);
+  if (state_.rotations.exist())
+    free_rotations_ = model_.rotation_constraints.find_free_directions(state_.time);
+  largest_reference_ = reference_now();
+}
+
+void StaticProblem::let_go_until(double time) {
+  held_ = all_forces();
+  project(held_);
+  held_from_ = state_.time;
+  held_until_ = time;
+}
+
+/// How much of it is still held [1].
+double StaticProblem::share_held(double time) const {
+  if (held_.size() == 0) return 0.0;
+  return std::clamp((held_until_ - time) / (held_until_ - held_from_), 0.0, 1.0);
 }
 
 void StaticProblem::remember() {
@@ -166,6 +188,7 @@ bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& 
     return false;
   }
   residual = all_forces();
+  if (const double share = share_held(state_.time); share > 0.0) residual -= share * held_;
   project(residual);
   return true;
 }
@@ -179,7 +202,9 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   const Eigen::VectorXd external = mean_forces(&NodalForces::external);
   const Eigen::VectorXd contact = mean_forces(&NodalForces::contact);
   const Eigen::VectorXd all = internal + external + contact;
+  const double share = 0.5 * (share_held(time_) + share_held(state_.time));
   Eigen::VectorXd free = all;
+  if (share > 0.0) free -= share * held_;
   project(free);
   largest_reference_ = std::max(largest_reference_, reference_now());
   Energies& energies = state_.energies;
@@ -196,7 +221,7 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   }
   energies.hourglass = 0.0;
   for (const ModelBlockState& block : state_.blocks) energies.hourglass += block.hourglass_work;
-  energies.error = energies.internal + energies.contact - energies.external;
+  energies.error = energies.internal + energies.contact - energies.external - energies.start;
   for (const double term : {energies.internal, energies.external, energies.contact})
     energies.largest = std::max(energies.largest, std::abs(term));
 }
@@ -251,6 +276,11 @@ double StaticProblem::round_off() const {
 
 void StaticProblem::archive(StateArchive& saved) {
   saved.numbers("run/largest_reference", largest_reference_);
+  const std::string name = "run/out_of_balance";
+  if (saved.restores() ? !saved.has(name) : held_.size() == 0) return;
+  held_.resize(size());
+  saved.fixed(name, std::span(held_.data(), static_cast<std::size_t>(held_.size())));
+  saved.numbers(name + "_times", held_from_, held_until_);
 }
 
 double StaticProblem::reference_now() const {

@@ -26,6 +26,12 @@ class StaticProblem final : public Equilibrium {
   /// Unknowns: 3 a node, 6 where nodes turn.
   Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
 
+  /// To be called once the forces of the start are known: what was taken over may come back to rest without
+  /// loads.
+  void begin();
+  /// To be called after it where a state is taken over: what is out of balance in it, such as what inertia
+  /// bore, goes on to be held, less and less until a time.
+  void let_go_until(double time);
   /// Begins a step at the state: fixed and prescribed directions and what is remembered are those of now.
   ///   dt  of the step [time]
   /// Throws SolveError when a condition has no finite value.
@@ -84,6 +90,7 @@ class StaticProblem final : public Equilibrium {
   static constexpr double probe_angle = 1e-6;
 
   double reference_now() const;
+  double share_held(double time) const;
   void remember();
   void recall_elements();
   void move_to(const Eigen::VectorXd& increment);
@@ -110,6 +117,8 @@ class StaticProblem final : public Equilibrium {
   double longest_motion_ = std::numeric_limits<double>::infinity();  // [length]
   double dt_ = 0.0;
   double largest_reference_ = 0.0;  // of accepted steps
+  Eigen::VectorXd held_;            // out of balance in what was taken over; empty: nothing
+  double held_from_ = 0.0, held_until_ = 0.0;
   std::vector<FreeDirections> free_, free_rotations_;
   Eigen::VectorXd prescribed_;
   // Of the state at the start of the step.

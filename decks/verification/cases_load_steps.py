@@ -5,9 +5,10 @@ import math
 import numpy as np
 
 from cases import case
-from cases_solids import brick, energy_check, thick_cylinder_mesh
+from cases_shells import frequency_of
+from cases_solids import brick, cantilever_mesh, energy_check, thick_cylinder_mesh
 from mesh_maker import MeshMaker
-from runs import Check
+from runs import Check, at_most
 
 
 @case()
@@ -54,3 +55,33 @@ def static_plastic_bar(bench):
     return [Check("stress at 1 %", pulled, run["stress"][10], 1e-3),
             Check("stress at 0.9 % on the way back", pulled - 0.001 * modulus, run["stress"][20], 1e-3, pulled),
             energy_check(run, ["external_energy"])]
+
+
+def arch_mesh(n):
+    """A quarter of a circle of shells, from its foot on the x axis to its tip on the z axis."""
+    mesh = MeshMaker(lambda angle, y, z: (math.cos(angle), y, math.sin(angle)))
+    mesh.shells("beam", (0, 0, 0), (math.pi / 2, 0.1), (n, 2), 0.02)
+    mesh.node_set("clamped", lambda angle, y, z: angle == 0)
+    return mesh
+
+
+@case()
+def preload(bench, n=4):
+    checks = []
+    for section in ("solid", "plastic", "shell"):
+        run = bench.run("preload", arch_mesh(4 * n) if section == "shell" else cantilever_mesh(n), section=section)
+        time, kinetic = run["Time"], run["kinetic_energy"]
+        held = (time >= 1) & (time <= 1.001)
+        checks += [at_most(f"{section}: kinetic over strain energy after the preload",
+                           np.max(kinetic[held]) / run["internal_energy"][held][0], 1e-8),
+                   Check(f"{section}: energy balance", 0.0, np.max(np.abs(run["energy_error"][time > 1])), 1e-4,
+                         np.max(run["internal_energy"]))]
+        if section == "solid":
+            exact = 1.875104 ** 2 / (2 * math.pi) * math.sqrt(200e9 / 7800 * 0.05 ** 2 / 12)
+            swings = time > 1.001
+            checks += [Check("steps at rest, 100 at least", 100, min(np.sum(held), 100), 0.0),
+                       Check("frequency after the release [Hz]", exact, frequency_of(time[swings], run["tip"][swings]),
+                             0.03),
+                       Check("kinetic energy there, over the strain energy before", 1.0,
+                             np.max(kinetic[swings]) / run["internal_energy"][held][0], 0.02)]
+    return checks

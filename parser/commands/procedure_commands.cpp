@@ -5,6 +5,7 @@
 
 #include "parser/commands/block_rows.hpp"
 #include "parser/commands/region_commands.hpp"
+#include "parser/commands/row_lists.hpp"
 #include "parser/commands/time_commands.hpp"
 
 namespace contactsim {
@@ -14,11 +15,18 @@ namespace {
 using Procedures = std::vector<Procedure>;
 
 const Table<ProceduralTransfer>& transfer_table() {
-  using T = ProceduralTransfer;
-  static const Table<T> table({
-      flag("include all blocks", &T::includes_all_blocks, "Takes over the state of every block"),
-      row("block", read::names_of(NameKind::block), &T::blocks, "Blocks whose state is taken over"),
-  });
+  using E = EntitySet;
+  static const Choice must_take_blocks{"takes over the state of no block", ""};
+  static const Table<ProceduralTransfer> table(lift_all(
+      joined<E>(
+          {one_of<E>(
+               must_take_blocks,
+               {flag("include all blocks", &E::includes_all_blocks, "Takes over the state of every block"),
+                row("block", read::names_of(NameKind::block), &E::blocks,
+                    "Blocks whose state is taken over: stresses, what materials remember, motion")}),
+           {row("remove block", read::names_of(NameKind::block), &E::removed_blocks,
+                "Blocks that start from the mesh all the same")}}),
+      &ProceduralTransfer::set));
   return table;
 }
 

@@ -138,20 +138,18 @@ TEST_CASE("a check finds files that cannot be written", "[app][check]") {
   CHECK_THAT(err, Contains("no/such/a.e: there is no folder 'no/such' to write it to"));
 }
 
-TEST_CASE("a second procedure is an error, of which lenient users are told", "[app][check]") {
+TEST_CASE("a check finds what any procedure of a deck would refuse", "[app][check]") {
   const Boxes boxes(contact, Boxes::procedure("q", "s", ""));
-  for (const char* stage : {"--check", "--log"}) {
-    const std::vector<std::string> line = stage == std::string("--log")
-                                              ? std::vector<std::string>{"a.i", stage, "b.log"}
-                                              : std::vector<std::string>{"a.i", stage};
-    const auto [code, out, err] = boxes.run(line);
-    CHECK(code == 2);
-    CHECK_THAT(err, Contains("error: a second procedure in one deck is not supported; 'p' would be run"));
-  }
-  CHECK(boxes.run({"a.i", "--tables"}).exit_code == 0);
-  const auto [code, out, err] = boxes.run({"a.i", "--lenient"});
+  const auto [code, out, err] = boxes.run({"a.i", "--check"});
   CHECK(code == 0);
-  CHECK_THAT(err, Contains("warning: the procedure 'q' is passed over; that of 'p' is taken [deck-region]"));
+  CHECK_THAT(err,
+             Contains("warning: the procedure 'q' starts from the mesh: it takes over nothing from 'p'"));
+  CHECK_THAT(out,
+             Contains("\nProcedure p: explicit, region r, time 0 to 0.001\n\nA run of this deck\n") &&
+                 Contains("\nProcedure q: explicit, region s, time 0 to 0.001\n  starts from the mesh\n"));
+  CHECK(Boxes(contact, Boxes::procedure("q", "s", "begin gravity\nblock = lov\ncomponent = z\nend\n"))
+            .run({"a.i", "--check"})
+            .exit_code == 2);
 }
 
 TEST_CASE("strict runs do not begin with a warning, and end with exit code 2", "[app][check]") {

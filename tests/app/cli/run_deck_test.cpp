@@ -178,13 +178,17 @@ TEST_CASE("a deck without contact writes empty tables", "[app][simulation]") {
   CHECK(directory.has("s.exo"));
 }
 
-TEST_CASE("of several regions with contact the first is resolved, and that is told", "[app][simulation]") {
+TEST_CASE("the regions of all procedures are resolved, files of surfaces hold the first",
+          "[app][simulation]") {
   const WithMesh directory(deck_of_regions(
       {"begin contact definition\ncontact surface one contains left\n" + self_contact + "end\n",
        "begin contact definition\ncontact surface two contains right\nend\n"}));
-  const auto [code, out, err] = directory.run({"a.i", "--tables"});
+  const auto [code, out, err] = directory.run({"a.i", "--tables", "--surfaces-csv", "s.csv"});
   CHECK(code == 0);
-  CHECK_THAT(out, Contains("   1  one ") && !Contains("   1  two "));
+  CHECK_THAT(out, Contains("\nProcedure p1: ") && Contains("   1  one ") && Contains("\nProcedure p2: ") &&
+                      Contains("   1  two "));
   CHECK_THAT(err,
-             Contains("warning: the procedure 'p2' is passed over; that of 'p1' is taken [deck-region]\n"));
+             Contains("warning: the files of surfaces do not hold those of the procedure 'p2'; they hold "
+                      "those of 'p1' [deck-region]\n"));
+  CHECK_THAT(directory.read("s.csv"), Contains("\none,") && !Contains("\ntwo,"));
 }

@@ -53,13 +53,13 @@ class PlannedRun {
   }
   /// Runs to a step, or to where the deck ends the run. Returns why.
   std::optional<std::string> advance(OutputPlan& plan, int n_steps) {
-    std::optional<std::string> end;
+    std::optional<EarlyEnd> end;
     for (int step = 0; step <= n_steps && !end; ++step) {
       set_step(step);
       end = plan.check_termination(run.state);
       plan.write(run.state, end || step == n_steps);
     }
-    return end;
+    return end ? std::optional(end->reason) : std::nullopt;
   }
   Names messages() const {
     Names messages;

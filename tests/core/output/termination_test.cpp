@@ -28,7 +28,7 @@ std::string reason(const SampleRun& run, const SolutionTermination& definition) 
   Diagnostics diagnostics;
   const Terminations terminations({&definition, 1}, variables, diagnostics);
   CHECK(diagnostics.empty());
-  return terminations.find_reason(run.context()).value_or("");
+  return terminations.find_end(run.context()).value_or(EarlyEnd{}).reason;
 }
 
 std::string reason(const SampleRun& run, const TerminationCriterion& one) {

@@ -53,16 +53,30 @@ TEST_CASE("two procedures may be joined by a transfer", "[parser][procedure]") {
       "begin adagio procedure load\nbegin adagio region a\nuse finite element model m\nend\nend\n"
       "begin presto procedure hit\n"
       "begin procedural transfer t\ninclude all blocks\nend\n"
-      "begin procedural transfer u\nblock = a b\nend\n"
+      "begin procedural transfer u\nblock = a b\nremove block = b\nend\n"
       "begin presto region b\nuse finite element model m\nend\nend\n"
       "begin finite element model m\nend\n");
   CHECK(deck.messages == "");
   REQUIRE(deck.simulation.procedures.size() == 2);
   const auto& transfers = deck.simulation.procedures[1].transfers;
   REQUIRE(transfers.size() == 2);
-  CHECK(transfers[0].includes_all_blocks);
-  CHECK(transfers[1].blocks.size() == 2);
+  CHECK(transfers[0].set.includes_all_blocks);
+  CHECK(transfers[1].set.blocks.size() == 2);
+  CHECK(transfers[1].set.removed_blocks.size() == 1);
   CHECK_FALSE(deck.simulation.procedures[1].implicit_by);
+}
+
+TEST_CASE("a transfer names blocks", "[parser][procedure]") {
+  const auto messages = [](const std::string& line) {
+    return parsed_sierra("begin presto procedure hit\nbegin procedural transfer t\n" + line +
+                         "end\nbegin presto region b\nuse finite element model m\nend\nend\n"
+                         "begin finite element model m\nend\n")
+        .messages;
+  };
+  CHECK(messages("") ==
+        "a.i:3:27: error: the procedural transfer 't' takes over the state of no block; give it INCLUDE ALL "
+        "BLOCKS or BLOCK\n");
+  CHECK_THAT(messages("include all blok\n"), Catch::Matchers::Contains("did you mean 'include all blocks'?"));
 }
 
 TEST_CASE("a procedure has one time control", "[parser][procedure]") {
