@@ -48,8 +48,9 @@ void RunLog::write_start(const Simulation& run, bool is_resumed) {
   if (!is_resumed) log_.write(format_model(run.model(), run.start_report()));
   if (!is_resumed && run.contact_force() != nullptr)
     log_.write(format_contact_start(*run.contact_force(), *run.contact_model(), run.untied(), run.mesh()));
-  log_.write(format_paths(run.output_paths()) +
-             (run.load_steps() != nullptr ? load_step_heading() : step_heading()));
+  log_.write(format_paths(run.output_paths()) + (run.load_steps() != nullptr
+                                                     ? load_step_heading(run.contact_force() != nullptr)
+                                                     : step_heading()));
   if (!log_.is_quiet()) progress_.emplace(run.control().start_time(), run.control().termination_time());
 }
 
@@ -64,8 +65,9 @@ void RunLog::write_step(const Simulation& run, bool is_last) {
   const std::int64_t interval = control.periods()[control.period_at(state.time)].parameters.step_interval;
   if ((is_last || state.step % interval == 0) && last_line_ != state.step) {
     if (progress_) progress_->wipe();
-    log_.write(run.load_steps() != nullptr ? format_load_step(state, run.load_steps()->report())
-                                           : format_step(state));
+    log_.write(run.load_steps() != nullptr
+                   ? format_load_step(state, run.load_steps()->report(), run.contact_force() != nullptr)
+                   : format_step(state));
     last_line_ = state.step;
   }
   if (!is_last && progress_ && state.step > 0) progress_->show(state.time);

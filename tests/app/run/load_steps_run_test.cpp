@@ -129,8 +129,6 @@ TEST_CASE("what load steps do not know is refused", "[app][statics]") {
     CHECK(code == 2);
     return err;
   };
-  CHECK_THAT(refusal("begin contact definition c\nskin all blocks = on\nend\n"),
-             Contains("contact in a quasi-static procedure is not supported"));
   CHECK_THAT(refusal("begin initial velocity\nblock = bar\ncomponent = x\nmagnitude = 1\nend\n"),
              Contains("an initial velocity in a quasi-static procedure is not supported"));
   CHECK_THAT(refusal("begin initial condition\nblock = bar\nvariable type = node\ninitialize variable name = "

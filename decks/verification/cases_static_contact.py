@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Contact in load steps."""
+import itertools
+import math
+
+import numpy as np
+
+from cases import FORMULATIONS, balances, case
+from cases_hertz import ball, ball_on_ball, contact_size
+from cases_static import blocks
+from runs import Check, at_most
+
+
+def last_error(run, stress):
+    """The largest error of the stress of an element at the end."""
+    errors = [np.abs(run.element("stress_zz", block)[-1] / stress - 1) for block in (1, 2)]
+    return max(np.max(e) for e in errors)
+
+
+@case()
+def static_patch(bench):
+    checks, runs = [], []
+    for form, nu in itertools.product(FORMULATIONS, (0.0, 0.3)):
+        for lower, upper in ((2, 2), (3, 2), (2, 3), (4, 2)):
+            runs.append(bench.run("static_patch", blocks(lower, upper), form=form, nu=nu))
+            label = f"{form}, {upper}x{upper} on {lower}x{lower}, nu = {nu}: error of stress"
+            checks.append(at_most(label, last_error(runs[-1], -100), 1e-3))
+    for form in FORMULATIONS:
+        run = bench.run("static_patch", blocks(3, 2), form=form, tied=1, amount=-100)
+        bar = 0.001 if form == "face_face" else 0.69
+        checks.append(at_most(f"{form}, tied: error of stress", last_error(run, 100), bar))
+    return checks + balances(runs)
+
+
+@case()
+def static_cubes(bench):
+    """Unit cubes with a given penalty, with and without multipliers."""
+    checks = []
+    exact = -1e6 * math.log(1 - 0.5e-3)
+    for form, search in itertools.product(FORMULATIONS, ("newton", "cg")):
+        with_updates = bench.run("static_patch", blocks(1, 1, 1.0, 1), form=form, search=search, load="depth", amount=1e-3,
+                                 nu=0, penalty=1e9)
+        alone = bench.run("static_patch", blocks(1, 1, 1.0, 1), form=form, search=search, load="depth", amount=1e-3, nu=0,
+                          penalty=1e9, updates=0)
+        # The strain that the spring leaves.
+        force = exact
+        for _ in range(50):
+            force = -1e6 * math.log(1 - 0.5 * (1e-3 - force / 1e9))
+        checks += [Check(f"{form}, {search}: force with multipliers", exact, -with_updates["force"][-1], 1e-6),
+                   Check(f"{form}, {search}: force of the penalty alone", force, -alone["force"][-1], 1e-6)]
+    return checks
+
+
+@case(is_long=True)
+def static_hertz(bench):
+    """ANSYS VM63, and code_aster SSNV104 at a small approach; a/R as in hertz.i."""
+    checks, runs = [], []
+    for approach, step, missed in ((0.05, 0.08, None), (0.12742, 0.126, 0.045)):
+        run = bench.run("static_hertz", ball(8, step), amount=approach)
+        size, force = math.sqrt(8 * approach), 4 / 3 * 1000 / 0.91 * math.sqrt(8) * approach ** 1.5
+        checks += [Check(f"approach of {approach} mm: force", force, 4 * run["force"][-1], 0.03, known_miss=missed),
+                   Check(f"approach of {approach} mm: largest pressure", 1.5 * force / (math.pi * size ** 2),
+                         -np.mean(run.element("stress_zz", 1)[-1, 0]), 0.05),
+                   Check(f"approach of {approach} mm: radius of contact", size, contact_size(run), step, 1.0)]
+    runs.append(bench.run("static_hertz", ball_on_ball(50, 0.2, 16, 12), youngs=20e3, nu=0.3, density=2e-9, base="body",
+                          amount=0.1))
+    force = 4 / 3 * 10e3 / 0.91 * math.sqrt(25) * 0.1 ** 1.5
+    checks.append(Check("two balls: force", force, 4 * runs[-1]["force"][-1], 0.03))
+    return checks + balances(runs, tolerance=0.1)
