@@ -38,11 +38,14 @@ void MultigridTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z
   constexpr int max_iterations = 500;
   Eigen::VectorXd left = residual, product, step;
   const double target = tolerance * residual.norm();
-  multigrid_->apply(left, step);
-  Eigen::VectorXd direction = step;
-  double step_dot_left = step.dot(left);
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(residual.size());
+  double last = 1.0;  // step . left
   z.setZero(residual.size());
   for (int i = 0; i < max_iterations && left.norm() > target; ++i) {
+    multigrid_->apply(left, step);
+    const double now = step.dot(left);
+    direction = step + (i == 0 ? 0.0 : now / last) * direction;
+    last = now;
     multiply(matrix_, direction, product);
     const double curvature = direction.dot(product);
     if (!(curvature > 0.0)) {
@@ -51,13 +54,9 @@ void MultigridTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z
       break;
     }
     ++n_iterations_;
-    const double way = step_dot_left / curvature;
+    const double way = now / curvature;
     z += way * direction;
     left -= way * product;
-    multigrid_->apply(left, step);
-    const double now = step.dot(left);
-    direction = step + now / step_dot_left * direction;
-    step_dot_left = now;
   }
   problem_.project(z);
 }

@@ -210,20 +210,19 @@ std::int64_t predict_linearly(Equilibrium& equilibrium, const Preconditioner& pr
     if (multiply(prescribed, product)) residual -= product;
   }
   const double target = tolerance * equilibrium.norm(residual);
-  preconditioner.apply(residual, z);
-  Eigen::VectorXd direction = z;
-  double z_dot_residual = z.dot(residual);
+  Eigen::VectorXd direction = Eigen::VectorXd::Zero(residual.size());
+  double last = 1.0;  // z . residual
   for (std::int64_t i = 0; i < max_iterations && equilibrium.norm(residual) > target; ++i) {
+    preconditioner.apply(residual, z);
+    const double now = z.dot(residual);
+    direction = z + (i == 0 ? 0.0 : now / last) * direction;
+    last = now;
     if (!multiply(direction, product)) break;
     const double curvature = direction.dot(product);
     if (!(curvature > 0.0)) break;
-    const double way = z_dot_residual / curvature;
+    const double way = now / curvature;
     solution += way * direction;
     residual -= way * product;
-    preconditioner.apply(residual, z);
-    const double now = z.dot(residual);
-    direction = z + now / z_dot_residual * direction;
-    z_dot_residual = now;
   }
   // What contact alone holds drifts no farther than contact sees; prescribed motion is what it is.
   const Eigen::VectorXd free = solution - prescribed;

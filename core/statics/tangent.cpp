@@ -8,8 +8,9 @@ namespace contactsim {
 
 namespace {
 
-/// Elastic cubes of more nodes are solved sooner by multigrid than by a factor of MUMPS (README).
-constexpr std::uint32_t most_nodes_of_factor = 10000;
+/// A cube of more nodes takes a factor of MUMPS 0.7 seconds and more, multigrid a tenth of it (README); with
+/// fewer the factor, which takes any stiffness, costs hardly more than what it is made of.
+constexpr std::uint32_t most_nodes_of_factor = 5000;
 
 bool has_rotations(const StaticProblem& problem, const NodeGraph& graph) {
   return problem.size() > 3 * Eigen::Index{graph.n_nodes()};

@@ -18,7 +18,11 @@ def static_cylinder(bench, n=16):
     displacement = p * a * (1 + nu) / modulus * (a * a * (1 - 2 * nu) + b * b) / (b * b - a * a)
     explicit = bench.run("thick_cylinder", thick_cylinder_mesh(n))
     late = explicit["Time"] > 0.012
+    solved = {solver: bench.run("static_cylinder", thick_cylinder_mesh(n), solver=solver)["inner"][-1]
+              for solver in ("amg", "direct")}
     return [Check("displacement of the inner wall", displacement, run["inner"][-1], 0.01),
+            Check("the same by multigrid as by a factor", solved["direct"], solved["amg"], 1e-6),
+            Check("the same by nodal blocks", solved["direct"], run["inner"][-1], 1e-5),
             Check("the same by explicit dynamics", np.mean(explicit["inner"][late]), run["inner"][-1], 1e-3),
             Check("hoop stress by explicit dynamics", np.mean(explicit["hoop"][late]), run["hoop"][-1], 1e-3),
             Check("a third of the pressure", run["inner"][-1] / 3, run["inner"][1], 1e-4),

@@ -4,6 +4,11 @@
 # Shows load steps and the search for equilibrium with nodal blocks. Expected: the closed form of Lame, u = p a (1 + nu) / E *
 # (a^2 (1 - 2 nu) + b^2) / (b^2 - a^2) at the inner wall within 1 %, and the explicit run within 0.1 %. A third of the pressure in
 # the first step makes a third of the displacement within 1e-4.
+#
+# solver  "nodal" (default): nodal blocks; "amg" or "direct": LINEAR SOLVER of the full tangent
+# {ifndef(solver)}
+# {solver = "nodal"}
+# {endif}
 begin sierra static cylinder
   begin material steel
     density = 7800
@@ -66,6 +71,11 @@ begin sierra static cylinder
         begin cg
           target relative residual = 1e-6
           reference = belytschko
+{if(solver != "nodal")}
+          begin full tangent preconditioner
+            linear solver = {solver}
+          end
+{endif}
         end
       end
 

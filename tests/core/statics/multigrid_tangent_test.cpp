@@ -60,7 +60,7 @@ TEST_CASE("what cannot be evaluated leaves the multigrid as it is", "[core][stat
 }
 
 TEST_CASE("large solids are for multigrid, unless the deck says otherwise", "[core][statics]") {
-  StaticCube small, large({}, 22);
+  StaticCube small, large({}, 17);
   const NodeGraph small_graph(small.mesh.n_nodes(), small.mesh, small.model.blocks);
   const NodeGraph large_graph(large.mesh.n_nodes(), large.mesh, large.model.blocks);
   CHECK(choose_linear_solver(*small.problem, small_graph) == LinearSolver::direct);
