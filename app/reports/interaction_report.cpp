@@ -97,8 +97,7 @@ std::string format_settings(const std::vector<InteractionRow>& rows) {
         pair.formulation == ConstraintFormulation::node_face ? listed.lengths.tangential : LengthRange{};
     const auto capture = pair.capture_tolerance ? pair.capture_tolerance : pair.normal_tolerance;
     table.add(pair.interaction, pair.location.line, is_fixed ? "infinitesimal" : "sliding",
-              name_of(pair.enforcement),
-              length_or_auto(pair.normal_tolerance, listed.lengths.normal),
+              name_of(pair.enforcement), length_or_auto(pair.normal_tolerance, listed.lengths.normal),
               length_or_auto(pair.tangential_tolerance, beyond),
               length_or_auto(pair.overlap_normal_tolerance, listed.lengths.overlap_normal),
               number_or(pair.overlap_tangential_tolerance, "auto"),

@@ -11,8 +11,8 @@ namespace contactsim {
 /// The heading of the lines of load steps.
 std::string load_step_heading(bool has_contact);
 
-/// Step, time, step size, energies, iterations, forces left over as a share of their reference, cutbacks, with
-/// contact the updates of its multipliers; a search that was put up with is marked.
+/// Step, time, step size, energies, iterations, forces left over as a share of their reference, cutbacks,
+/// with contact the updates of its multipliers; a search that was put up with is marked.
 std::string format_load_step(const State& state, const LoadStepReport& report, bool has_contact);
 
 }  // namespace contactsim

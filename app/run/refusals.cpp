@@ -65,8 +65,14 @@ class TransferRefusals {
 void TransferRefusals::refuse_earlier() const {
   const Simulation& earlier = *input_.earlier;
   const DeckLocation& location = input_.procedure.transfers.front().name.location;
-  if (earlier.contact_force() != nullptr)
-    refuse_here(location, "contact in the procedure before", "the state of contact is not taken over yet");
+  if (earlier.contact_force() != nullptr && earlier.load_steps() == nullptr)
+    refuse_here(location, "contact in an explicit procedure before",
+                "the state of contact is not taken over yet");
+  if (earlier.contact_force() != nullptr && earlier.load_steps() != nullptr)
+    diagnostics_.add_warning("contact-begins-anew", location,
+                             "contact begins anew in what touches: what friction held along surfaces in the "
+                             "procedure before is not taken over",
+                             "");
   if (!earlier.model().rigid.empty())
     refuse_here(location, "a rigid body in the procedure before",
                 "a block of an elastic material 1000 times as stiff takes its place");

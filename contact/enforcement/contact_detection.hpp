@@ -30,7 +30,8 @@ class ContactDetection {
 
   /// Begins a step: what is known of the last one is kept, and gathered anew.
   void begin_step();
-  /// What is known of the last step may change with candidates again. Precondition: none was remembered since.
+  /// What is known of the last step may change with candidates again. Precondition: none was remembered
+  /// since.
   void undo_begin_step();
   /// The narrow phase: takes all contact points of the pairs that the context enforces, in their order.
   /// Returns those that touch under a GLUED MODEL.

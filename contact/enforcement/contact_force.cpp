@@ -175,8 +175,8 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
   }
   begin_step(motion);
   add_penalty_points(setup_.is_static() ? static_context(motion.dt, false)
-                                      : ContactStepContext{kinematics_, rules_, constrained_, motion.dt,
-                                                           motion.stable_step, &depths_});
+                                        : ContactStepContext{kinematics_, rules_, constrained_, motion.dt,
+                                                             motion.stable_step, &depths_});
   write_forces(assembler_, offset_moments_, forces);
   if (is_first) {
     set_start_depths(points_, contact_mesh_);

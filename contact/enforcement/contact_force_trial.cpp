@@ -96,9 +96,10 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
     if (!holds_multipliers(point)) continue;
     const bool is_of_second = !point.first.is_node() && has_multipliers_on_second(point);
     const ContactPointSide& side = is_of_second ? point.second : point.first;
-    const SurfaceIndex surface = contact_mesh_.faces.empty() || point.first.is_node()
-                                     ? contact_mesh_.surface_nodes[point.row()].surface
-                                     : contact_mesh_.faces[is_of_second ? point.second_face() : point.first_face()].surface;
+    const SurfaceIndex surface =
+        contact_mesh_.faces.empty() || point.first.is_node()
+            ? contact_mesh_.surface_nodes[point.row()].surface
+            : contact_mesh_.faces[is_of_second ? point.second_face() : point.first_face()].surface;
     for (std::size_t k = 0; k < 4; ++k) {
       const double weight = side.weights[static_cast<Eigen::Index>(k)];
       if (!(weight > 0.0)) continue;
@@ -130,7 +131,8 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
 /// Whether a contact point is pressed by the penalty alone, and may part.
 bool ContactForce::holds_multipliers(const ContactPoint& point) const {
   const PairRule& rule = rules_.of(point);
-  return rule.pair->enforcement == Enforcement::augmented_lagrange && !rule.acts_apart() && !point.is_of_edges && !point.pulls && rule.pair->separates && point.area > 0.0;
+  return rule.pair->enforcement == Enforcement::augmented_lagrange && !rule.acts_apart() &&
+         !point.is_of_edges && !point.pulls && rule.pair->separates && point.area > 0.0;
 }
 
 /// Multipliers of faces stand on the side with the smaller ones.

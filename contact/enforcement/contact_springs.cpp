@@ -35,8 +35,7 @@ void ContactSprings::add_corner(std::size_t corner, std::uint32_t node, const Ei
                                 ContactSpring& spring) const {
   const ContactMesh& contact_mesh = kinematics_.contact_mesh();
   const std::uint32_t mesh_node = contact_mesh.mesh_nodes[node];
-  spring.ends.push_back(
-      {mesh_node, false, static_cast<std::uint8_t>(corner), Eigen::Matrix3d::Identity()});
+  spring.ends.push_back({mesh_node, false, static_cast<std::uint8_t>(corner), Eigen::Matrix3d::Identity()});
   Eigen::Vector3d arm = beside;
   if (const std::size_t n = contact_mesh.n_mesh_points(); node >= n)
     arm += kinematics_.offsets().col(static_cast<Eigen::Index>(node - n));

@@ -37,9 +37,8 @@ void ContactMultipliers::archive(StateArchive& saved) {
   // Explicit runs have none, and their states nothing of them.
   const bool has_any = saved.restores() ? saved.has("contact/multipliers") : !entries_.empty();
   if (!has_any) return;
-  saved.rows("contact/multipliers", entries_, [](Entry& entry, RowNumbers& row) {
-    row(entry.pair.value, entry.row.value, entry.depth);
-  });
+  saved.rows("contact/multipliers", entries_,
+             [](Entry& entry, RowNumbers& row) { row(entry.pair.value, entry.row.value, entry.depth); });
   if (saved.restores()) set(std::move(entries_));
 }
 

@@ -233,15 +233,15 @@ SurfacePairs PairMaker::take() {
 /// Warns of a way of enforcement that is of the other kind of procedure.
 void warn_of_foreign_enforcement(const ContactDefinition& contact, Diagnostics& diagnostics) {
   const bool is_static = contact.enforcement.is_static;
-  const Enforcement foreign =
-      is_static ? Enforcement::momentum_balance : Enforcement::augmented_lagrange;
+  const Enforcement foreign = is_static ? Enforcement::momentum_balance : Enforcement::augmented_lagrange;
   const auto look_at = [&](const std::optional<Enforcement>& enforcement, const DeckName& name) {
     if (enforcement != foreign) return;
     diagnostics.add_warning("enforcement-of-other-procedures", name.location,
-                            is_static ? "ENFORCEMENT = MOMENTUM_BALANCE has no effect in a quasi-static "
-                                        "procedure, where nothing has momentum"
-                                      : "ENFORCEMENT = AUGMENTED_LAGRANGE has no effect in an explicit procedure, "
-                                        "where momentum is balanced",
+                            is_static
+                                ? "ENFORCEMENT = MOMENTUM_BALANCE has no effect in a quasi-static "
+                                  "procedure, where nothing has momentum"
+                                : "ENFORCEMENT = AUGMENTED_LAGRANGE has no effect in an explicit procedure, "
+                                  "where momentum is balanced",
                             is_static ? "AUGMENTED_LAGRANGE, the default, lets nothing through"
                                       : "MOMENTUM_BALANCE, the default, lets nothing through");
   };

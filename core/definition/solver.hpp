@@ -68,15 +68,15 @@ struct CgSettings {
   }
 };
 
-/// BEGIN CONTROL CONTACT: how often multipliers of contact are updated in a load step. Source: Sierra/SM 5.22,
-/// 4.4.2.
+/// BEGIN CONTROL CONTACT: how often multipliers of contact are updated in a load step. Source:
+/// Sierra/SM 5.22, 4.4.2.
 struct ControlContact {
   DeckName name;
   double target_relative_residual = 1e-3;              ///< > 0 [1]
   std::optional<double> acceptable_relative_residual;  ///< absent: ten times the target [1]
   std::int64_t min_iterations = 0;
-  std::int64_t max_iterations = 100;                    ///< 0: the penalty alone
-  std::vector<DuringPeriod<ControlContact>> during;     ///< in deck order
+  std::int64_t max_iterations = 100;                 ///< 0: the penalty alone
+  std::vector<DuringPeriod<ControlContact>> during;  ///< in deck order
 
   double acceptable_relative() const {
     return acceptable_relative_residual.value_or(10.0 * target_relative_residual);

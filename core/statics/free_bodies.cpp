@@ -19,8 +19,8 @@ using ModeMatrix = Eigen::Matrix<double, 6, 6>;
 struct Body {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of its nodes [length]
   std::size_t n_nodes = 0;
-  double size = 0.0;                      ///< of the node farthest from there [length]
-  ModeMatrix held = ModeMatrix::Zero();   ///< what conditions hold of its rigid motions [1]
+  double size = 0.0;                     ///< of the node farthest from there [length]
+  ModeMatrix held = ModeMatrix::Zero();  ///< what conditions hold of its rigid motions [1]
 };
 
 /// Numbers bodies in the order of their first nodes [n_nodes]; nodes without elements have none.

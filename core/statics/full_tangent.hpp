@@ -15,8 +15,8 @@ namespace contactsim {
 /// unsymmetric one, and by its symmetric part Newton's steps do not converge.
 ///
 /// A factor of solids is kept for as long as conjugate gradients on the stiffness of now need few iterations
-/// with it: contact changes a few springs in every iteration, and a factor costs as much as a hundred solutions
-/// with it.
+/// with it: contact changes a few springs in every iteration, and a factor costs as much as a hundred
+/// solutions with it.
 class FullTangent final : public Tangent {
  public:
   /// All must outlive it.

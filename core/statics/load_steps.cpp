@@ -121,7 +121,8 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
                              : is_forced ? 0.0
                                          : control.target_relative_residual;
     report_.contact = problem_.contact()->update_multipliers(tolerance);
-    if (is_below(control.target_relative_residual) && report_.n_updates >= control.min_iterations) return true;
+    if (is_below(control.target_relative_residual) && report_.n_updates >= control.min_iterations)
+      return true;
     if (is_last) return control.max_iterations == 0 || is_below(control.acceptable_relative());
     ++report_.n_updates;
     search(cg, increment);

@@ -12,10 +12,10 @@ namespace contactsim {
 
 /// A node of the mesh that a corner of a spring moves with.
 struct SpringEnd {
-  std::uint32_t node = 0;    ///< of the mesh
-  bool turns = false;        ///< by its rotation; else by its displacement
-  std::uint8_t corner = 0;   ///< of the spring
-  Eigen::Matrix3d share;     ///< by what its motion moves the corner [1], of rotations [length]
+  std::uint32_t node = 0;   ///< of the mesh
+  bool turns = false;       ///< by its rotation; else by its displacement
+  std::uint8_t corner = 0;  ///< of the spring
+  Eigen::Matrix3d share;    ///< by what its motion moves the corner [1], of rotations [length]
 };
 
 /// What contact resists small motions with at a contact point, over the overlap of two faces, or where

@@ -173,7 +173,8 @@ void StaticProblem::set_forces(const Motion& motion) {
   terms_.internal.set_forces(motion, state_.forces.internal);
   NodalForces& moments = state_.rotations.moments;
   if (contact_ != nullptr && !holds_contact_)
-    contact_->try_forces(motion, state_.forces.contact, state_.rotations.exist() ? &moments.contact : nullptr);
+    contact_->try_forces(motion, state_.forces.contact,
+                         state_.rotations.exist() ? &moments.contact : nullptr);
   if (!state_.rotations.exist()) return;
   terms_.internal.set_moments(motion, moments.internal);
   terms_.external.set_moments(motion, moments.external);

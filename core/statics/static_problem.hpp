@@ -112,8 +112,8 @@ class StaticProblem final : public Equilibrium {
   double probe_length_;
   Eigen::VectorXd weights_;  // of squared residuals: 1, and 1/length^2 of moments
   bool holds_contact_ = false;
-  double stiffness_ = 0.0;    // largest of a node [force/length]
-  double increment_ = 0.0;    // largest of a node in the last evaluation [length]
+  double stiffness_ = 0.0;  // largest of a node [force/length]
+  double increment_ = 0.0;  // largest of a node in the last evaluation [length]
   double longest_motion_ = std::numeric_limits<double>::infinity();  // [length]
   double dt_ = 0.0;
   double largest_reference_ = 0.0;  // of accepted steps

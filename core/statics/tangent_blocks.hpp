@@ -8,8 +8,8 @@ namespace contactsim {
 
 /// A part of the stiffness: by what the forces of one node resist the displacements of another.
 struct NodeBlock {
-  std::uint32_t row, column;  ///< nodes
-  Eigen::Matrix3d stiffness;  ///< [force/length]
+  std::uint32_t row, column;                     ///< nodes
+  Eigen::Matrix3d stiffness;                     ///< [force/length]
   bool row_turns = false, column_turns = false;  ///< moments, and rotations, in their place
 };
 
@@ -46,8 +46,8 @@ class TangentBlocks {
 
   /// The block of a node on the diagonal [per_node x per_node]. Precondition: the node has elements.
   const double* own_block(std::uint32_t node) const { return block_of(node, node); }
-  /// Calls take(row, column, block) for every pair of nodes, once or more: the sum is the negative derivatives of the forces of the
-  /// node `row` by the unknowns of the node `column`, by columns.
+  /// Calls take(row, column, block) for every pair of nodes, once or more: the sum is the negative
+  /// derivatives of the forces of the node `row` by the unknowns of the node `column`, by columns.
   template <class Take>
   void visit(const Take& take) const {
     for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {

@@ -149,7 +149,8 @@ void read_enforcement(Arguments& arguments, ContactDefinition& contact) {
                    "others");
     return;
   }
-  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty", "augmented_lagrange"});
+  static const auto enforcement =
+      choice_of<Enforcement>({"momentum_balance", "penalty", "augmented_lagrange"});
   contact.enforcement.enforcement = enforcement.read(arguments);
 }
 
@@ -218,7 +219,8 @@ std::vector<Row<ContactDefinition>> contact_option_rows() {
   return joined<C>({
       {
           row<C>("search", "= {DASH|ACME}", read_search, "Search algorithm; ACME is taken as DASH", "DASH"),
-          row<C>("enforcement", "= {MOMENTUM_BALANCE|PENALTY|AUGMENTED_LAGRANGE|AL|KINEMATIC}", read_enforcement,
+          row<C>("enforcement", "= {MOMENTUM_BALANCE|PENALTY|AUGMENTED_LAGRANGE|AL|KINEMATIC}",
+                 read_enforcement,
                  "How the sides of all pairs are kept apart that say nothing else, AL is short for "
                  "AUGMENTED_LAGRANGE; KINEMATIC leaves it at the default",
                  "MOMENTUM_BALANCE, AUGMENTED_LAGRANGE in quasi-static procedures"),

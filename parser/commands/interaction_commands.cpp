@@ -120,7 +120,8 @@ std::vector<Row<PairSettings>> meeting_rows() {
   static const auto formulation = choice_of<ConstraintFormulation>({"node_face", "face_face"});
   static const auto behavior =
       choice_of<InteractionBehavior>({"sliding", "infinitesimal_sliding", "no_interaction"});
-  static const auto enforcement = choice_of<Enforcement>({"momentum_balance", "penalty", "augmented_lagrange"});
+  static const auto enforcement =
+      choice_of<Enforcement>({"momentum_balance", "penalty", "augmented_lagrange"});
   return {
       row("friction model", read::name_of(NameKind::friction_model), &P::friction_model,
           "Friction model of the pair", "frictionless")

@@ -68,8 +68,8 @@ void load_step(benchmark::State& bench) {
     LoadPeriod period;
     period.end = period.increment = 1.0;
     bench.ResumeTiming();
-    LoadSteps steps(cube.model, {internal, load}, nullptr, settings_of(bench.range(1)), LoadSchedule({period}, {}),
-                    state);
+    LoadSteps steps(cube.model, {internal, load}, nullptr, settings_of(bench.range(1)),
+                    LoadSchedule({period}, {}), state);
     steps.start();
     steps.advance();
     const LoadStepReport& report = steps.report();

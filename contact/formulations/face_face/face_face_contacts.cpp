@@ -76,7 +76,8 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   const double held = rule.pair->held_gap(thinner(candidate));
   const GapOffsets& offsets = context.rules.gap_offsets();
   const double reach = std::max({activation_distance, margin, held}) + offsets.reach(candidate.pair) +
-                       std::max(0.0, rule.begin_gap) + (context.multipliers ? context.multipliers->largest() : 0.0);
+                       std::max(0.0, rule.begin_gap) +
+                       (context.multipliers ? context.multipliers->largest() : 0.0);
   if (!may_meet(context, candidate, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
@@ -164,10 +165,9 @@ void FaceFaceContacts::add_spring_points(const ContactStepContext& context, cons
       if (!met_in_front(context, candidate, contact, -apart.dot(contact.normal) * context.dt)) continue;
       if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) continue;
     }
-    push_node(
-        {push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0, apart,
-         context.is_static},
-        point);
+    push_node({push.penalty, candidate.rule.pair->damping_fraction, contact.area, apart, context.dt, 0.0,
+               apart, context.is_static},
+              point);
     add_friction_to(context, candidate, push, apart, point);
     points.push_back(point);
   }

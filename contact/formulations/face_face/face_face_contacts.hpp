@@ -42,9 +42,9 @@ class FaceFaceContacts {
   void find_lost(const PairRules& rules, std::vector<LostContact>& lost) const {
     history_.find_lost(contact_mesh_, rules, lost);
   }
-  /// Calls take(point, coupling) for the contact points of faces that detect() has found, with the products of
-  /// shape functions over the area that each stands for. Of round surfaces the overlap of the faces stands for
-  /// that of the surfaces.
+  /// Calls take(point, coupling) for the contact points of faces that detect() has found, with the products
+  /// of shape functions over the area that each stands for. Of round surfaces the overlap of the faces stands
+  /// for that of the surfaces.
   using TakeCoupling = std::function<void(const ContactPoint& point, const CornerCoupling& coupling)>;
   void visit_couplings(const ContactStepContext& context, std::span<const ContactPoint> points,
                        const TakeCoupling& take) const;

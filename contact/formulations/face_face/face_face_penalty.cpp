@@ -14,9 +14,8 @@ void FaceFaceContacts::visit_flat(const Candidate& candidate, const PenaltyPush&
                                   const Visit& visit) const {
   const MeetingFaces& faces = push.faces;
   const double flat = flat_share * thinner(candidate);
-  const bool is_split =
-      (is_warped(faces.first, flat) || is_warped(faces.second, flat)) &&
-      !is_contact_uncut(faces.first, faces.second, push.penalty, push.activation_distance);
+  const bool is_split = (is_warped(faces.first, flat) || is_warped(faces.second, flat)) &&
+                        !is_contact_uncut(faces.first, faces.second, push.penalty, push.activation_distance);
   if (!is_split) return visit(Facet{faces.first}, Facet{faces.second}, faces.deeper);
   const Facets facets_1(faces.first, flat), facets_2(faces.second, flat);
   for (const Facet& a : facets_1.all()) {
@@ -42,16 +41,17 @@ CornerCoupling FaceFaceContacts::coupling_of(const ContactStepContext& context,
   const MeetingFaces faces = make_meeting_faces(context, candidate);
   const PairPenalty penalty = make_penalty(candidate, faces.did_touch, std::numeric_limits<double>::max());
   CornerCoupling coupling = CornerCoupling::Zero();
-  visit_flat(candidate, {faces, penalty, 0.0}, [&](const Facet& a, const Facet& b, const CornerDepths& deeper) {
-    const CornerCoupling of_facets =
-        find_overlap_coupling(a.face, b.face, penalty.depth, deeper, faces.are_round());
-    CornerCoupling to_faces = CornerCoupling::Zero();
-    for (Eigen::Index k = 0; k < 4; ++k) {
-      to_faces.col(k).head<4>() = a.to_face(Eigen::Vector4d::Unit(k));
-      to_faces.col(4 + k).tail<4>() = b.to_face(Eigen::Vector4d::Unit(k));
-    }
-    coupling += to_faces * of_facets * to_faces.transpose();
-  });
+  visit_flat(candidate, {faces, penalty, 0.0},
+             [&](const Facet& a, const Facet& b, const CornerDepths& deeper) {
+               const CornerCoupling of_facets =
+                   find_overlap_coupling(a.face, b.face, penalty.depth, deeper, faces.are_round());
+               CornerCoupling to_faces = CornerCoupling::Zero();
+               for (Eigen::Index k = 0; k < 4; ++k) {
+                 to_faces.col(k).head<4>() = a.to_face(Eigen::Vector4d::Unit(k));
+                 to_faces.col(4 + k).tail<4>() = b.to_face(Eigen::Vector4d::Unit(k));
+               }
+               coupling += to_faces * of_facets * to_faces.transpose();
+             });
   return coupling;
 }
 
@@ -72,7 +72,8 @@ void FaceFaceContacts::visit_couplings(const ContactStepContext& context,
       }
     }
     const std::size_t position = candidates_.position(first.first_face(), first.second_face());
-    const CornerCoupling coupling = coupling_of(context, make_candidate(context, first.first_face(), position));
+    const CornerCoupling coupling =
+        coupling_of(context, make_candidate(context, first.first_face(), position));
     // The sum of the first side's products is the area.
     const double area = coupling.topLeftCorner<4, 4>().sum();
     if (area > 0.0) take(all, all.area / area * coupling);
@@ -91,7 +92,8 @@ void FaceFaceContacts::add_penalty_point(const ContactStepContext& context, cons
     if (is_at_flush_rim(context, candidate.first, candidate.second, contact)) return;
   }
   ContactPoint& contact_point = points.emplace_back(make_contact_point(candidate, contact));
-  contact_point.begin_gap += push.faces.deeper.first.dot(contact.weights_1) + push.faces.deeper.second.dot(contact.weights_2);
+  contact_point.begin_gap +=
+      push.faces.deeper.first.dot(contact.weights_1) + push.faces.deeper.second.dot(contact.weights_2);
   contact_point.damped = contact.damped_power * context.dt;
   add_friction_to(context, candidate, push, apart, contact_point);
 }

@@ -239,7 +239,8 @@ NodePenaltyInput NodeFaceContacts::make_push(const ContactStepContext& context, 
       context.kinematics.velocity_beside(node.node, arm) - moving.v * contact_point.second.weights;
   const Eigen::Vector3d last = context.kinematics.last_velocity_beside(node.node, arm) -
                                context.kinematics.last_face(near_face.face).v * contact_point.second.weights;
-  return {near_face.penalty, pair.damping_fraction, area, relative, context.dt, context.coming_dt, last, context.is_static};
+  return {near_face.penalty, pair.damping_fraction, area, relative,
+          context.dt,        context.coming_dt,     last, context.is_static};
 }
 
 }  // namespace contactsim

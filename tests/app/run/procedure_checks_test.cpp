@@ -138,8 +138,11 @@ TEST_CASE("what a transfer does not take over is refused", "[app][procedures]") 
   const TwoBoxes boxes;
   const Lines hit{"presto", "hit", "0", "1", "", contact}, go{"presto", "go", "1", "1.001", take_all};
   CHECK_THAT(boxes.error({hit, go}),
-             Contains("contact in the procedure before is not supported together with a "
+             Contains("contact in an explicit procedure before is not supported together with a "
                       "PROCEDURAL TRANSFER"));
+  Lines pressed = load;
+  pressed.region = contact;
+  CHECK_THAT(boxes.check({pressed, go}).err, Contains("contact begins anew in what touches"));
   Lines meeting = go;
   meeting.region = contact;
   CHECK(boxes.check({load, meeting}).exit_code == 0);
