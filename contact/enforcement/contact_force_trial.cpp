@@ -87,36 +87,39 @@ void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>
   }
 }
 
+namespace {
+
+/// What the contact points at a surface node of a pair come to, each by the node's share in it.
+struct MultiplierSums {
+  double area = 0.0, depth_area = 0.0;  ///< [length^2] [length^3]
+  double force = 0.0, stiffness = 0.0;  ///< [force] [force/length]
+
+  void add(const ContactPoint& point, double weight) {
+    area += weight * point.area;
+    depth_area -= weight * point.area * point.open_gap();
+    force += weight * point.force;
+    stiffness += weight * point.stiffness;
+  }
+};
+
+}  // namespace
+
 MultiplierChange ContactForce::update_multipliers(double tolerance) {
-  struct Sum {
-    double area = 0.0, depth = 0.0, force = 0.0, stiffness = 0.0;
-  };
-  std::map<std::pair<PairIndex, SurfaceNodeIndex>, Sum> sums;
+  std::map<std::pair<PairIndex, SurfaceNodeIndex>, MultiplierSums> sums;
   for (const ContactPoint& point : trial_->points) {
     if (!holds_multipliers(point)) continue;
-    const bool is_of_second = !point.first.is_node() && has_multipliers_on_second(point);
-    const ContactPointSide& side = is_of_second ? point.second : point.first;
-    const SurfaceIndex surface =
-        contact_mesh_.faces.empty() || point.first.is_node()
-            ? contact_mesh_.surface_nodes[point.row()].surface
-            : contact_mesh_.faces[is_of_second ? point.second_face() : point.first_face()].surface;
+    const auto [side, surface] = multiplier_side(point);
     for (std::size_t k = 0; k < 4; ++k) {
       const double weight = side.weights[static_cast<Eigen::Index>(k)];
-      if (!(weight > 0.0)) continue;
       const auto row = contact_mesh_.find_row(side.nodes[k], surface);
-      if (!row) continue;
-      Sum& sum = sums[{point.pair, *row}];
-      sum.area += weight * point.area;
-      sum.depth -= weight * point.area * point.open_gap();
-      sum.force += weight * point.force;
-      sum.stiffness += weight * point.stiffness;
+      if (weight > 0.0 && row) sums[{point.pair, *row}].add(point, weight);
     }
   }
   MultiplierChange change;
   std::vector<ContactMultipliers::Entry> entries;
   for (const auto& [key, sum] : sums) {
     const double before = multipliers_.of_node(key.first, key.second);
-    const double depth = std::max(0.0, before + sum.depth / sum.area);
+    const double depth = std::max(0.0, before + sum.depth_area / sum.area);
     if (depth > 0.0) entries.push_back({key.first, key.second, depth});
     const double by = sum.stiffness * (depth - before);
     change.change += by * by;
@@ -128,15 +131,10 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
   return change;
 }
 
-/// Whether a contact point is pressed by the penalty alone, and may part.
-bool ContactForce::holds_multipliers(const ContactPoint& point) const {
-  const PairRule& rule = rules_.of(point);
-  return rule.pair->enforcement == Enforcement::augmented_lagrange && !rule.acts_apart() &&
-         !point.is_of_edges && !point.pulls && rule.pair->separates && point.area > 0.0;
-}
-
-/// Multipliers of faces stand on the side with the smaller ones.
-bool ContactForce::has_multipliers_on_second(const ContactPoint& point) const {
+/// Multipliers of faces stand on the side with the smaller ones; those of nodes at them.
+std::pair<const ContactPointSide&, SurfaceIndex> ContactForce::multiplier_side(
+    const ContactPoint& point) const {
+  if (point.first.is_node()) return {point.first, contact_mesh_.surface_nodes[point.row()].surface};
   const SurfaceIndex first = contact_mesh_.faces[point.first_face()].surface,
                      second = contact_mesh_.faces[point.second_face()].surface;
   const auto size = [&](SurfaceIndex surface) {
@@ -145,8 +143,16 @@ bool ContactForce::has_multipliers_on_second(const ContactPoint& point) const {
       area += contact_mesh_.surface_nodes[row].area;
     return area / static_cast<double>(contact_mesh_.rows_of(surface).size());
   };
-  if (first == second) return false;
-  return size(second) < size(first) || (size(second) == size(first) && second < first);
+  const double a = size(first), b = size(second);
+  if (b < a || (b == a && second < first)) return {point.second, second};
+  return {point.first, first};
+}
+
+/// Whether a contact point is pressed by the penalty alone, and may part.
+bool ContactForce::holds_multipliers(const ContactPoint& point) const {
+  const PairRule& rule = rules_.of(point);
+  return rule.pair->enforcement == Enforcement::augmented_lagrange && !rule.acts_apart() &&
+         !point.is_of_edges && !point.pulls && rule.pair->separates && point.area > 0.0;
 }
 
 /// The size of the smallest face: what comes in by that is pushed out to the side that it came from.
