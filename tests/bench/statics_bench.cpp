@@ -84,9 +84,9 @@ void sizes(benchmark::internal::Benchmark* bench) {
                  multigrid = static_cast<std::int64_t>(LinearSolver::multigrid);
   for (const std::int64_t n : {10, 20, 30, 40, 60, 100}) {
     for (const std::int64_t solver : {nodal_blocks, direct, multigrid}) {
-      // A factor of 40 x 40 x 40 takes minutes, one of 60 more memory than most machines have.
+      // A factor of 40 x 40 x 40 takes minutes, one of 60 x 60 x 60 more memory than most machines have.
       if (solver == direct && n > 30) continue;
-      bench->Args({n, solver, 2});
+      for (const std::int64_t n_threads : {1, 2}) bench->Args({n, solver, n_threads});
     }
   }
 }
