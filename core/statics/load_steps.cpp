@@ -16,12 +16,14 @@ namespace contactsim {
 
 namespace {
 
+/// Of conjugate gradients with nodal blocks at most.
+std::int64_t nodal_iterations(const Mesh& mesh) { return std::max<std::int64_t>(mesh.n_nodes(), 1000); }
+
 /// The settings of a time stepping block, with what the deck leaves open. Source: Sierra/SM 5.20, BEGIN CG,
 /// MAXIMUM ITERATIONS.
 CgSettings settings_of(const CgSettings& settings, const DeckName& period, const Mesh& mesh) {
   CgSettings cg = settings_during(settings, period);
-  if (cg.max_iterations == 0)
-    cg.max_iterations = cg.full_tangent ? 100 : std::max<std::int64_t>(mesh.n_nodes(), 1000);
+  if (cg.max_iterations == 0) cg.max_iterations = cg.full_tangent ? 100 : nodal_iterations(mesh);
   return cg;
 }
 
@@ -98,7 +100,10 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
     increment = begun;
     report_.n_evaluations += blocks_.renew(increment);
   }
-  report_.search = nonlinear_cg(problem_, blocks_, cg, increment);
+  CgSettings nodal = cg;
+  const bool is_given = settings_during(settings_.cg, schedule_.period_name(step_begun_)).max_iterations > 0;
+  if (!is_given) nodal.max_iterations = nodal_iterations(*model_.mesh);
+  report_.search = nonlinear_cg(problem_, blocks_, nodal, increment);
   report_.n_evaluations += report_.search.n_evaluations;
 }
 

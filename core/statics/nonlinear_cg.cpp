@@ -130,7 +130,7 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
   constexpr int max_idle = 6;       // steps without a smaller residual than the least so far
   constexpr int max_halvings = 10;  // of a step that cannot be evaluated
   CgReport report;
-  constexpr double growth = 2.0;  // of a residual with contact, from which on a step is halved
+  constexpr double growth = 1.0;  // of a residual with contact, from which on a step is halved
   Eigen::VectorXd residual, moved, z, trial, best_trial;
   ++report.n_evaluations;
   bool exists = equilibrium.evaluate(increment, residual);

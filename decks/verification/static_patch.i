@@ -32,6 +32,9 @@
 # {ifndef(search)}
 # {search = "newton"}
 # {endif}
+# {ifndef(target)}
+# {target = 1e-4}
+# {endif}
 # {frame = 1}
 begin sierra static patch test
   begin material rubber
@@ -115,7 +118,7 @@ begin sierra static patch test
 
       begin solver
         begin cg
-          target relative residual = 1e-8
+          target relative residual = {target}
 {if(search == "newton")}
           begin full tangent preconditioner
           end
