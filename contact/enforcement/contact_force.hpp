@@ -114,7 +114,8 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void move_to_trial(const Motion& motion);
   ContactStepContext static_context(double dt, bool is_trial) const;
   bool holds_multipliers(const ContactPoint& point) const;
-  std::pair<const ContactPointSide&, SurfaceIndex> multiplier_side(const ContactPoint& point) const;
+  SurfaceIndex finer_surface(const SurfacePair& pair) const;
+  const ContactPointSide* multiplier_side(const ContactPoint& point, SurfaceIndex finer) const;
   LoftSpins make_spins() const;
   double largest_eigenvalue();
   void limit_step(const Motion& motion, ForceReport& report);

@@ -105,13 +105,15 @@ struct MultiplierSums {
 }  // namespace
 
 MultiplierChange ContactForce::update_multipliers(double tolerance) {
+  IndexedVector<PairIndex, SurfaceIndex> finer;
+  for (const PairRule& rule : rules_.rules()) finer.push_back(finer_surface(*rule.pair));
   std::map<std::pair<PairIndex, SurfaceNodeIndex>, MultiplierSums> sums;
   for (const ContactPoint& point : trial_->points) {
-    if (!holds_multipliers(point)) continue;
-    const auto [side, surface] = multiplier_side(point);
+    const ContactPointSide* side = multiplier_side(point, finer[point.pair]);
+    if (side == nullptr) continue;
     for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = side.weights[static_cast<Eigen::Index>(k)];
-      const auto row = contact_mesh_.find_row(side.nodes[k], surface);
+      const double weight = side->weights[static_cast<Eigen::Index>(k)];
+      const auto row = contact_mesh_.find_row(side->nodes[k], finer[point.pair]);
       if (weight > 0.0 && row) sums[{point.pair, *row}].add(point, weight);
     }
   }
@@ -131,21 +133,27 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
   return change;
 }
 
-/// Multipliers of faces stand on the side with the smaller ones; those of nodes at them.
-std::pair<const ContactPointSide&, SurfaceIndex> ContactForce::multiplier_side(
-    const ContactPoint& point) const {
-  if (point.first.is_node()) return {point.first, contact_mesh_.surface_nodes[point.row()].surface};
-  const SurfaceIndex first = contact_mesh_.faces[point.first_face()].surface,
-                     second = contact_mesh_.faces[point.second_face()].surface;
+/// The surface of a pair whose nodes are closer together: multipliers stand there alone, since those of both
+/// sides would be more than there is to be balanced. Of a plane or a surface of faces alone the other one.
+SurfaceIndex ContactForce::finer_surface(const SurfacePair& pair) const {
   const auto size = [&](SurfaceIndex surface) {
     double area = 0.0;
     for (const SurfaceNodeIndex row : contact_mesh_.rows_of(surface))
       area += contact_mesh_.surface_nodes[row].area;
-    return area / static_cast<double>(contact_mesh_.rows_of(surface).size());
+    const auto n = contact_mesh_.rows_of(surface).size();
+    return n > 0 ? area / static_cast<double>(n) : std::numeric_limits<double>::infinity();
   };
-  const double a = size(first), b = size(second);
-  if (b < a || (b == a && second < first)) return {point.second, second};
-  return {point.first, first};
+  if (pair.is_one_sided) return pair.second;
+  return size(pair.second) < size(pair.first) ? pair.second : pair.first;
+}
+
+/// The side of a contact point that its multipliers stand on; nothing where it has none.
+///   finer  finer_surface() of its pair
+const ContactPointSide* ContactForce::multiplier_side(const ContactPoint& point, SurfaceIndex finer) const {
+  if (!holds_multipliers(point)) return nullptr;
+  if (point.first.is_node())
+    return contact_mesh_.surface_nodes[point.row()].surface == finer ? &point.first : nullptr;
+  return contact_mesh_.faces[point.first_face()].surface == finer ? &point.first : &point.second;
 }
 
 /// Whether a contact point is pressed by the penalty alone, and may part.
