@@ -270,6 +270,8 @@ bool FaceFaceContacts::met_in_front(const ContactStepContext& context, const Can
     const double gap = contact.gap + std::max(offset_of(context, candidate), 0.0);
     return gap * gap <= contact.area;
   }
+  // What a ramp brings in comes from in front, in a load step by any depth.
+  if (context.is_static && candidate.rule.pair->gap.overlap_ramp_time) return true;
   const double thickness = thinner(candidate);
   // What comes up behind the one side of a shell that takes part leaves through it.
   const bool may_leave = candidate.rule.pair->is_polar() && !(closed > 0.0);

@@ -147,6 +147,8 @@ bool NodeFaceContacts::comes_from_outside(const ContactStepContext& context, con
                                           double depth) const {
   // Before the first step nobody knows; what overlaps then is pushed out.
   if (context.dt == 0.0 || near_face.point.gap >= 0.0) return true;
+  // What a ramp brings in comes from in front, in a load step by any depth.
+  if (context.is_static && context.rules[near_face.pair].pair->gap.overlap_ramp_time) return true;
   const double approach =
       (face.v * near_face.weights - context.kinematics.v(node.node)).dot(near_face.point.normal) * context.dt;
   // What comes up behind the one side of a shell that takes part leaves through it.
