@@ -92,7 +92,8 @@ std::int64_t FullTangent::renew(const Eigen::VectorXd& increment, bool may_keep_
   blocks_.join(blocks_of(springs));
   matrix_ = assemble();
   is_current_ = false;
-  if (!exists_ || !is_symmetric()) factorise();
+  // A step begins with a factor of its own, so that a restart has the same one.
+  if (!exists_ || !is_symmetric() || !may_keep_elements) factorise();
   return n_evaluations;
 }
 

@@ -213,7 +213,7 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   energies.contact -= contact.dot(increment);
   energies.external += external.dot(increment) - (all - free).dot(increment);
   // What has held a start that was out of balance lets go steadily.
-  if (state_.step == 0) {
+  if (state_.step == 0 && held_.size() == 0) {
     Eigen::VectorXd unbalanced = forces_of(&NodalForces::internal, forces_, rotations_.moments) +
                                  forces_of(&NodalForces::external, forces_, rotations_.moments) +
                                  forces_of(&NodalForces::contact, forces_, rotations_.moments);

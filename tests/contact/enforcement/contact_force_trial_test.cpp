@@ -21,6 +21,7 @@ class StaticPlates {
     bodies.ask();
     start_ = bodies.x;
     Random random(5);
+    noise_.resize(3, start_.cols());
     for (Eigen::Index i = 0; i < start_.cols(); ++i) noise_.col(i) = random_vector(random, 1.0);
   }
 
@@ -70,7 +71,7 @@ class StaticPlates {
     return region;
   }
 
-  Matrix3Xd start_, noise_ = Matrix3Xd::Zero(3, 34);
+  Matrix3Xd start_, noise_;
 };
 
 const std::string node_face = "constraint formulation = node_face\n", rough = "friction model = rough\n";

@@ -164,12 +164,15 @@ TEST_CASE("the update of surfaces for element death cannot be switched off", "[p
 }
 
 TEST_CASE("lines of implicit runs and of parallel runs are ignored", "[parser][contact]") {
-  CHECK(bound_contact("enforcement = al\ncontact residual norm scale factor = 2\nbegin search options\n"
-                      "secondary decomposition = on\nend\n")
-            .messages ==
-        "a.i:2:15: warning: this enforcement is of implicit runs only; momentum is balanced [deck-ignored]\n"
-        "a.i:3:1: warning: 'contact residual norm scale factor' has no effect here; of implicit "
-        "runs only [deck-ignored]\n"
-        "a.i:5:1: warning: 'secondary decomposition' has no effect here; of parallel runs only "
-        "[deck-ignored]\n");
+  CHECK(contact_of("enforcement = al\n").enforcement.enforcement == Enforcement::augmented_lagrange);
+  CHECK(
+      bound_contact("enforcement = kinematic\ncontact residual norm scale factor = 2\nbegin search options\n"
+                    "secondary decomposition = on\nend\n")
+          .messages ==
+      "a.i:2:15: warning: kinematic enforcement has no effect; momentum is balanced in explicit procedures, "
+      "AUGMENTED_LAGRANGE lets nothing through in others [deck-ignored]\n"
+      "a.i:3:1: warning: 'contact residual norm scale factor' has no effect here; of implicit "
+      "runs only [deck-ignored]\n"
+      "a.i:5:1: warning: 'secondary decomposition' has no effect here; of parallel runs only "
+      "[deck-ignored]\n");
 }

@@ -128,9 +128,28 @@ TEST_CASE("what implicit lines do not do is told", "[parser][implicit]") {
       with_lines("begin implicit dynamics\nend\n").messages ==
       "a.i:5:7: error: block 'implicit dynamics' is not supported and would change the answer; inertia takes "
       "part in explicit procedures alone\n");
-  CHECK(with_lines("begin solver\nbegin control contact\nend\nend\n").messages ==
-        "a.i:6:7: warning: block 'control contact' has no effect here; contact is not part of quasi-static "
+  CHECK(with_lines("begin solver\nbegin control failure\nend\nend\n").messages ==
+        "a.i:6:7: warning: block 'control failure' has no effect here; elements do not fail in quasi-static "
         "procedures yet [deck-ignored]\n");
+}
+
+TEST_CASE("control contact says how exactly contact holds", "[parser][implicit]") {
+  const ParsedDeck deck = with_lines(
+      "begin solver\nbegin control contact\ntarget relative residual = 1e-5\nacceptable relative residual = "
+      "0.1\n"
+      "minimum iterations = 1\nmaximum iterations = 7\nend\nend\n");
+  CHECK(deck.messages == "");
+  const ControlContact& control = region_of(deck).solver->control_contact;
+  CHECK(control.target_relative_residual == 1e-5);
+  CHECK(control.acceptable_relative() == 0.1);
+  CHECK(control.min_iterations == 1);
+  CHECK(control.max_iterations == 7);
+  CHECK(ControlContact{}.acceptable_relative() == Approx(1e-2));
+  CHECK_THAT(
+      with_lines("begin solver\nbegin control contact\ntarget relative residul = 1\nend\nend\n").messages,
+      Catch::Contains("target relative residual"));
+  CHECK_THAT(with_lines("begin solver\nbegin control contact\nmaximum iterations = -1\nend\nend\n").messages,
+             Catch::Contains("error"));
 }
 
 TEST_CASE("values may be of one time stepping block", "[parser][implicit]") {
