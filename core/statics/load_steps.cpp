@@ -72,7 +72,9 @@ bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
 void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements) {
   if (tangent_) report_.n_evaluations += tangent_->renew(increment, may_keep_elements);
   if (!has_tangent()) report_.n_evaluations += blocks_.renew(increment);
-  problem_.set_stiffness(has_tangent() ? tangent_->largest() : blocks_.largest());
+  // Of solids: what turns has moments, too, which are counted over lengths.
+  if (!state_.rotations.exist())
+    problem_.set_stiffness(has_tangent() ? tangent_->largest() : blocks_.largest());
 }
 
 /// The increment of the last step, scaled, of all nodes: nothing before the first.

@@ -68,6 +68,7 @@ class StaticPlates {
     region.contact = parse_contact("begin constant friction model rough\nfriction coefficient = 0.4\nend\n" +
                                    general_contact(lines));
     region.contact->enforcement.is_static = true;
+    region.contact->enforcement.enforcement = Enforcement::augmented_lagrange;
     return region;
   }
 
