@@ -65,10 +65,11 @@ class TransferRefusals {
 void TransferRefusals::refuse_earlier() const {
   const Simulation& earlier = *input_.earlier;
   const DeckLocation& location = input_.procedure.transfers.front().name.location;
-  if (earlier.contact_force() != nullptr && earlier.load_steps() == nullptr)
+  const bool has_contact = earlier.contact_force() != nullptr, is_static = earlier.load_steps() != nullptr;
+  if (has_contact && !is_static)
     refuse_here(location, "contact in an explicit procedure before",
                 "the state of contact is not taken over yet");
-  if (earlier.contact_force() != nullptr && earlier.load_steps() != nullptr)
+  if (has_contact && is_static)
     diagnostics_.add_warning("contact-begins-anew", location,
                              "contact begins anew in what touches: what friction held along surfaces in the "
                              "procedure before is not taken over",

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/statics/conjugate_gradients.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -107,23 +109,16 @@ bool FullTangent::factorise() const {
 bool FullTangent::solve_by_old_factor(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const {
   constexpr double tolerance = 1e-2;
   constexpr int max_iterations = 30;
-  Eigen::VectorXd left = right, direction = Eigen::VectorXd::Zero(right.size());
-  double last = 1.0;
-  solution.setZero(right.size());
-  for (int i = 0; i < max_iterations; ++i) {
-    const Eigen::VectorXd step = factor_->solve(left);
-    const double now = step.dot(left);
-    direction = step + (i == 0 ? 0.0 : now / last) * direction;
-    last = now;
-    const Eigen::VectorXd product = matrix_.selfadjointView<Eigen::Lower>() * direction;
-    const double curvature = direction.dot(product);
-    if (!(curvature > 0.0) || !(now > 0.0)) return false;
-    ++n_iterations_;
-    solution += now / curvature * direction;
-    left -= now / curvature * product;
-    if (left.norm() <= tolerance * right.norm()) return true;
-  }
-  return false;
+  const auto multiply = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) {
+    product = matrix_.selfadjointView<Eigen::Lower>() * direction;
+  };
+  const auto precondition = [&](const Eigen::VectorXd& left, Eigen::VectorXd& step) {
+    step = factor_->solve(left);
+  };
+  const LinearSearch search =
+      conjugate_gradients(multiply, precondition, right, tolerance, max_iterations, solution);
+  n_iterations_ += search.n_iterations;
+  return search.end == LinearSearch::End::converged;
 }
 
 void FullTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {

@@ -72,7 +72,7 @@ bool LoadSteps::has_tangent() const { return tangent_ && tangent_->exists(); }
 void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements) {
   if (tangent_) report_.n_evaluations += tangent_->renew(increment, may_keep_elements);
   if (!has_tangent()) report_.n_evaluations += blocks_.renew(increment);
-  // Of solids: what turns has moments, too, which are counted over lengths.
+  // Of solids: what turns has moments, too, which are taken over lengths.
   if (!state_.rotations.exist())
     problem_.set_stiffness(has_tangent() ? tangent_->largest() : blocks_.largest());
 }
@@ -141,6 +141,7 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
 
 /// Bodies that only contact may hold drift until they touch: no farther in one trial than contact sees.
 void LoadSteps::find_free() {
+  if (!tangent_ && problem_.contact() == nullptr) return;
   std::vector<double> shares = find_free_bodies(problem_, graph_, state_.coordinates);
   const bool are_any = std::ranges::any_of(shares, [](double share) { return share > 0.0; });
   problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/multigrid_tangent.hpp"
 
+#include "core/statics/conjugate_gradients.hpp"
 #include "core/statics/multigrid/rigid_modes.hpp"
 
 namespace contactsim {
@@ -36,28 +37,16 @@ std::int64_t MultigridTangent::renew(const Eigen::VectorXd& increment, bool /*ma
 void MultigridTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {
   constexpr double tolerance = 1e-3;
   constexpr int max_iterations = 500;
-  Eigen::VectorXd left = residual, product, step;
-  const double target = tolerance * residual.norm();
-  Eigen::VectorXd direction = Eigen::VectorXd::Zero(residual.size());
-  double last = 1.0;  // step . left
-  z.setZero(residual.size());
-  for (int i = 0; i < max_iterations && left.norm() > target; ++i) {
-    multigrid_->apply(left, step);
-    const double now = step.dot(left);
-    direction = step + (i == 0 ? 0.0 : now / last) * direction;
-    last = now;
+  const auto multiply_by_matrix = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) {
     multiply(matrix_, direction, product);
-    const double curvature = direction.dot(product);
-    if (!(curvature > 0.0)) {
-      is_negative_ = is_negative_ || curvature < 0.0;
-      if (i == 0) z = direction;
-      break;
-    }
-    ++n_iterations_;
-    const double way = now / curvature;
-    z += way * direction;
-    left -= way * product;
-  }
+  };
+  const auto precondition = [&](const Eigen::VectorXd& left, Eigen::VectorXd& step) {
+    multigrid_->apply(left, step);
+  };
+  const LinearSearch search =
+      conjugate_gradients(multiply_by_matrix, precondition, residual, tolerance, max_iterations, z);
+  n_iterations_ += search.n_iterations;
+  is_negative_ = is_negative_ || search.end == LinearSearch::End::negative;
   problem_.project(z);
 }
 
