@@ -8,7 +8,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-MovingFace quad() {
+MovingFace unit_quad() {
   MovingFace face;
   face.x << 0, 2, 3, 0, 0, 0, 1, 1, 0, 0, 0, 0;
   return face;
@@ -51,7 +51,7 @@ TEST_CASE("a face without area has no weights of a way", "[contact][face_plane]"
 }
 
 TEST_CASE("the plane of a face goes on beyond its edges", "[contact][face_plane]") {
-  for (const MovingFace& face : {quad(), triangle()}) {
+  for (const MovingFace& face : {unit_quad(), triangle()}) {
     for (const Vector3d& point : {Vector3d(9, -3, 1.25), Vector3d(-40, 30, 1.25), Vector3d(0.2, 0.3, 0.5)}) {
       const PlanePoint found = project_onto_plane(face, point);
       CHECK(found.normal.isApprox(Vector3d::UnitZ()));
@@ -64,7 +64,7 @@ TEST_CASE("the plane of a face goes on beyond its edges", "[contact][face_plane]
 }
 
 TEST_CASE("the plane of a warped face goes on flat from its edge", "[contact][face_plane]") {
-  MovingFace face = quad();
+  MovingFace face = unit_quad();
   face.x(2, 2) = 0.1;
   const PlanePoint at = project_onto_plane(face, {3.001, 0.5, 0.0}),
                    far = project_onto_plane(face, {6, 0.5, 0.0});

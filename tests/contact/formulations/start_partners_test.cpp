@@ -12,7 +12,7 @@ using test::ContactParts;
 
 namespace {
 
-MovingFace quad() {
+MovingFace flat_quad() {
   MovingFace face;
   face.x << 0, 2, 3, 0, 0, 0, 1, 1, 0, 0, 0, 0;
   face.v << 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 4;
@@ -109,7 +109,7 @@ TEST_CASE("a face is carried with the velocities that belong there", "[contact][
   PartnerCarry carry;
   CHECK(carry.is_zero());
   carry.weights = {-0.5, 0.5, 0.25, -0.25};
-  const MovingFace face = quad(), carried = carry.carried(face);
+  const MovingFace face = flat_quad(), carried = carry.carried(face);
   const Vector3d way = face.x * carry.weights, faster = face.v * carry.weights;
   for (Eigen::Index k = 0; k < 4; ++k) {
     CHECK((carried.x.col(k) - face.x.col(k) - way).norm() < 1e-14);

@@ -9,8 +9,8 @@ using namespace contactsim::test;
 
 namespace {
 
-constexpr std::array<std::array<double, 2>, 4> square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
-constexpr std::array<std::array<double, 2>, 3> triangle{{{0, 0}, {1, 0}, {0, 1}}};
+constexpr std::array<std::array<double, 2>, 4> square_corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+constexpr std::array<std::array<double, 2>, 3> triangle_corners{{{0, 0}, {1, 0}, {0, 1}}};
 
 }  // namespace
 
@@ -19,11 +19,11 @@ TEST_CASE("a face's map takes the values of the corners at the corners", "[conta
   const MovingFace quad = random_face(random, false, true, 0.3), tri = random_face(random, true, false, 2.0);
   const FaceMap of_quad = make_face_map(quad.x, false), of_tri = make_face_map(tri.x, true);
   for (std::size_t k = 0; k < 4; ++k) {
-    const Eigen::Vector3d there = of_quad.at(square[k][0], square[k][1]);
+    const Eigen::Vector3d there = of_quad.at(square_corners[k][0], square_corners[k][1]);
     CHECK((there - quad.x.col(static_cast<int>(k))).norm() < 1e-15);
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    const Eigen::Vector3d there = of_tri.at(triangle[k][0], triangle[k][1]);
+    const Eigen::Vector3d there = of_tri.at(triangle_corners[k][0], triangle_corners[k][1]);
     CHECK((there - tri.x.col(static_cast<int>(k))).norm() < 1e-15);
   }
   CHECK((of_quad.centre() - quad.x.rowwise().mean()).norm() < 1e-15);
@@ -49,7 +49,7 @@ TEST_CASE("corners share a sum by its moments", "[contact][face_map]") {
   // A force of 3 at (0.5, -1) and one of 1 at (-1, 1): corner 3 gets all of the second.
   const FaceMoments moments{4.0, 3.0 * 0.5 - 1.0, -3.0 + 1.0, -3.0 * 0.5 - 1.0};
   CHECK(corner_shares(moments, false) == Eigen::Vector4d(0.75, 2.25, 0.0, 1.0));
-  // The same of a triangle: 2 at (0.5, 0.5), between its last corners, and 1 at the first corner.
+  // The same of a triangle_corners: 2 at (0.5, 0.5), between its last corners, and 1 at the first corner.
   CHECK(corner_shares({3.0, 1.0, 1.0, 0.5}, true) == Eigen::Vector4d(1.0, 1.0, 1.0, 0.0));
 }
 

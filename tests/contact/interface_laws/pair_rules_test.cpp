@@ -36,7 +36,7 @@ PairInterfaceLaw model_of(const InterfaceLaw& law) {
   return model;
 }
 
-InterfaceLaw coulomb(double coefficient) {
+InterfaceLaw coulomb_law(double coefficient) {
   InterfaceLaw law;
   law.friction = coefficient;
   return law;
@@ -84,8 +84,8 @@ TEST_CASE("a pair takes friction, reach and pressure from its law", "[contact][p
   PairRules rules(pairs, std::vector<ActiveTimes>(2), 3);
   CHECK_FALSE(rules.has_friction());
   IndexedVector<PairIndex, PairInterfaceLaw> laws;
-  laws.push_back(model_of(coulomb(0.25)));
-  InterfaceLaw limited = coulomb(1.0);
+  laws.push_back(model_of(coulomb_law(0.25)));
+  InterfaceLaw limited = coulomb_law(1.0);
   limited.limit = [](double force, double area, double speed) { return force + 10.0 * area + 100.0 * speed; };
   laws.push_back(model_of(limited));
   rules.set_laws(std::move(laws));
@@ -114,8 +114,8 @@ TEST_CASE("a HYBRID pair has one rule for what was close at the start and one fo
   SurfacePairs pairs;
   pairs.push_back(pair_of(a, b));
   PairRules rules(pairs, std::vector<ActiveTimes>(1), 2);
-  PairInterfaceLaw hybrid = model_of(coulomb(0.5));
-  hybrid.far = std::make_shared<const InterfaceLaw>(coulomb(0.1));
+  PairInterfaceLaw hybrid = model_of(coulomb_law(0.5));
+  hybrid.far = std::make_shared<const InterfaceLaw>(coulomb_law(0.1));
   IndexedVector<PairIndex, PairInterfaceLaw> laws;
   laws.push_back(hybrid);
   rules.set_laws(std::move(laws));

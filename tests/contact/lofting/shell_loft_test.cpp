@@ -12,7 +12,7 @@ using namespace contactsim::test;
 
 namespace {
 
-constexpr double tolerance = 1e-12;
+constexpr double rounding = 1e-12;
 
 /// The neighbours of all elements, which are shells.
 class AllShells {
@@ -49,23 +49,23 @@ TEST_CASE("the normal at a fold is the mean of both shells' normals", "[contact]
   const ShellNeighbours neighbours = shells.neighbours();
   const double half = degrees / 2 * std::numbers::pi / 180;
   const Eigen::Vector3d expected(-std::sin(half), 0, std::cos(half));
-  CHECK((corner_normal(neighbours, 0, 1) - expected).norm() < tolerance);  // corners 1, 2 of the first
-  CHECK((corner_normal(neighbours, 0, 2) - expected).norm() < tolerance);
-  CHECK((corner_normal(neighbours, 1, 0) - expected).norm() < tolerance);  // corners 0, 3 of the second
-  CHECK((corner_normal(neighbours, 1, 3) - expected).norm() < tolerance);
-  CHECK((corner_normal(neighbours, 0, 0) - Eigen::Vector3d::UnitZ()).norm() < tolerance);
+  CHECK((corner_normal(neighbours, 0, 1) - expected).norm() < rounding);  // corners 1, 2 of the first
+  CHECK((corner_normal(neighbours, 0, 2) - expected).norm() < rounding);
+  CHECK((corner_normal(neighbours, 1, 0) - expected).norm() < rounding);  // corners 0, 3 of the second
+  CHECK((corner_normal(neighbours, 1, 3) - expected).norm() < rounding);
+  CHECK((corner_normal(neighbours, 0, 0) - Eigen::Vector3d::UnitZ()).norm() < rounding);
 }
 
 TEST_CASE("beyond sixty degrees each shell keeps its normal", "[contact][loft]") {
   const AllShells shells = folded(GENERATE(61.0, 90.0, 119.0));
-  CHECK((corner_normal(shells.neighbours(), 0, 1) - Eigen::Vector3d::UnitZ()).norm() < tolerance);
+  CHECK((corner_normal(shells.neighbours(), 0, 1) - Eigen::Vector3d::UnitZ()).norm() < rounding);
 }
 
 TEST_CASE("a shell folded back by more than 120 degrees counts with its normal turned", "[contact][loft]") {
   // At 180 degrees the second shell lies on the first, looking down.
   const AllShells shells = folded(180);
-  CHECK((corner_normal(shells.neighbours(), 0, 1) - Eigen::Vector3d::UnitZ()).norm() < tolerance);
-  CHECK((corner_normal(shells.neighbours(), 1, 0) + Eigen::Vector3d::UnitZ()).norm() < tolerance);
+  CHECK((corner_normal(shells.neighbours(), 0, 1) - Eigen::Vector3d::UnitZ()).norm() < rounding);
+  CHECK((corner_normal(shells.neighbours(), 1, 0) + Eigen::Vector3d::UnitZ()).norm() < rounding);
 }
 
 TEST_CASE("larger shells weigh more in the mean normal", "[contact][loft]") {
@@ -79,8 +79,8 @@ TEST_CASE("larger shells weigh more in the mean normal", "[contact][loft]") {
   b.add_block(2, "", Shape::shell3, {tip.value, quad[0].value, quad[3].value});
   const AllShells shells(b.build());
   const Eigen::Vector3d expected = Eigen::Vector3d(-1.2, 0, 2.1) / std::sqrt(1.2 * 1.2 + 2.1 * 2.1);
-  CHECK((corner_normal(shells.neighbours(), 0, 0) - expected).norm() < tolerance);
-  CHECK((corner_normal(shells.neighbours(), 1, 1) - expected).norm() < tolerance);
+  CHECK((corner_normal(shells.neighbours(), 0, 0) - expected).norm() < rounding);
+  CHECK((corner_normal(shells.neighbours(), 1, 1) - expected).norm() < rounding);
 }
 
 TEST_CASE("an edge is on the perimeter when no other shell has it", "[contact][loft]") {

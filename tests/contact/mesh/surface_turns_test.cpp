@@ -22,12 +22,12 @@ MeshBuilder bodies() {
   return b;
 }
 
-const std::string surfaces =
+const std::string two_surfaces =
     "contact node set lone contains nodelist_1\ncontact surface s contains block_1 block_2\n"
     "begin interaction defaults\ngeneral contact = on\nend\n";
 
 struct Turned : ContactParts {
-  Turned() : ContactParts(bodies(), surfaces), turns(kinematics_of_mesh(contact_mesh, mesh)) {}
+  Turned() : ContactParts(bodies(), two_surfaces), turns(kinematics_of_mesh(contact_mesh, mesh)) {}
   SurfaceTurns turns;
 };
 

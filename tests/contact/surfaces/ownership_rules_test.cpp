@@ -13,7 +13,7 @@ namespace {
 
 /// Element 1 a hexahedron, 2 and 3 shells beside one another far from it, 4 a hexahedron that shares 1:2.
 /// surface_1: 1:6, 1:2 twice; surface_2: the top of shell 3 and 1:1.
-Mesh small_model() {
+Mesh ruled_model() {
   MeshBuilder b;
   b.add_hexes({.id = 1});
   b.add_shells({.id = 2, .cells = {2, 1}, .origin = {0, 0, 5}, .u = {2, 0, 0}});
@@ -45,7 +45,7 @@ struct Rules {
   }
   std::string body(std::uint32_t element) const { return list(rules.of_lofted({element}).body); }
 
-  Mesh mesh = small_model();
+  Mesh mesh = ruled_model();
   ContactDefinition contact;
   OwnershipRules rules;
 };

@@ -14,7 +14,7 @@ using namespace contactsim::test;
 
 namespace {
 
-Mesh single_hex() { return MeshBuilder().add_hexes({.id = 1}).build(); }
+Mesh lone_hex() { return MeshBuilder().add_hexes({.id = 1}).build(); }
 
 /// A block form over block_1 with these SUBSET lines.
 std::string with_subsets(const std::string& lines) {
@@ -31,7 +31,7 @@ Resolved restricted_brick(const Mesh& mesh, double radius, const std::string& su
 
 TEST_CASE("a face moves when its normal's dot product is above 0.45", "[contact][subset]") {
   // n = (1, 0, 2): 1/sqrt(5) = 0.447 with +x, 0.894 with +z. n = (9, 0, 17): 9/sqrt(370) = 0.468 with +x.
-  const Mesh mesh = single_hex();
+  const Mesh mesh = lone_hex();
   const auto below = resolve(mesh, with_subsets("subset t with normal 1 0 2\n"));
   CHECK(list_faces(mesh, below["s_t"]) == "1:6");
   const auto above = resolve(mesh, with_subsets("subset t with normal 9 0 17\n"));
@@ -41,7 +41,7 @@ TEST_CASE("a face moves when its normal's dot product is above 0.45", "[contact]
 
 TEST_CASE("the threshold lies at 0.45", "[contact][subset]") {
   // The cosine with +x of (c, 0, sqrt(1 - c^2)) is c.
-  const Mesh mesh = single_hex();
+  const Mesh mesh = lone_hex();
   const auto is_moved = [&](double c) {
     const std::string normal = std::to_string(c) + " 0 -" + std::to_string(std::sqrt(1 - c * c));
     const auto result = resolve(mesh, with_subsets("subset t with normal " + normal + "\n"));
@@ -52,7 +52,7 @@ TEST_CASE("the threshold lies at 0.45", "[contact][subset]") {
 }
 
 TEST_CASE("the length of a subset's normal does not matter", "[contact][subset]") {
-  const Mesh mesh = single_hex();
+  const Mesh mesh = lone_hex();
   const std::string normal = GENERATE(as<std::string>{}, "1e-180 0 0", "3 0 0", "1e160 0 0", "1e-3 1e-9 0");
   const auto result = resolve(mesh, with_subsets("subset t with normal " + normal + "\n"));
   CHECK(list_faces(mesh, result["s_t"]) == "1:2");
@@ -60,7 +60,7 @@ TEST_CASE("the length of a subset's normal does not matter", "[contact][subset]"
 
 TEST_CASE("a face that fits two subsets goes to the larger dot product", "[contact][subset]") {
   // With +x: 0.8 in far, 1 in near, whatever their order; with +z: 0.6 in far, 0 in near.
-  const Mesh mesh = single_hex();
+  const Mesh mesh = lone_hex();
   const std::string far = "subset far with normal 4 0 3\n", near = "subset near with normal 1 0 0\n";
   for (const std::string& lines : {far + near, near + far}) {
     const auto result = resolve(mesh, with_subsets(lines));
@@ -71,7 +71,7 @@ TEST_CASE("a face that fits two subsets goes to the larger dot product", "[conta
 
 TEST_CASE("the first listed subset wins a tie", "[contact][subset]") {
   // (1, 0, 1) and (1, 0, -1) have 0.707 with +x both; the third is nearer by less than the tie's 1e-9.
-  const Mesh mesh = single_hex();
+  const Mesh mesh = lone_hex();
   const std::string up = "subset up with normal 1 0 1\n", down = "subset down with normal 1 0 -1\n";
   const std::string hair = "subset hair with normal 1.0000000002 0 -1\n";
   CHECK(list_faces(mesh, resolve(mesh, with_subsets(up + down))["s_up"]) == "1:2 1:6");

@@ -15,7 +15,7 @@ namespace {
 
 /// Elements: 1 a hexahedron, 2 a shell, 3 a beam, 4 a particle. Names on the mesh: block_1 plate, side set 10
 /// plate as well, block 2 skin, block_3, block 4 dust, node set 20 corners.
-MeshBuilder small_model() {
+MeshBuilder asked_model() {
   MeshBuilder b;
   b.add_hexes({.id = 1, .name = "plate"});
   b.add_shells({.id = 2, .name = "skin", .origin = {0, 0, 5}});
@@ -32,34 +32,37 @@ MeshBuilder small_model() {
   return b;
 }
 
-std::string errors_of(const std::string& lines) { return resolve(small_model().build(), lines).messages; }
+std::string request_errors(const std::string& lines) {
+  return resolve(asked_model().build(), lines).messages;
+}
 
 }  // namespace
 
 TEST_CASE("a block form that names nothing is an error", "[contact][request]") {
-  CHECK(errors_of("begin contact surface s\nend\n") ==
+  CHECK(request_errors("begin contact surface s\nend\n") ==
         "c.i:1:23: error: contact surface 's' names nothing that it could hold; add a line BLOCK, ELEMENT, "
         "SURFACE, ASSEMBLY or INCLUDE ALL BLOCKS\n");
   const std::string removes =
-      errors_of("begin contact surface s\n remove block = block_1\n subset t with normal 1 0 0\nend\n");
+      request_errors("begin contact surface s\n remove block = block_1\n subset t with normal 1 0 0\nend\n");
   CHECK(removes.rfind("c.i:1:23: error: contact surface 's' names nothing that it could hold;", 0) == 0);
 }
 
 TEST_CASE("two surfaces with one name are an error at the second", "[contact][request]") {
-  CHECK(errors_of("contact surface Top contains block_1\n"
-                  "contact node set TOP contains corners\n") ==
+  CHECK(request_errors("contact surface Top contains block_1\n"
+                       "contact node set TOP contains corners\n") ==
         "c.i:2:18: error: a second contact surface with the name 'TOP'; the first stands at c.i:1:17\n");
 }
 
 TEST_CASE("a surface may not have the name of a block of SKIN ALL BLOCKS", "[contact][request]") {
-  CHECK(errors_of("contact surface SKIN contains block_1\n"
-                  "skin all blocks = on exclude plate dust\n") ==
+  CHECK(request_errors("contact surface SKIN contains block_1\n"
+                       "skin all blocks = on exclude plate dust\n") ==
         "c.i:2:1: error: a second contact surface with the name 'skin'; the first stands at c.i:1:17\n");
-  CHECK(errors_of("skin all blocks = on exclude block_1 dust\n"
-                  "contact surface block_3 contains block_1\n") ==
+  CHECK(request_errors("skin all blocks = on exclude block_1 dust\n"
+                       "contact surface block_3 contains block_1\n") ==
         "c.i:2:17: error: a second contact surface with the name 'block_3'; the first stands at c.i:1:1\n");
-  CHECK(errors_of("skin all blocks = on exclude skin block_3 dust\nskin all blocks = on exclude dust\n") ==
-        "c.i:2:1: error: a second contact surface with the name 'plate'; the first stands at c.i:1:1\n");
+  CHECK(
+      request_errors("skin all blocks = on exclude skin block_3 dust\nskin all blocks = on exclude dust\n") ==
+      "c.i:2:1: error: a second contact surface with the name 'plate'; the first stands at c.i:1:1\n");
 }
 
 TEST_CASE("the name of a subset must be free", "[contact][request]") {
@@ -69,18 +72,18 @@ TEST_CASE("the name of a subset must be free", "[contact][request]") {
       "  subset x with normal 1 0 0\n"
       "  subset X with normal 0 1 0\n"
       "end\n";
-  CHECK(errors_of(block) ==
+  CHECK(request_errors(block) ==
         "c.i:4:10: error: a second contact surface with the name 's_X'; the first stands at c.i:3:10\n");
-  CHECK(errors_of("contact surface s_up contains skin\n"
-                  "begin contact surface s\n"
-                  "  block = block_1\n"
-                  "  subset up with normal 0 0 1\n"
-                  "end\n") ==
+  CHECK(request_errors("contact surface s_up contains skin\n"
+                       "begin contact surface s\n"
+                       "  block = block_1\n"
+                       "  subset up with normal 0 0 1\n"
+                       "end\n") ==
         "c.i:4:10: error: a second contact surface with the name 's_up'; the first stands at c.i:1:17\n");
 }
 
 TEST_CASE("ELEMENT takes lofted elements that exist", "[contact][request]") {
-  CHECK(errors_of("begin contact surface s\n  element = 2 1 99\nend\n") ==
+  CHECK(request_errors("begin contact surface s\n  element = 2 1 99\nend\n") ==
         "c.i:2:15: error: element 1 is a HEX8 of block 'plate'; ELEMENT picks lofted elements only (shells, "
         "beams, particles)\n"
         "c.i:2:17: error: the mesh has no element with id 99\n");
@@ -88,26 +91,26 @@ TEST_CASE("ELEMENT takes lofted elements that exist", "[contact][request]") {
 
 TEST_CASE("blocks of particles are no part of a block form", "[contact][request]") {
   const std::string hint = "; use the line CONTACT SURFACE ... CONTAINS, or CONTACT NODE SET\n";
-  CHECK(errors_of("begin contact surface s\n  block = plate dust\nend\n") ==
+  CHECK(request_errors("begin contact surface s\n  block = plate dust\nend\n") ==
         "c.i:2:17: error: block 'dust' holds particles only, which BEGIN CONTACT SURFACE cannot take" + hint);
-  CHECK(errors_of("begin contact surface s\n  assembly = mixed\nend\n") ==
+  CHECK(request_errors("begin contact surface s\n  assembly = mixed\nend\n") ==
         "c.i:2:14: error: block 'dust' holds particles only, which BEGIN CONTACT SURFACE cannot take" + hint);
-  CHECK(errors_of("begin contact surface s\n  assembly = mixed\n  remove block = dust\nend\n").empty());
-  CHECK(errors_of("begin contact surface s\n  element = 4\nend\n").empty());
-  CHECK(errors_of("contact surface s contains dust\n").empty());
-  CHECK(errors_of("contact node set s contains mixed\n").empty());
+  CHECK(request_errors("begin contact surface s\n  assembly = mixed\n  remove block = dust\nend\n").empty());
+  CHECK(request_errors("begin contact surface s\n  element = 4\nend\n").empty());
+  CHECK(request_errors("contact surface s contains dust\n").empty());
+  CHECK(request_errors("contact node set s contains mixed\n").empty());
 }
 
 TEST_CASE("side sets of edges and nodes are no surfaces", "[contact][request]") {
   const std::string edge =
       "error: side set 'edge' holds side 4 of element 2 (SHELL4), which is an edge and no contact face\n";
-  CHECK(errors_of("contact surface s contains edge\n") == "c.i:1:28: " + edge);
-  CHECK(errors_of("begin contact surface s\n block = skin\n remove surface = edge\nend\n") ==
+  CHECK(request_errors("contact surface s contains edge\n") == "c.i:1:28: " + edge);
+  CHECK(request_errors("begin contact surface s\n block = skin\n remove surface = edge\nend\n") ==
         "c.i:3:19: " + edge);
-  CHECK(errors_of("contact surface s contains tip\n") ==
+  CHECK(request_errors("contact surface s contains tip\n") ==
         "c.i:1:28: error: side set 'tip' holds side 1 of element 3 (BEAM2), which is an edge and no contact "
         "face\n");
-  CHECK(errors_of("contact surface s contains skin\n").empty());
+  CHECK(request_errors("contact surface s contains skin\n").empty());
 }
 
 TEST_CASE("the sides of bars are nodes and no surfaces", "[contact][request]") {
@@ -121,28 +124,28 @@ TEST_CASE("the sides of bars are nodes and no surfaces", "[contact][request]") {
 }
 
 TEST_CASE("assemblies must hold what the command takes", "[contact][request]") {
-  CHECK(errors_of("contact surface s contains points\n") ==
+  CHECK(request_errors("contact surface s contains points\n") ==
         "c.i:1:28: error: assembly 'points' holds node set 'corners', which CONTACT SURFACE cannot take\n");
-  CHECK(errors_of("begin contact surface s\n assembly = points\nend\n") ==
+  CHECK(request_errors("begin contact surface s\n assembly = points\nend\n") ==
         "c.i:2:13: error: assembly 'points' holds node set 'corners', which BEGIN CONTACT SURFACE cannot "
         "take\n");
   CHECK(
-      errors_of("skin all blocks = on exclude tops\n") ==
+      request_errors("skin all blocks = on exclude tops\n") ==
       "c.i:1:30: error: assembly 'tops' holds side set 'plate', which SKIN ALL BLOCKS EXCLUDE cannot take\n");
-  CHECK(errors_of("contact surface s contains nothing\n") ==
+  CHECK(request_errors("contact surface s contains nothing\n") ==
         "c.i:1:28: error: assembly 'nothing' holds nothing that CONTACT SURFACE can take\n");
-  CHECK(errors_of("contact node set s contains points tops\n").empty());
+  CHECK(request_errors("contact node set s contains points tops\n").empty());
 }
 
 TEST_CASE("a name of two kinds is clear only to a command that takes one of them", "[contact][request]") {
   const std::string error =
       "error: 'plate' is the name of a block and a side set in the mesh; use the name with its id, such as "
       "block_<id> or surface_<id>\n";
-  CHECK(errors_of("contact surface s contains plate\n") == "c.i:1:28: " + error);
-  CHECK(errors_of("contact node set s contains plate\n") == "c.i:1:29: " + error);
-  CHECK(errors_of("begin contact surface s\n block = plate\n remove surface = plate\nend\n").empty());
-  CHECK(errors_of("contact surface s contains block_1 surface_10\n").empty());
-  CHECK(errors_of("skin all blocks = on exclude plate\n").empty());
+  CHECK(request_errors("contact surface s contains plate\n") == "c.i:1:28: " + error);
+  CHECK(request_errors("contact node set s contains plate\n") == "c.i:1:29: " + error);
+  CHECK(request_errors("begin contact surface s\n block = plate\n remove surface = plate\nend\n").empty());
+  CHECK(request_errors("contact surface s contains block_1 surface_10\n").empty());
+  CHECK(request_errors("skin all blocks = on exclude plate\n").empty());
 }
 
 TEST_CASE("an analytic object has one surface and a name of its own", "[contact][request]") {
@@ -150,7 +153,7 @@ TEST_CASE("an analytic object has one surface and a name of its own", "[contact]
       "begin analytic object floor\n normal direction = 0 0 1\nend\n"
       "begin analytic object skin\n normal direction = 0 0 1\nend\n"
       "begin contact definition\n";
-  const Mesh mesh = small_model().build();
+  const Mesh mesh = asked_model().build();
   const auto twice = resolve(mesh, parse_region(objects + "contact surface a contains floor\n"
                                                           "contact surface b contains block_1 Floor\n"
                                                           "end\n"));
@@ -163,9 +166,9 @@ TEST_CASE("an analytic object has one surface and a name of its own", "[contact]
 }
 
 TEST_CASE("all that is wrong appears in one run", "[contact][request]") {
-  CHECK(errors_of("contact surface a contains plat block_3\n"
-                  "contact surface a contains block_33\n"
-                  "begin contact surface b\n  surface = skin\n  element = 1\nend\n") ==
+  CHECK(request_errors("contact surface a contains plat block_3\n"
+                       "contact surface a contains block_33\n"
+                       "begin contact surface b\n  surface = skin\n  element = 1\nend\n") ==
         "c.i:1:28: error: the mesh has no side set, block or assembly 'plat'; did you mean 'plate'?\n"
         "c.i:2:17: error: a second contact surface with the name 'a'; the first stands at c.i:1:17\n"
         "c.i:2:28: error: the mesh has no side set, block or assembly 'block_33'; did you mean 'block_3'?\n"
@@ -175,7 +178,7 @@ TEST_CASE("all that is wrong appears in one run", "[contact][request]") {
 }
 
 TEST_CASE("requests hold positions in the mesh, each once", "[contact][request]") {
-  const Mesh mesh = small_model().build();
+  const Mesh mesh = asked_model().build();
   const ContactDefinition contact = parse_contact(
       "begin contact surface s\n"
       "  include all blocks\n"

@@ -11,7 +11,7 @@ using namespace contactsim::test;
 namespace {
 
 /// Two cubes that share the nodes at x = 1 (1 3 5 7); node ids are positions + 1.
-Mesh two_cubes() {
+Mesh cubes_with_sets() {
   MeshBuilder b;
   b.add_hexes({.id = 1});
   b.add_hexes({.id = 2, .origin = {1, 0, 0}});
@@ -24,7 +24,7 @@ Mesh two_cubes() {
 
 /// The ids of the nodes that a fixed displacement with the set lines picks, or what is wrong with them.
 std::string nodes_of(const std::string& lines) {
-  const Mesh mesh = two_cubes();
+  const Mesh mesh = cubes_with_sets();
   ConditionDeck deck(mesh, "begin fixed displacement\n" + lines + "component = x\nend\n");
   const auto nodes =
       find_nodes(deck.region().fixed_conditions.at(0).set,

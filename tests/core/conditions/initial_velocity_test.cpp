@@ -11,7 +11,7 @@ using namespace contactsim::test;
 namespace {
 
 /// Cubes from 0 to 1 and from 1 to 2 along x that share four nodes.
-const Mesh& two_cubes() {
+const Mesh& cubes_at_rest() {
   static const Mesh mesh =
       MeshBuilder().add_hexes({.id = 1}).add_hexes({.id = 2, .origin = {1, 0, 0}}).build();
   return mesh;
@@ -26,8 +26,8 @@ struct Set {
 Set set(const std::vector<std::string>& blocks) {
   std::string lines;
   for (const std::string& block : blocks) lines += "begin initial velocity\n" + block + "\nend\n";
-  ConditionDeck deck(two_cubes(), lines, 2.0);
-  Set made{Eigen::Matrix3Xd::Zero(3, two_cubes().n_nodes()), ""};
+  ConditionDeck deck(cubes_at_rest(), lines, 2.0);
+  Set made{Eigen::Matrix3Xd::Zero(3, cubes_at_rest().n_nodes()), ""};
   set_initial_velocity(deck.scope(), made.velocity);
   made.messages = deck.messages();
   return made;
@@ -42,7 +42,7 @@ TEST_CASE("an initial velocity goes along components, a direction or about an ax
             .isApprox(Eigen::Vector3d(-6, -8, 0)));
   const Set turning = set({"include all blocks\ncylindrical axis = spin\nangular velocity = 2"});
   for (Eigen::Index i = 0; i < turning.velocity.cols(); ++i) {
-    const Eigen::Vector3d x = two_cubes().coordinates().col(i);
+    const Eigen::Vector3d x = cubes_at_rest().coordinates().col(i);
     CHECK(turning.velocity.col(i).isApprox(Eigen::Vector3d(-2 * x.y(), 2 * x.x(), 0)));
   }
 }
@@ -50,7 +50,7 @@ TEST_CASE("an initial velocity goes along components, a direction or about an ax
 TEST_CASE("an initial velocity may be a function of the time or the place", "[core][conditions]") {
   CHECK(set({"block = block_2\ncomponent = y\nfunction = ramp\nscale factor = 4"}).velocity(1, 1) == 8.0);
   const Set varying = set({"include all blocks\ncomponent = y\nfunction = at_x"});
-  CHECK(varying.velocity.row(1) == 2.0 * two_cubes().coordinates().row(0));
+  CHECK(varying.velocity.row(1) == 2.0 * cubes_at_rest().coordinates().row(0));
   CHECK(set({"include all blocks\ncomponent = y\nfunction = bad_at_x"}).messages ==
         "c.i:1:1: error: the initial velocity has no finite value at node 2\n");
 }

@@ -61,7 +61,7 @@ struct Run {
 };
 
 /// What making the constraints of some lines says.
-std::string messages_of(const std::string& lines) {
+std::string constraint_messages(const std::string& lines) {
   const Mesh mesh = cube();
   ConditionDeck deck(mesh, lines);
   make_kinematic_constraints(deck.scope());
@@ -69,14 +69,14 @@ std::string messages_of(const std::string& lines) {
   return deck.messages();
 }
 
-std::string block(const std::string& kind, const std::string& lines) {
+std::string condition_block(const std::string& kind, const std::string& lines) {
   return "begin " + kind + "\n" + lines + "\nend\n";
 }
 
 }  // namespace
 
 TEST_CASE("a held node stays in place to the last bit, its free components move", "[core][conditions]") {
-  Run run(block("fixed displacement", "node set = n1 n2\ncomponents = x z"));
+  Run run(condition_block("fixed displacement", "node set = n1 n2\ncomponents = x z"));
   run.force.setConstant(0.3);
   run.v.setConstant(7.0);
   run.advance(50, 1e-3);
@@ -88,20 +88,21 @@ TEST_CASE("a held node stays in place to the last bit, its free components move"
 }
 
 TEST_CASE("a prescribed displacement is reached at every step", "[core][conditions]") {
-  Run run(
-      block("prescribed displacement", "block = block_1\ncomponent = y\nfunction = ramp\nscale factor = 3"));
+  Run run(condition_block("prescribed displacement",
+                          "block = block_1\ncomponent = y\nfunction = ramp\nscale factor = 3"));
   run.advance(7, 0.1);
   CHECK(run.u(5).y() == Approx(3.0 * run.time).epsilon(1e-14));
   CHECK(run.u(5).x() == 0.0);
 }
 
 TEST_CASE("a node starts at its prescribed speed, without a jump", "[core][conditions]") {
-  Run run(
-      block("prescribed displacement", "node set = n1\ncomponent = y\nfunction = ramp\nscale factor = 3") +
-      block("prescribed velocity", "node set = n2\ndirection = slanted\nfunction = one\nscale factor = 5") +
-      block("prescribed acceleration", "node set = n3\ncomponent = z\nfunction = one") +
-      block("fixed displacement", "node set = n4\ncomponent = z") +
-      block("prescribed velocity", "node set = n5\ncylindrical axis = spin\nfunction = one"));
+  Run run(condition_block("prescribed displacement",
+                          "node set = n1\ncomponent = y\nfunction = ramp\nscale factor = 3") +
+          condition_block("prescribed velocity",
+                          "node set = n2\ndirection = slanted\nfunction = one\nscale factor = 5") +
+          condition_block("prescribed acceleration", "node set = n3\ncomponent = z\nfunction = one") +
+          condition_block("fixed displacement", "node set = n4\ncomponent = z") +
+          condition_block("prescribed velocity", "node set = n5\ncylindrical axis = spin\nfunction = one"));
   run.v.setConstant(1.0);
   run.kinematic_constraints.constrain_velocity({0.0, 0.0, 0.25, run.x, run.v}, run.v);
   CHECK(run.v.col(0).isApprox(Eigen::Vector3d(1, 3, 1)));
@@ -112,8 +113,9 @@ TEST_CASE("a node starts at its prescribed speed, without a jump", "[core][condi
 }
 
 TEST_CASE("a velocity is that of the middle of the step, an acceleration that of now", "[core][conditions]") {
-  Run run(block("prescribed velocity", "node set = n1\ncomponent = x\nfunction = ramp\nscale factor = 2") +
-          block("prescribed acceleration", "node set = n2\ncomponent = x\nfunction = ramp"));
+  Run run(condition_block("prescribed velocity",
+                          "node set = n1\ncomponent = x\nfunction = ramp\nscale factor = 2") +
+          condition_block("prescribed acceleration", "node set = n2\ncomponent = x\nfunction = ramp"));
   run.advance(1, 0.5);
   CHECK(run.v(0, 0) == Approx(0.5).epsilon(1e-14));
   CHECK(run.v(0, 1) == 0.0);
@@ -125,8 +127,8 @@ TEST_CASE("a velocity is that of the middle of the step, an acceleration that of
 }
 
 TEST_CASE("along a direction the plane at right angles to it stays free", "[core][conditions]") {
-  Run run(block("prescribed displacement", "node set = n1\ndirection = slanted\nfunction = one") +
-          block("fixed displacement", "node set = n1\ndirection = across"));
+  Run run(condition_block("prescribed displacement", "node set = n1\ndirection = slanted\nfunction = one") +
+          condition_block("fixed displacement", "node set = n1\ndirection = across"));
   run.force.setConstant(2.0);
   run.advance(4, 0.1);
   CHECK(run.u(1).x() == Approx(0.6).epsilon(1e-13));
@@ -136,10 +138,11 @@ TEST_CASE("along a direction the plane at right angles to it stays free", "[core
 
 TEST_CASE("about an axis nodes move on exact arcs", "[core][conditions]") {
   Run run(
-      block("prescribed velocity", "node set = n1\ncylindrical axis = spin\nfunction = one\nscale factor 2") +
-      block("prescribed displacement", "node set = n2\ncylindrical axis = spin\nfunction = ramp") +
-      block("prescribed acceleration", "node set = n3\ncylindrical axis = spin\nfunction = one") +
-      block("fixed displacement", "node set = n1 n2\ncomponent = z"));
+      condition_block("prescribed velocity",
+                      "node set = n1\ncylindrical axis = spin\nfunction = one\nscale factor 2") +
+      condition_block("prescribed displacement", "node set = n2\ncylindrical axis = spin\nfunction = ramp") +
+      condition_block("prescribed acceleration", "node set = n3\ncylindrical axis = spin\nfunction = one") +
+      condition_block("fixed displacement", "node set = n1 n2\ncomponent = z"));
   run.force.setConstant(0.5);
   run.v.row(2).setConstant(1.0);
   run.advance(40, 0.05);
@@ -156,7 +159,8 @@ TEST_CASE("about an axis nodes move on exact arcs", "[core][conditions]") {
 }
 
 TEST_CASE("an angular acceleration turns a node as it moves a free one on a line", "[core][conditions]") {
-  Run run(block("prescribed acceleration", "node set = n3\ncylindrical axis = spin\nfunction = one"));
+  Run run(
+      condition_block("prescribed acceleration", "node set = n3\ncylindrical axis = spin\nfunction = one"));
   run.force.row(0).setConstant(1.0);
   run.advance(20, 0.02);
   const double angle = std::atan2(run.x(1, 2), run.x(0, 2)) - std::atan2(2.0, 1.0);
@@ -164,10 +168,12 @@ TEST_CASE("an angular acceleration turns a node as it moves a free one on a line
 }
 
 TEST_CASE("conditions act in their periods and let go after them", "[core][conditions]") {
-  Run run(block("prescribed velocity", "node set = n1\ncomponent = x\nfunction = one\nactive periods = p2") +
-          block("prescribed velocity",
-                "node set = n1\ncomponent = x\nfunction = one\nscale factor = 4\nactive periods = p3") +
-          block("fixed displacement", "node set = n1\ncomponent = x\nactive periods = p1"));
+  Run run(
+      condition_block("prescribed velocity",
+                      "node set = n1\ncomponent = x\nfunction = one\nactive periods = p2") +
+      condition_block("prescribed velocity",
+                      "node set = n1\ncomponent = x\nfunction = one\nscale factor = 4\nactive periods = p3") +
+      condition_block("fixed displacement", "node set = n1\ncomponent = x\nactive periods = p1"));
   run.v.setConstant(2.0);
   run.advance(8, 0.1);
   CHECK(run.time == Approx(1.0));
@@ -180,36 +186,39 @@ TEST_CASE("conditions act in their periods and let go after them", "[core][condi
 }
 
 TEST_CASE("two conditions on one degree of freedom name both lines and a node", "[core][conditions]") {
-  const std::string fixed = block("fixed displacement", "node set = n3 n5 n6\ncomponents = x y");
+  const std::string fixed = condition_block("fixed displacement", "node set = n3 n5 n6\ncomponents = x y");
   const std::string moved = "include all blocks\nfunction = one\n";
   const std::string end = "; take the nodes out of one of them, or give them other periods\n";
   CHECK(
-      messages_of(fixed + block("prescribed velocity", moved + "component = y")) ==
+      constraint_messages(fixed + condition_block("prescribed velocity", moved + "component = y")) ==
       "c.i:5:1: error: the prescribed velocity and the fixed displacement at c.i:1:1 both drive node 3 and 2 "
       "more in one direction at one time" +
           end);
-  CHECK(messages_of(fixed + block("prescribed velocity", moved + "component = z")) == "");
+  CHECK(constraint_messages(fixed + condition_block("prescribed velocity", moved + "component = z")) == "");
   CHECK(
-      messages_of(fixed + block("prescribed velocity", moved + "cylindrical axis = spin")) ==
+      constraint_messages(fixed +
+                          condition_block("prescribed velocity", moved + "cylindrical axis = spin")) ==
       "c.i:5:1: error: the prescribed velocity and the fixed displacement at c.i:1:1 both drive node 3 and 2 "
       "more in one direction at one time" +
           end);
   CHECK(
-      messages_of(block("prescribed displacement", "node set = n1\nfunction = one\ncomponent = x") +
-                  block("prescribed velocity", moved + "direction = slanted")) ==
+      constraint_messages(
+          condition_block("prescribed displacement", "node set = n1\nfunction = one\ncomponent = x") +
+          condition_block("prescribed velocity", moved + "direction = slanted")) ==
       "c.i:6:1: error: the prescribed velocity and the prescribed displacement at c.i:1:1 both drive node 1 "
       "in one direction at one time" +
           end);
-  CHECK(messages_of(block("prescribed displacement",
-                          "node set = n1\nfunction = one\ncomponent = x\n"
-                          "active periods = p1 p3") +
-                    block("prescribed velocity", moved + "component = x\nactive periods = p2")) == "");
+  CHECK(constraint_messages(
+            condition_block("prescribed displacement",
+                            "node set = n1\nfunction = one\ncomponent = x\n"
+                            "active periods = p1 p3") +
+            condition_block("prescribed velocity", moved + "component = x\nactive periods = p2")) == "");
 }
 
 TEST_CASE("nodes may be held twice, in slanted directions too", "[core][conditions]") {
-  Run run(block("fixed displacement", "node set = n1 n2\ncomponent = x") +
-          block("fixed displacement", "node set = n1 n3\ndirection = slanted") +
-          block("fixed displacement", "node set = n1\ncomponents = x z"));
+  Run run(condition_block("fixed displacement", "node set = n1 n2\ncomponent = x") +
+          condition_block("fixed displacement", "node set = n1 n3\ndirection = slanted") +
+          condition_block("fixed displacement", "node set = n1\ncomponents = x z"));
   run.force.setConstant(1.0);
   run.v.setConstant(3.0);
   run.advance(10, 0.1);
@@ -221,19 +230,21 @@ TEST_CASE("nodes may be held twice, in slanted directions too", "[core][conditio
 }
 
 TEST_CASE("what solids cannot do is refused, what changes nothing is ignored", "[core][conditions]") {
-  CHECK(messages_of(block("fixed rotation", "block = block_1\ncomponents = x y z")) ==
+  CHECK(constraint_messages(condition_block("fixed rotation", "block = block_1\ncomponents = x y z")) ==
         "c.i:1:1: warning: the fixed rotation has no effect: none of its nodes has rotations, as those of "
         "shells, beams and point inertias do "
         "[condition-ignored]\n");
-  CHECK(messages_of(block("prescribed rotation", "block = block_1\ncomponent = x\nfunction = one")) ==
+  CHECK(constraint_messages(
+            condition_block("prescribed rotation", "block = block_1\ncomponent = x\nfunction = one")) ==
         "c.i:1:1: error: the prescribed rotation cannot act: none of its nodes has rotations, as those of "
         "shells, beams and point inertias do; PRESCRIBED "
         "DISPLACEMENT or VELOCITY with CYLINDRICAL AXIS turns nodes about an axis\n");
+  CHECK(constraint_messages(condition_block("prescribed velocity",
+                                            "block = block_1\ncylindrical axis = none\nfunction = one")) ==
+        "d.i:37:13: error: the axis 'none' runs through one point only; its two points lie at one place\n");
   CHECK(
-      messages_of(block("prescribed velocity", "block = block_1\ncylindrical axis = none\nfunction = one")) ==
-      "d.i:37:13: error: the axis 'none' runs through one point only; its two points lie at one place\n");
-  CHECK(
-      messages_of(block("prescribed velocity", "block = block_1\ncomponent = x\nfunction = of_stress")) ==
+      constraint_messages(
+          condition_block("prescribed velocity", "block = block_1\ncomponent = x\nfunction = of_stress")) ==
       "d.i:27:35: error: the function of the prescribed velocity reads 'stress(xx)', which conditions do not "
       "know; they know the global time and x, y and z of the nodal coordinates, model_coordinates, "
       "displacement and velocity\n");
@@ -242,12 +253,12 @@ TEST_CASE("what solids cannot do is refused, what changes nothing is ignored", "
 TEST_CASE("rotations are held and driven as places are, about an axis by its direction",
           "[core][conditions]") {
   const Mesh mesh = cube();
-  ConditionDeck deck(mesh, block("fixed rotation", "node set = n1 n2\ncomponents = x y") +
-                               block("prescribed rotation",
-                                     "node set = n1\ncomponent = z\n"
-                                     "function = ramp") +
-                               block("prescribed rotational velocity",
-                                     "node set = n3\ncylindrical axis = spin\nfunction = one"));
+  ConditionDeck deck(mesh, condition_block("fixed rotation", "node set = n1 n2\ncomponents = x y") +
+                               condition_block("prescribed rotation",
+                                               "node set = n1\ncomponent = z\n"
+                                               "function = ramp") +
+                               condition_block("prescribed rotational velocity",
+                                               "node set = n3\ncylindrical axis = spin\nfunction = one"));
   Eigen::Matrix3Xd inertia = Eigen::Matrix3Xd::Ones(3, 8);
   inertia.col(1).setConstant(minimum_nodal_mass);  // node 2 is one of solids alone
   const KinematicConstraints kinematic_constraints = make_rotation_constraints(deck.scope(), inertia);
@@ -263,8 +274,8 @@ TEST_CASE("rotations are held and driven as places are, about an axis by its dir
 }
 
 TEST_CASE("a value may vary from node to node", "[core][conditions]") {
-  Run run(
-      block("prescribed velocity", "block = block_1\ncomponent = z\nfunction = at_x\nscale factor = 0.5"));
+  Run run(condition_block("prescribed velocity",
+                          "block = block_1\ncomponent = z\nfunction = at_x\nscale factor = 0.5"));
   run.advance(3, 0.1);
   CHECK(run.v(2, 0) == Approx(1.0));
   CHECK(run.v(2, 1) == Approx(2.0));
@@ -272,7 +283,7 @@ TEST_CASE("a value may vary from node to node", "[core][conditions]") {
 
 TEST_CASE("a value that is not finite ends the run at the condition", "[core][conditions]") {
   const auto failure = [](const std::string& function) {
-    Run run(block("prescribed velocity", "block = block_1\ncomponent = z\nfunction = " + function));
+    Run run(condition_block("prescribed velocity", "block = block_1\ncomponent = z\nfunction = " + function));
     Eigen::Matrix3Xd a = run.force;
     try {
       run.kinematic_constraints.constrain({0.5, 0.0, 1.0, run.x, run.v}, a);
@@ -289,8 +300,8 @@ TEST_CASE("a value that is not finite ends the run at the condition", "[core][co
 
 TEST_CASE("constraints are the same bits for any number of threads", "[core][conditions]") {
   const Mesh mesh = MeshBuilder().add_hexes({.id = 1, .cells = {40, 30, 20}}).build();
-  ConditionDeck deck(
-      mesh, block("prescribed velocity", "block = block_1\ncylindrical axis = spin\nfunction = at_x"));
+  ConditionDeck deck(mesh, condition_block("prescribed velocity",
+                                           "block = block_1\ncylindrical axis = spin\nfunction = at_x"));
   const KinematicConstraints kinematic_constraints = make_kinematic_constraints(deck.scope());
   const Eigen::Matrix3Xd v = mesh.coordinates().array().sin().matrix();
   const int n_threads = omp_get_max_threads();

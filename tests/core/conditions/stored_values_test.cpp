@@ -12,7 +12,7 @@ using namespace contactsim::test;
 
 namespace {
 
-const Mesh& cube() {
+const Mesh& cube_with_values() {
   static const Mesh mesh =
       MeshBuilder()
           .add_hexes({.id = 1})
@@ -40,13 +40,13 @@ StoredVariables results() {
 struct Driven {
   explicit Driven(const std::string& lines, bool has_results = true) {
     const StoredVariables stored = results();
-    ConditionDeck deck(cube(), "begin prescribed velocity\n" + lines + "end\n", 0.0,
+    ConditionDeck deck(cube_with_values(), "begin prescribed velocity\n" + lines + "end\n", 0.0,
                        has_results ? &stored : nullptr);
     const KinematicConstraints kinematic_constraints = make_kinematic_constraints(deck.scope());
     messages = deck.messages();
     const Eigen::Matrix3Xd rest = Eigen::Matrix3Xd::Zero(3, 8);
     acceleration = rest;
-    kinematic_constraints.constrain({1.0, 1.5, 0.5, cube().coordinates(), rest}, acceleration);
+    kinematic_constraints.constrain({1.0, 1.5, 0.5, cube_with_values().coordinates(), rest}, acceleration);
   }
   Eigen::Matrix3Xd acceleration;  ///< equals the velocity: half of both steps is 1 [time]
   std::string messages;
@@ -54,11 +54,11 @@ struct Driven {
 
 Eigen::Matrix3Xd forces(const std::string& lines) {
   const StoredVariables stored = results();
-  ConditionDeck deck(cube(), lines, 0.0, &stored);
+  ConditionDeck deck(cube_with_values(), lines, 0.0, &stored);
   ExternalForce force = make_external_force(deck.scope(), Eigen::Matrix3Xd::Ones(3, 8));
   REQUIRE(deck.messages() == "");
   Eigen::Matrix3Xd made(3, 8);
-  force.set_forces({2.0, 0.1, cube().coordinates(), cube().coordinates()}, made);
+  force.set_forces({2.0, 0.1, cube_with_values().coordinates(), cube_with_values().coordinates()}, made);
   return made;
 }
 

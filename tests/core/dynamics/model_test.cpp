@@ -15,19 +15,19 @@ using namespace contactsim;
 
 namespace {
 
-DeckName named(const std::string& text) { return {text, {}}; }
+DeckName deck_name(const std::string& text) { return {text, {}}; }
 
 /// One material `steel` with the models `elastic` and `strange`, given to `block`.
 SimulationDefinition definition_for(const std::string& block) {
   SimulationDefinition definition;
   const MaterialModel elastic =
       test::material_model("elastic", {{"youngs modulus", 200e9}, {"poissons ratio", 0.3}});
-  definition.materials.push_back({named("steel"), 7800.0, {elastic, {named("strange"), {}}}});
+  definition.materials.push_back({deck_name("steel"), 7800.0, {elastic, {deck_name("strange"), {}}}});
   BlockParameters parameters;
-  parameters.names = {named(block)};
-  parameters.material = named("steel");
-  parameters.model = named("elastic");
-  definition.finite_element_models.push_back({named("fem"), {}, {}, {parameters}, {}});
+  parameters.names = {deck_name(block)};
+  parameters.material = deck_name("steel");
+  parameters.model = deck_name("elastic");
+  definition.finite_element_models.push_back({deck_name("fem"), {}, {}, {parameters}, {}});
   return definition;
 }
 
@@ -60,13 +60,13 @@ TEST_CASE("blocks that cannot move are errors", "[core][model]") {
   CHECK(errors_of(definition_for("block_1"), shells) ==
         "block_1 has no thickness: neither a section nor an attribute on the mesh\n");
   SimulationDefinition strange = definition_for("block_1");
-  strange.finite_element_models[0].block_parameters[0].model = named("strange");
+  strange.finite_element_models[0].block_parameters[0].model = deck_name("strange");
   CHECK_THAT(errors_of(strange, hexes), Catch::Contains("model 'strange': the model is not supported"));
   SimulationDefinition section = definition_for("block_1");
   SolidSection solid;
-  solid.formulation = named("q1p0");
-  section.sections.push_back({named("s"), {}, solid});
-  section.finite_element_models[0].block_parameters[0].section = named("s");
+  solid.formulation = deck_name("q1p0");
+  section.sections.push_back({deck_name("s"), {}, solid});
+  section.finite_element_models[0].block_parameters[0].section = deck_name("s");
   CHECK(errors_of(section, hexes) == "block_1: there is no HEX8 with the formulation q1p0\n");
 }
 
@@ -74,10 +74,10 @@ TEST_CASE("a section's deviatoric parameter reaches its elements, and counts 1 b
   const Mesh mesh = test::MeshBuilder().add_hexes({}).build();
   SimulationDefinition definition = definition_for("block_1");
   SolidSection solid;
-  solid.formulation = named("Selective_Deviatoric");
+  solid.formulation = deck_name("Selective_Deviatoric");
   const auto made = [&] {
-    definition.sections = {{named("s"), {}, solid}};
-    definition.finite_element_models[0].block_parameters[0].section = named("s");
+    definition.sections = {{deck_name("s"), {}, solid}};
+    definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
     Diagnostics diagnostics;
     const Model model = make_model(definition, {}, mesh, diagnostics);
     CHECK(diagnostics.empty());
@@ -116,9 +116,9 @@ TEST_CASE("a hexahedron that turns inside out at a point is refused where points
   SimulationDefinition definition = definition_for("block_1");
   CHECK(errors_of(definition, mesh).empty());
   SolidSection solid;
-  solid.formulation = named("fully_integrated");
-  definition.sections = {{named("s"), {}, solid}};
-  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  solid.formulation = deck_name("fully_integrated");
+  definition.sections = {{deck_name("s"), {}, solid}};
+  definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
   CHECK(errors_of(definition, mesh) == "block_1: element 1 is without a positive volume\n");
 }
 
@@ -129,10 +129,10 @@ TEST_CASE("a truss of rubber takes its initial load over a period only", "[core]
   SimulationDefinition definition = definition_for("block_1");
   definition.materials[0].models[0] =
       test::material_model("neo_hookean", {{"youngs modulus", 1e6}, {"poissons ratio", 0.45}});
-  definition.finite_element_models[0].block_parameters[0].model = named("neo_hookean");
+  definition.finite_element_models[0].block_parameters[0].model = deck_name("neo_hookean");
   const auto errors_with = [&](double load, double period) {
-    definition.sections = {{named("s"), {}, TrussSection{0.01, load, period}}};
-    definition.finite_element_models[0].block_parameters[0].section = named("s");
+    definition.sections = {{deck_name("s"), {}, TrussSection{0.01, load, period}}};
+    definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
     return errors_of(definition, mesh);
   };
   CHECK(errors_with(0.0, 0.0).empty());
@@ -164,15 +164,15 @@ TEST_CASE("ten-node tetrahedra are composite, by default, by a solid and by a to
   const Mesh mesh = test::MeshBuilder().add_ten_node_tets({}).build();
   SimulationDefinition definition = definition_for("block_1");
   CHECK(errors_of(definition, mesh).empty());
-  definition.finite_element_models[0].block_parameters[0].section = named("s");
-  definition.sections = {{named("s"), {}, SolidSection{}}};
+  definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
+  definition.sections = {{deck_name("s"), {}, SolidSection{}}};
   CHECK(errors_of(definition, mesh).empty());
-  definition.sections = {{named("s"), {}, TotalLagrangeSection{}}};
+  definition.sections = {{deck_name("s"), {}, TotalLagrangeSection{}}};
   CHECK(errors_of(definition, mesh) ==
         "block_1: strain is taken step by step, not from the undeformed element\n");
   SolidSection given;
-  given.formulation = named("selective_deviatoric");
-  definition.sections = {{named("s"), {}, given}};
+  given.formulation = deck_name("selective_deviatoric");
+  definition.sections = {{deck_name("s"), {}, given}};
   CHECK(errors_of(definition, mesh) ==
         "block_1: there is no TETRA10 with the formulation selective_deviatoric\n");
 }
@@ -183,7 +183,7 @@ TEST_CASE("midside nodes that one side of a face has alone are told", "[core][mo
   SimulationDefinition definition = definition_for("block_1");
   auto& parameters = definition.finite_element_models[0].block_parameters;
   parameters.push_back(parameters[0]);
-  parameters[1].names = {named("block_2")};
+  parameters[1].names = {deck_name("block_2")};
   SECTION("alike") {
     builder.add_ten_node_tets({.id = 2, .origin = {0, 0, 1}});
     CHECK(errors_of(definition, builder.build()).empty());
@@ -199,11 +199,11 @@ TEST_CASE("midside nodes that one side of a face has alone are told", "[core][mo
 TEST_CASE("options of a solid section that are not supported are told", "[core][model]") {
   const Mesh hexes = test::MeshBuilder().add_hexes({}).build();
   SimulationDefinition definition = definition_for("block_1");
-  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
   SolidSection solid;
-  solid.strain_incrementation = named("node_based");
+  solid.strain_incrementation = deck_name("node_based");
   solid.is_hourglass_total = true;
-  definition.sections.push_back({named("s"), {}, solid});
+  definition.sections.push_back({deck_name("s"), {}, solid});
   CHECK(errors_of(definition, hexes) ==
         "there is no strain incrementation 'node_based'\n"
         "block_1: hourglass forces are incremental and turn with the material\n");
@@ -215,12 +215,12 @@ TEST_CASE("options of a solid section that are not supported are told", "[core][
 TEST_CASE("a membrane section makes membranes of shells' blocks", "[core][model][membranes]") {
   const Mesh mesh = test::MeshBuilder().add_shells({}).build();
   SimulationDefinition definition = definition_for("block_1");
-  definition.finite_element_models[0].block_parameters[0].section = named("s");
+  definition.finite_element_models[0].block_parameters[0].section = deck_name("s");
   MembraneSection membrane;
   CHECK(errors_of(definition, mesh) != "");
   membrane.thickness = 0.1;
   membrane.thickness_scale_factor = 2.0;
-  definition.sections.push_back({named("s"), {}, membrane});
+  definition.sections.push_back({deck_name("s"), {}, membrane});
   Diagnostics diagnostics;
   const Model model = make_model(definition, {}, mesh, diagnostics);
   CHECK(diagnostics.empty());
@@ -229,10 +229,10 @@ TEST_CASE("a membrane section makes membranes of shells' blocks", "[core][model]
   CHECK(model.blocks[0].thickness[0](0) == 0.2);
   CHECK(model.blocks[0].layout.n_points == 1);
   CHECK(model.inertia.cols() == 0);
-  membrane.formulation = named("selective_deviatoric");
+  membrane.formulation = deck_name("selective_deviatoric");
   definition.sections[0].properties = membrane;
   CHECK(errors_of(definition, mesh) == "block_1: MEAN_QUADRATURE stands in for selective_deviatoric\n");
-  membrane.formulation = named("fully_integrated");
+  membrane.formulation = deck_name("fully_integrated");
   definition.sections[0].properties = membrane;
   CHECK(errors_of(definition, mesh) ==
         "block_1: there are no membranes with the formulation fully_integrated\n");
@@ -244,8 +244,8 @@ TEST_CASE("springs and point masses need no material, dampers do", "[core][model
   BlockParameters& parameters = definition.finite_element_models[0].block_parameters[0];
   parameters.material.reset();
   parameters.model.reset();
-  parameters.section = named("s");
-  definition.sections.push_back({named("s"), {}, SpringSection{{}, 5.0, {}, 2.0}});
+  parameters.section = deck_name("s");
+  definition.sections.push_back({deck_name("s"), {}, SpringSection{{}, 5.0, {}, 2.0}});
   Diagnostics diagnostics;
   const Model model = make_model(definition, {}, mesh, diagnostics);
   CHECK(diagnostics.empty());

@@ -12,7 +12,7 @@ using namespace contactsim;
 
 namespace {
 
-constexpr double lost = std::numeric_limits<double>::quiet_NaN();
+constexpr double lost_digits = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Function made(const FunctionDefinition& definition) {
@@ -59,7 +59,7 @@ TEST_CASE("a piecewise linear function meets its points and holds its ends", "[c
   CHECK(f.evaluate(-infinity) == 10.0);
   CHECK(f.evaluate(5.0) == -20.0);
   CHECK(f.evaluate(infinity) == -20.0);
-  CHECK(std::isnan(f.evaluate(lost)));
+  CHECK(std::isnan(f.evaluate(lost_digits)));
   CHECK_FALSE(f.is_constant());
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("a piecewise constant function steps at its points", "[core][function]
     CHECK(f.evaluate(1.5) == 10.0);
     CHECK(f.evaluate(2.5) == 20.0);
     CHECK(f.evaluate(9.0) == 30.0);
-    CHECK(std::isnan(f.evaluate(lost)));
+    CHECK(std::isnan(f.evaluate(lost_digits)));
   }
   CHECK(right.evaluate(2.0) == 20.0);
   CHECK(left.evaluate(2.0) == 10.0);
@@ -125,7 +125,7 @@ TEST_CASE("both coordinates are offset first and scaled then", "[core][function]
 }
 
 TEST_CASE("a constant function is scaled", "[core][function]") {
-  FunctionDefinition definition = table_function(FunctionType::constant, {{lost, 7}});
+  FunctionDefinition definition = table_function(FunctionType::constant, {{lost_digits, 7}});
   definition.y_scale = 2.0;
   definition.y_offset = 1.0;
   CHECK(made(definition).evaluate(123.0) == 16.0);

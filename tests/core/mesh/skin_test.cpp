@@ -27,7 +27,7 @@ void check_skin(const Mesh& mesh, const std::vector<std::uint8_t>& present) {
 
 /// A brick of mixed shapes: hexahedra, then tetrahedra, wedges and pyramids apart from it, shells on one
 /// side.
-Mesh mixed_mesh() {
+Mesh mesh_of_all_shapes() {
   MeshBuilder b;
   b.add_hexes({.id = 1, .cells = {4, 3, 3}, .size = {4, 3, 3}});
   b.add_hexes({.id = 2, .cells = {2, 3, 3}, .origin = {4, 0, 0}, .size = {2, 3, 3}});
@@ -99,7 +99,7 @@ TEST_CASE("a hexahedron that is degenerate to a wedge meets a wedge and a hexahe
 }
 
 TEST_CASE("the skin of random parts of a mixed mesh equals a slow skin", "[core][skin]") {
-  const Mesh mesh = mixed_mesh();
+  const Mesh mesh = mesh_of_all_shapes();
   std::mt19937 random(7);
   for (int round = 0; round < 50; ++round) {
     std::vector<std::uint8_t> present(mesh.n_elements());

@@ -16,14 +16,14 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double thickness = 0.05;
+constexpr double drilled_thickness = 0.05;
 
 /// A warped and distorted shell that resists drilling.
 LoneShell drilled_shell(const ElementFormulation& row) {
   ShellSettings settings = gauss_layers();
   settings.drilling = 0.1;
   const Matrix3Xd x = rotation_of(0.7) * distorted(regular_shell(row.shape), 0.1, 4);
-  return LoneShell(row, ElasticLaw{{160e9, 80e9}}, x, thickness, settings);
+  return LoneShell(row, ElasticLaw{{160e9, 80e9}}, x, drilled_thickness, settings);
 }
 
 }  // namespace
@@ -36,7 +36,7 @@ TEST_CASE("fibres that turn about themselves are held by drilling stiffness", "[
     const Eigen::VectorXd ascending = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
                                           0.5 * (stiffness + stiffness.transpose()), Eigen::EigenvaluesOnly)
                                           .eigenvalues();
-    const double bending = 1e11 * thickness * thickness * thickness;
+    const double bending = 1e11 * drilled_thickness * drilled_thickness * drilled_thickness;
     CHECK(ascending.head(6).cwiseAbs().maxCoeff() < 5e-4 * bending);  // rigid motions
     CHECK(ascending(6) > 2e-3 * bending);
   }
@@ -48,7 +48,7 @@ TEST_CASE("one node that turns feels its share of the shear stiffness", "[core][
     ShellSettings settings = gauss_layers();
     settings.drilling = 0.1;
     const Matrix3Xd x = regular_shell(row->shape);
-    LoneShell shell(*row, ElasticLaw{{160e9, 80e9}}, x, thickness, settings);
+    LoneShell shell(*row, ElasticLaw{{160e9, 80e9}}, x, drilled_thickness, settings);
     Matrix3Xd turns = Matrix3Xd::Zero(3, x.cols());
     turns(2, 0) = 0.01;
     const ChunkStep step = shell.move_to(x, turns);
@@ -97,7 +97,7 @@ TEST_CASE("the stable step of a shell that resists drilling is below that of its
       ShellSettings settings = gauss_layers();
       settings.drilling = factor;
       const Matrix3Xd x = distorted(regular_shell(row->shape), 0.1, 4);
-      LoneShell shell(*row, ElasticLaw{{160e9, 80e9}}, x, thickness, settings);
+      LoneShell shell(*row, ElasticLaw{{160e9, 80e9}}, x, drilled_thickness, settings);
       const double limit = stable_limit(shell), bound = shell.stay().stable_step;
       CHECK(bound <= (1.0 + 1e-6) * limit);
       CHECK(bound > 0.6 * limit);

@@ -12,27 +12,28 @@ using namespace contactsim;
 
 namespace {
 
-constexpr double natural[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                  {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+constexpr double corner_points[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                        {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
-NodeVectors<8> distorted_cubes(double size) {
+NodeVectors<8> distorted_cubes(double distortion) {
   std::mt19937 random(3);
-  std::uniform_real_distribution<double> shift(-size, size);
+  std::uniform_real_distribution<double> shift(-distortion, distortion);
   NodeVectors<8> x;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t node = 0; node < 8; ++node) {
-      for (int lane = 0; lane < n_lanes; ++lane) x[i][node](lane) = 0.5 * natural[node][i] + shift(random);
+      for (int lane = 0; lane < n_lanes; ++lane)
+        x[i][node](lane) = 0.5 * corner_points[node][i] + shift(random);
     }
   }
   return x;
 }
 
-/// Derivative of a node's shape function along a natural coordinate at a point.
+/// Derivative of a node's shape function along a corner_points coordinate at a point.
 double shape_slope(std::size_t node, std::size_t point, std::size_t along) {
   double product = 0.125;
   for (std::size_t k = 0; k < 3; ++k) {
     const double at = ((point >> k & 1) != 0 ? 1.0 : -1.0) / std::sqrt(3.0);
-    product *= k == along ? natural[node][k] : 1.0 + natural[node][k] * at;
+    product *= k == along ? corner_points[node][k] : 1.0 + corner_points[node][k] * at;
   }
   return product;
 }

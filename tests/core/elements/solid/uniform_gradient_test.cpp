@@ -12,8 +12,8 @@ using namespace contactsim::test;
 
 namespace {
 
-constexpr double natural[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                  {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+constexpr double corner_signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                       {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
 
 const ElementFormulation& hex8() { return *find_solid_element(Shape::hex8, "mean_quadrature"); }
 
@@ -47,7 +47,8 @@ TEST_CASE("an hourglass motion is resisted, and a linear one is not taken for it
     LoneElement bent = distorted_hex(seed), stretched = bent;
     const Eigen::Matrix3Xd x = bent.coordinates;
     Eigen::Matrix3Xd mode = Eigen::Matrix3Xd::Zero(3, 8);
-    for (Eigen::Index node = 0; node < 8; ++node) mode(0, node) = natural[node][1] * natural[node][2];
+    for (Eigen::Index node = 0; node < 8; ++node)
+      mode(0, node) = corner_signs[node][1] * corner_signs[node][2];
     const ChunkStep resisted = bent.move_to(x + 1e-6 * mode, 1e-6);
     CHECK(resisted.hourglass_work > 0.0);
     CHECK(bent.forces().cwiseProduct(mode).sum() < 0.0);
@@ -64,7 +65,8 @@ TEST_CASE("hourglass viscosity takes up work and keeps none", "[core][elements]"
   LoneElement element = distorted_hex(1, viscous);
   const Eigen::Matrix3Xd x = element.coordinates;
   Eigen::Matrix3Xd bent = x;
-  for (Eigen::Index node = 0; node < 8; ++node) bent(0, node) += 1e-6 * natural[node][1] * natural[node][2];
+  for (Eigen::Index node = 0; node < 8; ++node)
+    bent(0, node) += 1e-6 * corner_signs[node][1] * corner_signs[node][2];
   CHECK(element.move_to(bent, 1e-6).hourglass_work == 0.0);  // no stiffness to scale the viscosity with
   viscous.hourglass_stiffness = 0.05;
   LoneElement damped = distorted_hex(1, viscous), elastic = distorted_hex(1);
