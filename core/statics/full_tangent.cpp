@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/full_tangent.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/statics/conjugate_gradients.hpp"
 
 namespace contactsim {
-
-namespace {
-
-/// The size of springs: another one where some have come, gone, begun to stick or to slide.
-double size_of(const std::vector<ContactSpring>& springs) {
-  double size = 0.0;
-  for (const ContactSpring& spring : springs) size += spring.coupling.norm() * spring.stiffness.norm();
-  return size;
-}
-
-}  // namespace
 
 FullTangent::FullTangent(StaticProblem& problem, const NodeGraph& graph, const FullTangentSettings& settings)
     : problem_(problem),
@@ -67,36 +54,19 @@ SparseFactor::Matrix FullTangent::assemble() {
   return matrix;
 }
 
-/// Numbers the unknowns anew. Returns whether the stiffness exists.
-bool FullTangent::probe_elements(const Eigen::VectorXd& increment, std::int64_t& n_evaluations) {
-  const std::int64_t n_probes = blocks_.renew(increment);
-  n_evaluations += n_probes;
-  if (n_probes == 0) return false;
-  largest_ = blocks_.largest();
-  blocks_.steady(free_shares_);
-  const std::vector<std::size_t> before = places_;
-  number_unknowns();
-  if (places_ != before) exists_ = false;
-  return true;
-}
-
 std::int64_t FullTangent::renew(const Eigen::VectorXd& increment, bool may_keep_elements) {
-  constexpr double same = 1e-3;
-  Eigen::VectorXd residual;
-  std::int64_t n_evaluations = 1;
-  if (!problem_.evaluate(increment, residual)) return n_evaluations;
-  const std::vector<ContactSpring> springs = problem_.contact_springs();
-  const double size = size_of(springs);
-  const bool keeps = may_keep_elements && blocks_.exist() &&
-                     std::abs(size - spring_size_) > same * std::max(size, spring_size_);
-  if (!keeps && !probe_elements(increment, n_evaluations)) return n_evaluations;
-  spring_size_ = size;
-  blocks_.join(blocks_of(springs));
+  const TangentBlocks::Update update = blocks_.update(increment, free_shares_, may_keep_elements);
+  if (!update.exists) return update.n_evaluations;
+  if (update.has_new_elements) {
+    const std::vector<std::size_t> before = places_;
+    number_unknowns();
+    if (places_ != before) exists_ = false;
+  }
   matrix_ = assemble();
   is_current_ = false;
   // A step begins with a factor of its own, so that a restart has the same one.
   if (!exists_ || !is_symmetric() || !may_keep_elements) factorise();
-  return n_evaluations;
+  return update.n_evaluations;
 }
 
 bool FullTangent::factorise() const {

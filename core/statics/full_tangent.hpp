@@ -24,7 +24,7 @@ class FullTangent final : public Tangent {
 
   std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) override;
   void set_free(std::vector<double> shares) override { free_shares_ = std::move(shares); }
-  double largest() const override { return largest_; }
+  double largest() const override { return blocks_.largest(); }
   bool exists() const override { return exists_; }
   /// 0 where nodes turn, whose factor does not tell; of the last factor.
   std::int64_t n_negative() const override { return exists_ ? factor_->n_negative() : 0; }
@@ -33,7 +33,6 @@ class FullTangent final : public Tangent {
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
 
  private:
-  bool probe_elements(const Eigen::VectorXd& increment, std::int64_t& n_evaluations);
   void number_unknowns();
   SparseFactor::Matrix assemble();
   bool is_symmetric() const { return blocks_.per_node() == 3; }
@@ -45,8 +44,6 @@ class FullTangent final : public Tangent {
   const FullTangentSettings& settings_;
   TangentBlocks blocks_;
   std::vector<double> free_shares_;  // [n_nodes], or empty [1]
-  double largest_ = 0.0;             // [force/length]
-  double spring_size_ = 0.0;         // of contact, which tells whether its springs have changed
   std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
   SparseFactor::Matrix matrix_;      // of now; the lower half of a symmetric one

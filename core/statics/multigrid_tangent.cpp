@@ -20,17 +20,14 @@ Modes MultigridTangent::rigid_modes(const Eigen::VectorXd& increment) const {
   return modes;
 }
 
-std::int64_t MultigridTangent::renew(const Eigen::VectorXd& increment, bool /*may_keep_elements*/) {
-  const std::int64_t n_evaluations = blocks_.renew(increment);
-  if (n_evaluations == 0) return 0;
-  largest_ = blocks_.largest();
-  blocks_.steady(free_shares_);
-  blocks_.join(blocks_of(problem_.contact_springs()));
+std::int64_t MultigridTangent::renew(const Eigen::VectorXd& increment, bool may_keep_elements) {
+  const TangentBlocks::Update update = blocks_.update(increment, free_shares_, may_keep_elements);
+  if (!update.exists) return update.n_evaluations;
   multigrid_.reset();
-  matrix_ = blocks_.take_symmetric(settings_.tangent_diagonal_scale);
+  matrix_ = blocks_.take_symmetric(settings_.tangent_diagonal_scale, problem_.contact() != nullptr);
   multigrid_.emplace(matrix_, rigid_modes(increment));
   is_negative_ = false;
-  return n_evaluations;
+  return update.n_evaluations;
 }
 
 /// Ends at a direction of negative stiffness with what has been found before it, or with the steepest one.

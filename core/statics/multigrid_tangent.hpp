@@ -19,7 +19,7 @@ class MultigridTangent final : public Tangent {
 
   std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) override;
   void set_free(std::vector<double> shares) override { free_shares_ = std::move(shares); }
-  double largest() const override { return largest_; }
+  double largest() const override { return blocks_.largest(); }
   bool exists() const override { return multigrid_.has_value(); }
   /// 1 when conjugate gradients have met a direction of negative stiffness since renew().
   std::int64_t n_negative() const override { return is_negative_ ? 1 : 0; }
@@ -34,7 +34,6 @@ class MultigridTangent final : public Tangent {
   const FullTangentSettings& settings_;
   TangentBlocks blocks_;
   std::vector<double> free_shares_;  // [n_nodes], or empty [1]
-  double largest_ = 0.0;
   BlockMatrix<3, 3> matrix_;
   std::optional<Multigrid> multigrid_;  // of the matrix
   mutable bool is_negative_ = false;

@@ -2,6 +2,7 @@
 #include "core/statics/nonlinear_cg.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -130,7 +131,11 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
   constexpr int max_idle = 6;       // steps without a smaller residual than the least so far
   constexpr int max_halvings = 10;  // of a step that cannot be evaluated
   CgReport report;
-  constexpr double growth = 1.0;  // of a residual with contact, from which on a step is halved
+  // A residual with contact, from which on a step is halved, is the largest of the last steps as long as it
+  // is larger than what it is compared with: faces that part and meet make it grow on the way to where it
+  // falls. Source: Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986) 707-716.
+  std::array<double, 5> recent;
+  recent.fill(0.0);
   Eigen::VectorXd residual, moved, z, trial, best_trial;
   ++report.n_evaluations;
   bool exists = equilibrium.evaluate(increment, residual);
@@ -144,6 +149,8 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
     if (size > slow * last) renew(increment);
     last = size;
+    recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
+    const double bound = size > equilibrium.reference() ? *std::ranges::max_element(recent) : size;
     preconditioner.apply(residual, z);
     const double longest = equilibrium.longest_step(z);
     is_limited = longest < 1.0;
@@ -160,7 +167,7 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
       best = now;
       best_trial = trial;
       residual = moved;
-      if (!equilibrium.is_rough() || now <= growth * size) break;
+      if (!equilibrium.is_rough() || now <= bound) break;
     }
     if (exists) increment.swap(best_trial);
   }

@@ -11,6 +11,13 @@ namespace contactsim {
 
 namespace {
 
+/// The size of springs: another one where some have come, gone, begun to stick or to slide.
+double size_of(const std::vector<ContactSpring>& springs) {
+  double size = 0.0;
+  for (const ContactSpring& spring : springs) size += spring.coupling.norm() * spring.stiffness.norm();
+  return size;
+}
+
 /// A matrix with blocks put in beside those that it has.
 ///   blocks  by rows, then by columns; none of them twice or there already
 BlockMatrix<3, 3> with_blocks(const BlockMatrix<3, 3>& matrix, const std::vector<NodeBlock>& blocks) {
@@ -112,6 +119,30 @@ void TangentBlocks::steady_rotations() {
   }
 }
 
+TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
+                                            const std::vector<double>& shares, bool may_keep) {
+  constexpr double same = 1e-3;
+  Eigen::VectorXd residual;
+  Update update{.n_evaluations = 1};
+  if (!problem_.evaluate(increment, residual)) return update;
+  const std::vector<ContactSpring> springs = problem_.contact_springs();
+  const double size = size_of(springs);
+  const bool keeps =
+      may_keep && !columns_.empty() && std::abs(size - spring_size_) > same * std::max(size, spring_size_);
+  if (!keeps) {
+    const std::int64_t n_probes = renew(increment);
+    update.n_evaluations += n_probes;
+    if (n_probes == 0) return update;
+    update.has_new_elements = true;
+    largest_ = find_largest();
+    steady(shares);
+  }
+  spring_size_ = size;
+  join(blocks_of(springs));
+  update.exists = true;
+  return update;
+}
+
 std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
   columns_.assign(first_.back() * per_node_ * per_node_, 0.0);
   const std::int64_t n_evaluations = probe_.differentiate(
@@ -167,7 +198,7 @@ void TangentBlocks::steady(const std::vector<double>& shares) {
   }
 }
 
-double TangentBlocks::largest() const {
+double TangentBlocks::find_largest() const {
   double largest = 0.0;
   for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
     if (graph_.neighbours(node).empty()) continue;
@@ -175,11 +206,6 @@ double TangentBlocks::largest() const {
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, own[i * per_node_ + i]);
   }
   return largest;
-}
-
-void TangentBlocks::clear() {
-  columns_ = {};
-  joined_ = {};
 }
 
 /// Each pair of blocks across the diagonal is worked out at its earlier node.
@@ -211,7 +237,9 @@ std::vector<NodeBlock> TangentBlocks::take_apart() {
   return apart;
 }
 
-BlockMatrix<3, 3> TangentBlocks::take_symmetric(double diagonal_scale) {
+BlockMatrix<3, 3> TangentBlocks::take_symmetric(double diagonal_scale, bool keeps) {
+  std::vector<double> kept;
+  if (keeps) kept = columns_;
   const std::vector<NodeBlock> apart = take_apart();
   make_symmetric(diagonal_scale);
   BlockMatrix<3, 3> matrix;
@@ -224,7 +252,8 @@ BlockMatrix<3, 3> TangentBlocks::take_symmetric(double diagonal_scale) {
   }
   matrix.values = std::move(columns_);
   if (!apart.empty()) matrix = with_blocks(matrix, symmetric_halves(apart));
-  clear();
+  columns_ = std::move(kept);
+  joined_ = {};
   return matrix;
 }
 

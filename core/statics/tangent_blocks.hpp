@@ -30,20 +30,24 @@ class TangentBlocks {
     return static_cast<std::size_t>(probe_.place(node, static_cast<Eigen::Index>(unknown)));
   }
 
-  /// Finds the stiffness of the mesh at an increment of the step. Returns the evaluations of the residual, 0
-  /// where there is none: the blocks are then not to be used.
+  /// How much update() has made anew.
+  struct Update {
+    std::int64_t n_evaluations = 0;  ///< of the residual
+    bool exists = false;             ///< else the residual cannot be evaluated there: not to be used
+    bool has_new_elements = false;   ///< the mesh's own part, too
+  };
+  /// Finds the stiffness at an increment of the step: that of the mesh by differences, and the springs of
+  /// contact in place of those before. Nodes that move with nothing held get shares of their stiffness to the
+  /// ground.
+  ///   shares     [n_nodes], or empty [1]
+  ///   may_keep   the mesh's own part stays where it is there and contact has other springs than before
+  Update update(const Eigen::VectorXd& increment, const std::vector<double>& shares, bool may_keep);
+  /// Finds the mesh's own part. Returns the evaluations of the residual, 0 where there is none.
   std::int64_t renew(const Eigen::VectorXd& increment);
   /// Takes the parts of what else joins nodes, in place of those before. Nodes without elements are left out.
   void join(const std::vector<NodeBlock>& blocks);
-  /// Adds shares of their stiffness to the diagonal of nodes [n_nodes].
-  void steady(const std::vector<double>& shares);
-  /// Whether the mesh's own part is there.
-  bool exist() const { return !columns_.empty(); }
   /// The largest stiffness of a node against moving, of the mesh [force/length].
-  double largest() const;
-  /// Gives up the memory of the blocks.
-  void clear();
-
+  double largest() const { return largest_; }
   /// The block of a node on the diagonal [per_node x per_node]. Precondition: the node has elements.
   const double* own_block(std::uint32_t node) const { return block_of(node, node); }
   /// Calls take(row, column, block) for every pair of nodes, once or more: the sum is the negative
@@ -67,12 +71,13 @@ class TangentBlocks {
     }
   }
 
-  /// Turns the blocks into the mean of the stiffness and its transpose, and gives them away. Precondition:
-  /// nodes do not turn.
+  /// The mean of the stiffness and its transpose. Precondition: nodes do not turn.
   ///   diagonal_scale  share of the diagonal that is added to it [1]
-  BlockMatrix<3, 3> take_symmetric(double diagonal_scale);
+  ///   keeps           the blocks for update(), which takes their memory twice; else they are given away
+  BlockMatrix<3, 3> take_symmetric(double diagonal_scale, bool keeps);
 
  private:
+  void steady(const std::vector<double>& shares);
   double* block_of(std::uint32_t node, std::uint32_t neighbour) {
     return columns_.data() + offset(node, neighbour);
   }
@@ -82,6 +87,7 @@ class TangentBlocks {
   std::size_t offset(std::uint32_t node, std::uint32_t neighbour) const;
   bool are_neighbours(std::uint32_t a, std::uint32_t b) const;
   std::vector<NodeBlock> take_apart();
+  double find_largest() const;
   void hold_directions();
   void steady_rotations();
   void make_symmetric(double diagonal_scale);
@@ -94,6 +100,8 @@ class TangentBlocks {
   // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
   std::vector<double> columns_;
   std::vector<NodeBlock> joined_;  // of what else joins nodes
+  double largest_ = 0.0;
+  double spring_size_ = 0.0;  // of contact, which tells whether its springs have changed
 };
 
 }  // namespace contactsim
