@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
@@ -25,7 +26,7 @@ struct LoadStepReport {
 /// same bits for any number of threads.
 class LoadSteps {
  public:
-  /// All must outlive it. Preconditions: no rigid bodies; nothing in the model depends on velocities.
+  /// All must outlive it. Precondition: nothing in the model depends on velocities.
   ///   contact  the same as that of the terms, null without
   LoadSteps(const Model& model, ForceTerms terms, StaticContact* contact, const SolverSettings& settings,
             LoadSchedule schedule, State& state);
@@ -45,6 +46,7 @@ class LoadSteps {
  private:
   bool try_step(double dt);
   void find_free();
+  std::string name_of(NodeIndex node) const;
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
   bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
   Eigen::VectorXd first_guess(double dt) const;

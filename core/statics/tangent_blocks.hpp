@@ -34,8 +34,9 @@ class TangentBlocks {
   /// where there is none: the blocks are then not to be used.
   std::int64_t renew(const Eigen::VectorXd& increment);
   /// Takes the parts of what else joins nodes, in place of those before. Nodes without elements are left out.
-  void join(const std::vector<NodeBlock>& blocks);
-  /// Adds shares of their stiffness to the diagonal of nodes [n_nodes].
+  void join(std::vector<NodeBlock> blocks);
+  /// Adds shares of their stiffness to the diagonal of nodes, of bodies those of the largest of any node
+  /// [n_nodes].
   void steady(const std::vector<double>& shares);
   /// Whether the mesh's own part is there.
   bool exist() const { return !columns_.empty(); }
@@ -83,6 +84,8 @@ class TangentBlocks {
   bool are_neighbours(std::uint32_t a, std::uint32_t b) const;
   std::vector<NodeBlock> take_apart();
   void hold_directions();
+  void gather_bodies();
+  void take_body(std::uint32_t body, Eigen::Matrix<double, 6, 6> stiffness);
   void steady_rotations();
   void make_symmetric(double diagonal_scale);
 
@@ -93,7 +96,8 @@ class TangentBlocks {
   std::vector<std::size_t> first_;  // [n_nodes + 1] of a node's blocks, over its neighbours
   // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
   std::vector<double> columns_;
-  std::vector<NodeBlock> joined_;  // of what else joins nodes
+  std::vector<NodeBlock> joined_;     // of what else joins nodes
+  std::vector<NodeBlock> of_bodies_;  // between rigid bodies and the mesh
 };
 
 }  // namespace contactsim
