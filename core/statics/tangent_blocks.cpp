@@ -3,7 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -132,52 +131,42 @@ void TangentBlocks::steady_rotations() {
 
 /// Gives what nodes of rigid bodies resist to what moves them.
 void TangentBlocks::gather_bodies() {
-  const StaticBodies& bodies = problem_.bodies();
-  std::vector<Eigen::Matrix<double, 6, 6>> own(bodies.size(), Eigen::Matrix<double, 6, 6>::Zero());
-  const auto add = [&](const Carrier& row, const Carrier& column, const Eigen::Matrix3d& stiffness) {
-    const Eigen::Matrix3d carried = row.share.transpose() * stiffness * column.share;
-    const bool is_own = !bodies.is_of_mesh(row.node) && !bodies.is_of_mesh(column.node) &&
-                        bodies.owner(row.node) == bodies.owner(column.node);
-    if (!is_own) return of_bodies_.push_back({row.node, column.node, carried, row.turns, column.turns});
-    const std::uint32_t body = bodies.owner(row.node), centre = bodies.centre_node(body);
-    own[body].block<3, 3>(row.node == centre ? 0 : 3, column.node == centre ? 0 : 3) += carried;
-  };
+  const StaticBodies& rigid = problem_.bodies();
+  BodyBlocks own(problem_);
   of_bodies_.clear();
+  const auto carry = [&](const Carrier& row, const Carrier& column, const Eigen::Matrix3d& stiffness) {
+    const Eigen::Matrix3d carried = row.share.transpose() * stiffness * column.share;
+    if (!own.add(row.node, column.node, carried))
+      of_bodies_.push_back({row.node, column.node, carried, row.turns, column.turns});
+  };
   const auto n = static_cast<Eigen::Index>(per_node_);
   for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
     for (const std::uint32_t neighbour : graph_.neighbours(node)) {
-      if (!bodies.moves(node) && !bodies.moves(neighbour)) continue;
+      if (!rigid.moves(node) && !rigid.moves(neighbour)) continue;
       Eigen::Map<Eigen::MatrixXd> block(block_of(node, neighbour), n, n);
       for (Eigen::Index part = 0; part < n * n / 9; ++part) {
         const Eigen::Index i = 3 * (part % (n / 3)), j = 3 * (part / (n / 3));
         const Eigen::Matrix3d stiffness = block.block<3, 3>(i, j);
         if (stiffness.isZero(0.0)) continue;
-        for (const Carrier& row : bodies.carriers(neighbour, i > 0)) {
-          for (const Carrier& column : bodies.carriers(node, j > 0)) add(row, column, stiffness);
+        for (const Carrier& row : rigid.carriers(neighbour, i > 0)) {
+          for (const Carrier& column : rigid.carriers(node, j > 0)) carry(row, column, stiffness);
         }
       }
       block.setZero();
     }
   }
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) take_body(i, own[i]);
+  own.project();
+  for (std::uint32_t i = 0; i < rigid.size(); ++i) take_body(i, own.of(i));
 }
 
-/// Takes what a body resists its own motion with, and what its forces do as it turns.
-void TangentBlocks::take_body(std::uint32_t body, Eigen::Matrix<double, 6, 6> stiffness) {
-  const StaticBodies& bodies = problem_.bodies();
-  const std::array<std::uint32_t, 2> nodes{bodies.centre_node(body), bodies.turning_node(body)};
-  stiffness.bottomRightCorner<3, 3>() += bodies.turning_stiffness(body);
-  Eigen::Matrix<double, 6, 6> free = Eigen::Matrix<double, 6, 6>::Identity();
-  problem_.visit_held([&](std::uint32_t node, Eigen::Index, const Eigen::Matrix3d& held) {
-    if (node == nodes[0]) free.topLeftCorner<3, 3>() -= held;
-    if (node == nodes[1]) free.bottomRightCorner<3, 3>() -= held;
-  });
-  stiffness = (free * stiffness * free).eval();
+/// Takes what a body resists its own motion with.
+void TangentBlocks::take_body(std::uint32_t body, const BodyBlocks::Block& stiffness) {
+  const std::uint32_t first = problem_.bodies().centre_node(body);
   const auto n = static_cast<Eigen::Index>(per_node_);
-  for (std::size_t row = 0; row < 2; ++row) {
-    for (std::size_t column = 0; column < 2; ++column)
-      Eigen::Map<Eigen::MatrixXd>(block_of(nodes[column], nodes[row]), n, n).topLeftCorner<3, 3>() =
-          stiffness.block<3, 3>(3 * static_cast<Eigen::Index>(row), 3 * static_cast<Eigen::Index>(column));
+  for (std::uint32_t row = 0; row < 2; ++row) {
+    for (std::uint32_t column = 0; column < 2; ++column)
+      Eigen::Map<Eigen::MatrixXd>(block_of(first + column, first + row), n, n).topLeftCorner<3, 3>() =
+          stiffness.block<3, 3>(3 * Eigen::Index{row}, 3 * Eigen::Index{column});
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/statics/body_blocks.hpp"
 #include "core/statics/multigrid/block_matrix.hpp"
 #include "core/statics/tangent_probe.hpp"
 
@@ -85,7 +86,7 @@ class TangentBlocks {
   std::vector<NodeBlock> take_apart();
   void hold_directions();
   void gather_bodies();
-  void take_body(std::uint32_t body, Eigen::Matrix<double, 6, 6> stiffness);
+  void take_body(std::uint32_t body, const BodyBlocks::Block& stiffness);
   void steady_rotations();
   void make_symmetric(double diagonal_scale);
 
