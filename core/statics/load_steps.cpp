@@ -139,13 +139,18 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
 
 /// Bodies that only contact may hold drift until they touch: no farther in one trial than contact sees.
 void LoadSteps::find_free() {
-  if (!tangent_ && problem_.contact() == nullptr) return;
+  const StaticBodies& bodies = problem_.bodies();
+  if (!tangent_ && problem_.contact() == nullptr && bodies.empty()) return;
   std::vector<double> shares =
       find_free_bodies(problem_, graph_, problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
   const bool are_any =
       std::ranges::any_of(shares, [](double share) { return share > StaticBodies::least_share; });
   problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()
                                                                  : std::numeric_limits<double>::infinity());
+  free_.clear();
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (shares[bodies.centre_node(i)] > StaticBodies::least_share) free_.push_back(i);
+  }
   if (tangent_) tangent_->set_free(std::move(shares));
 }
 
@@ -214,18 +219,28 @@ std::string LoadSteps::name_of(NodeIndex node) const {
   return fmt::format("{} the rigid body '{}'", what, bodies.body(body).name);
 }
 
+/// What to say of rigid bodies that contact alone may hold.
+std::string LoadSteps::free_names() const {
+  std::string names;
+  for (const std::uint32_t i : free_)
+    names += (names.empty() ? "'" : ", '") + problem_.bodies().body(i).name + "'";
+  if (names.empty()) return names;
+  const char* what = problem_.contact() != nullptr ? "contact alone may hold" : "nothing else holds";
+  return fmt::format("; conditions leave rigid motions, which {}, to {}", what, names);
+}
+
 void LoadSteps::fail(double dt) const {
   const CgReport& search = report_.search;
   std::string text = fmt::format("no equilibrium is found with a step of {:.4g}: ", dt);
   if (!(search.reference > 0.0))
-    throw SolveError(state_.time, text + "elements turn inside out from the first guess on");
+    throw SolveError(state_.time, text + "elements turn inside out from the first guess on" + free_names());
   text +=
       fmt::format("after {} iterations {:.4g} of forces are left over, {:.3g} of their reference {:.4g}",
                   search.n_iterations, search.residual, search.residual / search.reference, search.reference);
   if (residual_.size() == problem_.size()) text += ", most at " + name_of(problem_.largest_at(residual_));
   if (!(search.residual < runaway * search.reference))
     text += "; are all bodies held, by conditions or by what they are joined to?";
-  throw SolveError(state_.time, text);
+  throw SolveError(state_.time, text + free_names());
 }
 
 void LoadSteps::archive(StateArchive& saved) {

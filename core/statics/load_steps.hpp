@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
@@ -47,6 +48,7 @@ class LoadSteps {
   bool try_step(double dt);
   void find_free();
   std::string name_of(NodeIndex node) const;
+  std::string free_names() const;
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
   bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
   Eigen::VectorXd first_guess(double dt) const;
@@ -65,6 +67,7 @@ class LoadSteps {
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
   Eigen::VectorXd residual_;          // of the last evaluation
   double step_begun_ = 0.0;           // [time]
+  std::vector<std::uint32_t> free_;   // rigid bodies that conditions do not hold
   LoadStepReport report_;
 };
 

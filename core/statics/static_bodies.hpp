@@ -28,7 +28,7 @@ class StaticBodies {
  public:
   /// Of the largest stiffness of a node of the mesh: what bodies that nothing else holds get to the ground in
   /// preconditioners. A cube of modulus E resists with E times its edge, its nodes with E times theirs.
-  static constexpr double ground_share = 1e-3;
+  static constexpr double ground_share = 1e-2;
   /// The same of bodies that are held: what turns about the only node that an element has of them, or about
   /// a row of such nodes, has no other stiffness.
   static constexpr double least_share = 1e-8;
