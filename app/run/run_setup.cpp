@@ -48,6 +48,15 @@ void refuse_inertia(const RunInput& input, const InitialState& initial, Diagnost
                           "an INITIAL CONDITION sets it");
 }
 
+/// Rigid bodies begin where the mesh has them.
+void refuse_moved_bodies(const RunInput& input, const Model& model, Diagnostics& diagnostics) {
+  if (!input.procedure.implicit_by || model.rigid.empty()) return;
+  diagnostics.add_error(input.procedure.transfers.front().name.location,
+                        "a rigid body in a quasi-static procedure is not supported together with a "
+                        "PROCEDURAL TRANSFER",
+                        "a block of an elastic material 1000 times as stiff takes its place");
+}
+
 std::optional<LoadSchedule> find_load_schedule(const RunInput& input, Diagnostics& diagnostics) {
   if (!input.procedure.implicit_by) return std::nullopt;
   return make_load_schedule(input.definition, input.procedure, input.region, diagnostics);
@@ -94,6 +103,7 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   refuse_inertia(input, initial, diagnostics);
   auto transfer = find_transfer(input, scope, model);
   if (input.procedure.implicit_by) make_static(model);
+  if (transfer) refuse_moved_bodies(input, model, diagnostics);
   if (transfer) keep_drilling(*transfer, input.earlier->model(), model);
   return {std::move(model),
           std::move(external),

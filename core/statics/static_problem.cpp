@@ -182,7 +182,7 @@ void StaticProblem::restore() {
 
 void StaticProblem::move_to(const Eigen::VectorXd& increment) {
   state_.time = time_ + dt_;
-  increment_ = increment.head(n_).cwiseAbs().maxCoeff();
+  increment_ = increment.head(n_mesh_).cwiseAbs().maxCoeff();  // rigid motion alone rounds nothing off
   state_.coordinates = coordinates_ + increment.head(n_mesh_).reshaped(3, n_mesh_ / 3);
   state_.velocity = increment.head(n_mesh_).reshaped(3, n_mesh_ / 3) / dt_;
   if (state_.rotations.exist()) {
