@@ -40,16 +40,21 @@ std::vector<std::uint32_t> blocks_in_use(const Mesh& mesh) {
 }
 
 /// What moves by inertia in a procedure that has none.
-void refuse_inertia(const RunInput& input, const Model& model, const InitialState& initial,
-                    Diagnostics& diagnostics) {
+void refuse_inertia(const RunInput& input, const InitialState& initial, Diagnostics& diagnostics) {
   if (!input.procedure.implicit_by) return;
   const DeckLocation& location = input.procedure.implicit_by->location;
-  if (!model.rigid.empty())
-    diagnostics.add_error(location, "a rigid body in a quasi-static procedure is not supported",
-                          "a block of an elastic material 1000 times as stiff takes its place");
   if (!initial.velocity.isZero(0.0) || !initial.angular_velocity.isZero(0.0))
     diagnostics.add_error(location, "an initial velocity in a quasi-static procedure is not supported",
                           "an INITIAL CONDITION sets it");
+}
+
+/// Rigid bodies begin where the mesh has them.
+void refuse_moved_bodies(const RunInput& input, const Model& model, Diagnostics& diagnostics) {
+  if (!input.procedure.implicit_by || model.rigid.empty()) return;
+  diagnostics.add_error(input.procedure.transfers.front().name.location,
+                        "a rigid body in a quasi-static procedure is not supported together with a "
+                        "PROCEDURAL TRANSFER",
+                        "a block of an elastic material 1000 times as stiff takes its place");
 }
 
 std::optional<LoadSchedule> find_load_schedule(const RunInput& input, Diagnostics& diagnostics) {
@@ -95,9 +100,10 @@ Setup set_up(const RunInput& input, Diagnostics& diagnostics) {
   InitialState initial = make_initial_state(scope, model.blocks);
   set_rigid_velocities(scope, model.rigid, initial.velocity);
   auto death_sets = find_death_sets(scope, model);
-  refuse_inertia(input, model, initial, diagnostics);
+  refuse_inertia(input, initial, diagnostics);
   auto transfer = find_transfer(input, scope, model);
   if (input.procedure.implicit_by) make_static(model);
+  if (transfer) refuse_moved_bodies(input, model, diagnostics);
   if (transfer) keep_drilling(*transfer, input.earlier->model(), model);
   return {std::move(model),
           std::move(external),

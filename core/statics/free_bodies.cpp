@@ -15,7 +15,7 @@ namespace {
 using BodyModes = Eigen::Matrix<double, 3, 6>;
 using ModeMatrix = Eigen::Matrix<double, 6, 6>;
 
-/// What elements join.
+/// What elements and rigid bodies join.
 struct Body {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of its nodes [length]
   std::size_t n_nodes = 0;
@@ -23,23 +23,33 @@ struct Body {
   ModeMatrix held = ModeMatrix::Zero();  ///< what conditions hold of its rigid motions [1]
 };
 
+/// Calls take(node) for the nodes that a node moves with, by elements or as parts of a rigid body.
+template <class Take>
+void for_each_joined(const NodeGraph& graph, const StaticBodies& rigid, std::uint32_t node,
+                     const Take& take) {
+  for (const std::uint32_t other : graph.neighbours(node)) take(other);
+  if (rigid.moves(node)) take(rigid.centre_node(rigid.body_of(node)));
+  if (rigid.is_of_mesh(node)) return;
+  for (const NodeIndex other : rigid.body(rigid.owner(node)).nodes) take(other.value);
+}
+
 /// Numbers bodies in the order of their first nodes [n_nodes]; nodes without elements have none.
-std::vector<OptionalIndex<std::uint32_t>> number_bodies(const NodeGraph& graph) {
+std::vector<OptionalIndex<std::uint32_t>> number_bodies(const NodeGraph& graph, const StaticBodies& rigid) {
   std::vector<OptionalIndex<std::uint32_t>> body_of(graph.n_nodes());
   std::uint32_t n_bodies = 0;
   std::vector<std::uint32_t> open;
   for (std::uint32_t first = 0; first < graph.n_nodes(); ++first) {
-    if (body_of[first] || graph.neighbours(first).empty()) continue;
+    if (body_of[first] || (graph.neighbours(first).empty() && !rigid.moves(first))) continue;
     body_of[first] = n_bodies;
     open.push_back(first);
     while (!open.empty()) {
       const std::uint32_t node = open.back();
       open.pop_back();
-      for (const std::uint32_t other : graph.neighbours(node)) {
-        if (body_of[other]) continue;
+      for_each_joined(graph, rigid, node, [&](std::uint32_t other) {
+        if (body_of[other]) return;
         body_of[other] = n_bodies;
         open.push_back(other);
-      }
+      });
     }
     ++n_bodies;
   }
@@ -56,6 +66,7 @@ BodyModes modes_at(const Body& body, const Eigen::Vector3d& x) {
 }
 
 bool is_free(const Body& body) {
+  if (!(body.size > 0.0)) return true;
   constexpr double nothing = 1e-9;
   const Eigen::SelfAdjointEigenSolver<ModeMatrix> solver(body.held, Eigen::EigenvaluesOnly);
   return !(solver.eigenvalues()[0] > nothing);
@@ -72,7 +83,8 @@ double ground_share(const Body& body) {
 
 std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGraph& graph,
                                      const Eigen::Matrix3Xd& coordinates) {
-  const auto body_of = number_bodies(graph);
+  const StaticBodies& rigid = problem.bodies();
+  const auto body_of = number_bodies(graph, rigid);
   std::vector<Body> bodies;
   const auto for_each_node = [&](const auto& do_one) {
     for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
@@ -90,7 +102,9 @@ std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGra
   problem.visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
     if (!body_of[node]) return;
     Body& body = bodies[*body_of[node]];
-    if (first == 0) {
+    if (!rigid.is_of_mesh(node) && node == rigid.turning_node(rigid.owner(node))) {
+      body.held.bottomRightCorner<3, 3>() += held;
+    } else if (first == 0) {
       const BodyModes modes = modes_at(body, coordinates.col(node));
       body.held += modes.transpose() * held * modes;
     } else {
@@ -101,7 +115,10 @@ std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGra
   for (const Body& body : bodies) body_shares.push_back(is_free(body) ? ground_share(body) : 0.0);
   std::vector<double> shares(graph.n_nodes(), 0.0);
   for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
-    if (body_of[node]) shares[node] = body_shares[*body_of[node]];
+    if (!body_of[node]) continue;
+    const double share = body_shares[*body_of[node]];
+    const double least = share > 0.0 ? StaticBodies::ground_share : StaticBodies::least_share;
+    shares[node] = rigid.is_of_mesh(node) ? share : least;
   }
   return shares;
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/errors.hpp"
 #include "core/base/state_archive.hpp"
+#include "core/dynamics/rigid_motion.hpp"
 #include "core/dynamics/state_motion.hpp"
 #include "core/statics/free_bodies.hpp"
 
@@ -40,12 +41,13 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
       schedule_(std::move(schedule)),
       state_(state),
       problem_(model, terms, contact, settings_.cg.reference, state),
-      graph_(model.mesh->n_nodes(), *model.mesh, model.blocks),
+      graph_(model.mesh->n_nodes(), *model.mesh, model.blocks, problem_.bodies().size()),
       blocks_(problem_, graph_) {
   if (settings_.cg.full_tangent) tangent_ = make_tangent(problem_, graph_, *settings_.cg.full_tangent);
 }
 
 void LoadSteps::start(bool takes_over) {
+  if (!model_.rigid.empty()) start_rigid_bodies(model_, state_);
   const Motion motion = motion_of(state_, 0.0);
   terms_.internal.set_forces(motion, state_.forces.internal);
   terms_.external.set_forces(motion, state_.forces.external);
@@ -79,15 +81,11 @@ void LoadSteps::renew_preconditioner(const Eigen::VectorXd& increment, bool may_
 
 /// The increment of the last step, scaled, of all nodes: nothing before the first.
 Eigen::VectorXd LoadSteps::first_guess(double dt) const {
-  Eigen::VectorXd guess = Eigen::VectorXd::Zero(problem_.size());
   const LoadstepPredictor& predictor = settings_.predictor;
   double factor = predictor.type == LoadstepPredictor::Type::scale_factor ? predictor.scale_factor : 1.0;
   if (schedule_.begins_period(state_.time)) factor = predictor.first_scale_factor.value_or(factor);
-  if (state_.step == 0 || factor == 0.0) return guess;
-  const Eigen::Index n = state_.velocity.size();
-  guess.head(n) = factor * dt * state_.velocity.reshaped();
-  if (state_.rotations.exist()) guess.tail(n) = factor * dt * state_.rotations.velocity.reshaped();
-  return guess;
+  if (state_.step == 0 || factor == 0.0) return Eigen::VectorXd::Zero(problem_.size());
+  return problem_.steady_motion(factor * dt);
 }
 
 /// Searches for equilibrium: with a full tangent by Newton's steps, and where these lead nowhere, or without
@@ -141,11 +139,18 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
 
 /// Bodies that only contact may hold drift until they touch: no farther in one trial than contact sees.
 void LoadSteps::find_free() {
-  if (!tangent_ && problem_.contact() == nullptr) return;
-  std::vector<double> shares = find_free_bodies(problem_, graph_, state_.coordinates);
-  const bool are_any = std::ranges::any_of(shares, [](double share) { return share > 0.0; });
+  const StaticBodies& bodies = problem_.bodies();
+  if (!tangent_ && problem_.contact() == nullptr && bodies.empty()) return;
+  std::vector<double> shares =
+      find_free_bodies(problem_, graph_, problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
+  const bool are_any =
+      std::ranges::any_of(shares, [](double share) { return share > StaticBodies::least_share; });
   problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()
                                                                  : std::numeric_limits<double>::infinity());
+  free_.clear();
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (shares[bodies.centre_node(i)] > StaticBodies::least_share) free_.push_back(i);
+  }
   if (tangent_) tangent_->set_free(std::move(shares));
 }
 
@@ -206,19 +211,36 @@ void LoadSteps::advance() {
   state_.next_dt = schedule_.is_over(state_.time) ? dt : schedule_.step_at(state_.time);
 }
 
+std::string LoadSteps::name_of(NodeIndex node) const {
+  const StaticBodies& bodies = problem_.bodies();
+  if (bodies.is_of_mesh(node.value)) return fmt::format("node {}", model_.mesh->node_id(node));
+  const std::uint32_t body = bodies.owner(node.value);
+  const char* what = node.value == bodies.turning_node(body) ? "the moment on" : "the force on";
+  return fmt::format("{} the rigid body '{}'", what, bodies.body(body).name);
+}
+
+/// What to say of rigid bodies that contact alone may hold.
+std::string LoadSteps::free_names() const {
+  std::string names;
+  for (const std::uint32_t i : free_)
+    names += (names.empty() ? "'" : ", '") + problem_.bodies().body(i).name + "'";
+  if (names.empty()) return names;
+  const char* what = problem_.contact() != nullptr ? "contact alone may hold" : "nothing else holds";
+  return fmt::format("; conditions leave rigid motions, which {}, to {}", what, names);
+}
+
 void LoadSteps::fail(double dt) const {
   const CgReport& search = report_.search;
   std::string text = fmt::format("no equilibrium is found with a step of {:.4g}: ", dt);
   if (!(search.reference > 0.0))
-    throw SolveError(state_.time, text + "elements turn inside out from the first guess on");
+    throw SolveError(state_.time, text + "elements turn inside out from the first guess on" + free_names());
   text +=
       fmt::format("after {} iterations {:.4g} of forces are left over, {:.3g} of their reference {:.4g}",
                   search.n_iterations, search.residual, search.residual / search.reference, search.reference);
-  if (residual_.size() == problem_.size())
-    text += fmt::format(", most at node {}", model_.mesh->node_id(problem_.largest_at(residual_)));
+  if (residual_.size() == problem_.size()) text += ", most at " + name_of(problem_.largest_at(residual_));
   if (!(search.residual < runaway * search.reference))
     text += "; are all bodies held, by conditions or by what they are joined to?";
-  throw SolveError(state_.time, text);
+  throw SolveError(state_.time, text + free_names());
 }
 
 void LoadSteps::archive(StateArchive& saved) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
@@ -25,7 +27,7 @@ struct LoadStepReport {
 /// same bits for any number of threads.
 class LoadSteps {
  public:
-  /// All must outlive it. Preconditions: no rigid bodies; nothing in the model depends on velocities.
+  /// All must outlive it. Precondition: nothing in the model depends on velocities.
   ///   contact  the same as that of the terms, null without
   LoadSteps(const Model& model, ForceTerms terms, StaticContact* contact, const SolverSettings& settings,
             LoadSchedule schedule, State& state);
@@ -45,6 +47,8 @@ class LoadSteps {
  private:
   bool try_step(double dt);
   void find_free();
+  std::string name_of(NodeIndex node) const;
+  std::string free_names() const;
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
   bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
   Eigen::VectorXd first_guess(double dt) const;
@@ -63,6 +67,7 @@ class LoadSteps {
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
   Eigen::VectorXd residual_;          // of the last evaluation
   double step_begun_ = 0.0;           // [time]
+  std::vector<std::uint32_t> free_;   // rigid bodies that conditions do not hold
   LoadStepReport report_;
 };
 

@@ -10,15 +10,36 @@ namespace contactsim {
 
 namespace {
 
-/// Adds what springs resist each node's own motion with.
+/// Adds what springs resist the motion of each node, and of each rigid body, with.
 ///   blocks  [per_node x per_node n_nodes]
-void add_contact(const std::vector<ContactSpring>& springs, Eigen::MatrixXd& blocks) {
+void add_contact(const std::vector<ContactSpring>& springs, Eigen::MatrixXd& blocks, BodyBlocks& bodies) {
   const Eigen::Index per_node = blocks.rows();
   for (const ContactSpring& spring : springs) {
     spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
-      if (a.node == b.node)
+      if (!bodies.add(a.node, b.node, block) && a.node == b.node)
         blocks.block<3, 3>(a.turns ? 3 : 0, per_node * b.node + (b.turns ? 3 : 0)) += block;
     });
+  }
+}
+
+/// Takes the stiffness of nodes of rigid bodies, each against its own motion, to their bodies: more than the
+/// whole has.
+///   blocks  [per_node x per_node n_nodes]
+void carry(const StaticBodies& rigid, Eigen::MatrixXd& blocks, BodyBlocks& bodies) {
+  const Eigen::Index per_node = blocks.rows();
+  for (std::uint32_t i = 0; i < rigid.size(); ++i) {
+    for (const NodeIndex node : rigid.body(i).nodes) {
+      auto block = blocks.middleCols(per_node * Eigen::Index{node.value}, per_node);
+      for (Eigen::Index first = 0; first < per_node; first += 3) {
+        const Eigen::Matrix3d own = block.block<3, 3>(first, first);
+        const std::vector<Carrier> carriers = rigid.carriers(node.value, first > 0);
+        for (const Carrier& row : carriers) {
+          for (const Carrier& column : carriers)
+            bodies.add(row.node, column.node, row.share.transpose() * own * column.share);
+        }
+      }
+      block.setZero();
+    }
   }
 }
 
@@ -41,7 +62,9 @@ std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
   largest_ = 0.0;
   for (Eigen::Index i = 0; i < probe_.n_nodes(); ++i)
     largest_ = std::max(largest_, blocks.block<3, 3>(0, per_node_ * i).diagonal().maxCoeff());
-  add_contact(problem_.contact_springs(), blocks);
+  BodyBlocks bodies(problem_);
+  carry(problem_.bodies(), blocks, bodies);
+  add_contact(problem_.contact_springs(), blocks, bodies);
   const auto n_nodes = static_cast<std::size_t>(probe_.n_nodes());
   parallel_for(n_nodes, threads_for(100 * n_nodes), [&](std::size_t node) {
     const auto first = static_cast<Eigen::Index>(node) * per_node_;
@@ -51,7 +74,18 @@ std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
     inverses_.middleCols(first, per_node_) =
         scales.asDiagonal() * positive_inverse<Eigen::Dynamic>(scaled) * scales.asDiagonal();
   });
+  invert(bodies);
   return n_evaluations;
+}
+
+/// Bodies that nothing resists get a stiffness to the ground.
+void NodalBlocks::invert(BodyBlocks& bodies) {
+  const double ground = StaticBodies::ground_share * (largest_ > 0.0 ? largest_ : 1.0);
+  body_inverses_.clear();
+  for (std::uint32_t i = 0; i < problem_.bodies().size(); ++i) bodies.of(i).diagonal().array() += ground;
+  bodies.project();
+  for (std::uint32_t i = 0; i < problem_.bodies().size(); ++i)
+    body_inverses_.push_back(positive_inverse<6>(bodies.of(i)));
 }
 
 void NodalBlocks::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {
@@ -67,6 +101,10 @@ void NodalBlocks::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) con
       z(probe_.place(node, row)) = sum;
     }
   });
+  for (std::uint32_t i = 0; i < body_inverses_.size(); ++i) {
+    const Eigen::Index first = 3 * Eigen::Index{problem_.bodies().centre_node(i)};
+    z.segment<6>(first) = body_inverses_[i] * residual.segment<6>(first);
+  }
 }
 
 }  // namespace contactsim

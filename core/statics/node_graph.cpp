@@ -19,7 +19,8 @@ void for_each_element(const Mesh& mesh, std::span<const ModelBlock> blocks, cons
 
 }  // namespace
 
-NodeGraph::NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks)
+NodeGraph::NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks,
+                     std::uint32_t n_bodies)
     : first_(n_nodes + std::size_t{1}, 0) {
   // All pairs with their repetitions first, which are then taken out node by node.
   std::vector<std::size_t> end(n_nodes + std::size_t{1}, 0);
@@ -40,6 +41,11 @@ NodeGraph::NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const Mo
     std::sort(begin, last);
     neighbours_.insert(neighbours_.end(), begin, std::unique(begin, last));
     first_[node + std::size_t{1}] = neighbours_.size();
+  }
+  for (std::uint32_t node = n_nodes; node < n_nodes + 2 * n_bodies; ++node) {
+    const std::uint32_t centre = node - (node - n_nodes) % 2;
+    neighbours_.insert(neighbours_.end(), {centre, centre + 1});
+    first_.push_back(neighbours_.size());
   }
 }
 

@@ -13,7 +13,10 @@ namespace contactsim {
 class NodeGraph {
  public:
   /// Of the elements that are not rigid.
-  NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks);
+  ///   n_nodes   of the mesh
+  ///   n_bodies  whose pairs of nodes, each other's neighbours, follow those of the mesh
+  NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks,
+            std::uint32_t n_bodies = 0);
 
   std::uint32_t n_nodes() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   /// The nodes that share an element with one, itself included, ascending; empty without elements.

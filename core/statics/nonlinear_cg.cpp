@@ -127,9 +127,10 @@ bool is_balanced(const Equilibrium& equilibrium, double size, const CgSettings& 
 
 CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, const CgSettings& settings,
                 const Renew& renew, Eigen::VectorXd& increment) {
-  constexpr double slow = 0.1;      // of the residual before: the stiffness is that of elsewhere
-  constexpr int max_idle = 6;       // steps without a smaller residual than the least so far
-  constexpr int max_halvings = 10;  // of a step that cannot be evaluated
+  constexpr double slow = 0.1;  // of the residual before: the stiffness is that of elsewhere
+  const int max_idle =
+      equilibrium.is_rough() ? 12 : 6;  // steps without a smaller residual than the least so far
+  constexpr int max_halvings = 10;      // of a step that cannot be evaluated
   CgReport report;
   // A residual with contact, from which on a step is halved, is the largest of the last steps as long as it
   // is larger than what it is compared with: faces that part and meet make it grow on the way to where it

@@ -31,7 +31,9 @@ double node_distance(const Eigen::Matrix3Xd& coordinates) {
 Eigen::VectorXd residual_weights(const Model& model, Eigen::Index n, Eigen::Index size) {
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(size);
   for (Eigen::Index i = n; i < size; ++i) {
-    const double mass = model.mass(0, (i - n) / 3), inertia = model.inertia(0, (i - n) / 3);
+    const Eigen::Index node = (i - n) / 3;
+    if (node >= model.inertia.cols()) break;  // those of rigid bodies have displacements alone
+    const double mass = model.mass(0, node), inertia = model.inertia(0, node);
     weights(i) = inertia > minimum_nodal_mass ? mass / inertia : 0.0;
   }
   return weights;
@@ -63,15 +65,17 @@ StaticProblem::StaticProblem(const Model& model, ForceTerms terms, StaticContact
       contact_(contact),
       kind_(reference),
       state_(state),
-      n_(state.coordinates.size()),
+      bodies_(model, state),
+      n_mesh_(state.coordinates.size()),
+      n_(3 * Eigen::Index{bodies_.n_nodes()}),
       probe_length_(probe_share * node_distance(state.coordinates)),
       weights_(residual_weights(model, n_, size())) {}
 
 Eigen::VectorXd StaticProblem::forces_of(Part part, const NodalForces& forces,
                                          const NodalForces& moments) const {
   Eigen::VectorXd vector = Eigen::VectorXd::Zero(size());
-  if ((forces.*part).size() > 0) vector.head(n_) = (forces.*part).reshaped();
-  if (size() > n_ && (moments.*part).size() > 0) vector.tail(n_) = (moments.*part).reshaped();
+  if ((forces.*part).size() > 0) vector.head(n_mesh_) = (forces.*part).reshaped();
+  if (size() > n_ && (moments.*part).size() > 0) vector.segment(n_, n_mesh_) = (moments.*part).reshaped();
   return vector;
 }
 
@@ -79,20 +83,36 @@ Eigen::VectorXd StaticProblem::mean_forces(Part part) const {
   return 0.5 * (forces_of(part, forces_, rotations_.moments) + forces_of(part));
 }
 
+/// On nodes; those on bodies are not summed yet.
 Eigen::VectorXd StaticProblem::all_forces() const {
   return forces_of(&NodalForces::internal) + forces_of(&NodalForces::external) +
          forces_of(&NodalForces::contact);
 }
 
-void StaticProblem::begin() {
+/// Summed over bodies where they were.
+Eigen::VectorXd StaticProblem::all_forces_of_start() const {
+  Eigen::VectorXd forces = forces_of(&NodalForces::internal, forces_, rotations_.moments) +
+                           forces_of(&NodalForces::external, forces_, rotations_.moments) +
+                           forces_of(&NodalForces::contact, forces_, rotations_.moments);
+  bodies_.gather_at_start(forces);
+  return forces;
+}
+
+void StaticProblem::find_free() {
   free_ = model_.kinematic_constraints.find_free_directions(state_.time);
+  bodies_.add_free(free_);
   if (state_.rotations.exist())
     free_rotations_ = model_.rotation_constraints.find_free_directions(state_.time);
+}
+
+void StaticProblem::begin() {
+  find_free();
   largest_reference_ = reference_now();
+  bodies_.note_forces(free_);
 }
 
 void StaticProblem::let_go_until(double time) {
-  held_ = all_forces();
+  held_ = gathered(all_forces());
   project(held_);
   held_from_ = state_.time;
   held_until_ = time;
@@ -126,7 +146,8 @@ void StaticProblem::begin_step(double dt) {
     motion.time += dt;
     contact_->begin_trials(motion);
   }
-  const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, n_ / 3);
+  bodies_.begin_step();
+  const Eigen::Matrix3Xd still = Eigen::Matrix3Xd::Zero(3, n_mesh_ / 3);
   // An acceleration from rest whose half step brings the mean velocity of the step about.
   const auto increment_of = [&](const KinematicConstraints& constraints, const Eigen::Matrix3Xd* angle) {
     Eigen::Matrix3Xd acceleration = still;
@@ -134,11 +155,11 @@ void StaticProblem::begin_step(double dt) {
     return Eigen::VectorXd(dt * dt * acceleration.reshaped());
   };
   prescribed_.setZero(size());
-  prescribed_.head(n_) = increment_of(model_.kinematic_constraints, nullptr);
-  free_ = model_.kinematic_constraints.find_free_directions(state_.time);
-  if (!state_.rotations.exist()) return;
-  prescribed_.tail(n_) = increment_of(model_.rotation_constraints, &state_.rotations.angle);
-  free_rotations_ = model_.rotation_constraints.find_free_directions(state_.time);
+  prescribed_.head(n_mesh_) = increment_of(model_.kinematic_constraints, nullptr);
+  bodies_.set_prescribed(dt, prescribed_);
+  find_free();
+  if (state_.rotations.exist())
+    prescribed_.segment(n_, n_mesh_) = increment_of(model_.rotation_constraints, &state_.rotations.angle);
 }
 
 void StaticProblem::recall_elements() {
@@ -155,17 +176,57 @@ void StaticProblem::restore() {
   state_.velocity = velocity_;
   state_.rotations = rotations_;
   state_.forces = forces_;
+  bodies_.restore();
   if (contact_ != nullptr) contact_->give_up_trials();
 }
 
 void StaticProblem::move_to(const Eigen::VectorXd& increment) {
   state_.time = time_ + dt_;
-  increment_ = increment.head(n_).cwiseAbs().maxCoeff();
-  state_.coordinates = coordinates_ + increment.head(n_).reshaped(3, n_ / 3);
-  state_.velocity = increment.head(n_).reshaped(3, n_ / 3) / dt_;
-  if (!state_.rotations.exist()) return;
-  state_.rotations.angle = rotations_.angle + increment.tail(n_).reshaped(3, n_ / 3);
-  state_.rotations.velocity = increment.tail(n_).reshaped(3, n_ / 3) / dt_;
+  increment_ = increment.head(n_mesh_).cwiseAbs().maxCoeff();  // rigid motion alone rounds nothing off
+  state_.coordinates = coordinates_ + increment.head(n_mesh_).reshaped(3, n_mesh_ / 3);
+  state_.velocity = increment.head(n_mesh_).reshaped(3, n_mesh_ / 3) / dt_;
+  if (state_.rotations.exist()) {
+    const auto turns = increment.segment(n_, n_mesh_).reshaped(3, n_mesh_ / 3);
+    state_.rotations.angle = rotations_.angle + turns;
+    state_.rotations.velocity = turns / dt_;
+  }
+  bodies_.move(increment, dt_, coordinates_);
+}
+
+Eigen::Matrix3Xd StaticProblem::coordinates_at(const Eigen::VectorXd& increment) const {
+  Eigen::Matrix3Xd coordinates(3, n_ / 3);
+  coordinates.leftCols(n_mesh_ / 3) = coordinates_ + increment.head(n_mesh_).reshaped(3, n_mesh_ / 3);
+  for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+    coordinates.col(bodies_.centre_node(i)) = state_.rigid[i].position;
+    coordinates.col(bodies_.turning_node(i)) = state_.rigid[i].position;
+  }
+  return coordinates;
+}
+
+Eigen::VectorXd StaticProblem::steady_motion(double duration) const {
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(size());
+  motion.head(n_mesh_) = duration * state_.velocity.reshaped();
+  if (state_.rotations.exist()) motion.segment(n_, n_mesh_) = duration * state_.rotations.velocity.reshaped();
+  for (std::uint32_t i = 0; i < bodies_.size(); ++i) {
+    const RigidBodyState::Motion& now = state_.rigid[i].now;
+    for (const NodeIndex node : bodies_.body(i).nodes) {
+      motion.segment<3>(3 * Eigen::Index{node.value}).setZero();
+      if (state_.rotations.exist()) motion.segment<3>(n_ + 3 * Eigen::Index{node.value}).setZero();
+    }
+    motion.segment<3>(3 * Eigen::Index{bodies_.centre_node(i)}) = duration * now.velocity;
+    motion.segment<3>(3 * Eigen::Index{bodies_.turning_node(i)}) = duration * bodies_.length(i) * now.turning;
+  }
+  return motion;
+}
+
+/// What all nodes move by, in the place of an increment.
+Eigen::VectorXd StaticProblem::moved(const Eigen::VectorXd& increment) const {
+  if (bodies_.empty()) return increment;
+  Eigen::VectorXd motion = Eigen::VectorXd::Zero(size());
+  motion.head(n_mesh_) = (state_.coordinates - coordinates_).reshaped();
+  if (state_.rotations.exist())
+    motion.segment(n_, n_mesh_) = (state_.rotations.angle - rotations_.angle).reshaped();
+  return motion;
 }
 
 void StaticProblem::set_forces(const Motion& motion) {
@@ -181,6 +242,14 @@ void StaticProblem::set_forces(const Motion& motion) {
 }
 
 bool StaticProblem::evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) {
+  if (!evaluate_nodes(increment, residual)) return false;
+  if (bodies_.empty()) return true;
+  bodies_.gather(residual);
+  project(residual);
+  return true;
+}
+
+bool StaticProblem::evaluate_nodes(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) {
   recall_elements();
   move_to(increment);
   try {
@@ -202,21 +271,22 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   const Eigen::VectorXd internal = mean_forces(&NodalForces::internal);
   const Eigen::VectorXd external = mean_forces(&NodalForces::external);
   const Eigen::VectorXd contact = mean_forces(&NodalForces::contact);
-  const Eigen::VectorXd all = internal + external + contact;
+  Eigen::VectorXd all = internal + external + contact;
+  if (!bodies_.empty()) all = 0.5 * (all_forces_of_start() + gathered(all_forces()));
   const double share = 0.5 * (share_held(time_) + share_held(state_.time));
   Eigen::VectorXd free = all;
   if (share > 0.0) free -= share * held_;
   project(free);
   largest_reference_ = std::max(largest_reference_, reference_now());
   Energies& energies = state_.energies;
-  energies.internal -= internal.dot(increment);
-  energies.contact -= contact.dot(increment);
-  energies.external += external.dot(increment) - (all - free).dot(increment);
+  const Eigen::VectorXd way = moved(increment);
+  energies.internal -= internal.dot(way);
+  energies.contact -= contact.dot(way);
+  energies.external += external.dot(way) - (all - free).dot(increment);
+  bodies_.note_forces(free_);
   // What has held a start that was out of balance lets go steadily.
   if (state_.step == 0 && held_.size() == 0) {
-    Eigen::VectorXd unbalanced = forces_of(&NodalForces::internal, forces_, rotations_.moments) +
-                                 forces_of(&NodalForces::external, forces_, rotations_.moments) +
-                                 forces_of(&NodalForces::contact, forces_, rotations_.moments);
+    Eigen::VectorXd unbalanced = all_forces_of_start();
     project(unbalanced);
     energies.external -= 0.5 * unbalanced.dot(increment);
   }
@@ -231,6 +301,10 @@ std::vector<ContactSpring> StaticProblem::contact_springs() const {
   std::vector<ContactSpring> springs;
   if (contact_ == nullptr) return springs;
   std::vector<OptionalIndex<std::uint32_t>> held_at(static_cast<std::size_t>(2 * n_ / 3));
+  const auto carry = [&](const SpringEnd& end, std::vector<SpringEnd>& ends) {
+    for (const Carrier& carrier : bodies_.carriers(end.node, end.turns))
+      ends.push_back({carrier.node, carrier.turns, end.corner, end.share * carrier.share});
+  };
   std::vector<Eigen::Matrix3d> free;
   visit_held([&](std::uint32_t node, Eigen::Index first, const Eigen::Matrix3d& held) {
     held_at[2 * std::size_t{node} + (first > 0 ? 1 : 0)] = static_cast<std::uint32_t>(free.size());
@@ -238,6 +312,10 @@ std::vector<ContactSpring> StaticProblem::contact_springs() const {
   });
   contact_->visit_springs([&](const ContactSpring& spring) {
     springs.push_back(spring);
+    if (!bodies_.empty()) {
+      springs.back().ends.clear();
+      for (const SpringEnd& end : spring.ends) carry(end, springs.back().ends);
+    }
     for (SpringEnd& end : springs.back().ends) {
       const auto held = held_at[2 * std::size_t{end.node} + (end.turns ? 1 : 0)];
       if (held) end.share *= free[*held];
@@ -285,19 +363,19 @@ void StaticProblem::archive(StateArchive& saved) {
 }
 
 double StaticProblem::reference_now() const {
-  Eigen::VectorXd reaction = -all_forces(), free = reaction;
+  Eigen::VectorXd reaction = -gathered(all_forces()), free = reaction;
   project(free);
   reaction -= free;
   switch (kind_) {
     case ResidualReference::external:
-      return norm(forces_of(&NodalForces::external) + reaction);
+      return norm(gathered(forces_of(&NodalForces::external)) + reaction);
     case ResidualReference::internal:
-      return norm(forces_of(&NodalForces::internal));
+      return norm(gathered(forces_of(&NodalForces::internal)));
     case ResidualReference::belytschko:
       break;
   }
-  return std::max(
-      {norm(forces_of(&NodalForces::external)), norm(forces_of(&NodalForces::internal)), norm(reaction)});
+  return std::max({norm(gathered(forces_of(&NodalForces::external))),
+                   norm(gathered(forces_of(&NodalForces::internal))), norm(reaction)});
 }
 
 double StaticProblem::probe_factor(const Eigen::VectorXd& direction) const {

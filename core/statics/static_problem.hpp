@@ -8,6 +8,7 @@
 #include "core/dynamics/model.hpp"
 #include "core/dynamics/state.hpp"
 #include "core/statics/equilibrium.hpp"
+#include "core/statics/static_bodies.hpp"
 #include "core/statics/static_contact.hpp"
 
 namespace contactsim {
@@ -18,12 +19,12 @@ class StateArchive;
 /// what elements remember of the step's start, so that trials leave no trace. Inertia has no part in it.
 class StaticProblem final : public Equilibrium {
  public:
-  /// All must outlive it. Precondition: no rigid bodies.
+  /// All must outlive it.
   ///   contact  the same as that of the terms, null without
   StaticProblem(const Model& model, ForceTerms terms, StaticContact* contact, ResidualReference reference,
                 State& state);
 
-  /// Unknowns: 3 a node, 6 where nodes turn.
+  /// Unknowns: 3 a node, 6 where nodes turn; of nodes of the mesh, then those of rigid bodies.
   Eigen::Index size() const { return state_.rotations.exist() ? 2 * n_ : n_; }
 
   /// To be called once the forces of the start are known: what was taken over may come back to rest without
@@ -36,10 +37,11 @@ class StaticProblem final : public Equilibrium {
   ///   dt  of the step [time]
   /// Throws SolveError when a condition has no finite value.
   void begin_step(double dt);
-  /// Where nodes are at an increment of the step [3 x n_nodes].
-  Eigen::Matrix3Xd coordinates_at(const Eigen::VectorXd& increment) const {
-    return coordinates_ + increment.head(n_).reshaped(3, n_ / 3);
-  }
+  /// Where nodes are at an increment of the step, those of bodies at their centres [3 x n_nodes].
+  Eigen::Matrix3Xd coordinates_at(const Eigen::VectorXd& increment) const;
+  const StaticBodies& bodies() const { return bodies_; }
+  /// What goes on steadily for as long as the last step's motion does.
+  Eigen::VectorXd steady_motion(double duration) const;
   /// What prescribed directions move by in the step, 0 of the others.
   const Eigen::VectorXd& prescribed() const { return prescribed_; }
   /// Takes the state of the last evaluation as that of the step's end, with the work that was done on the way
@@ -60,6 +62,8 @@ class StaticProblem final : public Equilibrium {
   void set_stiffness(double largest) { stiffness_ = largest; }
   /// The node with the largest force in a residual.
   NodeIndex largest_at(const Eigen::VectorXd& residual) const;
+  /// As evaluate(), but with forces on the nodes of rigid bodies, which those of bodies are sums of.
+  bool evaluate_nodes(const Eigen::VectorXd& increment, Eigen::VectorXd& forces);
 
   bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override;
   double norm(const Eigen::VectorXd& residual) const override;
@@ -100,15 +104,25 @@ class StaticProblem final : public Equilibrium {
   Eigen::VectorXd forces_of(Part part) const {
     return forces_of(part, state_.forces, state_.rotations.moments);
   }
+  /// The same with those of rigid bodies summed.
+  Eigen::VectorXd gathered(Eigen::VectorXd forces) const {
+    bodies_.gather(forces);
+    return forces;
+  }
   Eigen::VectorXd mean_forces(Part part) const;
   Eigen::VectorXd all_forces() const;
+  Eigen::VectorXd all_forces_of_start() const;
+  Eigen::VectorXd moved(const Eigen::VectorXd& increment) const;
+  void find_free();
 
   const Model& model_;
   ForceTerms terms_;
   StaticContact* contact_;
   ResidualReference kind_;
   State& state_;
-  Eigen::Index n_;  // 3 n_nodes
+  StaticBodies bodies_;
+  Eigen::Index n_mesh_;  // 3 n_nodes of the mesh
+  Eigen::Index n_;       // 3 n_nodes
   double probe_length_;
   Eigen::VectorXd weights_;  // of squared residuals: 1, and 1/length^2 of moments
   bool holds_contact_ = false;

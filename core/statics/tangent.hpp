@@ -31,7 +31,8 @@ class Tangent : public Preconditioner {
 /// The solver that a deck leaves open: multigrid for solids of so many unknowns that a factor takes longer.
 LinearSolver choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph);
 
-/// Makes the tangent that the settings ask for. Where nodes turn it is a factor. All must outlive it.
+/// Makes the tangent that the settings ask for. Where nodes turn, or a rigid body is not wholly held and
+/// prescribed, it is a factor. All must outlive it.
 std::unique_ptr<Tangent> make_tangent(StaticProblem& problem, const NodeGraph& graph,
                                       const FullTangentSettings& settings);
 

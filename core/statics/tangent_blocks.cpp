@@ -63,6 +63,23 @@ std::vector<NodeBlock> symmetric_halves(const std::vector<NodeBlock>& blocks) {
   return sums;
 }
 
+/// A matrix without what is left of nodes that rigid bodies move.
+BlockMatrix<3, 3> without_moved(const BlockMatrix<3, 3>& matrix, const StaticBodies& bodies) {
+  BlockMatrix<3, 3> left;
+  left.n_columns = matrix.n_columns;
+  left.first.push_back(0);
+  for (std::uint32_t row = 0; row < matrix.n_rows(); ++row) {
+    for (std::size_t k = matrix.first[row]; k < matrix.first[row + std::size_t{1}]; ++k) {
+      if (bodies.moves(row) || bodies.moves(matrix.columns[k])) continue;
+      left.columns.push_back(matrix.columns[k]);
+      left.values.insert(left.values.end(), matrix.values.begin() + static_cast<std::ptrdiff_t>(9 * k),
+                         matrix.values.begin() + static_cast<std::ptrdiff_t>(9 * k + 9));
+    }
+    left.first.push_back(left.columns.size());
+  }
+  return left;
+}
+
 }  // namespace
 
 TangentBlocks::TangentBlocks(StaticProblem& problem, const NodeGraph& graph)
@@ -143,6 +160,47 @@ TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
   return update;
 }
 
+/// Gives what nodes of rigid bodies resist to what moves them.
+void TangentBlocks::gather_bodies() {
+  const StaticBodies& rigid = problem_.bodies();
+  BodyBlocks own(problem_);
+  of_bodies_.clear();
+  const auto carry = [&](const Carrier& row, const Carrier& column, const Eigen::Matrix3d& stiffness) {
+    const Eigen::Matrix3d carried = row.share.transpose() * stiffness * column.share;
+    if (!own.add(row.node, column.node, carried))
+      of_bodies_.push_back({row.node, column.node, carried, row.turns, column.turns});
+  };
+  const auto n = static_cast<Eigen::Index>(per_node_);
+  for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
+    for (const std::uint32_t neighbour : graph_.neighbours(node)) {
+      if (!rigid.moves(node) && !rigid.moves(neighbour)) continue;
+      Eigen::Map<Eigen::MatrixXd> block(block_of(node, neighbour), n, n);
+      for (Eigen::Index part = 0; part < n * n / 9; ++part) {
+        const Eigen::Index i = 3 * (part % (n / 3)), j = 3 * (part / (n / 3));
+        const Eigen::Matrix3d stiffness = block.block<3, 3>(i, j);
+        if (stiffness.isZero(0.0)) continue;
+        for (const Carrier& row : rigid.carriers(neighbour, i > 0)) {
+          for (const Carrier& column : rigid.carriers(node, j > 0)) carry(row, column, stiffness);
+        }
+      }
+      block.setZero();
+    }
+  }
+  own.project();
+  for (std::uint32_t i = 0; i < rigid.size(); ++i) take_body(i, own.of(i));
+}
+
+/// Takes what a body resists its own motion with.
+void TangentBlocks::take_body(std::uint32_t body, const BodyBlocks::Block& stiffness) {
+  const std::uint32_t first = problem_.bodies().centre_node(body);
+  const auto n = static_cast<Eigen::Index>(per_node_);
+  for (std::uint32_t row = 0; row < 2; ++row) {
+    for (std::uint32_t column = 0; column < 2; ++column)
+      Eigen::Map<Eigen::MatrixXd>(block_of(first + column, first + row), n, n).topLeftCorner<3, 3>() =
+          stiffness.block<3, 3>(3 * Eigen::Index{row}, 3 * Eigen::Index{column});
+  }
+}
+
 std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
   columns_.assign(first_.back() * per_node_ * per_node_, 0.0);
   const std::int64_t n_evaluations = probe_.differentiate(
@@ -156,6 +214,7 @@ std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
         }
       });
   if (n_evaluations == 0) return 0;
+  if (!problem_.bodies().empty()) gather_bodies();
   hold_directions();
   steady_rotations();
   return n_evaluations;
@@ -171,7 +230,8 @@ std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs) {
   return blocks;
 }
 
-void TangentBlocks::join(const std::vector<NodeBlock>& blocks) {
+void TangentBlocks::join(std::vector<NodeBlock> blocks) {
+  blocks.insert(blocks.end(), of_bodies_.begin(), of_bodies_.end());
   // Of displacements and rotations of each node.
   std::vector<std::uint32_t> held_place(2 * std::size_t{graph_.n_nodes()}, UINT32_MAX);
   std::vector<Eigen::Matrix3d> free;
@@ -192,16 +252,21 @@ void TangentBlocks::join(const std::vector<NodeBlock>& blocks) {
 
 void TangentBlocks::steady(const std::vector<double>& shares) {
   const auto n = static_cast<Eigen::Index>(per_node_);
+  const double largest_of_any = largest();
   for (std::uint32_t node = 0; node < shares.size(); ++node) {
-    if (shares[node] > 0.0)
-      Eigen::Map<Eigen::MatrixXd>(block_of(node, node), n, n).diagonal() *= 1.0 + shares[node];
+    if (!(shares[node] > 0.0) || graph_.neighbours(node).empty()) continue;
+    Eigen::Map<Eigen::MatrixXd> own(block_of(node, node), n, n);
+    if (problem_.bodies().is_of_mesh(node))
+      own.diagonal() *= 1.0 + shares[node];
+    else
+      own.diagonal().head<3>().array() += shares[node] * (largest_of_any > 0.0 ? largest_of_any : 1.0);
   }
 }
 
 double TangentBlocks::find_largest() const {
   double largest = 0.0;
   for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
-    if (graph_.neighbours(node).empty()) continue;
+    if (graph_.neighbours(node).empty() || !problem_.bodies().is_of_mesh(node)) continue;
     const double* own = own_block(node);
     for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, own[i * per_node_ + i]);
   }
@@ -251,6 +316,7 @@ BlockMatrix<3, 3> TangentBlocks::take_symmetric(double diagonal_scale, bool keep
     matrix.columns.insert(matrix.columns.end(), neighbours.begin(), neighbours.end());
   }
   matrix.values = std::move(columns_);
+  if (!problem_.bodies().empty()) matrix = without_moved(matrix, problem_.bodies());
   if (!apart.empty()) matrix = with_blocks(matrix, symmetric_halves(apart));
   columns_ = std::move(kept);
   joined_ = {};

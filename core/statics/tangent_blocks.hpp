@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/statics/body_blocks.hpp"
 #include "core/statics/multigrid/block_matrix.hpp"
 #include "core/statics/tangent_probe.hpp"
 
@@ -45,7 +46,7 @@ class TangentBlocks {
   /// Finds the mesh's own part. Returns the evaluations of the residual, 0 where there is none.
   std::int64_t renew(const Eigen::VectorXd& increment);
   /// Takes the parts of what else joins nodes, in place of those before. Nodes without elements are left out.
-  void join(const std::vector<NodeBlock>& blocks);
+  void join(std::vector<NodeBlock> blocks);
   /// The largest stiffness of a node against moving, of the mesh [force/length].
   double largest() const { return largest_; }
   /// The block of a node on the diagonal [per_node x per_node]. Precondition: the node has elements.
@@ -77,6 +78,7 @@ class TangentBlocks {
   BlockMatrix<3, 3> take_symmetric(double diagonal_scale, bool keeps);
 
  private:
+  /// Of bodies those of the largest of any node.
   void steady(const std::vector<double>& shares);
   double* block_of(std::uint32_t node, std::uint32_t neighbour) {
     return columns_.data() + offset(node, neighbour);
@@ -89,6 +91,8 @@ class TangentBlocks {
   std::vector<NodeBlock> take_apart();
   double find_largest() const;
   void hold_directions();
+  void gather_bodies();
+  void take_body(std::uint32_t body, const BodyBlocks::Block& stiffness);
   void steady_rotations();
   void make_symmetric(double diagonal_scale);
 
@@ -99,7 +103,8 @@ class TangentBlocks {
   std::vector<std::size_t> first_;  // [n_nodes + 1] of a node's blocks, over its neighbours
   // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
   std::vector<double> columns_;
-  std::vector<NodeBlock> joined_;  // of what else joins nodes
+  std::vector<NodeBlock> joined_;     // of what else joins nodes
+  std::vector<NodeBlock> of_bodies_;  // between rigid bodies and the mesh
   double largest_ = 0.0;
   double spring_size_ = 0.0;  // of contact, which tells whether its springs have changed
 };

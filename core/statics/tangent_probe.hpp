@@ -12,6 +12,7 @@ namespace contactsim {
 /// The stiffness of all but contact by differences of residuals in which all nodes of a colour move at once:
 /// exact for every element and material, with whatever its law does on the way from the start of the step.
 /// That of contact, which no pattern of elements holds, is in StaticProblem::contact_springs() afterwards.
+/// Nodes of rigid bodies count as if they were free: StaticBodies::carriers() says by what they are moved.
 class TangentProbe {
  public:
   /// All must outlive it.
@@ -27,8 +28,8 @@ class TangentProbe {
   }
 
   /// Calls take(node, unknown, column) with the negative derivative of the residual along an unknown of every
-  /// node that has elements; of the column only what lies at the node, or with two_elements at its
-  /// neighbours, is of that node. Returns the evaluations of the residual, 0 when there is none at the
+  /// node of the mesh that has elements; of the column only what lies at the node, or with two_elements at
+  /// its neighbours, is of that node. Returns the evaluations of the residual, 0 when there is none at the
   /// increment.
   using Take = std::function<void(std::uint32_t node, Eigen::Index unknown, const Eigen::VectorXd& column)>;
   std::int64_t differentiate(const Eigen::VectorXd& increment, const Take& take);
