@@ -203,8 +203,9 @@ CornerCoupling find_overlap_coupling(const MovingFace& first, const MovingFace& 
 }
 
 bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double activation_distance) {
-  const auto pair = project_pair(first, second);
+                      double activation_distance, const CornerDepths& deeper) {
+  auto pair = project_pair(first, second);
+  if (pair && !deeper.is_zero()) bring_closer(deeper, *pair);
   return pair && is_uncut(*pair, activation_distance, penalty.depth);
 }
 

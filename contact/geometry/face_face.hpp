@@ -97,8 +97,10 @@ CornerCoupling find_overlap_coupling(const MovingFace& first, const MovingFace& 
 
 /// Whether two faces face each other, and no part of both lies on the other side of where the gap closes
 /// than the rest, or beyond the activation distance.
+///   deeper  by which gaps count as deeper: what multipliers press would else be cut in one trial and whole
+///           in the next, where its gap is round-off
 bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double activation_distance);
+                      double activation_distance, const CornerDepths& deeper = {});
 
 /// Which part of an overlap is constrained, by the gaps at the end of the coming step.
 struct ConstraintActivation {

@@ -14,8 +14,9 @@ void FaceFaceContacts::visit_flat(const Candidate& candidate, const PenaltyPush&
                                   const Visit& visit) const {
   const MeetingFaces& faces = push.faces;
   const double flat = flat_share * thinner(candidate);
-  const bool is_split = (is_warped(faces.first, flat) || is_warped(faces.second, flat)) &&
-                        !is_contact_uncut(faces.first, faces.second, push.penalty, push.activation_distance);
+  const bool is_split =
+      (is_warped(faces.first, flat) || is_warped(faces.second, flat)) &&
+      !is_contact_uncut(faces.first, faces.second, push.penalty, push.activation_distance, faces.deeper);
   if (!is_split) return visit(Facet{faces.first}, Facet{faces.second}, faces.deeper);
   const Facets facets_1(faces.first, flat), facets_2(faces.second, flat);
   for (const Facet& a : facets_1.all()) {
