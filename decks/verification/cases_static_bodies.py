@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Curved and edged bodies that are pressed together in load steps, at default settings of contact."""
+import math
+
+import numpy as np
+
+from cases import FORMULATIONS, balances, case
+from cases_hertz import ball, ball_on_ball, contact_size, cylinder_on_block
+from cases_static import blocks
+from cases_static_contact import last_error
+from mesh_maker import MeshMaker
+from runs import Check, at_most
+from shapes import add_ring_sector, node_set_where, sides_where
+
+
+def near(value, level):
+    return np.abs(value - level) < 1e-6
+
+
+def two_rings(around):
+    """Quarters of rings, half a millimetre long, with so many elements round each."""
+    mesh = MeshMaker()
+    add_ring_sector(mesh, "inner", 10, 20.0025, 0.5, (12, around[0], 1))
+    add_ring_sector(mesh, "outer", 20, 30, 0.5, (12, around[1], 1))
+    for axis, name in enumerate(("on_x", "on_y", "on_z")):
+        node_set_where(mesh, name, lambda *place, axis=axis: near(place[axis], 0))
+    mesh.side_set("inner_side", sides_where(mesh, "inner", lambda x, y, z: near(np.hypot(x, y), 20.0025)))
+    mesh.side_set("outer_side", sides_where(mesh, "outer", lambda x, y, z: near(np.hypot(x, y), 20)))
+    return mesh
+
+
+def mean_fit_pressure(run):
+    """Radial forces over the area of the interface."""
+    side = run.nodes_of(1)
+    side = side[near(np.hypot(*run.start[side, :2].T), 20.0025)]
+    outwards = run.start[side, :2] / 20.0025
+    return -np.sum(run.nodal("force_contact")[-1, side, :2] * outwards) / (0.5 * math.pi * 20 * 0.5)
+
+
+@case()
+def static_fit(bench):
+    """CalculiX issue 98."""
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        for around, smoothing, bar in (((24, 24), "off", 0.01), ((24, 24), "auto", 0.003), ((24, 32), "auto", 0.003)):
+            run = bench.run("static_fit", two_rings(around), form=form, smoothing=smoothing, free_length=1)
+            runs.append(run)
+            label = f"{form}, {around[0]} and {around[1]} elements, smoothing {smoothing}: mean pressure [MPa]"
+            checks.append(Check(label, 5.8594, mean_fit_pressure(run), bar))
+    run = bench.run("static_fit", two_rings((24, 32)), smoothing="auto")
+    runs.append(run)
+    return [*checks, Check("plane strain: mean pressure [MPa]", 5.8594 / 0.91, mean_fit_pressure(run), 0.003),
+            *balances(runs)]
+
+
+@case()
+def static_lowered_blocks(bench):
+    """code_aster SSNP121; its pressure of 1e5 is E log(0.95) at finite strain."""
+    checks, runs = [], []
+    for lower, upper in ((3, 2), (2, 3)):
+        run = bench.run("static_patch", blocks(lower, upper, 1.0, 2), load="depth", amount=0.1, nu=0, youngs=2e6)
+        runs.append(run)
+        low = run.nodes_of(1)[run.start[run.nodes_of(1), 2] == 1.0]
+        level = run.nodal("displacement")[-1, low, 2]
+        label = f"{upper}x{upper} on {lower}x{lower}"
+        checks += [at_most(f"{label}: error of stress", last_error(run, 2e6 * math.log(0.95)), 1e-4, known_miss=3e-4),
+                   Check(f"{label}: interface, the worst node", -0.05, level[np.argmax(np.abs(level + 0.05))], 1e-4)]
+    return checks + balances(runs)
+
+
+def plate(n):
+    mesh = MeshMaker()
+    mesh.hexes("plate", (0, 0, 0), (0.04, 0.04 / n, 0.04), (n, 1, n))
+    node_set_where(mesh, "middle", lambda x, y, z: near(x, 0.04))
+    mesh.side_set("top", sides_where(mesh, "plate", lambda x, y, z: near(z, 0.04)))
+    mesh.side_set("end", sides_where(mesh, "plate", lambda x, y, z: near(x, 0)))
+    mesh.side_set("foot", sides_where(mesh, "plate", lambda x, y, z: near(z, 0)))
+    return mesh
+
+
+@case()
+def static_plate(bench):
+    """code_aster SSNV128."""
+    run = bench.run("static_plate", plate(16))
+    line = np.flatnonzero(near(run.start[:, 1], 0) & near(run.start[:, 2], 0))
+    line = line[np.argsort(run.start[line, 0])]
+    checks = []
+    for place, way in ((0, 2.861e-5), (1.25e-3, 2.722e-5), (5e-3, 2.285e-5), (7.5e-3, 1.98e-5), (11.25e-3, 1.54e-5)):
+        reached = np.interp(place, run.start[line, 0], run.nodal("displacement")[-1, line, 0])
+        checks.append(Check(f"{1e3 * place:g} mm from the end [m]", way, reached, 0.01))
+    return checks + balances([run], has_plane=True)
+
+
+@case(is_long=True)
+def static_cylinder_on_block(bench):
+    """NAFEMS CGS-1 without friction, and with: numbers of code_aster's V6.03.154, which MARC shares."""
+    checks, runs = [], []
+    for friction in (0.0, 0.1):
+        run = bench.run("static_hertz", cylinder_on_block(50, 0.78, 28, 24, 100), youngs=210e3, nu=0.3, density=7.8e-9,
+                        base="body", base_youngs=70e3, drive="pressure", amount=17.5e3 / 32.5, plane_strain=1,
+                        friction=friction)
+        runs.append(run)
+        below = -run.element("stress_zz", 2)[-1, 28 * 27]
+        if friction == 0.0:
+            checks += [Check("largest pressure, in the block [MPa]", 3585.37, below, 0.03),
+                       Check("half width [mm]", 6.21, contact_size(run), 0.78, 1.0)]
+        else:
+            base = run.nodes_of(2)
+            touched = base[np.argmin(np.sum(run.start[base] ** 2, axis=1))]
+            checks += [Check("friction: largest pressure, in the block [MPa]", 3542.69, below, 0.03),
+                       Check("friction: lowest point of the cylinder [mm]", -1.30264,
+                             run.nodal("displacement")[-1, touched, 2], 0.01, known_miss=0.012)]
+    return checks + balances(runs[:1]) + balances(runs[1:], has_friction=True)
