@@ -10,7 +10,7 @@ from cases_static import blocks
 from cases_static_contact import last_error
 from mesh_maker import MeshMaker
 from runs import Check, at_most
-from shapes import add_ring_sector, node_set_where, sides_where
+from shapes import add_ring_sector, near_zero, node_set_where, sides_where
 
 
 def near(value, level):
@@ -111,3 +111,64 @@ def static_cylinder_on_block(bench):
                        Check("friction: lowest point of the cylinder [mm]", -1.30264,
                              run.nodal("displacement")[-1, touched, 2], 0.01, known_miss=0.012)]
     return checks + balances(runs[:1]) + balances(runs[1:], has_friction=True)
+
+
+def half_below(radius, n, slope=0.2):
+    """A quarter of a cylinder along y over z = 0, one cell long: a core of n x n cells, under its faces n/2 layers of others; the
+    cells at the lowest line are those of an even mesh times the slope."""
+    def place(x, y, up):
+        down = -up
+        x = near_zero(x, slope) if x < 1 else x
+        down = 2 - near_zero(2 - down, slope) if down > 1 else down
+        inner = np.minimum((x, down), 1)
+        core = 0.55 * radius * inner * (1 - 0.15 * inner[::-1] ** 2)
+        share = max(x, down) - 1
+        if share > 0:
+            angle = 0.25 * math.pi * (inner[0] if down > 1 else 2 - inner[1])
+            core = core + share * (radius * np.array((math.sin(angle), math.cos(angle))) - core)
+        return core[0], y, radius - core[1]
+
+    mesh, length = MeshMaker(place), 0.05 * radius / n
+    mesh.hexes("ball", (0, 0, -2), (1, length, 1), (n, 1, n // 2))
+    mesh.hexes("ball", (0, 0, -1), (1, length, 1), (n, 1, n))
+    mesh.hexes("ball", (1, 0, -1), (1, length, 1), (n // 2, 1, n))
+    node_set_where(mesh, "on_x", lambda x, y, z: near(x, 0))
+    mesh.side_set("top", sides_where(mesh, "ball", lambda x, y, z: near(z, radius)))
+    return mesh, length
+
+
+@case(is_long=True)
+def static_cylinder_on_plane(bench):
+    """CalculiX without large motion, faces on faces: 67.83 with these elements, 68.74 with the finest of a series of others."""
+    mesh, length = half_below(8, 32)
+    run = bench.run("static_hertz", mesh, plane_strain=1)
+    force = 2 * run["force"][-1] / length
+    return [Check("force over length, CalculiX with the same mesh [N/mm]", 67.827, force, 0.005),
+            Check("force over length, finest of another series of CalculiX [N/mm]", 68.74, force, 0.005, known_miss=0.016),
+            *balances([run], has_plane=True)]
+
+
+def cubes(depth):
+    """Two unit cubes, the upper one lowered into the lower."""
+    mesh = MeshMaker()
+    mesh.hexes("lower", (0, 0, 0), (1, 1, 1), (2, 2, 2))
+    mesh.new_body()
+    mesh.hexes("upper", (0, 0, 1 - depth), (1, 1, 1), (2, 2, 2))
+    for axis, name in enumerate(("on_x", "on_y", "bottom")):
+        node_set_where(mesh, name, lambda *place, axis=axis: near(place[axis], 0))
+    mesh.side_set("top", sides_where(mesh, "upper", lambda x, y, z: near(z, 2 - depth)))
+    return mesh
+
+
+@case()
+def static_overlap(bench):
+    """The overlap of CalculiX's example contact3, 0.02, under a pressure that presses the lower cube by 1.415e-5."""
+    checks, runs = [], []
+    for form in FORMULATIONS:
+        run = bench.run("static_patch", cubes(0.02), form=form, nu=0, amount=14.15)
+        runs.append(run)
+        moved = run.nodal("displacement")[-1, :, 2]
+        sides = [run.nodes_of(block)[near(run.start[run.nodes_of(block), 2], level)] for block, level in ((1, 1), (2, 0.98))]
+        checks += [Check(f"{form}: lower side", -1.415e-5, np.mean(moved[sides[0]]), 0.01),
+                   Check(f"{form}: upper side", 0.02 - 1.415e-5, np.mean(moved[sides[1]]), 0.01)]
+    return checks + balances(runs)
