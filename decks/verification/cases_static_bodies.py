@@ -10,7 +10,7 @@ from cases_static import blocks
 from cases_static_contact import last_error
 from mesh_maker import MeshMaker
 from runs import Check, at_most
-from shapes import add_ring_sector, near_zero, node_set_where, sides_where
+from shapes import add_ring_sector, near_zero
 
 
 def near(value, level):
@@ -23,9 +23,9 @@ def two_rings(around):
     add_ring_sector(mesh, "inner", 10, 20.0025, 0.5, (12, around[0], 1))
     add_ring_sector(mesh, "outer", 20, 30, 0.5, (12, around[1], 1))
     for axis, name in enumerate(("on_x", "on_y", "on_z")):
-        node_set_where(mesh, name, lambda *place, axis=axis: near(place[axis], 0))
-    mesh.side_set("inner_side", sides_where(mesh, "inner", lambda x, y, z: near(np.hypot(x, y), 20.0025)))
-    mesh.side_set("outer_side", sides_where(mesh, "outer", lambda x, y, z: near(np.hypot(x, y), 20)))
+        mesh.node_set_where(name, lambda *place, axis=axis: near(place[axis], 0))
+    mesh.side_set("inner_side", mesh.sides_where("inner", lambda x, y, z: near(np.hypot(x, y), 20.0025)))
+    mesh.side_set("outer_side", mesh.sides_where("outer", lambda x, y, z: near(np.hypot(x, y), 20)))
     return mesh
 
 
@@ -71,10 +71,10 @@ def static_lowered_blocks(bench):
 def plate(n):
     mesh = MeshMaker()
     mesh.hexes("plate", (0, 0, 0), (0.04, 0.04 / n, 0.04), (n, 1, n))
-    node_set_where(mesh, "middle", lambda x, y, z: near(x, 0.04))
-    mesh.side_set("top", sides_where(mesh, "plate", lambda x, y, z: near(z, 0.04)))
-    mesh.side_set("end", sides_where(mesh, "plate", lambda x, y, z: near(x, 0)))
-    mesh.side_set("foot", sides_where(mesh, "plate", lambda x, y, z: near(z, 0)))
+    mesh.node_set_where("middle", lambda x, y, z: near(x, 0.04))
+    mesh.side_set("top", mesh.sides_where("plate", lambda x, y, z: near(z, 0.04)))
+    mesh.side_set("end", mesh.sides_where("plate", lambda x, y, z: near(x, 0)))
+    mesh.side_set("foot", mesh.sides_where("plate", lambda x, y, z: near(z, 0)))
     return mesh
 
 
@@ -132,8 +132,8 @@ def half_below(radius, n, slope=0.2):
     mesh.hexes("ball", (0, 0, -2), (1, length, 1), (n, 1, n // 2))
     mesh.hexes("ball", (0, 0, -1), (1, length, 1), (n, 1, n))
     mesh.hexes("ball", (1, 0, -1), (1, length, 1), (n // 2, 1, n))
-    node_set_where(mesh, "on_x", lambda x, y, z: near(x, 0))
-    mesh.side_set("top", sides_where(mesh, "ball", lambda x, y, z: near(z, radius)))
+    mesh.node_set_where("on_x", lambda x, y, z: near(x, 0))
+    mesh.side_set("top", mesh.sides_where("ball", lambda x, y, z: near(z, radius)))
     return mesh, length
 
 
@@ -155,8 +155,8 @@ def cubes(depth):
     mesh.new_body()
     mesh.hexes("upper", (0, 0, 1 - depth), (1, 1, 1), (2, 2, 2))
     for axis, name in enumerate(("on_x", "on_y", "bottom")):
-        node_set_where(mesh, name, lambda *place, axis=axis: near(place[axis], 0))
-    mesh.side_set("top", sides_where(mesh, "upper", lambda x, y, z: near(z, 2 - depth)))
+        mesh.node_set_where(name, lambda *place, axis=axis: near(place[axis], 0))
+    mesh.side_set("top", mesh.sides_where("upper", lambda x, y, z: near(z, 2 - depth)))
     return mesh
 
 

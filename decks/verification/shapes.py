@@ -51,24 +51,6 @@ def add_ring_sector(mesh, name, inner, outer, width, cells, angle=0.5 * math.pi)
     mesh.hexes(name, (inner, 0, 0), (outer - inner, angle, width), cells)
 
 
-def sides_where(mesh, block, is_on):
-    """The sides of a block of HEX8 whose nodes all lie where is_on(x, y, z) holds."""
-    corners = {1: (0, 1, 5, 4), 2: (1, 2, 6, 5), 3: (2, 3, 7, 6), 4: (3, 0, 4, 7), 5: (0, 3, 2, 1), 6: (4, 5, 6, 7)}
-    good = is_on(*np.array(mesh.points).T)
-    sides, number = [], 0
-    for name, _, rows, _ in mesh.blocks:
-        for row in rows:
-            number += 1
-            if name == block:
-                sides += [(number, side) for side, spots in corners.items() if all(good[row[c] - 1] for c in spots)]
-    return sides
-
-
-def node_set_where(mesh, name, is_in):
-    """A node set by a condition on the coordinates of the nodes, given as arrays."""
-    mesh.node_sets.append((name, [int(n) + 1 for n in np.flatnonzero(is_in(*np.array(mesh.points).T))]))
-
-
 def hairpin(n_leg, n_bend, thickness):
     """Two legs of length 4, one apart from the other by 2, and the half ring that joins them."""
     def place(s, t, z):

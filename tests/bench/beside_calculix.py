@@ -28,7 +28,7 @@ import numpy as np  # noqa: E402
 from cases_hertz import cylinder_on_block  # noqa: E402
 from mesh_maker import MeshMaker  # noqa: E402
 from runs import Run  # noqa: E402
-from shapes import add_ring_sector, node_set_where, sides_where  # noqa: E402
+from shapes import add_ring_sector  # noqa: E402
 
 # Sides of a hexahedron: of Exodus, and the faces of CalculiX.
 FACES = {1: 3, 2: 4, 3: 5, 4: 6, 5: 1, 6: 2}
@@ -77,7 +77,7 @@ def hertz():
     mesh = cylinder_on_block(50, 0.78, 28, 24, 100)
     pole, sets, sides = len(mesh.blocks[0][2]), dict(mesh.node_sets), dict(mesh.side_sets)
     mesh.node_sets = [("held_x", sets["on_x"]), ("held_z", sets["bottom"])]
-    node_set_where(mesh, "held_y", lambda x, y, z: x == x)
+    mesh.node_set_where("held_y", lambda x, y, z: x == x)
     mesh.blocks = [("upper", *mesh.blocks[0][1:]), ("lower", *mesh.blocks[1][1:])]
     mesh.side_sets = [("loaded", sides["top"]), ("upper_side", [(e, 5) for e in range(1, 29)]),
                       ("lower_side", [(pole + 28 * 27 + i, 6) for i in range(1, 29)])]
@@ -92,11 +92,11 @@ def fit():
     mesh = MeshMaker()
     add_ring_sector(mesh, "lower", 10, 20.0025, 0.5, (16, 32, 1))
     add_ring_sector(mesh, "upper", 20, 30, 0.5, (16, 32, 1))
-    node_set_where(mesh, "held_x", lambda x, y, z: near(x, 0))
-    node_set_where(mesh, "held_y", lambda x, y, z: near(y, 0))
-    node_set_where(mesh, "held_z", lambda x, y, z: z == z)
-    mesh.side_sets = [("lower_side", sides_where(mesh, "lower", lambda x, y, z: near(np.hypot(x, y), 20.0025))),
-                      ("upper_side", sides_where(mesh, "upper", lambda x, y, z: near(np.hypot(x, y), 20)))]
+    mesh.node_set_where("held_x", lambda x, y, z: near(x, 0))
+    mesh.node_set_where("held_y", lambda x, y, z: near(y, 0))
+    mesh.node_set_where("held_z", lambda x, y, z: z == z)
+    mesh.side_sets = [("lower_side", mesh.sides_where("lower", lambda x, y, z: near(np.hypot(x, y), 20.0025))),
+                      ("upper_side", mesh.sides_where("upper", lambda x, y, z: near(np.hypot(x, y), 20)))]
     # Plane strain after Lame, the radii of the interface taken as one.
     a, b, c, youngs, nu = 10, 20, 30, 200e3, 0.3
     plane = youngs / (1 - nu ** 2)
@@ -132,13 +132,13 @@ def punch():
     mesh.new_body()
     mesh.place = lambda i, j, k: (across[round(i)], j, -200 * (1 - round(k) / 30) ** 1.8)
     mesh.hexes("lower", (0, 0, 0), (40, 1, 30), (40, 1, 30))
-    node_set_where(mesh, "held_x", lambda x, y, z: near(x, 0))
-    node_set_where(mesh, "held_y", lambda x, y, z: y == y)
-    node_set_where(mesh, "held_z", lambda x, y, z: near(z, -200))
+    mesh.node_set_where("held_x", lambda x, y, z: near(x, 0))
+    mesh.node_set_where("held_y", lambda x, y, z: y == y)
+    mesh.node_set_where("held_z", lambda x, y, z: near(z, -200))
     n_columns = flat + bend
     mesh.side_sets = [("loaded", [(n_columns * (n_up - 1) + i, 6) for i in range(1, n_columns + 1)]),
                       ("upper_side", [(i, 5) for i in range(1, n_columns + 1)]),
-                      ("lower_side", sides_where(mesh, "lower", lambda x, y, z: near(z, 0)))]
+                      ("lower_side", mesh.sides_where("lower", lambda x, y, z: near(z, 0)))]
     top, line, places = node_at(mesh, (0, 0, 100)), top_line(mesh), points_of(mesh)[:, 0]
     under = n_columns * n_up + 40 * 29
     return Model(mesh, "pressure", 100.0, (70e3, 210e3), 0.3, 2e6,
@@ -161,10 +161,10 @@ def beam():
     mesh.new_body()
     mesh.hexes("upper", (0, 0, 0.5), (10, 1, 0.5), (40, 4, 3))
     for name in ("held_x", "held_y", "held_z"):
-        node_set_where(mesh, name, lambda x, y, z: near(x, 0))
-    mesh.side_sets = [("loaded", sides_where(mesh, "upper", lambda x, y, z: near(z, 1))),
-                      ("lower_side", sides_where(mesh, "lower", lambda x, y, z: near(z, 0.5))),
-                      ("upper_side", sides_where(mesh, "upper", lambda x, y, z: near(z, 0.5)))]
+        mesh.node_set_where(name, lambda x, y, z: near(x, 0))
+    mesh.side_sets = [("loaded", mesh.sides_where("upper", lambda x, y, z: near(z, 1))),
+                      ("lower_side", mesh.sides_where("lower", lambda x, y, z: near(z, 0.5))),
+                      ("upper_side", mesh.sides_where("upper", lambda x, y, z: near(z, 0.5)))]
     tip = node_at(mesh, (10, 0, 0))
     bending, shear = 1e-3 * 10 ** 4 / (8 * 200 / 12), 1e-3 * 10 ** 2 / (2 * 200 / 2 * 5 / 6)
     return Model(mesh, "pressure", 1e-3, (200, 200), 0.0, 0,
@@ -178,8 +178,8 @@ def blocks(n):
     mesh.new_body()
     mesh.hexes("upper", (0.1, 0.1, 1), (0.8, 0.8, 0.8), (n, n, n))
     for name in ("held_x", "held_y"):
-        node_set_where(mesh, name, lambda x, y, z: near(z, 0) | near(z, 1.8))
-    node_set_where(mesh, "held_z", lambda x, y, z: near(z, 0))
+        mesh.node_set_where(name, lambda x, y, z: near(z, 0) | near(z, 1.8))
+    mesh.node_set_where("held_z", lambda x, y, z: near(z, 0))
     cube = n ** 3
     mesh.side_sets = [("loaded", [(2 * cube - n * n + i, 6) for i in range(1, n * n + 1)]),
                       ("lower_side", [(cube - n * n + i, 6) for i in range(1, n * n + 1)]),
