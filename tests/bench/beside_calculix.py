@@ -5,7 +5,7 @@
     beside_calculix.py PROGRAM [--models hertz fit punch beam blocks-20 ...] [--repeats N] [--limit SECONDS]
 
 blocks-N presses two blocks of N x N x N elements onto each other: 20 are 16,000, 40 are 128,000. The program runs with nodal
-blocks and with the full tangent, CalculiX with nodes and with faces on faces. The smallest wall time of the repeats is told; a
+blocks and with the full tangent, CalculiX with nodes and with faces on faces, the latter also by its iterative solver. The smallest wall time of the repeats is told; a
 run that takes longer than the limit, 900 s, is ended and told as such.
 """
 import argparse
@@ -193,7 +193,7 @@ def find_model(name):
     return {"hertz": hertz, "fit": fit, "punch": punch, "beam": beam}[name]()
 
 
-def write_calculix(model, path, form):
+def write_calculix(model, path, form, solver):
     """One increment that follows large motion, as the deck does; contact is linear in the depth."""
     mesh, lines = model.mesh, ["*NODE,NSET=ALL"]
     lines += [f"{n},{p[0]:.12g},{p[1]:.12g},{p[2]:.12g}" for n, p in enumerate(mesh.points, 1)]
@@ -222,7 +222,8 @@ def write_calculix(model, path, form):
                   f"{model.stiffness}{forces_far_apart}",
                   f"*CONTACT PAIR,INTERACTION=press,TYPE={'NODE' if form == 'node' else 'SURFACE'} TO SURFACE",
                   f"{fine},{coarse}"]
-    lines += ["*BOUNDARY", "held_x,1,1", "held_y,2,2", "held_z,3,3", "*STEP,NLGEOM,INC=1000", "*STATIC,DIRECT", "1.,1."]
+    lines += ["*BOUNDARY", "held_x,1,1", "held_y,2,2", "held_z,3,3", "*STEP,NLGEOM,INC=1000",
+              f"*STATIC,DIRECT,SOLVER={solver}", "1.,1."]
     sets, reactions = dict(mesh.side_sets), "held_z"
     if model.load == "pressure":
         lines += ["*DLOAD", *(f"{e},P{FACES[s]},{model.amount}" for e, s in sets["loaded"])]
@@ -282,10 +283,10 @@ def one_core(command):
     return ["taskset", "-c", "0", *command] if shutil.which("taskset") else command
 
 
-def run_calculix(model, folder, form, limit):
-    write_calculix(model, folder / f"{form}.inp", form)
+def run_calculix(model, folder, form, solver, limit):
+    write_calculix(model, folder / f"{form}.inp", form, solver)
     seconds, printed, is_done = time_command(one_core(["ccx", "-i", form]), folder, limit)
-    return seconds, read_calculix(folder / f"{form}.dat", model) if is_done else None, len(re.findall(r"^ iteration", printed, re.M))
+    return seconds, read_calculix(folder / f"{form}.dat", model) if is_done else None, len(re.findall(r"^ iteration ", printed, re.M))
 
 
 def run_contactsim(program, model, folder, tangent, limit):
@@ -309,12 +310,14 @@ def compare(name, arguments):
     print(f"{'':36s} {'wall [s]':>10s} {'iterations':>10s}  " + "  ".join(f"{label:>24s}" for label, _, _ in model.asked))
     print(f"{'by theory':36s} {'':>10s} {'':>10s}  "
           + "  ".join(f"{'' if known is None else f'{known:.6g}':>{max(24, len(label))}s}" for label, _, known in model.asked))
-    forms = [("CalculiX, tied" if model.is_tied else "CalculiX, faces on faces", "face")]
-    forms += [] if model.is_tied else [("CalculiX, nodes on faces", "node")]
+    way = "tied" if model.is_tied else "faces on faces"
+    forms = [(f"CalculiX, {way}", "face", "SPOOLES"), (f"CalculiX, {way}, iterative", "face", "ITERATIVE CHOLESKY")]
+    forms += [] if model.is_tied else [("CalculiX, nodes on faces", "node", "SPOOLES")]
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         model.mesh.write(folder / "beside_calculix.g")
-        jobs = [(label, lambda form=form: run_calculix(model, folder, form, arguments.limit)) for label, form in forms]
+        jobs = [(label, lambda form=form, solver=solver: run_calculix(model, folder, form, solver, arguments.limit))
+                for label, form, solver in forms]
         jobs += [(label, lambda tangent=tangent: run_contactsim(arguments.program, model, folder, tangent, arguments.limit))
                  for label, tangent in (("contactsim, nodal blocks", 0), ("contactsim, full tangent", 1))]
         best = {}
