@@ -172,3 +172,65 @@ def static_overlap(bench):
         checks += [Check(f"{form}: lower side", -1.415e-5, np.mean(moved[sides[0]]), 0.01),
                    Check(f"{form}: upper side", 0.02 - 1.415e-5, np.mean(moved[sides[1]]), 0.01)]
     return checks + balances(runs)
+
+
+def pressed_rings(around):
+    mesh = MeshMaker()
+    mesh_angle = 0.5 * math.pi / around[1]
+    add_ring_sector(mesh, "inner", 0.5, 1, 0.05, (12, around[0], 1))
+    add_ring_sector(mesh, "outer", 1, 1.5, 0.05, (12, around[1], 1))
+    for axis, name in enumerate(("on_x", "on_y")):
+        mesh.node_set_where(name, lambda *place, axis=axis: near(place[axis], 0))
+    for block in ("inner", "outer"):
+        mesh.side_set(f"{block}_side", mesh.sides_where(block, lambda x, y, z: near(np.hypot(x, y), 1)))
+    for i in range(around[1]):
+        def is_in(x, y, z, middle=(i + 0.5) * mesh_angle):
+            return near(np.hypot(x, y), 1.5) & (np.abs(np.arctan2(y, x) - middle) < 0.6 * mesh_angle)
+        mesh.side_set(f"outside_{i + 1}", mesh.sides_where("outer", is_in))
+    return mesh
+
+
+def ring_pressures():
+    """The mean contact pressure of the rings and its part in cos 2a; frictionless, by Michell's stress functions."""
+    kappa, a, b, c = 3 - 4 * 0.2, 0.5, 1.0, 1.5
+
+    # Of r^2, r^-2, r^4 and 1, each times cos 2a: normal stress, shear and 2 G times the radial displacement.
+    def normal(r):
+        return np.array([-2, -6 / r ** 4, 0, -4 / r ** 2])
+
+    def shear(r):
+        return np.array([2, -6 / r ** 4, 6 * r ** 2, -2 / r ** 2])
+
+    def radial(r):
+        return np.array([-2 * r, 2 / r ** 3, (kappa - 3) * r ** 3, (kappa + 1) / r])
+
+    none = np.zeros(4)
+    rows = [(normal(a), none), (shear(a), none), (shear(b), none), (none, shear(b)), (normal(b), -normal(b)),
+            (radial(b), -radial(b)), (none, normal(c)), (none, shear(c))]
+    found = np.linalg.solve(np.array([np.concatenate(row) for row in rows]), [0, 0, 0, 0, 0, 0, -1e4, 0])
+    return 1e5 * c * c / (c * c - a * a) * (1 - a * a / (b * b)), -normal(b) @ found[:4]
+
+
+@case()
+def static_rings(bench):
+    """code_aster SSNP167."""
+    mean, varying = ring_pressures()
+    checks, runs = [], []
+    for form, around, smoothing, part_missed, node_missed in (
+            ("face_face", (24, 32), "auto", None, 0.03), ("face_face", (32, 32), "off", 0.11, None),
+            ("node_face", (32, 32), "off", 0.15, 0.035)):
+        run = bench.run("static_rings", pressed_rings(around), form=form, smoothing=smoothing)
+        runs.append(run)
+        side = run.nodes_of(1)
+        side = side[near(np.hypot(*run.start[side, :2].T), 1)]
+        angle = np.arctan2(run.start[side, 1], run.start[side, 0])
+        force = -np.sum(run.nodal("force_contact")[-1, side, :2] * run.start[side, :2], axis=1)
+        area = 0.5 * math.pi * 0.05
+        share = area / around[0] / 2 * np.where(near(angle, 0) | near(angle, 0.5 * math.pi), 0.5, 1)
+        worst = np.max(np.abs(force / share - mean - varying * np.cos(2 * angle))) / mean
+        label = f"{form}, {around[0]} and {around[1]} elements, smoothing {smoothing}"
+        checks += [Check(f"{label}: mean pressure [Pa]", mean, np.sum(force) / area, 0.02),
+                   Check(f"{label}: its part in cos 2a [Pa]", varying, 2 * np.sum(force * np.cos(2 * angle)) / area, 0.02,
+                         known_miss=part_missed),
+                   at_most(f"{label}: error at the worst node", worst, 0.02, known_miss=node_missed)]
+    return checks + balances(runs)
