@@ -234,3 +234,50 @@ def static_rings(bench):
                          known_miss=part_missed),
                    at_most(f"{label}: error at the worst node", worst, 0.02, known_miss=node_missed)]
     return checks + balances(runs)
+
+
+def punch_on_block():
+    """A sector of 5 degrees, one element wide, fine towards the rounded edge."""
+    flat, bend, up, turn, hole = 24, 10, 24, math.radians(5), 1.0
+    levels = np.linspace(0, 1, up + 1) ** 1.6
+
+    def inside(share):
+        return hole + (40 - hole) * (1 - (1 - share) ** 1.5)
+
+    def around(r, j, z):
+        return r * math.cos(j * turn), r * math.sin(j * turn), z
+
+    def of_punch(i, j, k):
+        column, level = round(i), levels[round(k)]
+        beyond = max(column - flat, 0) / bend
+        high = inside(min(column / flat, 1))
+        low, high = high + 10 * math.sin(math.radians(60) * beyond), high + 10 * beyond
+        level_low = 10 * (1 - math.cos(math.radians(60) * beyond))
+        return around(low + level * (high - low), j, level_low + level * (100 - level_low))
+
+    across = np.concatenate([inside(np.linspace(0, 1, 21)), 40 + 60 * np.linspace(0, 1, 21)[1:] ** 1.6])
+    mesh = MeshMaker(of_punch)
+    mesh.hexes("punch", (0, 0, 0), (flat + bend, 1, up), (flat + bend, 1, up))
+    mesh.new_body()
+    mesh.place = lambda i, j, k: around(across[round(i)], j, -200 * (1 - round(k) / 30) ** 1.8)
+    mesh.hexes("base", (0, 0, 0), (40, 1, 30), (40, 1, 30))
+    mesh.node_set_where("first_plane", lambda x, y, z: near(y, 0))
+    mesh.node_set_where("second_plane", lambda x, y, z: near(np.arctan2(y, x), turn))
+    mesh.node_set_where("bottom", lambda x, y, z: near(z, -200))
+    mesh.side_set("top", mesh.sides_where("punch", lambda x, y, z: near(z, 100)))
+    mesh.side_set("foot", [(i, 5) for i in range(1, flat + bend + 1)])
+    mesh.side_set("seat", mesh.sides_where("base", lambda x, y, z: near(z, 0)))
+    return mesh
+
+
+@case()
+def static_punch(bench):
+    """NAFEMS CGS-2."""
+    run = bench.run("static_punch", punch_on_block())
+    moved, base = run.nodal("displacement")[-1], run.nodes_of(2)
+    line = base[near(run.start[base, 1], 0) & near(run.start[base, 2], 0)]
+    line = line[np.argsort(run.start[line, 0])]
+    checks = [Check(f"radial displacement at {place} mm [mm]", way, np.interp(place, run.start[line, 0], moved[line, 0]), 0.02)
+              for place, way in ((20, -4.690e-3), (30, -8.000e-3), (42, -17.97e-3), (50, -13.895e-3))]
+    top = np.argmin(np.sum((run.start - (1, 0, 100)) ** 2, axis=1))
+    return [*checks, Check("top of the punch [mm]", -0.18497, moved[top, 2], 0.02), *balances([run])]
