@@ -236,16 +236,29 @@ def static_rings(bench):
     return checks + balances(runs)
 
 
+SECTOR = math.radians(5)
+
+
+def on_sector(r, j, z):
+    return r * math.cos(j * SECTOR), r * math.sin(j * SECTOR), z
+
+
+def with_sector_sets(mesh, height):
+    mesh.node_set_where("first_plane", lambda x, y, z: near(y, 0))
+    mesh.node_set_where("second_plane", lambda x, y, z: near(np.arctan2(y, x), SECTOR))
+    mesh.node_set_where("bottom", lambda x, y, z: near(z, np.min(z)))
+    mesh.side_set("top", mesh.sides_where("punch", lambda x, y, z: near(z, height)))
+    mesh.side_set("seat", mesh.sides_where("base", lambda x, y, z: near(z, 0)))
+    return mesh
+
+
 def punch_on_block():
     """A sector of 5 degrees, one element wide, fine towards the rounded edge."""
-    flat, bend, up, turn, hole = 24, 10, 24, math.radians(5), 1.0
+    flat, bend, up, hole = 24, 10, 24, 1.0
     levels = np.linspace(0, 1, up + 1) ** 1.6
 
     def inside(share):
         return hole + (40 - hole) * (1 - (1 - share) ** 1.5)
-
-    def around(r, j, z):
-        return r * math.cos(j * turn), r * math.sin(j * turn), z
 
     def of_punch(i, j, k):
         column, level = round(i), levels[round(k)]
@@ -253,21 +266,29 @@ def punch_on_block():
         high = inside(min(column / flat, 1))
         low, high = high + 10 * math.sin(math.radians(60) * beyond), high + 10 * beyond
         level_low = 10 * (1 - math.cos(math.radians(60) * beyond))
-        return around(low + level * (high - low), j, level_low + level * (100 - level_low))
+        return on_sector(low + level * (high - low), j, level_low + level * (100 - level_low))
 
     across = np.concatenate([inside(np.linspace(0, 1, 21)), 40 + 60 * np.linspace(0, 1, 21)[1:] ** 1.6])
     mesh = MeshMaker(of_punch)
     mesh.hexes("punch", (0, 0, 0), (flat + bend, 1, up), (flat + bend, 1, up))
     mesh.new_body()
-    mesh.place = lambda i, j, k: around(across[round(i)], j, -200 * (1 - round(k) / 30) ** 1.8)
+    mesh.place = lambda i, j, k: on_sector(across[round(i)], j, -200 * (1 - round(k) / 30) ** 1.8)
     mesh.hexes("base", (0, 0, 0), (40, 1, 30), (40, 1, 30))
-    mesh.node_set_where("first_plane", lambda x, y, z: near(y, 0))
-    mesh.node_set_where("second_plane", lambda x, y, z: near(np.arctan2(y, x), turn))
-    mesh.node_set_where("bottom", lambda x, y, z: near(z, -200))
-    mesh.side_set("top", mesh.sides_where("punch", lambda x, y, z: near(z, 100)))
     mesh.side_set("foot", [(i, 5) for i in range(1, flat + bend + 1)])
-    mesh.side_set("seat", mesh.sides_where("base", lambda x, y, z: near(z, 0)))
-    return mesh
+    return with_sector_sets(mesh, 100)
+
+
+def flat_punch_on_block():
+    """The same of a flat punch of 10 mm, fine towards its edge, and of a block whose elements grow by a fifth."""
+    inside, down = 0.05 + 9.95 * (1 - (1 - np.linspace(0, 1, 25)) ** 2), np.array([0, *np.geomspace(0.1, 1000, 41)])
+    across = np.array([*inside, *(10 + down[1:] * 0.99)])
+    mesh = MeshMaker(lambda i, j, k: on_sector(inside[round(i)], j, 5 * (k / 8) ** 1.5))
+    mesh.hexes("punch", (0, 0, 0), (24, 1, 8), (24, 1, 8))
+    mesh.new_body()
+    mesh.place = lambda i, j, k: on_sector(across[round(i)], j, -down[41 - round(k)])
+    mesh.hexes("base", (0, 0, 0), (len(across) - 1, 1, 41), (len(across) - 1, 1, 41))
+    mesh.side_set("foot", [(i, 5) for i in range(1, 25)])
+    return with_sector_sets(mesh, 5)
 
 
 @case()
@@ -281,3 +302,11 @@ def static_punch(bench):
               for place, way in ((20, -4.690e-3), (30, -8.000e-3), (42, -17.97e-3), (50, -13.895e-3))]
     top = np.argmin(np.sum((run.start - (1, 0, 100)) ** 2, axis=1))
     return [*checks, Check("top of the punch [mm]", -0.18497, moved[top, 2], 0.02), *balances([run])]
+
+
+@case(is_long=True)
+def static_flat_punch(bench):
+    """Boussinesq."""
+    run = bench.run("static_punch", flat_punch_on_block(), depth=0.01)
+    force = np.sum(run.nodal("force_contact")[-1, run.nodes_of(1), 2]) * 2 * math.pi / SECTOR
+    return [Check("force [N]", 2 * 10 * 70e3 / 0.91 * 0.01, force, 0.03), *balances([run])]

@@ -5,13 +5,18 @@
 # and 50 mm from the axis, and the way down of the punch's top, of a run of CalculiX (four-node elements with an axis of symmetry, four
 # times as fine, -4.690e-3, -8.000e-3, -17.97e-3, -13.90e-3 and -0.18497 mm), within 2 %. The innermost millimetre is left out, so that
 # the sector has no elements with an edge on the axis.
+# With -D depth=0.01 a flat punch of 10 mm of radius, a thousand times as stiff as the block, is lowered by 0.01 mm into a block of a
+# hundred times its size: F = 2 a E / (1 - nu^2) d (Boussinesq), 15384.6 N, within 3 %.
 #
+# {ifndef(depth)}
+# {depth = 0}
+# {endif}
 # {frame = 1}
 begin sierra static punch
   begin material steel
     density = 7.8e-9
     begin parameters for model elastic
-      youngs modulus = 210e3
+      youngs modulus = {depth == 0 ? 210e3 : 70e6}
       poissons ratio = 0.3
     end
   end
@@ -71,11 +76,20 @@ begin sierra static punch
         node set = bottom
         component = z
       end
+{if(depth == 0)}
       begin pressure
         surface = top
         function = ramp
         scale factor = 100
       end
+{else}
+      begin prescribed displacement
+        surface = top
+        component = z
+        function = ramp
+        scale factor = {-depth}
+      end
+{endif}
 
       begin contact definition
         contact surface above contains foot
