@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from cases import FORMULATIONS, balances, case
-from cases_hertz import ball, ball_on_ball, contact_size, cylinder_on_block
+from cases_hertz import contact_size, cylinder_on_block, graded
 from cases_static import blocks
 from cases_static_contact import last_error
 from mesh_maker import MeshMaker
@@ -310,3 +310,41 @@ def static_flat_punch(bench):
     run = bench.run("static_punch", flat_punch_on_block(), depth=0.01)
     force = np.sum(run.nodal("force_contact")[-1, run.nodes_of(1), 2]) * 2 * math.pi / SECTOR
     return [Check("force [N]", 2 * 10 * 70e3 / 0.91 * 0.01, force, 0.03), *balances([run])]
+
+
+def whole_cylinders(radius, step, n, layers):
+    """The columns of cases_hertz on both sides of the middle, of two cylinders on each other."""
+    half = graded(step, 10, n, 0.65 * radius)
+    across, along = np.array([*(-half[:0:-1]), *half]), graded(step / radius, 6, layers)
+
+    def place(i, j, k, sign):
+        x, share = across[round(i)], along[round(k)]
+        surface = radius - math.sqrt(radius ** 2 - x ** 2)
+        return x, j * step, sign * (surface + share * (radius - surface))
+    mesh = MeshMaker(lambda i, j, k: place(i, j, k, 1))
+    mesh.hexes("ball", (0, 0, 0), (2 * n, 1, layers), (2 * n, 1, layers))
+    mesh.new_body()
+    mesh.place = lambda i, j, k: place(i, j, layers - k, -1)
+    mesh.hexes("base", (0, 0, 0), (2 * n, 1, layers), (2 * n, 1, layers))
+    mesh.node_set_where("bottom", lambda x, y, z: near(z, -radius))
+    mesh.side_set("top", mesh.sides_where("ball", lambda x, y, z: near(z, radius)))
+    return mesh
+
+
+@case(is_long=True)
+def static_partial_slip(bench):
+    """Cattaneo and Mindlin."""
+    checks, runs, step, friction = [], [], 0.1, 0.3
+    for shift in (0.04, 0.06):
+        run = bench.run("static_hertz", whole_cylinders(8, step, 20, 16), plane_strain=1, friction=friction, base="body",
+                        amount=0.12, shift=shift)
+        runs.append(run)
+        ball = run.nodes_of(1)
+        force = run.nodal("force_contact")[-1, ball]
+        push, pull = np.sum(force[:, 2]), np.abs(np.sum(force[:, 0]))
+        share = pull / (friction * push)
+        size = math.sqrt(4 * push / step * 4 / (math.pi * 500 / 0.91))
+        sticks = (force[:, 2] > 1e-3 * np.max(force[:, 2])) & (np.abs(force[:, 0]) < 0.97 * friction * force[:, 2])
+        checks.append(Check(f"Q / (mu P) = {share:.3f}: half width of what sticks [mm]", size * math.sqrt(1 - share),
+                            np.max(run.start[ball[sticks], 0]), step, 1.0))
+    return checks + balances(runs, has_friction=True)
