@@ -154,6 +154,22 @@ class MeshMaker:
         self.node_sets.append((name, [n for n, given in enumerate(self.given, 1) if is_in(*given)]))
         self.set_rules[name] = is_in
 
+    def sides_where(self, block, is_on):
+        """The sides of a block of HEX8 whose nodes all lie where is_on(x, y, z), of arrays of coordinates, holds."""
+        corners = {1: (0, 1, 5, 4), 2: (1, 2, 6, 5), 3: (2, 3, 7, 6), 4: (3, 0, 4, 7), 5: (0, 3, 2, 1), 6: (4, 5, 6, 7)}
+        good = is_on(*np.array(self.points).T)
+        sides, number = [], 0
+        for name, _, rows, _ in self.blocks:
+            for row in rows:
+                number += 1
+                if name == block:
+                    sides += [(number, side) for side, spots in corners.items() if all(good[row[c] - 1] for c in spots)]
+        return sides
+
+    def node_set_where(self, name, is_in):
+        """The nodes that lie, as they are placed, where is_in(x, y, z), of arrays of coordinates, holds."""
+        self.node_sets.append((name, [int(n) + 1 for n in np.flatnonzero(is_in(*np.array(self.points).T))]))
+
     def transform(self, matrix):
         """Maps all coordinates linearly; a mirrored mesh gets its hexes turned, so that volumes stay positive."""
         self.points = [tuple(p) for p in np.array(self.points) @ np.array(matrix).T]

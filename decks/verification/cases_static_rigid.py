@@ -51,7 +51,7 @@ def static_rigid(bench):
 
 
 @case()
-def static_punch(bench):
+def static_tilted_punch(bench):
     """Tilted, a punch comes to rest as the same one does that lies flat at the start."""
     checks, runs = [], []
     flat = bench.run("static_rigid", punched(4, 0.6), load="free")

@@ -44,6 +44,13 @@ def add_ring(mesh, name, centre, inner, outer, width, cells):
     mesh.hexes(name, (inner, 0, 0), (outer - inner, 2 * math.pi, width), cells)
 
 
+def add_ring_sector(mesh, name, inner, outer, width, cells, angle=0.5 * math.pi):
+    """As add_ring, from the x axis to an angle."""
+    mesh.new_body()
+    mesh.place = lambda r, turn, z: (r * math.cos(turn), r * math.sin(turn), z)
+    mesh.hexes(name, (inner, 0, 0), (outer - inner, angle, width), cells)
+
+
 def hairpin(n_leg, n_bend, thickness):
     """Two legs of length 4, one apart from the other by 2, and the half ring that joins them."""
     def place(s, t, z):

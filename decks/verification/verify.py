@@ -36,6 +36,7 @@ import cases_rods  # noqa: E402, F401
 import cases_round  # noqa: E402, F401
 import cases_shells  # noqa: E402, F401
 import cases_static  # noqa: E402, F401
+import cases_static_bodies  # noqa: E402, F401
 import cases_static_contact  # noqa: E402, F401
 import cases_static_rigid  # noqa: E402, F401
 import cases_unit  # noqa: E402, F401
