@@ -9,9 +9,10 @@
 
 namespace contactsim {
 
-/// The inverse of the stiffness of solids to a thousandth, by conjugate gradients on its symmetric part with
-/// a V-cycle of multigrid: for solids whose factor takes too long or too much memory. Newton's steps by it
-/// are inexact ones. Source: Dembo, Eisenstat and Steihaug, SIAM J. Numer. Anal. 19 (1982) 400-408.
+/// The inverse of the stiffness of solids to a thousandth, with contact to a hundredth, by conjugate
+/// gradients on its symmetric part with a V-cycle of multigrid: for solids whose factor takes too long or too
+/// much memory. Newton's steps by it are inexact ones. Source: Dembo, Eisenstat and Steihaug, SIAM J. Numer.
+/// Anal. 19 (1982) 400-408.
 class MultigridTangent final : public Tangent {
  public:
   /// All must outlive it. Precondition: nodes do not turn.

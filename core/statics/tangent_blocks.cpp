@@ -136,6 +136,14 @@ void TangentBlocks::steady_rotations() {
   }
 }
 
+/// Whether no node is farther from where the stiffness of the mesh was found than changes strains by some
+/// 1e-5.
+bool TangentBlocks::is_near_last(const Eigen::VectorXd& increment) const {
+  constexpr double steps = 10.0;  // of a probe
+  const Eigen::Index n = 3 * Eigen::Index{graph_.n_nodes()};
+  return (increment - probed_at_).head(n).cwiseAbs().maxCoeff() <= steps * problem_.probe_of(0);
+}
+
 TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
                                             const std::vector<double>& shares, bool may_keep) {
   constexpr double same = 1e-3;
@@ -144,13 +152,14 @@ TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
   if (!problem_.evaluate(increment, residual)) return update;
   const std::vector<ContactSpring> springs = problem_.contact_springs();
   const double size = size_of(springs);
-  const bool keeps =
-      may_keep && !columns_.empty() && std::abs(size - spring_size_) > same * std::max(size, spring_size_);
+  const bool has_other_springs = std::abs(size - spring_size_) > same * std::max(size, spring_size_);
+  const bool keeps = may_keep && !columns_.empty() && (has_other_springs || is_near_last(increment));
   if (!keeps) {
     const std::int64_t n_probes = renew(increment);
     update.n_evaluations += n_probes;
     if (n_probes == 0) return update;
     update.has_new_elements = true;
+    probed_at_ = increment;
     largest_ = find_largest();
     steady(shares);
   }

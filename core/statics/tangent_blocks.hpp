@@ -41,7 +41,8 @@ class TangentBlocks {
   /// contact in place of those before. Nodes that move with nothing held get shares of their stiffness to the
   /// ground.
   ///   shares     [n_nodes], or empty [1]
-  ///   may_keep   the mesh's own part stays where it is there and contact has other springs than before
+  ///   may_keep   the mesh's own part stays where it is there and contact has other springs than before, or
+  ///              hardly anything has moved
   Update update(const Eigen::VectorXd& increment, const std::vector<double>& shares, bool may_keep);
   /// Finds the mesh's own part. Returns the evaluations of the residual, 0 where there is none.
   std::int64_t renew(const Eigen::VectorXd& increment);
@@ -89,6 +90,7 @@ class TangentBlocks {
   std::size_t offset(std::uint32_t node, std::uint32_t neighbour) const;
   bool are_neighbours(std::uint32_t a, std::uint32_t b) const;
   std::vector<NodeBlock> take_apart();
+  bool is_near_last(const Eigen::VectorXd& increment) const;
   double find_largest() const;
   void hold_directions();
   void gather_bodies();
@@ -105,6 +107,7 @@ class TangentBlocks {
   std::vector<double> columns_;
   std::vector<NodeBlock> joined_;     // of what else joins nodes
   std::vector<NodeBlock> of_bodies_;  // between rigid bodies and the mesh
+  Eigen::VectorXd probed_at_;         // the increment of the mesh's own part
   double largest_ = 0.0;
   double spring_size_ = 0.0;  // of contact, which tells whether its springs have changed
 };
