@@ -134,7 +134,8 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
   CgReport report;
   // A residual with contact, from which on a step is halved, is the largest of the last steps as long as it
   // is larger than what it is compared with: faces that part and meet make it grow on the way to where it
-  // falls. Source: Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986) 707-716.
+  // falls. Not so where contact alone holds a body, which would drift away. Source: Grippo, Lampariello and
+  // Lucidi, SIAM J. Numer. Anal. 23 (1986) 707-716.
   std::array<double, 5> recent;
   recent.fill(0.0);
   Eigen::VectorXd residual, moved, z, trial, best_trial;
@@ -151,9 +152,10 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
     if (size > slow * last) renew(increment);
     last = size;
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
-    const double bound = size > equilibrium.reference() ? *std::ranges::max_element(recent) : size;
     preconditioner.apply(residual, z);
     const double longest = equilibrium.longest_step(z);
+    const bool may_grow = size > equilibrium.reference() && std::isinf(longest);
+    const double bound = may_grow ? *std::ranges::max_element(recent) : size;
     is_limited = longest < 1.0;
     if (is_limited) z *= longest;
     exists = false;
