@@ -88,3 +88,38 @@ TEST_CASE("nothing joins held nodes to others", "[core][statics]") {
   }
   CHECK(stiffness.block<3, 3>(3 * 8, 3 * 20).norm() > 0.0);
 }
+
+TEST_CASE("the stiffness of the mesh stays where hardly anything has moved, if it may", "[core][statics]") {
+  StaticCube cube;
+  const NodeGraph graph = graph_of(cube);
+  TangentBlocks blocks(*cube.problem, graph);
+  const Eigen::VectorXd at = cube.pulled(0.1);
+  const TangentBlocks::Update first = blocks.update(at, {}, true);
+  CHECK(first.exists);
+  CHECK(first.has_new_elements);  // none before
+  const double probe = cube.problem->probe_of(0);
+  const auto moved = [&](double by) { return Eigen::VectorXd(at.array() + by); };
+  const TangentBlocks::Update near = blocks.update(moved(5.0 * probe), {}, true);
+  CHECK(near.exists);
+  CHECK_FALSE(near.has_new_elements);
+  CHECK(near.n_evaluations == 1);
+  CHECK(blocks.update(moved(5.0 * probe), {}, false).n_evaluations == first.n_evaluations);
+  CHECK(blocks.update(moved(20.0 * probe), {}, true).has_new_elements);
+  const TangentBlocks::Update inside_out = blocks.update(cube.pulled(-3.0), {}, true);
+  CHECK_FALSE(inside_out.exists);
+  CHECK(inside_out.n_evaluations == 1);
+}
+
+TEST_CASE("blocks that are kept are those from before springs came to them", "[core][statics]") {
+  StaticCube cube;
+  const NodeGraph graph = graph_of(cube);
+  TangentBlocks blocks(*cube.problem, graph);
+  const Eigen::VectorXd at = Eigen::VectorXd::Zero(cube.problem->size());
+  REQUIRE(blocks.update(at, {}, false).exists);
+  const Eigen::MatrixXd alone = dense_of(blocks.take_symmetric(0.0, true));
+  REQUIRE(blocks.update(at, {}, true).n_evaluations == 1);
+  blocks.join(springs());
+  CHECK((dense_of(blocks.take_symmetric(0.0, true)) - alone).norm() > 1e-3 * alone.norm());
+  REQUIRE(blocks.update(at, {}, true).n_evaluations == 1);
+  CHECK(dense_of(blocks.take_symmetric(0.0, false)) == alone);
+}
