@@ -153,7 +153,8 @@ TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
   const std::vector<ContactSpring> springs = problem_.contact_springs();
   const double size = size_of(springs);
   const bool has_other_springs = std::abs(size - spring_size_) > same * std::max(size, spring_size_);
-  const bool keeps = may_keep && !columns_.empty() && (has_other_springs || (problem_.bodies().empty() && is_near_last(increment)));
+  const bool keeps = may_keep && !columns_.empty() &&
+                     (has_other_springs || (problem_.bodies().empty() && is_near_last(increment)));
   if (!keeps) {
     const std::int64_t n_probes = renew(increment);
     update.n_evaluations += n_probes;
