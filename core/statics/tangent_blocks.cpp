@@ -136,12 +136,14 @@ void TangentBlocks::steady_rotations() {
   }
 }
 
-/// Whether no node is farther from where the stiffness of the mesh was found than changes strains by some
-/// 1e-5.
+/// Whether no node is farther from where the stiffness of the mesh was found, or turned by more, than changes
+/// strains by some 1e-5.
 bool TangentBlocks::is_near_last(const Eigen::VectorXd& increment) const {
   constexpr double steps = 10.0;  // of a probe
+  const Eigen::VectorXd moved = (increment - probed_at_).cwiseAbs();
   const Eigen::Index n = 3 * Eigen::Index{graph_.n_nodes()};
-  return (increment - probed_at_).head(n).cwiseAbs().maxCoeff() <= steps * problem_.probe_of(0);
+  return moved.head(n).maxCoeff() <= steps * problem_.probe_of(0) &&
+         (moved.size() == n || moved.tail(moved.size() - n).maxCoeff() <= steps * problem_.probe_of(n));
 }
 
 TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
