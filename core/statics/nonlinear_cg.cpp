@@ -149,7 +149,9 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
     n_idle = size < least || is_limited ? 0 : n_idle + 1;
     least = std::min(least, size);
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
-    if (size > slow * last) renew(increment);
+    // The first guess has closed and opened contact.
+    const bool is_first = report.n_iterations == 0 && equilibrium.is_rough();
+    if (is_first || size > slow * last) renew(increment);
     last = size;
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
     preconditioner.apply(residual, z);
