@@ -115,6 +115,9 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
   const auto is_below = [&](double share) {
     return report_.contact.change <= share * report_.contact.reference;
   };
+  // What an update changes may be less than is looked at as out of balance, over and over.
+  CgSettings again = cg;
+  again.min_iterations = std::max<std::int64_t>(again.min_iterations, 1);
   Eigen::VectorXd residual;
   std::int64_t n_iterations = report_.search.n_iterations;
   for (;;) {
@@ -130,7 +133,7 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
       return true;
     if (is_last) return control.max_iterations == 0 || is_below(control.acceptable_relative());
     ++report_.n_updates;
-    search(cg, increment);
+    search(again, increment);
     n_iterations += report_.search.n_iterations;
     report_.search.n_iterations = n_iterations;
     if (report_.search.end == CgReport::End::failed) return false;
