@@ -74,10 +74,10 @@ bool FullTangent::factorise() const {
   return exists_;
 }
 
-/// Conjugate gradients to a hundredth, which makes Newton's steps inexact. Returns false when they take too
+/// Conjugate gradients, which make Newton's steps inexact. Returns false when they take too
 /// long, or have met a direction of negative stiffness.
 bool FullTangent::solve_by_old_factor(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const {
-  constexpr double tolerance = 1e-2;
+  constexpr double tolerance = 1e-4;
   constexpr int max_iterations = 30;
   const auto multiply = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) {
     product = matrix_.selfadjointView<Eigen::Lower>() * direction;
