@@ -51,6 +51,20 @@ void ContactDetection::undo_begin_step() {
   for_each_of_points(formulations_, [](auto& formulation) { formulation.undo_begin_step(); });
 }
 
+void ContactDetection::weigh_gaps(const ContactStepContext& context, WeightedGaps& gaps) const {
+  const auto& faces = formulations_.get<FaceFaceContacts>();
+  const std::size_t n_rows = faces.n_rows();
+  std::vector<std::vector<WeightedOverlap>> chunks((n_rows + rows_per_chunk - 1) / rows_per_chunk);
+  parallel_for(chunks.size(), threads_for(n_rows * 10), [&](std::size_t i) {
+    faces.weigh(context, {i * rows_per_chunk, std::min((i + 1) * rows_per_chunk, n_rows)}, chunks[i]);
+  });
+  gaps.clear();
+  for (const auto& chunk : chunks) {
+    for (const WeightedOverlap& overlap : chunk) gaps.add(contact_mesh_, overlap);
+  }
+  if (context.multipliers != nullptr) gaps.find_pressures(*context.multipliers);
+}
+
 void ContactDetection::find_lost(std::vector<LostContact>& lost) const {
   for_each_of_points(formulations_, [&](const auto& formulation) { formulation.find_lost(rules_, lost); });
 }

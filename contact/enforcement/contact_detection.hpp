@@ -37,11 +37,11 @@ class ContactDetection {
   /// Returns those that touch under a GLUED MODEL.
   template <class Take>
   std::vector<ContactPoint> visit_points(const ContactStepContext& context, const Take& take);
-  /// Calls take(point, coupling) for points of faces that visit_points() has found in a trial:
-  /// FaceFaceContacts::visit_couplings().
-  void visit_couplings(const ContactStepContext& context, std::span<const ContactPoint> points,
-                       const FaceFaceContacts::TakeCoupling& take) const {
-    formulations_.get<FaceFaceContacts>().visit_couplings(context, points, take);
+  /// Finds the weighted gaps of faces in a load step, which visit_points() presses by then.
+  void weigh_gaps(const ContactStepContext& context, WeightedGaps& gaps) const;
+  /// FaceFaceContacts::gap_derivatives().
+  std::vector<FaceFaceContacts::NodeMotion> gap_derivatives(const ContactStepContext& context) const {
+    return formulations_.get<FaceFaceContacts>().gap_derivatives(context);
   }
   /// Appends the contacts that ended in the last step though they were deep.
   void find_lost(std::vector<LostContact>& lost) const;

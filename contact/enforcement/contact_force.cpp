@@ -53,7 +53,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
           contact_mesh_.n_nodes(), setup.contact.pairs.size(), rules_.has_friction(),
           std::ranges::any_of(contact_mesh_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
       offset_moments_(contact_mesh_, kinematics_, assembler_),
-      histories_(setup.contact.pairs.size()) {
+      histories_(setup.contact.pairs.size()),
+      weighted_gaps_(find_finer_surfaces()) {
   kinematics_.turn_by(make_spins());
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
   has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);
@@ -174,9 +175,12 @@ ForceReport ContactForce::set_forces(const Motion& motion, Eigen::Matrix3Xd& for
     update_candidates(motion);
   }
   begin_step(motion);
-  add_penalty_points(setup_.is_static() ? static_context(motion.dt, false)
-                                        : ContactStepContext{kinematics_, rules_, constrained_, motion.dt,
-                                                             motion.stable_step, &depths_});
+  const ContactStepContext context =
+      setup_.is_static()
+          ? static_context(motion.dt, false)
+          : ContactStepContext{kinematics_, rules_, constrained_, motion.dt, motion.stable_step, &depths_};
+  if (setup_.is_static()) detection_.weigh_gaps(context, weighted_gaps_);
+  add_penalty_points(context);
   write_forces(assembler_, offset_moments_, forces);
   if (is_first) {
     set_start_depths(points_, contact_mesh_);

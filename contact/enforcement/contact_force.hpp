@@ -113,9 +113,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void write_forces(const ContactAssembler& assembler, OffsetMoments& moments, Eigen::Matrix3Xd& forces);
   void move_to_trial(const Motion& motion);
   ContactStepContext static_context(double dt, bool is_trial) const;
-  bool holds_multipliers(const ContactPoint& point) const;
-  SurfaceIndex finer_surface(const SurfacePair& pair) const;
-  const ContactPointSide* multiplier_side(const ContactPoint& point, SurfaceIndex finer) const;
+  IndexedVector<PairIndex, SurfaceIndex> find_finer_surfaces() const;
   LoftSpins make_spins() const;
   double largest_eigenvalue();
   void limit_step(const Motion& motion, ForceReport& report);
@@ -153,6 +151,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
   ContactMultipliers multipliers_;       // of load steps
+  WeightedGaps weighted_gaps_;           // of the last trial of a load step
   std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   ContactStep step_share_;
   double stored_at_start_ = 0.0;

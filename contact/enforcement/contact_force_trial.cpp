@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact in load steps: trials of which nothing is remembered, and multipliers.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -44,6 +45,7 @@ ContactStepContext ContactForce::static_context(double dt, bool is_trial) const 
   context.is_static = true;
   context.is_trial = is_trial;
   context.multipliers = &multipliers_;
+  context.weighted_gaps = &weighted_gaps_;
   return context;
 }
 
@@ -52,6 +54,7 @@ void ContactForce::try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Ei
   move_to_trial(motion);
   trial.dt = motion.dt;
   const ContactStepContext context = static_context(motion.dt, true);
+  detection_.weigh_gaps(context, weighted_gaps_);
   trial.assembler.begin_step();
   trial.points.clear();
   trial.constraints.clear();
@@ -65,18 +68,27 @@ void ContactForce::try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Ei
   if (moments != nullptr) trial.moments.set(setup_.model, *moments);
 }
 
+namespace {
+
+/// Whether weighted gaps of faces press a point of a load step.
+bool is_of_weighted_gaps(const ContactPoint& point) {
+  return !point.first.is_node() && !point.is_of_edges && !point.is_held_apart && !point.pulls;
+}
+
+}  // namespace
+
 void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>& take) const {
   const ContactSprings springs(setup_.model, kinematics_, rules_);
+  const auto motions = detection_.gap_derivatives(static_context(trial_->dt, true));
+  for (auto begin = motions.begin(), end = begin; begin != motions.end(); begin = end) {
+    end =
+        std::find_if(begin, motions.end(), [&](const auto& other) { return other.number != begin->number; });
+    take(springs.spring_of(weighted_gaps_.nodes()[begin->number], {begin, end}));
+  }
   const std::span<const ContactPoint> points = trial_->points;
-  const auto is_of_faces = [](const ContactPoint& point) {
-    return !point.first.is_node() && !point.is_of_edges && !point.is_held_apart && !point.pulls;
-  };
-  const auto others = std::ranges::find_if_not(points, is_of_faces);  // faces come first
-  detection_.visit_couplings(static_context(trial_->dt, true), {points.begin(), others},
-                             [&](const ContactPoint& point, const CornerCoupling& coupling) {
-                               take(springs.spring_of(point, coupling));
-                             });
-  for (const ContactPoint& point : std::span(others, points.end())) take(springs.spring_of(point));
+  for (const ContactPoint& point : points) {
+    if (!is_of_weighted_gaps(point)) take(springs.spring_of(point));
+  }
   for (const ContactPoint& point : points) {
     if (const auto spring = springs.friction_spring_of(point)) take(*spring);
   }
@@ -89,33 +101,46 @@ void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>
 
 namespace {
 
-/// What the contact points at a surface node of a pair come to, each by the node's share in it.
+/// What a surface node of a pair presses with.
 struct MultiplierSums {
   double area = 0.0, depth_area = 0.0;  ///< [length^2] [length^3]
   double force = 0.0, stiffness = 0.0;  ///< [force] [force/length]
 
-  void add(const ContactPoint& point, double weight) {
-    area += weight * point.area;
-    depth_area -= weight * point.area * point.open_gap();
-    force += weight * point.force;
-    stiffness += weight * point.stiffness;
+  void add(const ContactPoint& point) {
+    area += point.area;
+    depth_area -= point.area * point.open_gap();
+    force += point.force;
+    stiffness += point.stiffness;
+  }
+  ///   begin_gap  at which the pressure begins [length]
+  void add(const WeightedNode& node, double begin_gap) {
+    area += node.area;
+    depth_area -= node.area * (node.gap + begin_gap);
+    force += node.area * node.pressure;
+    stiffness += node.area * node.slope;
   }
 };
+
+/// Whether the penalty alone presses what touches, which may part.
+bool has_multipliers(const PairRule& rule) {
+  return rule.pair->enforcement == Enforcement::augmented_lagrange && !rule.acts_apart() &&
+         rule.pair->separates;
+}
 
 }  // namespace
 
 MultiplierChange ContactForce::update_multipliers(double tolerance) {
-  IndexedVector<PairIndex, SurfaceIndex> finer;
-  for (const PairRule& rule : rules_.rules()) finer.push_back(finer_surface(*rule.pair));
   std::map<std::pair<PairIndex, SurfaceNodeIndex>, MultiplierSums> sums;
+  for (const WeightedNode& node : weighted_gaps_.nodes()) {
+    if (has_multipliers(rules_[node.pair]))
+      sums[{node.pair, node.row}].add(node, rules_[node.pair].begin_gap);
+  }
   for (const ContactPoint& point : trial_->points) {
-    const ContactPointSide* side = multiplier_side(point, finer[point.pair]);
-    if (side == nullptr) continue;
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double weight = side->weights[static_cast<Eigen::Index>(k)];
-      const auto row = contact_mesh_.find_row(side->nodes[k], finer[point.pair]);
-      if (weight > 0.0 && row) sums[{point.pair, *row}].add(point, weight);
-    }
+    const bool is_free = !point.is_of_edges && !point.pulls && point.area > 0.0;
+    if (is_of_weighted_gaps(point) || !is_free || !has_multipliers(rules_.of(point))) continue;
+    if (weighted_gaps_.finer_surface(point.pair) != contact_mesh_.surface_nodes[point.row()].surface)
+      continue;
+    sums[{point.pair, point.row()}].add(point);
   }
   MultiplierChange change;
   std::vector<ContactMultipliers::Entry> entries;
@@ -131,36 +156,6 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
   change.reference = std::sqrt(change.reference);
   if (change.change > tolerance * change.reference) multipliers_.set(std::move(entries));
   return change;
-}
-
-/// The surface of a pair whose nodes are closer together: multipliers stand there alone, since those of both
-/// sides would be more than there is to be balanced. Of a plane or a surface of faces alone the other one.
-SurfaceIndex ContactForce::finer_surface(const SurfacePair& pair) const {
-  const auto size = [&](SurfaceIndex surface) {
-    double area = 0.0;
-    for (const SurfaceNodeIndex row : contact_mesh_.rows_of(surface))
-      area += contact_mesh_.surface_nodes[row].area;
-    const auto n = contact_mesh_.rows_of(surface).size();
-    return n > 0 ? area / static_cast<double>(n) : std::numeric_limits<double>::infinity();
-  };
-  if (pair.is_one_sided) return pair.second;
-  return size(pair.second) < size(pair.first) ? pair.second : pair.first;
-}
-
-/// The side of a contact point that its multipliers stand on; nothing where it has none.
-///   finer  finer_surface() of its pair
-const ContactPointSide* ContactForce::multiplier_side(const ContactPoint& point, SurfaceIndex finer) const {
-  if (!holds_multipliers(point)) return nullptr;
-  if (point.first.is_node())
-    return contact_mesh_.surface_nodes[point.row()].surface == finer ? &point.first : nullptr;
-  return contact_mesh_.faces[point.first_face()].surface == finer ? &point.first : &point.second;
-}
-
-/// Whether a contact point is pressed by the penalty alone, and may part.
-bool ContactForce::holds_multipliers(const ContactPoint& point) const {
-  const PairRule& rule = rules_.of(point);
-  return rule.pair->enforcement == Enforcement::augmented_lagrange && !rule.acts_apart() &&
-         !point.is_of_edges && !point.pulls && rule.pair->separates && point.area > 0.0;
 }
 
 /// The size of the smallest face: what comes in by that is pushed out to the side that it came from.
@@ -185,7 +180,9 @@ ForceReport ContactForce::accept_trial(const Motion& motion, Eigen::Matrix3Xd& f
   points_.clear();
   constraint_forces_.clear();
   assembler_.begin_work(kinematics_, motion.dt);
-  add_penalty_points(static_context(motion.dt, false));
+  const ContactStepContext context = static_context(motion.dt, false);
+  detection_.weigh_gaps(context, weighted_gaps_);
+  add_penalty_points(context);
   write_forces(assembler_, offset_moments_, forces);
   trial_->has_begun = false;
   ForceReport report;

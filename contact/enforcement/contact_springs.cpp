@@ -68,11 +68,20 @@ ContactSpring ContactSprings::spring_of(const ContactPoint& point) const {
   return spring_between(point, point.stiffness * point.normal * point.normal.transpose());
 }
 
-ContactSpring ContactSprings::spring_of(const ContactPoint& point, const CornerCoupling& coupling) const {
+/// All its ends are one corner, which moves by what the gap grows by.
+ContactSpring ContactSprings::spring_of(const WeightedNode& gap,
+                                        std::span<const FaceFaceContacts::NodeMotion> motions) const {
   ContactSpring spring;
-  spring.coupling = coupling;
-  spring.stiffness = point.stiffness / point.area * point.normal * point.normal.transpose();
-  add_corners(point, spring);
+  spring.coupling.setZero();
+  spring.coupling(0, 0) = 1.0;
+  spring.stiffness.setZero();
+  spring.stiffness(0, 0) = gap.slope * gap.area;
+  for (const FaceFaceContacts::NodeMotion& motion : motions) {
+    const std::size_t begin = spring.ends.size();
+    add_corner(0, motion.node, Eigen::Vector3d::Zero(), spring);
+    for (SpringEnd& end : std::span(spring.ends).subspan(begin))
+      end.share = (Eigen::Vector3d::UnitX() * (motion.by.transpose() * end.share)).eval();
+  }
   return spring;
 }
 

@@ -18,9 +18,10 @@ class ContactSprings {
 
   /// The spring of a contact point that touches along its normal.
   ContactSpring spring_of(const ContactPoint& point) const;
-  /// The same of faces that press each other over an area.
-  ///   coupling  of their corners, over the area that touches: find_overlap_coupling() [length^2]
-  ContactSpring spring_of(const ContactPoint& point, const CornerCoupling& coupling) const;
+  /// The spring of a weighted gap that presses.
+  ///   motions  of the contact nodes that it grows by
+  ContactSpring spring_of(const WeightedNode& gap,
+                          std::span<const FaceFaceContacts::NodeMotion> motions) const;
   /// Along the surface, as long as a point sticks; what slides resists across the way that it slides by the
   /// force that friction has.
   std::optional<ContactSpring> friction_spring_of(const ContactPoint& point) const;

@@ -5,16 +5,6 @@
 
 namespace contactsim {
 
-Eigen::Vector4d ContactMultipliers::of_corners(PairIndex pair, const ContactFace& face,
-                                               const ContactMesh& contact_mesh) const {
-  Eigen::Vector4d depths = Eigen::Vector4d::Zero();
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto row = contact_mesh.find_row(face.corners[k], face.surface);
-    if (row) depths[static_cast<Eigen::Index>(k)] = of_node(pair, *row);
-  }
-  return depths;
-}
-
 void ContactMultipliers::set(std::vector<Entry> entries) {
   entries_ = std::move(entries);
   std::ranges::sort(entries_, {}, key);

@@ -17,9 +17,8 @@ class StateArchive;
 /// The augmented Lagrange multipliers of load steps, as depths: the penalty presses at a depth d as it would
 /// by itself at d + m. A multiplier grows by what still penetrates until nothing does, and the penalty is
 /// exact for every law of pressure and depth that only grows. They stand at the nodes of one side of a pair,
-/// between which they are linear on faces, so that they survive when faces meet others.
-/// Source: Simo and Laursen, Comput. Struct. 42 (1992) 97-116; Wriggers, Computational Contact Mechanics
-/// (2006), 6.3.
+/// so that they survive when faces meet others. Source: Simo and Laursen, Comput. Struct. 42 (1992) 97-116;
+/// Wriggers, Computational Contact Mechanics (2006), 6.3.
 class ContactMultipliers {
  public:
   struct Entry {
@@ -36,8 +35,6 @@ class ContactMultipliers {
     const auto found = std::ranges::lower_bound(entries_, key_of(pair, row), {}, key);
     return found != entries_.end() && key(*found) == key_of(pair, row) ? found->depth : 0.0;
   }
-  /// Of the corners of a face [length].
-  Eigen::Vector4d of_corners(PairIndex pair, const ContactFace& face, const ContactMesh& contact_mesh) const;
   /// Takes these instead.
   void set(std::vector<Entry> entries);
   /// Goes over to other surface nodes.

@@ -9,6 +9,7 @@
 namespace contactsim {
 
 class ContactMultipliers;
+class WeightedGaps;
 
 /// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
 /// threads.
@@ -30,6 +31,7 @@ struct ContactStepContext {
   bool is_static = false;
   bool is_trial = false;                            ///< nothing is remembered of what is found
   const ContactMultipliers* multipliers = nullptr;  ///< null without any
+  const WeightedGaps* weighted_gaps = nullptr;      ///< that press faces; null: each of their points does
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the
   /// penalty of what it brings into touch [time].

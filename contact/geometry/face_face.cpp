@@ -150,16 +150,18 @@ double PairPenalty::slope_of_pressure(double depth_ahead) const {
   return std::max(pressure->slope(depth_ahead), least_slope);
 }
 
+double PairPenalty::pressure_at(double at_depth) const {
+  return pressure == nullptr ? stiffness * law.spring_depth(at_depth) : pressure->at(at_depth);
+}
+
 double PairPenalty::damping_factor(double at_depth) const {
   return pressure == nullptr ? 1.0 : std::sqrt(pressure->slope(at_depth) / stiffness);
 }
 
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
-                                       const PairPenalty& penalty, double activation_distance,
-                                       const CornerDepths& deeper) {
+                                       const PairPenalty& penalty, double activation_distance) {
   FaceFaceContact contact;
   auto pair = project_pair(first, second);
-  if (pair && !deeper.is_zero()) bring_closer(deeper, *pair);
   if (!pair || !is_near(*pair, activation_distance, penalty.depth)) return contact;
   make_maps(first, second, *pair);
   Overlap overlap;
@@ -177,35 +179,9 @@ FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace
   return contact;
 }
 
-CornerCoupling find_overlap_coupling(const MovingFace& first, const MovingFace& second, double depth,
-                                     const CornerDepths& deeper, bool is_of_all) {
-  CornerCoupling coupling = CornerCoupling::Zero();
-  auto pair = project_pair(first, second);
-  if (!pair) return coupling;
-  if (!deeper.is_zero()) bring_closer(deeper, *pair);
-  make_maps(first, second, *pair);
-  Overlap overlap;
-  if (is_of_all) {
-    set_points(overlap_of(*pair), *pair, overlap);
-  } else {
-    find_overlap(*pair, 0.0, depth, overlap);
-  }
-  for (const OverlapBatch& batch : overlap.points.batches()) {
-    for (int lane = 0; lane < n_lanes; ++lane) {
-      if (!(batch.weight(lane) > 0.0)) continue;
-      Eigen::Matrix<double, 8, 1> shapes;
-      shapes << corner_weights(batch.xi_1(lane), batch.eta_1(lane), first.is_triangle),
-          -corner_weights(batch.xi_2(lane), batch.eta_2(lane), second.is_triangle);
-      coupling += batch.weight(lane) * shapes * shapes.transpose();
-    }
-  }
-  return coupling;
-}
-
 bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double activation_distance, const CornerDepths& deeper) {
-  auto pair = project_pair(first, second);
-  if (pair && !deeper.is_zero()) bring_closer(deeper, *pair);
+                      double activation_distance) {
+  const auto pair = project_pair(first, second);
   return pair && is_uncut(*pair, activation_distance, penalty.depth);
 }
 

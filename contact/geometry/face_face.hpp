@@ -29,6 +29,8 @@ struct PairPenalty {
     return pressure == nullptr ? stiffness * law.slope(depth_ahead) : slope_of_pressure(depth_ahead);
   }
   double slope_of_pressure(double depth_ahead) const;
+  /// The pressure at a depth without damping [force/length^2].
+  double pressure_at(double at_depth) const;
   /// Damping by the slope of the pressure at a depth, over that by the stiffness [1].
   double damping_factor(double at_depth) const;
 };
@@ -64,43 +66,21 @@ struct FaceFaceContact {
   Eigen::Vector4d weights_1 = Eigen::Vector4d::Zero(), weights_2 = Eigen::Vector4d::Zero();
 };
 
-/// By how much the corners of two faces count as deeper than they are [length].
-struct CornerDepths {
-  Eigen::Vector4d first = Eigen::Vector4d::Zero(), second = Eigen::Vector4d::Zero();
-
-  bool is_zero() const { return first.isZero(0.0) && second.isZero(0.0); }
-};
-
 /// Integrates the pressure stiffness * f(penetration) of the depth law over the part of the overlap of two
 /// faces that lies behind the other face, by the area of the face that leans more. Both faces get the same
 /// forces at the same points seen along the normal, so that neither net force nor moment appears, for faces
 /// of any shape.
 ///   activation_distance  gaps up to it count as near [length]
-///   deeper               by which gaps count as deeper, linear between the corners
 /// Source: common plane of Belytschko and Yeh (1993) with the integration of Puso and Laursen, Comput.
 /// Methods Appl. Mech. Eng. 193 (2004) 601-629, over the clipped polygon, which is clipped where the gap
 /// closes as well: without that corners make or lose a tenth of their energy.
 FaceFaceContact find_face_face_contact(const MovingFace& first, const MovingFace& second,
-                                       const PairPenalty& penalty, double activation_distance,
-                                       const CornerDepths& deeper = {});
-
-/// Products of the shape functions of two faces' corners over their overlap: those of the first face, then
-/// those of the second with their signs turned, such that it takes the corners' motion along a direction to
-/// the forces of springs of unit stiffness per area that hold the faces [length^2].
-using CornerCoupling = Eigen::Matrix<double, 8, 8>;
-
-/// The products over the part of the overlap that touches, or over all of it.
-///   depth   what lies deeper is another wall [length]
-///   deeper  by which gaps count as deeper
-CornerCoupling find_overlap_coupling(const MovingFace& first, const MovingFace& second, double depth,
-                                     const CornerDepths& deeper, bool is_of_all = false);
+                                       const PairPenalty& penalty, double activation_distance);
 
 /// Whether two faces face each other, and no part of both lies on the other side of where the gap closes
 /// than the rest, or beyond the activation distance.
-///   deeper  by which gaps count as deeper: what multipliers press would else be cut in one trial and whole
-///           in the next, where its gap is round-off
 bool is_contact_uncut(const MovingFace& first, const MovingFace& second, const PairPenalty& penalty,
-                      double activation_distance, const CornerDepths& deeper = {});
+                      double activation_distance);
 
 /// Which part of an overlap is constrained, by the gaps at the end of the coming step.
 struct ConstraintActivation {
@@ -120,6 +100,9 @@ struct OverlapShare {
   double rise;  ///< by which the gap is wider than that of the weighted corners [length]
 };
 
+/// The mean gap of a part of an overlap: of its weighted corners, and what the rest rises by [length].
+double gap_of(const OverlapShare& share, const MovingFace& first, const MovingFace& second);
+
 /// The contact points of two faces. Left without values: most of it is never used.
 struct FaceFaceConstraints {
   std::size_t n = 0;
@@ -138,6 +121,18 @@ struct FaceFaceConstraints {
 /// Warped quadrilaterals that are near in part count as their Facets.
 FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const MovingFace& second,
                                                const ConstraintActivation& activation);
+
+/// The shares of the corners of one face in all of its overlap with another, whatever the gap: areas, weights
+/// and mean gaps by their shape functions. Warped quadrilaterals are bilinear.
+struct CornerShares {
+  std::size_t n = 0;
+  std::array<OverlapShare, 4> corners;  ///< part: which corner
+
+  void add(const OverlapShare& share) { corners[n++] = share; }
+  std::span<const OverlapShare> all() const { return {corners.data(), n}; }
+};
+///   is_of_first  whose corners: of the first face, else of the second
+CornerShares find_corner_shares(const MovingFace& first, const MovingFace& second, bool is_of_first);
 
 /// The plane and the points of two faces as they are now, for ties.
 struct FaceFacePoints {

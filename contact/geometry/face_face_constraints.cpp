@@ -111,4 +111,30 @@ FaceFaceConstraints find_face_face_constraints(const MovingFace& first, const Mo
   return found;
 }
 
+double gap_of(const OverlapShare& share, const MovingFace& first, const MovingFace& second) {
+  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
+  return share.normal.dot((first.x.colwise() - origin) * share.weights_1 -
+                          (second.x.colwise() - origin) * share.weights_2) +
+         share.rise;
+}
+
+CornerShares find_corner_shares(const MovingFace& first, const MovingFace& second, bool is_of_first) {
+  CornerShares found;
+  auto pair = project_pair(first, second);
+  if (!pair || !boxes_meet(pair->first, pair->second)) return found;
+  make_maps(first, second, *pair);
+  const OverlapPolygon whole = overlap_of(*pair);
+  if (!whole.has_area()) return found;
+  OverlapPoints points;
+  place_points_for_products(whole, pair->map_1, pair->map_2, points);
+  points.spread(pair->plane.spread);
+  const auto shapes = shape_functions(is_of_first ? first.is_triangle : second.is_triangle);
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    OverlapShare share = share_of(*pair, points, &shapes[k], is_of_first);
+    share.part = static_cast<std::uint8_t>(k);
+    if (share.area > negligible_share * points.area) found.add(share);
+  }
+  return found;
+}
+
 }  // namespace contactsim

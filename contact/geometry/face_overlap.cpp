@@ -87,6 +87,44 @@ PlanePoints spread_points(const OverlapPolygon& polygon) {
   return placed;
 }
 
+/// Splits the polygon into triangles around its first corner, with six points in each.
+PlanePoints spread_in_triangles(const OverlapPolygon& polygon) {
+  struct Orbit {
+    double at_corner, weight;  // barycentric coordinate of one corner, and share of the area
+  };
+  static constexpr std::array<Orbit, 2> orbits{
+      {{0.108103018168070, 0.223381589678011}, {0.816847572980459, 0.109951743655322}}};
+  PlanePoints placed;
+  const int n_points = 6 * (polygon.n - 2);
+  placed.n_batches = (n_points + n_lanes - 1) / n_lanes;
+  double *u = placed.u[0].data(), *v = placed.v[0].data(), *weight = placed.weight[0].data();
+  int n = 0;
+  for (int i = 1; i + 1 < polygon.n; ++i) {
+    const std::array<int, 3> corners{0, i, i + 1};
+    const double u1 = polygon.u[i] - polygon.u[0], v1 = polygon.v[i] - polygon.v[0];
+    const double u2 = polygon.u[i + 1] - polygon.u[0], v2 = polygon.v[i + 1] - polygon.v[0];
+    const double area = 0.5 * (u1 * v2 - v1 * u2);
+    for (const Orbit& orbit : orbits) {
+      const double others = 0.5 * (1.0 - orbit.at_corner);
+      for (const int corner : corners) {
+        u[n] = v[n] = 0.0;
+        for (const int other : corners) {
+          const double share = other == corner ? orbit.at_corner : others;
+          u[n] += share * polygon.u[other];
+          v[n] += share * polygon.v[other];
+        }
+        weight[n++] = orbit.weight * area;
+      }
+    }
+  }
+  for (; n < placed.n_batches * n_lanes; ++n) {
+    u[n] = polygon.u[0];
+    v[n] = polygon.v[0];
+    weight[n] = 0.0;
+  }
+  return placed;
+}
+
 double cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] * b[1] - a[1] * b[0]; }
 
 /// A face that folds over itself, seen along the normal, has places without coordinates: its middle stands
@@ -178,9 +216,10 @@ std::array<double, 2> OverlapPolygon::centroid() const {
   return {u[0] + to_u / (3.0 * area), v[0] + to_v / (3.0 * area)};
 }
 
-void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
-                  OverlapPoints& points) {
-  const PlanePoints placed = spread_points(polygon);
+namespace {
+
+void locate_points(const PlanePoints& placed, const FaceMap& map_1, const FaceMap& map_2,
+                   OverlapPoints& points) {
   points.n_batches = static_cast<std::size_t>(placed.n_batches);
   points.area = 0.0;
   for (std::size_t k = 0; k < points.n_batches; ++k) {
@@ -189,6 +228,18 @@ void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const Fac
     locate_on_both(map_1, map_2, placed.u[k], placed.v[k], batch);
     points.area += batch.weight.sum();
   }
+}
+
+}  // namespace
+
+void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                  OverlapPoints& points) {
+  locate_points(spread_points(polygon), map_1, map_2, points);
+}
+
+void place_points_for_products(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                               OverlapPoints& points) {
+  locate_points(spread_in_triangles(polygon), map_1, map_2, points);
 }
 
 }  // namespace contactsim

@@ -52,7 +52,7 @@ struct OverlapBatch {
 
 /// All points of an overlap.
 struct OverlapPoints {
-  static constexpr std::size_t max_batches = 3;
+  static constexpr std::size_t max_batches = 6;
 
   std::size_t n_batches = 0;
   double area = 0.0;  ///< of all points [length^2]
@@ -71,5 +71,12 @@ struct OverlapPoints {
 ///   maps  of the faces in the coordinates of the plane
 void place_points(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
                   OverlapPoints& points);
+
+/// The same, exact for polynomials of the fourth degree, such as products of two bilinear functions: where
+/// lines of two meshes lie on each other, their crossings and with them the polygon's corners move by the
+/// size of a face with the least motion, which what is integrated must not show. Source: Cowper, Int. J.
+/// Numer. Methods Eng. 7 (1973) 405-408, six points in a triangle.
+void place_points_for_products(const OverlapPolygon& polygon, const FaceMap& map_1, const FaceMap& map_2,
+                               OverlapPoints& points);
 
 }  // namespace contactsim

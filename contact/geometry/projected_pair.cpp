@@ -11,22 +11,6 @@ bool boxes_meet(const FaceCorners& first, const FaceCorners& second) {
   return true;
 }
 
-namespace {
-
-void bound_gaps(ProjectedPair& pair) {
-  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
-  pair.min_gap = z1.minCoeff() - z2.maxCoeff();
-  pair.max_gap = z1.maxCoeff() - z2.minCoeff();
-}
-
-}  // namespace
-
-void bring_closer(const CornerDepths& deeper, ProjectedPair& pair) {
-  pair.first.row(2) -= deeper.first.transpose();
-  pair.second.row(2) += deeper.second.transpose();
-  bound_gaps(pair);
-}
-
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second, double ahead) {
   const auto plane = make_common_plane(first.x, first.look(), second.look());
   if (!plane) return std::nullopt;
@@ -35,7 +19,9 @@ std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingF
     pair.first.row(2) += ahead * (plane->normal.transpose() * first.v);
     pair.second.row(2) += ahead * (plane->normal.transpose() * second.v);
   }
-  bound_gaps(pair);
+  const auto z1 = pair.first.row(2), z2 = pair.second.row(2);
+  pair.min_gap = z1.minCoeff() - z2.maxCoeff();
+  pair.max_gap = z1.maxCoeff() - z2.minCoeff();
   return pair;
 }
 

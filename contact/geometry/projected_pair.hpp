@@ -20,9 +20,6 @@ struct ProjectedPair {
 std::optional<ProjectedPair> project_pair(const MovingFace& first, const MovingFace& second,
                                           double ahead = 0.0);
 
-/// Has the corners of both faces count as deeper.
-void bring_closer(const CornerDepths& deeper, ProjectedPair& pair);
-
 /// Whether two faces in the coordinates of one plane may overlap: their boxes do.
 bool boxes_meet(const FaceCorners& first, const FaceCorners& second);
 

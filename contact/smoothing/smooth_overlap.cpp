@@ -100,11 +100,7 @@ OverlapShare share_of(const SmoothPatch& first, const SmoothPatch& second, const
           weights.second, part,           sums.gap / sums.sum() - of_corners};
 }
 
-/// The pressure at a depth, and the energy per area that it stores.
-double pressure_at(const PairPenalty& penalty, double depth) {
-  return penalty.pressure == nullptr ? penalty.stiffness * penalty.law.spring_depth(depth)
-                                     : penalty.pressure->at(depth);
-}
+/// The energy per area that the pressure at a depth stores.
 double potential_at(const PairPenalty& penalty, double depth) {
   return penalty.pressure == nullptr ? penalty.stiffness * penalty.law.potential(depth)
                                      : penalty.pressure->potential(depth);
@@ -123,7 +119,7 @@ FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty&
   contact.gap = std::numeric_limits<double>::infinity();
   overlap.visit_part({-penalty.depth, 0.0}, [&](double area, const SurfacePairPoint& point) {
     const double depth = std::max(0.0, -point.gap);
-    double force = area * pressure_at(penalty, depth);
+    double force = area * penalty.pressure_at(depth);
     contact.beyond_spring += area * potential_at(penalty, depth) - 0.5 * force * depth;
     if (penalty.damping > 0.0) {
       const double speed = point.normal.dot(first.velocity_at(point.xi_1, point.eta_1) -
@@ -199,6 +195,29 @@ FaceFaceConstraints find_smooth_constraints(const SmoothSides& sides,
     found.add(share_of(first, second, sums.of_corner[k], static_cast<std::uint8_t>(part)));
   }
   return found;
+}
+
+CornerShares find_smooth_corner_shares(const SmoothSides& sides, bool is_of_first) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const SmoothPatch &first = sides.first, &second = sides.second;
+  const bool is_triangle = is_of_first ? first.is_triangle() : second.is_triangle();
+  CornerShares found;
+  const SmoothOverlap overlap(sides, 0.0);
+  if (!overlap.has_area()) return found;
+  CornerSums sums{is_of_first, {}, {}, 0.0};
+  overlap.visit_part({-infinite, infinite},
+                     [&](double area, const SurfacePairPoint& point) { sums.add(area, point, is_triangle); });
+  for (std::size_t k = 0; k < (is_triangle ? 3 : 4); ++k) {
+    if (sums.of_corner[k].sum() > negligible_share * sums.whole.sum())
+      found.add(share_of(first, second, sums.of_corner[k], static_cast<std::uint8_t>(k)));
+  }
+  return found;
+}
+
+void bring_onto_line(const MovingFace& first, const MovingFace& second, const Eigen::Vector3d& place,
+                     FaceFaceContact& contact) {
+  contact.weights_1 = onto_line(first, contact.weights_1, place, contact.normal);
+  contact.weights_2 = onto_line(second, contact.weights_2, place, contact.normal);
 }
 
 std::optional<SmoothGap> find_smooth_gap(const SmoothSides& sides) {

@@ -26,6 +26,14 @@ FaceFaceContact find_smooth_contact(const SmoothSides& sides, const PairPenalty&
 /// find_face_face_constraints() of the surfaces.
 FaceFaceConstraints find_smooth_constraints(const SmoothSides& sides, const ConstraintActivation& activation);
 
+/// find_corner_shares() of the surfaces; the normal of each share is the mean of theirs.
+CornerShares find_smooth_corner_shares(const SmoothSides& sides, bool is_of_first);
+
+/// Changes weights of the corners of two faces by as little as brings their points onto the line along the
+/// normal through a place, so that forces there leave no moment.
+void bring_onto_line(const MovingFace& first, const MovingFace& second, const Eigen::Vector3d& place,
+                     FaceFaceContact& contact);
+
 /// The gap of the surfaces over all of the overlap of two faces.
 struct SmoothGap {
   double mean = 0.0, smallest = 0.0;  ///< [length]

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "contact/formulations/cohesive_traction.hpp"
-#include "contact/formulations/contact_multipliers.hpp"
 #include "contact/formulations/flush_rims.hpp"
 #include "contact/formulations/penalty.hpp"
 #include "contact/geometry/facets.hpp"
@@ -39,15 +38,12 @@ void take_off(double offset, const MovingFace& second, MovingFace& first) {
 
 /// A part of an overlap as a contact of both faces, by its mean gap.
 FaceFaceContact contact_of(const OverlapShare& share, const MovingFace& first, const MovingFace& second) {
-  const Eigen::Vector3d origin = second.x.col(0);  // large coordinates would cost digits
   FaceFaceContact contact;
   contact.normal = share.normal;
   contact.weights_1 = share.weights_1;
   contact.weights_2 = share.weights_2;
   contact.area = share.area;
-  contact.gap = share.normal.dot((first.x.colwise() - origin) * share.weights_1 -
-                                 (second.x.colwise() - origin) * share.weights_2) +
-                share.rise;
+  contact.gap = gap_of(share, first, second);
   return contact;
 }
 
@@ -71,13 +67,13 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
   const double closed = closing * context.dt, activation_distance = closing * context.ahead();
   const PairRule& rule = candidate.rule;
+  if (is_weighted(context, candidate)) return add_weighted_point(context, candidate, points);
   if (rule.is_balanced != context.balances) return;
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
   const double held = rule.pair->held_gap(thinner(candidate));
   const GapOffsets& offsets = context.rules.gap_offsets();
   const double reach = std::max({activation_distance, margin, held}) + offsets.reach(candidate.pair) +
-                       std::max(0.0, rule.begin_gap) +
-                       (context.multipliers ? context.multipliers->largest() : 0.0);
+                       std::max(0.0, rule.begin_gap);
   if (!may_meet(context, candidate, reach) || !context.enforces(rule) || rule.law == ContactLaw::tied) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
     return;
@@ -98,8 +94,7 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   if (held > 0.0) return add_spring_points(context, candidate, push, points);
   if (!faces.are_round()) return add_penalty_points(context, candidate, push, points);
   const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
-  const double offset = faces.offset + faces.deeper.first.mean() + faces.deeper.second.mean();
-  const auto contact = find_smooth_contact({patch_1, patch_2, offset}, penalty, activation_distance);
+  const auto contact = find_smooth_contact({patch_1, patch_2, faces.offset}, penalty, activation_distance);
   add_penalty_point(context, candidate, push, contact, points);
 }
 
@@ -132,11 +127,6 @@ FaceFaceContacts::MeetingFaces FaceFaceContacts::make_meeting_faces(const Contac
                      history_.has_touched(candidate.position)};
   carry(candidate.carry, faces.first, faces.second);
   if (!faces.are_round()) take_off(faces.offset, faces.second, faces.first);
-  if (context.multipliers == nullptr || context.multipliers->empty()) return faces;
-  const auto depths_of = [&](FaceIndex face) {
-    return context.multipliers->of_corners(candidate.pair, contact_mesh_.faces[face], contact_mesh_);
-  };
-  faces.deeper = {depths_of(candidate.first), depths_of(candidate.second)};
   return faces;
 }
 

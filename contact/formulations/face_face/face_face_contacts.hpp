@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "contact/formulations/contact_formulation.hpp"
 #include "contact/formulations/face_face/face_face_history.hpp"
+#include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/start_partners.hpp"
 #include "contact/mesh/pair_lists.hpp"
 
@@ -42,12 +42,17 @@ class FaceFaceContacts {
   void find_lost(const PairRules& rules, std::vector<LostContact>& lost) const {
     history_.find_lost(contact_mesh_, rules, lost);
   }
-  /// Calls take(point, coupling) for the contact points of faces that detect() has found, with the products
-  /// of shape functions over the area that each stands for. Of round surfaces the overlap of the faces stands
-  /// for that of the surfaces.
-  using TakeCoupling = std::function<void(const ContactPoint& point, const CornerCoupling& coupling)>;
-  void visit_couplings(const ContactStepContext& context, std::span<const ContactPoint> points,
-                       const TakeCoupling& take) const;
+  /// Appends the overlaps by whose weighted gaps detect() presses faces in load steps.
+  void weigh(const ContactStepContext& context, CandidateRows rows,
+             std::vector<WeightedOverlap>& overlaps) const;
+  /// The motion of a contact node that a weighted gap grows by.
+  struct NodeMotion {
+    std::uint32_t number = 0;  ///< of the gap, in WeightedGaps::nodes()
+    std::uint32_t node = 0;    ///< contact node
+    Eigen::Vector3d by;        ///< [1]
+  };
+  /// Of all weighted gaps that press, by their numbers; that normals and areas change is left out.
+  std::vector<NodeMotion> gap_derivatives(const ContactStepContext& context) const;
   /// How deep each face was in the last step [n_faces], 0 where it did not touch; nothing before the first
   /// [length].
   std::span<const float> depths() const { return history_.depths(); }
@@ -77,7 +82,6 @@ class FaceFaceContacts {
     const SmoothFace *round_first, *round_second;  ///< null of a face that stands for itself
     double offset;                                 ///< taken off the gap of round surfaces [length]
     bool did_touch;                                ///< in the last step
-    CornerDepths deeper = {};                      ///< by the pair's multipliers [length]
     bool are_round() const { return round_first != nullptr || round_second != nullptr; }
   };
   /// What is taken off the gap of the mesh [length].
@@ -97,6 +101,12 @@ class FaceFaceContacts {
                                               const ConstraintActivation& activation);
   void detect_one(const ContactStepContext& context, const Candidate& candidate,
                   std::vector<ContactPoint>& points) const;
+  /// Whether weighted gaps press a pair of faces, and not the gap of each of its points.
+  bool is_weighted(const ContactStepContext& context, const Candidate& candidate) const;
+  void weigh_one(const ContactStepContext& context, const Candidate& candidate,
+                 std::vector<WeightedOverlap>& overlaps) const;
+  void add_weighted_point(const ContactStepContext& context, const Candidate& candidate,
+                          std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by the elastic penalty.
   void add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
                           const PenaltyPush& push, std::vector<ContactPoint>& points) const;
@@ -123,11 +133,10 @@ class FaceFaceContacts {
   ///   closed  by which the gap has shrunk in the step [length]
   bool met_in_front(const ContactStepContext& context, const Candidate& candidate,
                     const FaceFaceContact& contact, double closed) const;
-  /// Calls visit(first, second, deeper, facet of each) for the flat faces, or the facets of warped ones, that
+  /// Calls visit(first facet, second facet) for the flat faces, or the facets of warped ones, that
   /// a pair meets with.
   template <class Visit>
   void visit_flat(const Candidate& candidate, const PenaltyPush& push, const Visit& visit) const;
-  CornerCoupling coupling_of(const ContactStepContext& context, const Candidate& candidate) const;
   /// Adds the friction of a penalty's contact point.
   ///   apart  velocity of the first side against the second [length/time]
   void add_friction_to(const ContactStepContext& context, const Candidate& candidate, const PenaltyPush& push,

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contact points of two faces in a load step, which the weighted gaps of nodes press.
+#include <algorithm>
+
+#include "contact/formulations/contact_multipliers.hpp"
+#include "contact/formulations/face_face/face_face_contacts.hpp"
+#include "contact/formulations/face_face/weighted_gaps.hpp"
+#include "contact/formulations/flush_rims.hpp"
+#include "contact/smoothing/smooth_overlap.hpp"
+
+namespace contactsim {
+
+namespace {
+
+/// Faces count less and less from the first gap to the second, over the thickness of the thinner element: an
+/// overlap that is as wide open as this says nothing of whether the rest touches.
+constexpr double near_share = 0.05, far_share = 0.1;
+
+/// How much an overlap counts whose gap is so wide [1].
+double weight_at(double gap, double thickness) {
+  return std::clamp((far_share * thickness - gap) / ((far_share - near_share) * thickness), 0.0, 1.0);
+}
+
+/// An overlap by its mean gap, without a force.
+FaceFaceContact mean_of(const WeightedOverlap& overlap) {
+  FaceFaceContact mean;
+  for (std::size_t k = 0; k < overlap.shares.n; ++k) {
+    const OverlapShare& share = overlap.shares.corners[k];
+    mean.area += share.area;
+    const double part = share.area / mean.area;
+    mean.gap += part * (overlap.gaps[k] - mean.gap);
+    mean.weights_1 += part * (share.weights_1 - mean.weights_1);
+    mean.weights_2 += part * (share.weights_2 - mean.weights_2);
+    mean.normal += share.area * share.normal;
+  }
+  mean.normal.normalize();
+  return mean;
+}
+
+}  // namespace
+
+bool FaceFaceContacts::is_weighted(const ContactStepContext& context, const Candidate& candidate) const {
+  const PairRule& rule = candidate.rule;
+  return context.weighted_gaps != nullptr && context.enforces(rule) && rule.law != ContactLaw::tied &&
+         !(rule.pair->held_gap(thinner(candidate)) > 0.0);
+}
+
+void FaceFaceContacts::weigh(const ContactStepContext& context, CandidateRows rows,
+                             std::vector<WeightedOverlap>& overlaps) const {
+  for (const FaceIndex first : rows.indices<FaceIndex>()) {
+    for (std::size_t k = candidates_.first_pair(first); k < candidates_.end_pair(first); ++k)
+      weigh_one(context, make_candidate(context, first, k), overlaps);
+  }
+}
+
+void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candidate& candidate,
+                                 std::vector<WeightedOverlap>& overlaps) const {
+  if (!is_weighted(context, candidate)) return;
+  const PairRule& rule = candidate.rule;
+  const double thickness = thinner(candidate);
+  const double reach = far_share * thickness + context.rules.gap_offsets().reach(candidate.pair) +
+                       std::max(0.0, rule.begin_gap);
+  if (!may_meet(context, candidate, reach)) return;
+  if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
+    return;
+
+  const MeetingFaces faces = make_meeting_faces(context, candidate);
+  WeightedOverlap overlap;
+  overlap.first = candidate.first;
+  overlap.second = candidate.second;
+  overlap.pair = candidate.pair;
+  overlap.candidate = candidate.position;
+  overlap.is_of_first =
+      contact_mesh_.faces[candidate.first].surface == context.weighted_gaps->finer_surface(candidate.pair);
+  if (faces.are_round()) {
+    const SmoothPatch patch_1(faces.first, faces.round_first), patch_2(faces.second, faces.round_second);
+    overlap.shares = find_smooth_corner_shares({patch_1, patch_2, faces.offset}, overlap.is_of_first);
+  } else {
+    overlap.shares = find_corner_shares(faces.first, faces.second, overlap.is_of_first);
+  }
+  if (overlap.shares.n == 0) return;
+  for (std::size_t k = 0; k < overlap.shares.n; ++k)
+    overlap.gaps[k] = gap_of(overlap.shares.corners[k], faces.first, faces.second);
+
+  const FaceFaceContact mean = mean_of(overlap);
+  const Eigen::Vector3d apart =
+      faces.first.velocity_at(mean.weights_1) - faces.second.velocity_at(mean.weights_2);
+  const double closed = -apart.dot(mean.normal) * context.dt;
+  overlap.weight = weight_at(mean.gap, thickness);
+  overlap.penalty = make_penalty(candidate, faces.did_touch, std::max(closed, 0.0));
+  overlap.penalty.law = {};  // multipliers press what is deep, not a penalty that grows stiffer
+  // Of the mesh: what an offset makes deeper is no other wall.
+  overlap.penalty.depth += std::max(faces.offset, 0.0);
+  if (!(overlap.weight > 0.0) || -mean.gap > overlap.penalty.depth) return;
+  if (mean.gap < 0.0 && !faces.did_touch) {
+    if (!met_in_front(context, candidate, mean, closed)) return;
+    if (is_at_flush_rim(context, candidate.first, candidate.second, mean)) return;
+  }
+  overlaps.push_back(overlap);
+}
+
+void FaceFaceContacts::add_weighted_point(const ContactStepContext& context, const Candidate& candidate,
+                                          std::vector<ContactPoint>& points) const {
+  const WeightedOverlap* overlap = context.weighted_gaps->find(candidate.position);
+  if (overlap == nullptr) return;
+  FaceFaceContact contact;
+  contact.gap = 0.0;
+  double deeper = 0.0;
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  const MeetingFaces faces = make_meeting_faces(context, candidate);
+  for (std::size_t k = 0; k < overlap->shares.n; ++k) {
+    const OverlapShare& share = overlap->shares.corners[k];
+    const WeightedNode& node = context.weighted_gaps->node_of(*overlap, k);
+    if (!(node.pressure > 0.0)) continue;
+    const double area = overlap->weight * share.area, force = area * node.pressure;
+    contact.force += force;
+    const double part = force / contact.force;
+    contact.area += area;
+    contact.stiffness += area * node.slope;
+    contact.weights_1 += part * (share.weights_1 - contact.weights_1);
+    contact.weights_2 += part * (share.weights_2 - contact.weights_2);
+    contact.normal += force * share.normal;
+    place += part * (0.5 * (faces.first.x * share.weights_1 + faces.second.x * share.weights_2) - place);
+    contact.gap += part * (-node.depth() - contact.gap);
+    deeper += part * (node.multiplier - deeper);
+    contact.deepest = std::max(contact.deepest, node.depth());
+  }
+  if (!(contact.force > 0.0)) return;
+  contact.force = contact.normal.norm();
+  contact.normal /= contact.force;
+  if (faces.are_round()) bring_onto_line(faces.first, faces.second, place, contact);
+  ContactPoint& point = points.emplace_back(make_contact_point(candidate, contact));
+  point.begin_gap += deeper;
+  const Eigen::Vector3d apart =
+      faces.first.velocity_at(contact.weights_1) - faces.second.velocity_at(contact.weights_2);
+  add_friction_to(context, candidate, {faces, overlap->penalty, 0.0}, apart, point);
+}
+
+std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::gap_derivatives(
+    const ContactStepContext& context) const {
+  std::vector<NodeMotion> motions;
+  const WeightedGaps& weighted = *context.weighted_gaps;
+  for (const WeightedOverlap& overlap : weighted.overlaps()) {
+    const Candidate candidate = make_candidate(context, overlap.first, overlap.candidate);
+    const auto &first = contact_mesh_.faces[overlap.first].corners,
+               &second = contact_mesh_.faces[overlap.second].corners;
+    for (std::size_t k = 0; k < overlap.shares.n; ++k) {
+      const WeightedNode& node = weighted.node_of(overlap, k);
+      if (!(node.slope > 0.0)) continue;
+      const OverlapShare& share = overlap.shares.corners[k];
+      Eigen::Vector4d of_first = share.weights_1, of_second = share.weights_2;
+      if (!candidate.carry.is_zero())
+        (candidate.carry.is_of_first ? of_first : of_second) += candidate.carry.weights;
+      const Eigen::Vector3d along = overlap.weight * share.area / node.area * share.normal;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const auto i = static_cast<Eigen::Index>(c);
+        if (of_first[i] != 0.0) motions.push_back({overlap.nodes[k], first[c], of_first[i] * along});
+        if (of_second[i] != 0.0) motions.push_back({overlap.nodes[k], second[c], -of_second[i] * along});
+      }
+    }
+  }
+  const auto key = [](const NodeMotion& motion) { return std::pair(motion.number, motion.node); };
+  std::ranges::stable_sort(motions, {}, key);
+  std::vector<NodeMotion> sums;
+  for (const NodeMotion& motion : motions) {
+    if (!sums.empty() && key(sums.back()) == key(motion))
+      sums.back().by += motion.by;
+    else
+      sums.push_back(motion);
+  }
+  return sums;
+}
+
+}  // namespace contactsim

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "contact/formulations/contact_multipliers.hpp"
+#include "contact/geometry/face_face.hpp"
+#include "contact/mesh/contact_mesh.hpp"
+
+namespace contactsim {
+
+/// Two faces that overlap in a load step, shared out among the corners of the one that multipliers stand on.
+struct WeightedOverlap {
+  FaceIndex first, second;
+  PairIndex pair;
+  std::size_t candidate = 0;  ///< which pair of faces among the candidates
+  bool is_of_first = true;    ///< whose corners the shares are of
+  double weight = 1.0;        ///< by which it counts: less where the faces are about to be too far apart [1]
+  PairPenalty penalty;
+  CornerShares shares;
+  std::array<double, 4> gaps{};          ///< mean of each share [length]
+  std::array<std::uint32_t, 4> nodes{};  ///< of each share, number in WeightedGaps::nodes()
+};
+
+/// A surface node of the finer side of a pair and what it presses with.
+struct WeightedNode {
+  PairIndex pair;
+  SurfaceNodeIndex row;
+  double area = 0.0;        ///< of overlaps by its shape function [length^2]
+  double gap = 0.0;         ///< mean of the overlaps by the same [length]
+  PairPenalty penalty;      ///< its stiffness is the mean by the same
+  double multiplier = 0.0;  ///< depth by which it counts as deeper [length]
+  double pressure = 0.0;    ///< >= 0 [force/length^2]
+  double slope = 0.0;       ///< of the pressure over the depth, where it presses [force/length^3]
+
+  /// At which it presses, > 0 where it does [length].
+  double depth() const { return multiplier - gap; }
+};
+
+/// The pressure of faces on faces in load steps. It is linear between the nodes of the finer side of a pair;
+/// a node j presses by its multiplier and its weighted gap
+///   g_j = sum over overlaps of int N_j g / A_j,   A_j = sum of int N_j,   p_j = p(m_j - g_j)
+/// and not by the gap of every point: facets that bend past each other, whose gaps differ by what is large
+/// beside a stiff penalty's depth, then neither part in places nor change stiffness from trial to trial. The
+/// forces are those of a potential, with the stiffness sum of p'_j b_j b_j^T / A_j, b_j = A_j dg_j/du.
+/// Source: weighted gaps and mortar pressure of Puso and Laursen, Comput. Methods Appl. Mech. Eng. 193 (2004)
+/// 601-629 and 4891-4913; active nodes by p_j > 0 of Hueeber and Wohlmuth, 194 (2005) 3147-3166.
+class WeightedGaps {
+ public:
+  ///   finer  which side of each pair multipliers stand on
+  explicit WeightedGaps(IndexedVector<PairIndex, SurfaceIndex> finer) : finer_(std::move(finer)) {}
+  SurfaceIndex finer_surface(PairIndex pair) const { return finer_[pair]; }
+  /// Forgets all overlaps.
+  void clear();
+  /// Takes an overlap, in the order of candidates.
+  void add(const ContactMesh& contact_mesh, WeightedOverlap overlap);
+  /// Finds the pressures once all overlaps are there.
+  void find_pressures(const ContactMultipliers& multipliers);
+
+  std::span<const WeightedNode> nodes() const { return nodes_; }
+  std::span<const WeightedOverlap> overlaps() const { return overlaps_; }
+  /// The overlap of a candidate, null without one.
+  const WeightedOverlap* find(std::size_t candidate) const;
+  const WeightedNode& node_of(const WeightedOverlap& overlap, std::size_t share) const {
+    return nodes_[overlap.nodes[share]];
+  }
+
+ private:
+  std::uint32_t number_of(PairIndex pair, SurfaceNodeIndex row);
+
+  IndexedVector<PairIndex, SurfaceIndex> finer_;
+  std::vector<WeightedOverlap> overlaps_;
+  std::vector<WeightedNode> nodes_;
+  std::vector<std::uint32_t> next_;                       // of nodes_, the next one of the same row
+  IndexedVector<SurfaceNodeIndex, std::uint32_t> first_;  // of rows, their first node
+};
+
+}  // namespace contactsim
