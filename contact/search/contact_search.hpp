@@ -16,6 +16,10 @@
 
 namespace contactsim {
 
+/// In load steps candidates are up to this share of the thinner element's thickness apart, at least: how wide
+/// open a face is beside its nodes weighs in the gaps of these.
+inline constexpr double load_step_reach = 1.0;
+
 /// Says when to search and what is found. Boxes have a margin, a share of the size of their face; nothing new
 /// can touch until two sides together have moved as far as the margins of their smallest faces. The boxes
 /// hold the last step's motion too, so that nothing gets past another between two searches.

@@ -68,10 +68,13 @@ void ContactSearch::set_surface_margins() {
     const double at_start =
         std::max(pair.capture_tolerance.value_or(0.0), looks_far ? rules_.start_reach().distance(i) : 0.0);
     has_start_reach_ = has_start_reach_ || at_start > 0.0;
-    const double held = pair.held_gap(std::min(thickest[pair.first], thickest[pair.second]));
+    const double thickness = std::min(thickest[pair.first], thickest[pair.second]);
+    const double held = pair.held_gap(thickness);
+    const bool is_static = pair.enforcement == Enforcement::augmented_lagrange;
     for (const SurfaceIndex surface : {pair.first, pair.second})
       activation_distance_[surface] =
           std::max({activation_distance_[surface], given, held, reaches_for_start_ ? at_start : 0.0,
+                    is_static ? load_step_reach * thickness : 0.0,
                     rules_.max_activation_distance(i) + rules_.gap_offsets().reach(i)});
   }
   widest_margin_.assign(n_surfaces, 0.0);

@@ -6,19 +6,32 @@
 #include "contact/formulations/face_face/face_face_contacts.hpp"
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/flush_rims.hpp"
+#include "contact/search/contact_search.hpp"
 #include "contact/smoothing/smooth_overlap.hpp"
 
 namespace contactsim {
 
 namespace {
 
-/// Faces count less and less from the first gap to the second, over the thickness of the thinner element: an
-/// overlap that is as wide open as this says nothing of whether the rest touches.
-constexpr double near_share = 0.05, far_share = 0.1;
+/// What is wider open than this, over the thickness of the thinner element, counts as half as wide and bears
+/// nothing: whether the rest touches does not depend on it.
+constexpr double open_share = 0.1;
+/// And from here on to the reach of the search less and less.
+constexpr double fading_share = 0.5 * load_step_reach;
+
+/// The gap that a gap counts as, g - g^2 / (2 w) between 0 and w, and its derivative.
+struct CountedGap {
+  double gap, slope;
+};
+CountedGap counted(double gap, double open) {
+  const double share = std::clamp(gap / open, 0.0, 1.0);
+  return {gap > open ? 0.5 * open : gap - 0.5 * share * share * open, 1.0 - share};
+}
 
 /// How much an overlap counts whose gap is so wide [1].
 double weight_at(double gap, double thickness) {
-  return std::clamp((far_share * thickness - gap) / ((far_share - near_share) * thickness), 0.0, 1.0);
+  const double fading = (load_step_reach - fading_share) * thickness;
+  return std::clamp((load_step_reach * thickness - gap) / fading, 0.0, 1.0);
 }
 
 /// An overlap by its mean gap, without a force.
@@ -58,7 +71,7 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
   if (!is_weighted(context, candidate)) return;
   const PairRule& rule = candidate.rule;
   const double thickness = thinner(candidate);
-  const double reach = far_share * thickness + context.rules.gap_offsets().reach(candidate.pair) +
+  const double reach = load_step_reach * thickness + context.rules.gap_offsets().reach(candidate.pair) +
                        std::max(0.0, rule.begin_gap);
   if (!may_meet(context, candidate, reach)) return;
   if (rule.law != ContactLaw::sliding && context.constrained.holds_faces(candidate.first, candidate.second))
@@ -81,7 +94,6 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
   if (overlap.shares.n == 0) return;
   for (std::size_t k = 0; k < overlap.shares.n; ++k)
     overlap.gaps[k] = gap_of(overlap.shares.corners[k], faces.first, faces.second);
-
   const FaceFaceContact mean = mean_of(overlap);
   const Eigen::Vector3d apart =
       faces.first.velocity_at(mean.weights_1) - faces.second.velocity_at(mean.weights_2);
@@ -95,6 +107,11 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
   if (mean.gap < 0.0 && !faces.did_touch) {
     if (!met_in_front(context, candidate, mean, closed)) return;
     if (is_at_flush_rim(context, candidate.first, candidate.second, mean)) return;
+  }
+  for (std::size_t k = 0; k < overlap.shares.n; ++k) {
+    const CountedGap gap = counted(overlap.gaps[k], open_share * thickness);
+    overlap.gaps[k] = gap.gap;
+    overlap.slopes[k] = gap.slope;
   }
   overlaps.push_back(overlap);
 }
@@ -111,8 +128,8 @@ void FaceFaceContacts::add_weighted_point(const ContactStepContext& context, con
   for (std::size_t k = 0; k < overlap->shares.n; ++k) {
     const OverlapShare& share = overlap->shares.corners[k];
     const WeightedNode& node = context.weighted_gaps->node_of(*overlap, k);
-    if (!(node.pressure > 0.0)) continue;
-    const double area = overlap->weight * share.area, force = area * node.pressure;
+    if (!(node.pressure > 0.0) || !(overlap->slopes[k] > 0.0)) continue;
+    const double area = overlap->bearing_area(k), force = area * node.pressure;
     contact.force += force;
     const double part = force / contact.force;
     contact.area += area;
@@ -146,12 +163,12 @@ std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::gap_derivatives(
                &second = contact_mesh_.faces[overlap.second].corners;
     for (std::size_t k = 0; k < overlap.shares.n; ++k) {
       const WeightedNode& node = weighted.node_of(overlap, k);
-      if (!(node.slope > 0.0)) continue;
+      if (!(node.slope > 0.0) || !(overlap.slopes[k] > 0.0)) continue;
       const OverlapShare& share = overlap.shares.corners[k];
       Eigen::Vector4d of_first = share.weights_1, of_second = share.weights_2;
       if (!candidate.carry.is_zero())
         (candidate.carry.is_of_first ? of_first : of_second) += candidate.carry.weights;
-      const Eigen::Vector3d along = overlap.weight * share.area / node.area * share.normal;
+      const Eigen::Vector3d along = overlap.bearing_area(k) / node.area * share.normal;
       for (std::size_t c = 0; c < 4; ++c) {
         const auto i = static_cast<Eigen::Index>(c);
         if (of_first[i] != 0.0) motions.push_back({overlap.nodes[k], first[c], of_first[i] * along});

@@ -22,8 +22,12 @@ struct WeightedOverlap {
   double weight = 1.0;        ///< by which it counts: less where the faces are about to be too far apart [1]
   PairPenalty penalty;
   CornerShares shares;
-  std::array<double, 4> gaps{};          ///< mean of each share [length]
+  std::array<double, 4> gaps{};          ///< that the mean one of each share counts as [length]
+  std::array<double, 4> slopes{};        ///< over the mean one [1]
   std::array<std::uint32_t, 4> nodes{};  ///< of each share, number in WeightedGaps::nodes()
+
+  /// The area on which a share presses [length^2].
+  double bearing_area(std::size_t share) const { return weight * slopes[share] * shares.corners[share].area; }
 };
 
 /// A surface node of the finer side of a pair and what it presses with.
@@ -43,7 +47,9 @@ struct WeightedNode {
 
 /// The pressure of faces on faces in load steps. It is linear between the nodes of the finer side of a pair;
 /// a node j presses by its multiplier and its weighted gap
-///   g_j = sum over overlaps of int N_j g / A_j,   A_j = sum of int N_j,   p_j = p(m_j - g_j)
+///   g_j = sum over overlaps of c(int N_j g / int N_j) int N_j / A_j,   A_j = sum of int N_j,   p_j = p(m_j -
+///   g_j)
+/// with c(g) = g of what touches and less than that of what is open,
 /// and not by the gap of every point: facets that bend past each other, whose gaps differ by what is large
 /// beside a stiff penalty's depth, then neither part in places nor change stiffness from trial to trial. The
 /// forces are those of a potential, with the stiffness sum of p'_j b_j b_j^T / A_j, b_j = A_j dg_j/du.
