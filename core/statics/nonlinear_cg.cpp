@@ -7,6 +7,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/statics/secants.hpp"
+
 namespace contactsim {
 
 namespace {
@@ -143,6 +145,9 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
   bool exists = equilibrium.evaluate(increment, residual);
   double last = infinity, least = infinity;
   bool is_limited = false;  // the last step
+  // Near equilibrium, where faces no longer part and meet, what creeps has a stiffness that the steps know.
+  constexpr double creeping = 0.2, near = 0.05;  // of the residual before, of what it is compared with
+  Secants secants;
   for (int n_idle = 0; exists; ++report.n_iterations) {
     const double size = equilibrium.norm(residual);
     if (!std::isfinite(size) || is_balanced(equilibrium, size, settings, report)) break;
@@ -152,9 +157,16 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
     // The first guess has closed and opened contact.
     const bool is_first = report.n_iterations == 0 && equilibrium.is_rough();
     if (is_first || size > slow * last) renew(increment);
+    const bool is_creeping =
+        equilibrium.is_rough() && size > creeping * last && size < near * equilibrium.reference();
     last = size;
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
-    preconditioner.apply(residual, z);
+    Eigen::VectorXd left = residual;
+    Eigen::VectorXd known = Eigen::VectorXd::Zero(residual.size());
+    if (is_creeping) known = secants.take_out(left);
+    preconditioner.apply(left, z);
+    z += known;
+    const Eigen::VectorXd before = increment, residual_before = residual;
     const double longest = equilibrium.longest_step(z);
     const bool may_grow = size > equilibrium.reference() && std::isinf(longest);
     const double bound = may_grow ? *std::ranges::max_element(recent) : size;
@@ -175,6 +187,11 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
       if (!equilibrium.is_rough() || now <= bound) break;
     }
     if (exists) increment.swap(best_trial);
+    if (exists && best < size && size < equilibrium.reference()) {
+      secants.add(increment - before, residual - residual_before);
+    } else {
+      secants.clear();
+    }
   }
   return report;
 }
