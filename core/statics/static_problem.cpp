@@ -267,6 +267,8 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   if (contact_ != nullptr) {
     const ForceReport report = contact_->accept_trial(motion_of(state_, dt_), state_.forces.contact);
     state_.energies.friction += report.friction_work;
+    state_.energies.external += report.supplied_work;
+    state_.energies.contact += report.supplied_work;
   }
   const Eigen::VectorXd internal = mean_forces(&NodalForces::internal);
   const Eigen::VectorXd external = mean_forces(&NodalForces::external);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact in quasi-static procedures by the program.
+#include <cstdio>
+
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
 #include "support/mesh_builder.hpp"
@@ -116,4 +118,25 @@ TEST_CASE("enforcement of load steps is told, and that of explicit steps has no 
   const auto penalty = block.run({"a.i"});
   CHECK(penalty.exit_code == 0);
   CHECK_THAT(penalty.out, !Contains("augmented_lagrange"));
+}
+
+TEST_CASE("the work of an overlap that comes in over load steps is external", "[app][statics]") {
+  const PressedBlock block(-0.02);
+  const auto last_line = [](const std::string& text) {
+    return text.substr(text.rfind('\n', text.size() - 2) + 1);
+  };
+  for (const char* formulation : {"face_face", "node_face"}) {
+    block.write_deck("begin fixed displacement\nnode set = top\ncomponents = x y z\nend\n" + full +
+                         "begin heartbeat output\nstream name = b.csv\nat step 0 increment = 1\n"
+                         "global internal_energy as i\nglobal external_energy as e\n"
+                         "global contact_energy as c\nend\n",
+                     std::string("overlap ramp time = 1\nconstraint formulation = ") + formulation + "\n");
+    REQUIRE(block.run({"a.i"}).exit_code == 0);
+    double time = 0.0, internal = 0.0, external = 0.0, contact = 1.0;
+    const std::string line = last_line(block.read("b.csv"));
+    REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &internal, &external, &contact) == 4);
+    CHECK(internal > 10.0);
+    CHECK(external == Approx(internal).epsilon(0.02));
+    CHECK(contact == Approx(0.0).margin(0.02 * internal));
+  }
 }
