@@ -165,6 +165,7 @@ bool LoadSteps::try_step(double dt) {
   if (!increment.isZero(0.0) && !problem_.evaluate(increment, residual)) increment.setZero();
   renew_preconditioner(increment);
 
+  report_.n_updates = 0;
   Eigen::VectorXd held = increment;
   problem_.project(held);
   const Eigen::VectorXd left = problem_.prescribed() - (increment - held);

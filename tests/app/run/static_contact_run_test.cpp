@@ -140,3 +140,21 @@ TEST_CASE("the work of an overlap that comes in over load steps is external", "[
     CHECK(contact == Approx(0.0).margin(0.02 * internal));
   }
 }
+
+TEST_CASE("a step that is cut back has all updates of multipliers again", "[app][statics]") {
+  const PressedBlock block;
+  // Steps like the first one go on; those of the second block have to come nearer, which half of one does.
+  block.write_deck(sliding +
+                   "begin solver\nbegin control contact\ntarget relative residual = 1e-9\n"
+                   "acceptable relative residual = 1\nacceptable relative residual = 1.5e-3 during u\n"
+                   "maximum iterations = 4\nend\nend\n");
+  const std::string deck = block.read("a.i");
+  const auto end = deck.find("termination time");
+  block.write("a.i", deck.substr(0, end) +
+                         "begin time stepping block u\nstart time = 0.25\nbegin parameters for adagio region "
+                         "r\ntime increment = 0.25\nend\nend\n" +
+                         deck.substr(end));
+  const auto [code, out, err] = block.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains(" 1        4"));  // cutbacks and updates
+}
