@@ -111,6 +111,7 @@ void Simulation::step() {
   try_to([&] {
     run.advance();
     run.energy_warnings.step(run.state);
+    if (run.load_steps) run.load_step_warnings.step(run.state, run.load_steps->report());
     if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
     end_step();
     store(false, false);
@@ -141,6 +142,7 @@ void Simulation::finish() {
   }
   write(true);
   run.whole_seconds = clock_seconds() - run.begun;
+  run.load_step_warnings.end();
   if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
   notify(RunEvent::ended);
   if (run.contact) run.contact->write_debug_files();

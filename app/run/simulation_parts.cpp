@@ -68,7 +68,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       internal(setup.model, state),
       timed_internal(internal),
       timed_external(setup.external),
-      energy_warnings(setup.model, diagnostics) {
+      energy_warnings(setup.model, diagnostics),
+      load_step_warnings(diagnostics) {
   stop_on_errors(diagnostics);
   set_initial_state(setup.initial, setup.model.blocks, state);
   if (death) death->begin(state);
@@ -76,9 +77,11 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
     timed_contact.emplace(contact->force());
     state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
   }
-  if (setup.load_schedule)
-    load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr,
-                       input.region.solver.value_or(SolverSettings{}), *setup.load_schedule, state);
+  if (!setup.load_schedule) return;
+  const SolverSettings solver = input.region.solver.value_or(SolverSettings{});
+  load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr, solver,
+                     *setup.load_schedule, state);
+  load_step_warnings.begin(*load_steps, solver);
 }
 
 Checkpoint Simulation::Parts::checkpoint() {

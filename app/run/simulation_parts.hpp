@@ -8,6 +8,7 @@
 
 #include "app/run/checkpoint.hpp"
 #include "app/run/energy_warnings.hpp"
+#include "app/run/load_step_warnings.hpp"
 #include "app/run/run_contact.hpp"
 #include "app/run/run_death.hpp"
 #include "app/run/run_restart.hpp"
@@ -58,6 +59,7 @@ struct Simulation::Parts {
   std::optional<TimedForce> timed_contact;
   std::optional<LoadSteps> load_steps;  // of implicit procedures
   EnergyWarnings energy_warnings;
+  LoadStepWarnings load_step_warnings;
   std::vector<Observer> observers;
   StepReport at_start;
   std::optional<EarlyEnd> end;            // why the run ends before its termination time

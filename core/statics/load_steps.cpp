@@ -43,7 +43,10 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
       problem_(model, terms, contact, settings_.cg.reference, state),
       graph_(model.mesh->n_nodes(), *model.mesh, model.blocks, problem_.bodies().size()),
       blocks_(problem_, graph_) {
-  if (settings_.cg.full_tangent) tangent_ = make_tangent(problem_, graph_, *settings_.cg.full_tangent);
+  if (!settings_.cg.full_tangent) return;
+  const FullTangentSettings& full = *settings_.cg.full_tangent;
+  linear_solver_ = choose_linear_solver(problem_, graph_, full.linear_solver);
+  tangent_ = make_tangent(problem_, graph_, full);
 }
 
 void LoadSteps::start(bool takes_over) {
@@ -96,10 +99,12 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
     const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at, true); };
     report_.search = newton(problem_, *tangent_, cg, renew, increment);
     report_.n_evaluations += report_.search.n_evaluations;
+    report_.has_left_newton = false;
     if (report_.search.end == CgReport::End::converged) return;
     increment = begun;
     report_.n_evaluations += blocks_.renew(increment);
   }
+  report_.has_left_newton = tangent_ != nullptr;
   CgSettings nodal = cg;
   const bool is_given = settings_during(settings_.cg, schedule_.period_name(step_begun_)).max_iterations > 0;
   if (!is_given) nodal.max_iterations = nodal_iterations(*model_.mesh);
@@ -115,6 +120,7 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
   const auto is_below = [&](double share) {
     return report_.contact.change <= share * report_.contact.reference;
   };
+  if (control.max_iterations > 0) report_.contact_target = control.target_relative_residual;
   Eigen::VectorXd residual;
   std::int64_t n_iterations = report_.search.n_iterations;
   for (;;) {
@@ -159,13 +165,13 @@ bool LoadSteps::try_step(double dt) {
   Eigen::VectorXd increment = first_guess(dt);
   step_begun_ = state_.time;
   problem_.begin_step(dt);
+  report_.n_updates = 0;
   find_free();
   Eigen::VectorXd residual;
   ++report_.n_evaluations;
   if (!increment.isZero(0.0) && !problem_.evaluate(increment, residual)) increment.setZero();
   renew_preconditioner(increment);
 
-  report_.n_updates = 0;
   Eigen::VectorXd held = increment;
   problem_.project(held);
   const Eigen::VectorXd left = problem_.prescribed() - (increment - held);
@@ -182,6 +188,8 @@ bool LoadSteps::try_step(double dt) {
     residual_ = exists ? residual : Eigen::VectorXd();
     return false;
   }
+  report_.search_target =
+      std::max(cg.target_relative_residual, cg.target_residual.value_or(0.0) / report_.search.reference);
   problem_.accept(increment);
   return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,20 @@ namespace contactsim {
 /// What a load step came to.
 struct LoadStepReport {
   CgReport search;
+  double search_target = 0.0;      ///< of its forces left over, over their reference [1]
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
   std::int64_t n_linear = 0;       ///< iterations of the equation solver, all trials of the step included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
   std::int64_t n_updates = 0;      ///< of the multipliers of contact, after each of which it was sought anew
   MultiplierChange contact;        ///< that the multipliers would still have changed by at the end
-  std::int64_t n_negative = 0;     ///< directions of negative stiffness where the last factor was made
+  std::optional<double> contact_target;  ///< of change over reference; absent where multipliers have no part
+  bool has_left_newton = false;          ///< its tangent led nowhere: nodal blocks found equilibrium
+  std::int64_t n_negative = 0;           ///< directions of negative stiffness where the last factor was made
+
+  /// Whether updates of multipliers ended at their largest number, below what is acceptable alone.
+  bool is_contact_short() const {
+    return contact_target && contact.change > *contact_target * contact.reference;
+  }
 };
 
 /// A quasi-static run: from one equilibrium to the next, as time goes by and nothing moves by inertia. The
@@ -41,6 +50,8 @@ class LoadSteps {
   void advance();
 
   const LoadStepReport& report() const { return report_; }
+  /// The solver of the equations of Newton's steps; absent where the deck asks for nodal blocks alone.
+  const std::optional<LinearSolverChoice>& linear_solver() const { return linear_solver_; }
   /// Saves or restores what the next step builds on besides the state.
   void archive(StateArchive& saved);
 
@@ -64,6 +75,7 @@ class LoadSteps {
   StaticProblem problem_;
   NodeGraph graph_;
   NodalBlocks blocks_;
+  std::optional<LinearSolverChoice> linear_solver_;
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
   Eigen::VectorXd residual_;          // of the last evaluation
   double step_begun_ = 0.0;           // [time]

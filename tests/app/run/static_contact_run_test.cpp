@@ -120,6 +120,29 @@ TEST_CASE("enforcement of load steps is told, and that of explicit steps has no 
   CHECK_THAT(penalty.out, !Contains("augmented_lagrange"));
 }
 
+TEST_CASE("multipliers that end above their target are told with change and target", "[app][statics]") {
+  const PressedBlock block;
+  const auto control = [](const std::string& lines) {
+    return "begin solver\nbegin control contact\n" + lines + "end\nend\n";
+  };
+  block.write_deck(sliding + control("target relative residual = 1e-12\nacceptable relative residual = 1\n"
+                                     "maximum iterations = 2\n"));
+  const auto [code, out, err] = block.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("multipliers change contact forces by") && Contains("not below the target 1e-12"));
+  CHECK_THAT(err, Contains("4 load steps ended above the target, the first at step 1, time 0.25: multipliers "
+                           "would still change contact forces by") &&
+                      Contains("where the target is 1e-12") && !Contains("forces left over are"));
+  // The penalty alone, and multipliers that reach their target, are what the deck asks for.
+  for (const char* lines : {"maximum iterations = 0\n", "target relative residual = 1e-2\n"}) {
+    block.write_deck(sliding + control(lines));
+    const auto asked_for = block.run({"a.i"});
+    CHECK(asked_for.exit_code == 0);
+    CHECK_THAT(asked_for.out + asked_for.err,
+               !Contains("multipliers change contact") && !Contains("above the"));
+  }
+}
+
 TEST_CASE("the work of an overlap that comes in over load steps is external", "[app][statics]") {
   const PressedBlock block(-0.02);
   const auto last_line = [](const std::string& text) {
