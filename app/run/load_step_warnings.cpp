@@ -27,11 +27,18 @@ std::string LoadStepWarnings::Steps::format(const char* what, const char* refere
       reference, worst, target);
 }
 
-void LoadStepWarnings::begin(const LoadSteps& load_steps, const SolverSettings& settings) {
+void LoadStepWarnings::begin(const LoadSteps& load_steps, const SolverSettings& settings, bool has_deaths) {
+  if (settings.control_failure && !has_deaths)
+    warnings_.add_warning("control-failure", settings.control_failure->name.location,
+                          "CONTROL FAILURE has no effect: the region has no ELEMENT DEATH");
   const auto& choice = load_steps.linear_solver();
   if (!choice || choice->is_asked_for) return;
   warnings_.add_warning("linear-solver", settings.cg.full_tangent->name.location,
                         "LINEAR SOLVER = AMG is DIRECT here: " + choice->reason);
+}
+
+void LoadStepWarnings::note_deaths_left(const State& state) {
+  if (n_with_deaths_++ == 0) first_with_deaths_ = state.step;
 }
 
 void LoadStepWarnings::step(const State& state, const LoadStepReport& report) {
@@ -47,6 +54,13 @@ void LoadStepWarnings::end() const {
                           searches_.format("forces left over are", "their reference"),
                           "ACCEPTABLE RELATIVE RESIDUAL of BEGIN CG says what is put up with, MAXIMUM "
                           "ITERATIONS how long the search goes on");
+  if (n_with_deaths_ > 0)
+    warnings_.add_warning(
+        "deaths-left", {},
+        fmt::format("in {} load steps, the first of them {}, elements still died in the last iteration of "
+                    "CONTROL FAILURE: the step after finds the equilibrium without them",
+                    n_with_deaths_, first_with_deaths_),
+        "MAXIMUM ITERATIONS of BEGIN CONTROL FAILURE says how many there are");
   if (updates_.n > 0)
     warnings_.add_warning("multipliers-unfinished", {},
                           updates_.format("multipliers would still change contact forces by", "their size"),

@@ -16,8 +16,12 @@ class LoadStepWarnings {
  public:
   explicit LoadStepWarnings(Diagnostics& warnings) : warnings_(warnings) {}
 
-  /// To be called before the first step: "linear-solver" where the equation solver is not the one asked for.
-  void begin(const LoadSteps& load_steps, const SolverSettings& settings);
+  /// To be called before the first step: "linear-solver" where the equation solver is not the one asked for,
+  /// "control-failure" where nothing can die.
+  void begin(const LoadSteps& load_steps, const SolverSettings& settings, bool has_deaths);
+  /// To be called when CONTROL FAILURE has ended at its largest number of iterations with deaths that nothing
+  /// has balanced: "deaths-left".
+  void note_deaths_left(const State& state);
   /// To be called after every step.
   void step(const State& state, const LoadStepReport& report);
   /// To be called at the end of a run.
@@ -35,6 +39,7 @@ class LoadStepWarnings {
 
   Diagnostics& warnings_;
   Steps searches_, updates_;
+  std::int64_t n_with_deaths_ = 0, first_with_deaths_ = 0;  // steps with deaths that nothing has balanced
 };
 
 }  // namespace contactsim

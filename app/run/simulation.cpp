@@ -123,7 +123,7 @@ void Simulation::end_step() {
   Parts& run = *parts_;
   add_time(run.output_seconds, [&] { run.end = run.find_end(); });
   if (run.death) {
-    run.death->step(run.state);
+    run.let_die();
     if (run.death->is_report_due(run.state)) {
       notify(RunEvent::elements_died);
       run.death->begin_tally(run.state);

@@ -81,7 +81,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
   const SolverSettings solver = input.region.solver.value_or(SolverSettings{});
   load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr, solver,
                      *setup.load_schedule, state);
-  load_step_warnings.begin(*load_steps, solver);
+  if (death) load_steps->follow_deaths(*death);
+  load_step_warnings.begin(*load_steps, solver, death != nullptr);
 }
 
 Checkpoint Simulation::Parts::checkpoint() {
@@ -123,6 +124,13 @@ void Simulation::Parts::take_over() {
 
 void Simulation::Parts::advance() {
   load_steps ? load_steps->advance() : void(contactsim::advance(setup.model, terms(), setup.control, state));
+}
+
+void Simulation::Parts::let_die() {
+  const bool has_any = death->step(state);
+  if (!load_steps || !has_any) return;
+  load_steps->note_deaths();
+  if (load_steps->report().has_deaths_left) load_step_warnings.note_deaths_left(state);
 }
 
 void Simulation::Parts::start_anew() {

@@ -39,6 +39,8 @@ struct Simulation::Parts {
   void start_anew();
   /// Moves the state by a step, explicit or to the next equilibrium. Throws SolveError.
   void advance();
+  /// Has elements die that should at the end of a step, and load steps follow.
+  void let_die();
   /// Why the run ends with its state, if it does.
   std::optional<EarlyEnd> find_end();
   std::vector<PartTime> times() const;

@@ -64,6 +64,7 @@ void LoadSteps::start(bool takes_over) {
       terms_.contact->set_moments(motion, moments.contact);
     }
   }
+  problem_.hold_lifeless(find_lifeless());
   problem_.begin();
   if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
   state_.velocity.setZero();
@@ -148,7 +149,8 @@ void LoadSteps::find_free() {
   const StaticBodies& bodies = problem_.bodies();
   if (!tangent_ && problem_.contact() == nullptr && bodies.empty()) return;
   std::vector<double> shares =
-      find_free_bodies(problem_, graph_, problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
+      find_free_bodies(problem_, living_graph_ ? *living_graph_ : graph_,
+                       problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
   const bool are_any =
       std::ranges::any_of(shares, [](double share) { return share > StaticBodies::least_share; });
   problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()
@@ -160,9 +162,10 @@ void LoadSteps::find_free() {
   if (tangent_) tangent_->set_free(std::move(shares));
 }
 
-bool LoadSteps::try_step(double dt) {
+/// Seeks the equilibrium of a step, which it begins.
+bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
   const CgSettings cg = settings_of(settings_.cg, schedule_.period_name(state_.time), *model_.mesh);
-  Eigen::VectorXd increment = first_guess(dt);
+  increment = first_guess(dt);
   step_begun_ = state_.time;
   problem_.begin_step(dt);
   report_.n_updates = 0;
@@ -184,12 +187,21 @@ bool LoadSteps::try_step(double dt) {
   if (is_found && problem_.contact() != nullptr) is_found = control_contact(cg, increment);
   ++report_.n_evaluations;
   const bool exists = problem_.evaluate(increment, residual);
-  if (!is_found || !exists) {
-    residual_ = exists ? residual : Eigen::VectorXd();
-    return false;
-  }
   report_.search_target =
       std::max(cg.target_relative_residual, cg.target_residual.value_or(0.0) / report_.search.reference);
+  if (!is_found || !exists) residual_ = exists ? residual : Eigen::VectorXd();
+  return is_found && exists;
+}
+
+bool LoadSteps::try_step(double dt) {
+  Eigen::VectorXd increment;
+  std::int64_t n_iterations = 0;
+  for (std::int64_t n_rounds = 0;; ++n_rounds) {
+    if (!seek(dt, increment)) return false;
+    n_iterations += report_.search.n_iterations;
+    if (!has_deaths(n_rounds)) break;
+  }
+  report_.search.n_iterations = n_iterations;
   problem_.accept(increment);
   return true;
 }
@@ -204,7 +216,7 @@ void LoadSteps::advance() {
     problem_.restore();
     if (!schedule_.cut_back(begun)) {
       report_.search = failed;
-      fail(dt);
+      fail(fmt::format("no equilibrium is found with a step of {:.4g}: ", dt));
     }
     ++report_.n_cutbacks;
     dt = schedule_.step_at(begun);
@@ -238,9 +250,8 @@ std::string LoadSteps::free_names() const {
   return fmt::format("; conditions leave rigid motions, which {}, to {}", what, names);
 }
 
-void LoadSteps::fail(double dt) const {
+void LoadSteps::fail(std::string text) const {
   const CgReport& search = report_.search;
-  std::string text = fmt::format("no equilibrium is found with a step of {:.4g}: ", dt);
   if (!(search.reference > 0.0))
     throw SolveError(state_.time, text + "elements turn inside out from the first guess on" + free_names());
   text +=
@@ -255,6 +266,7 @@ void LoadSteps::fail(double dt) const {
 void LoadSteps::archive(StateArchive& saved) {
   schedule_.archive(saved);
   problem_.archive(saved);
+  if (saved.restores()) problem_.hold_lifeless(find_lifeless());
 }
 
 }  // namespace contactsim

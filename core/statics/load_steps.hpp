@@ -9,6 +9,7 @@
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
 #include "core/statics/nonlinear_cg.hpp"
+#include "core/statics/static_deaths.hpp"
 #include "core/statics/tangent.hpp"
 
 namespace contactsim {
@@ -20,8 +21,10 @@ struct LoadStepReport {
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
   std::int64_t n_linear = 0;       ///< iterations of the equation solver, all trials of the step included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
-  std::int64_t n_updates = 0;      ///< of the multipliers of contact, after each of which it was sought anew
-  MultiplierChange contact;        ///< that the multipliers would still have changed by at the end
+  std::int64_t n_again = 0;        ///< times that equilibrium was sought anew after deaths
+  bool has_deaths_left = false;  ///< it was so as often as CONTROL FAILURE lets it: others may die at the end
+  std::int64_t n_updates = 0;    ///< of the multipliers of contact, after each of which it was sought anew
+  MultiplierChange contact;      ///< that the multipliers would still have changed by at the end
   std::optional<double> contact_target;  ///< of change over reference; absent where multipliers have no part
   bool has_left_newton = false;          ///< its tangent led nowhere: nodal blocks found equilibrium
   std::int64_t n_negative = 0;           ///< directions of negative stiffness where the last factor was made
@@ -49,6 +52,15 @@ class LoadSteps {
   /// the state is then the last equilibrium.
   void advance();
 
+  /// To be called once elements have died in the state: the next equilibrium is that of the living, and nodes
+  /// without any stay where they are.
+  void note_deaths();
+  /// Has elements die in the steps to come by CONTROL FAILURE, where the deck has it: a step is made anew
+  /// without those that have died in it, until no others do. What has died stays dead where the step is cut
+  /// back then.
+  ///   deaths  must outlive it
+  void follow_deaths(StaticDeaths& deaths) { deaths_ = &deaths; }
+
   const LoadStepReport& report() const { return report_; }
   /// The solver of the equations of Newton's steps; absent where the deck asks for nodal blocks alone.
   const std::optional<LinearSolverChoice>& linear_solver() const { return linear_solver_; }
@@ -57,6 +69,9 @@ class LoadSteps {
 
  private:
   bool try_step(double dt);
+  bool seek(double dt, Eigen::VectorXd& increment);
+  bool has_deaths(std::int64_t n_rounds);
+  std::vector<NodeIndex> find_lifeless();
   void find_free();
   std::string name_of(NodeIndex node) const;
   std::string free_names() const;
@@ -65,15 +80,17 @@ class LoadSteps {
   Eigen::VectorXd first_guess(double dt) const;
   void renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements = false);
   bool has_tangent() const;
-  [[noreturn]] void fail(double dt) const;
+  [[noreturn]] void fail(std::string text) const;
 
   const Model& model_;
   ForceTerms terms_;
   SolverSettings settings_;
   LoadSchedule schedule_;
+  StaticDeaths* deaths_ = nullptr;
   State& state_;
   StaticProblem problem_;
   NodeGraph graph_;
+  std::optional<NodeGraph> living_graph_;  // of the elements that live; absent: all do
   NodalBlocks blocks_;
   std::optional<LinearSolverChoice> linear_solver_;
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
