@@ -66,7 +66,7 @@ std::string format_contact_start(const ContactForce& force, const ContactModel& 
                             least->penalty_properties.stiffness, most->penalty_properties.stiffness);
 }
 
-std::string format_contact(const ContactForce& contact) {
+std::string format_contact(const ContactForce& contact, bool is_static) {
   const ContactSearch& search = contact.search();
   const BroadPhaseCounts &faces = search.face_counts(), &nodes = search.node_counts();
   std::size_t n_ties = 0;
@@ -81,9 +81,10 @@ std::string format_contact(const ContactForce& contact) {
   if (const std::size_t n_faces = contact.contact_mesh().faces.size(); n_faces > 0)
     text +=
         fmt::format("  contact takes {} bytes, {} per face\n", contact.bytes(), contact.bytes() / n_faces);
-  text += fmt::format("  contact lowers the stable time step by {:.3g} % at most",
-                      100.0 * contact.step_share().share);
-  return text + "\n";
+  if (!is_static)
+    text += fmt::format("  contact lowers the stable time step by {:.3g} % at most\n",
+                        100.0 * contact.step_share().share);
+  return text;
 }
 
 }  // namespace contactsim

@@ -14,8 +14,8 @@ namespace contactsim {
 std::string format_contact_start(const ContactForce& force, const ContactModel& contact,
                                  IndexedSpan<PairIndex, const UntiedPart> untied, const Mesh& mesh);
 
-/// What the search of a run did, what is tied, and how much contact lowered the stable step. Without times of
-/// the clock.
-std::string format_contact(const ContactForce& contact);
+/// What the search of a run did, what is tied, and how much contact lowered the stable step, which load steps
+/// have none of. Without times of the clock.
+std::string format_contact(const ContactForce& contact, bool is_static);
 
 }  // namespace contactsim

@@ -48,6 +48,7 @@ void RunLog::write_start(const Simulation& run, bool is_resumed) {
   if (!is_resumed) log_.write(format_model(run.model(), run.start_report()));
   if (!is_resumed && run.contact_force() != nullptr)
     log_.write(format_contact_start(*run.contact_force(), *run.contact_model(), run.untied(), run.mesh()));
+  if (run.load_steps() != nullptr) log_.write(format_load_step_search(*run.load_steps()));
   log_.write(format_paths(run.output_paths()) + (run.load_steps() != nullptr
                                                      ? load_step_heading(run.contact_force() != nullptr)
                                                      : step_heading()));
@@ -85,7 +86,8 @@ void RunLog::write_end(const Simulation& run) {
   if (const ContactForce* force = run.contact_force()) {
     log_.write(format_energy_balance(run.state().energies, force->stored_at_start(),
                                      run.given_out_by_overlaps(), ramped_without_springs(*force)) +
-               format_pair_histories(*run.contact_model(), force->histories()) + format_contact(*force));
+               format_pair_histories(*run.contact_model(), force->histories()) +
+               format_contact(*force, run.load_steps() != nullptr));
   }
   log_.write(format_stored_states(run.restart()));
   std::size_t n_elements = 0;

@@ -3,7 +3,21 @@
 
 #include <fmt/format.h>
 
+#include "core/statics/sparse_factor.hpp"
+
 namespace contactsim {
+
+std::string format_load_step_search(const LoadSteps& load_steps) {
+  const auto& choice = load_steps.linear_solver();
+  if (!choice) return "  equilibrium by conjugate gradients with nodal blocks\n";
+  const char* name = choice->solver == LinearSolver::multigrid ? "AMG, multigrid"
+                     : has_mumps()                             ? "DIRECT, a factor of MUMPS"
+                                   : "DIRECT, a factor of Eigen, slower than MUMPS'";
+  std::string text = fmt::format("  equilibrium by Newton's steps, equations by {}", name);
+  if (!choice->is_asked_for) text += ", not by AMG as the deck asks";
+  if (!choice->reason.empty()) text += ": " + choice->reason;
+  return text + "\n";
+}
 
 std::string load_step_heading(bool has_contact) {
   return fmt::format("\n{:>9} {:>13} {:>12} {:>13} {:>13} {:>10} {:>10} {:>12} {:>8}{}\n", "step", "time",
@@ -16,6 +30,11 @@ std::string format_load_step(const State& state, const LoadStepReport& report, b
   const double left = search.reference > 0.0 ? search.residual / search.reference : search.residual;
   std::string remark = has_contact ? fmt::format(" {:>8}", report.n_updates) : "";
   remark += search.end == CgReport::End::acceptable ? "  acceptable, not below the target" : "";
+  if (report.is_contact_short())
+    remark += fmt::format("  multipliers change contact forces by {:.2g}, not below the target {:.2g}",
+                          report.contact.change / report.contact.reference, *report.contact_target);
+  if (report.n_again > 0) remark += fmt::format("  anew after deaths: {}", report.n_again);
+  if (report.has_left_newton) remark += "  by nodal blocks, the full tangent led nowhere";
   if (report.n_negative > 0) remark += fmt::format("  not stable along {} directions", report.n_negative);
   return fmt::format("{:>9} {:>13.6e} {:>12.4e} {:>13.5e} {:>13.5e} {:>10} {:>10} {:>12.4e} {:>8}{}\n",
                      state.step, state.time, state.dt, state.energies.internal, state.energies.external,

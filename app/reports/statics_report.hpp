@@ -8,11 +8,14 @@
 
 namespace contactsim {
 
+/// How equilibrium is sought, by which equation solver and why.
+std::string format_load_step_search(const LoadSteps& load_steps);
+
 /// The heading of the lines of load steps.
 std::string load_step_heading(bool has_contact);
 
 /// Step, time, step size, energies, iterations, forces left over as a share of their reference, cutbacks,
-/// with contact the updates of its multipliers; a search that was put up with is marked.
+/// with contact the updates of its multipliers; a search or updates that were put up with are marked.
 std::string format_load_step(const State& state, const LoadStepReport& report, bool has_contact);
 
 }  // namespace contactsim

@@ -26,7 +26,13 @@ void refuse_in_statics(const Region& region, Diagnostics& diagnostics) {
     diagnostics.add_error(name.location, fmt::format("{} in a quasi-static procedure is not supported", what),
                           std::move(hint));
   };
-  for (const auto& death : region.element_deaths) refuse_here(death.name, "element death");
+  for (const auto& death : region.element_deaths) {
+    if (death.on_inversion)
+      refuse_here(death.name, "DEATH ON INVERSION",
+                  "a step in which elements turn inside out is cut back; criteria look at equilibrium alone");
+    if (!death.erodes_nodes && region.contact)
+      refuse_here(death.name, "NODAL EROSION = OFF", "a node without elements has no equilibrium");
+  }
   for (const auto& scaling : region.mass_scalings) refuse_here(scaling.name, "mass scaling");
   for (const auto& damping : region.viscous_dampings) refuse_here(damping.name, "viscous damping");
   for (const auto& velocity : region.initial_velocities) refuse_here(velocity.name, "an initial velocity");

@@ -75,17 +75,33 @@ void RunDeath::update_for_deaths(const State& state, std::span<const ElementInde
   tally_.n_free = parts_.contact->n_eroded_nodes();
 }
 
-void RunDeath::step(State& state) {
-  const double begun = clock_seconds();
+/// Returns whether elements have died or faded; the dead are in dead_.
+bool RunDeath::let_die(State& state, DeathRound round) {
   std::vector<ElementIndex> ill_defined;
-  if (parts_.contact != nullptr && deaths_.asks_for_ill_defined(state))
+  if (parts_.contact != nullptr && deaths_.asks_for_ill_defined(state, round))
     ill_defined = find_degenerate_faces(parts_.contact->force().contact_mesh(), state.coordinates);
-  const auto dead = deaths_.step(state, ill_defined);
-  if (!dead.empty()) update_for_deaths(state, dead);
+  const auto dead = deaths_.step(state, ill_defined, round);
+  dead_.assign(dead.begin(), dead.end());
   tally_.n_died += dead.size();
   tally_.n_dead = deaths_.n_dead();
   tally_.n_dying = state.death.dying.size();
+  return !dead_.empty() || !state.death.dying.empty();
+}
+
+bool RunDeath::step(State& state) {
+  const double begun = clock_seconds();
+  const bool has_any = let_die(state, {});
+  follow(state);
   seconds_ += clock_seconds() - begun;
+  return has_any;
+}
+
+bool RunDeath::look(State& state, bool repeats) {
+  return let_die(state, {.repeats = repeats, .takes_worst = true});
+}
+
+void RunDeath::follow(const State& state) {
+  if (!dead_.empty()) update_for_deaths(state, dead_);
 }
 
 /// The shortest interval of all blocks counts; without any every step does.

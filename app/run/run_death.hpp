@@ -9,6 +9,7 @@
 #include "core/conditions/external_force.hpp"
 #include "core/death/element_deaths.hpp"
 #include "core/definition/death.hpp"
+#include "core/statics/static_deaths.hpp"
 
 namespace contactsim {
 
@@ -28,7 +29,7 @@ struct DeathTally {
 };
 
 /// All that a run has because its region has ELEMENT DEATH blocks.
-class RunDeath {
+class RunDeath final : public StaticDeaths {
  public:
   /// All must outlive this. Errors: as ElementDeaths.
   ///   sets  of find_death_sets
@@ -38,8 +39,10 @@ class RunDeath {
   /// Gives the state room for deaths; takes over those that it has.
   void begin(State& state);
   /// To be called once for the state of the start and that after every step: who has died is taken out of
-  /// loads and contact.
-  void step(State& state);
+  /// loads and contact. Returns whether elements have died or faded.
+  bool step(State& state);
+  bool look(State& state, bool repeats) override;
+  void follow(const State& state) override;
 
   /// Whether elements have died that a report is due of; begin_tally() is to follow the report.
   bool is_report_due(const State& state) const;
@@ -52,6 +55,7 @@ class RunDeath {
   double seconds() const { return seconds_; }
 
  private:
+  bool let_die(State& state, DeathRound round);
   void update_for_deaths(const State& state, std::span<const ElementIndex> dead);
 
   std::span<const ElementDeath> definitions_;
@@ -61,6 +65,7 @@ class RunDeath {
   FaceGroups faces_;
   ElementDeaths deaths_;
   DeathLog detail_ = DeathLog::minimal;
+  std::vector<ElementIndex> dead_;  // that loads and contact do not know of yet
   DeathTally tally_;
   double reported_at_;  // when the log reported deaths last [time]
   std::size_t n_may_die_ = 0;

@@ -111,6 +111,7 @@ void Simulation::step() {
   try_to([&] {
     run.advance();
     run.energy_warnings.step(run.state);
+    if (run.load_steps) run.load_step_warnings.step(run.state, run.load_steps->report());
     if (run.contact && !run.load_steps) run.contact->stop_at_runaway(run.state);
     end_step();
     store(false, false);
@@ -122,7 +123,7 @@ void Simulation::end_step() {
   Parts& run = *parts_;
   add_time(run.output_seconds, [&] { run.end = run.find_end(); });
   if (run.death) {
-    run.death->step(run.state);
+    run.let_die();
     if (run.death->is_report_due(run.state)) {
       notify(RunEvent::elements_died);
       run.death->begin_tally(run.state);
@@ -141,6 +142,7 @@ void Simulation::finish() {
   }
   write(true);
   run.whole_seconds = clock_seconds() - run.begun;
+  run.load_step_warnings.end();
   if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
   notify(RunEvent::ended);
   if (run.contact) run.contact->write_debug_files();

@@ -68,7 +68,8 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
       internal(setup.model, state),
       timed_internal(internal),
       timed_external(setup.external),
-      energy_warnings(setup.model, diagnostics) {
+      energy_warnings(setup.model, diagnostics),
+      load_step_warnings(diagnostics) {
   stop_on_errors(diagnostics);
   set_initial_state(setup.initial, setup.model.blocks, state);
   if (death) death->begin(state);
@@ -76,9 +77,12 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
     timed_contact.emplace(contact->force());
     state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
   }
-  if (setup.load_schedule)
-    load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr,
-                       input.region.solver.value_or(SolverSettings{}), *setup.load_schedule, state);
+  if (!setup.load_schedule) return;
+  const SolverSettings solver = input.region.solver.value_or(SolverSettings{});
+  load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr, solver,
+                     *setup.load_schedule, state);
+  if (death) load_steps->follow_deaths(*death);
+  load_step_warnings.begin(*load_steps, solver, death != nullptr);
 }
 
 Checkpoint Simulation::Parts::checkpoint() {
@@ -120,6 +124,13 @@ void Simulation::Parts::take_over() {
 
 void Simulation::Parts::advance() {
   load_steps ? load_steps->advance() : void(contactsim::advance(setup.model, terms(), setup.control, state));
+}
+
+void Simulation::Parts::let_die() {
+  const bool has_any = death->step(state);
+  if (!load_steps || !has_any) return;
+  load_steps->note_deaths();
+  if (load_steps->report().has_deaths_left) load_step_warnings.note_deaths_left(state);
 }
 
 void Simulation::Parts::start_anew() {

@@ -8,6 +8,7 @@
 
 #include "app/run/checkpoint.hpp"
 #include "app/run/energy_warnings.hpp"
+#include "app/run/load_step_warnings.hpp"
 #include "app/run/run_contact.hpp"
 #include "app/run/run_death.hpp"
 #include "app/run/run_restart.hpp"
@@ -38,6 +39,8 @@ struct Simulation::Parts {
   void start_anew();
   /// Moves the state by a step, explicit or to the next equilibrium. Throws SolveError.
   void advance();
+  /// Has elements die that should at the end of a step, and load steps follow.
+  void let_die();
   /// Why the run ends with its state, if it does.
   std::optional<EarlyEnd> find_end();
   std::vector<PartTime> times() const;
@@ -58,6 +61,7 @@ struct Simulation::Parts {
   std::optional<TimedForce> timed_contact;
   std::optional<LoadSteps> load_steps;  // of implicit procedures
   EnergyWarnings energy_warnings;
+  LoadStepWarnings load_step_warnings;
   std::vector<Observer> observers;
   StepReport at_start;
   std::optional<EarlyEnd> end;            // why the run ends before its termination time

@@ -68,10 +68,9 @@ void visit_elements(const VariableSelection& selection, const OutputContext& con
 DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementIndex> elements,
                              const OutputVariables& variables, Diagnostics& diagnostics)
     : elements_(elements), model_(variables.model()) {
-  for (const DeathCriterion& definition : without_material(death, diagnostics)) {
+  for (Criterion& criterion : without_material(death, diagnostics)) {
     VariableLocation location{};
-    const VariableTest* test = test_of(definition, location);
-    Criterion criterion{definition, {}, {}};
+    const VariableTest* test = test_of(criterion.definition, location);
     if (test != nullptr) {
       Diagnostics problems;
       const auto selection = find_selection(variables, location, test->variable, problems);
@@ -93,13 +92,13 @@ DeathCriteria::DeathCriteria(const ElementDeath& death, std::span<const ElementI
 }
 
 /// The criteria of a block, tests of element values in place of MATERIAL CRITERION.
-std::vector<DeathCriterion> DeathCriteria::without_material(const ElementDeath& death,
-                                                            Diagnostics& diagnostics) const {
-  std::vector<DeathCriterion> criteria;
+std::vector<DeathCriteria::Criterion> DeathCriteria::without_material(const ElementDeath& death,
+                                                                      Diagnostics& diagnostics) const {
+  std::vector<Criterion> criteria;
   for (const DeathCriterion& criterion : death.criteria) {
     const auto* material = std::get_if<MaterialCriterion>(&criterion);
     if (material == nullptr) {
-      criteria.push_back(criterion);
+      criteria.push_back({criterion, false, {}, {}});
       continue;
     }
     std::set<std::string_view> failures;
@@ -108,8 +107,11 @@ std::vector<DeathCriterion> DeathCriteria::without_material(const ElementDeath& 
     failures.erase("");
     for (const std::string_view failure : failures) {
       const VariableReference variable{{std::string(failure), death.name.location}, "", std::nullopt};
-      criteria.push_back(ElementCriterion{{variable, Comparison::greater_equal, 1.0},
-                                          material->remaining_points.value_or(0)});
+      criteria.push_back({ElementCriterion{{variable, Comparison::greater_equal, 1.0},
+                                           material->remaining_points.value_or(0)},
+                          true,
+                          {},
+                          {}});
     }
     if (!failures.empty() || elements_.empty()) continue;
     diagnostics.add_error(
@@ -185,18 +187,42 @@ void DeathCriteria::mark_by_elements(const Criterion& criterion, const ElementCr
   }
 }
 
+void DeathCriteria::mark_by(const Criterion& criterion, const OutputContext& context,
+                            std::vector<std::uint8_t>& marks) const {
+  if (const auto* nodal = std::get_if<NodalCriterion>(&criterion.definition)) {
+    mark_by_nodes(criterion, *nodal, context, marks);
+  } else if (const auto* element = std::get_if<ElementCriterion>(&criterion.definition)) {
+    mark_by_elements(criterion, *element, context, marks);
+  } else if (const auto* global = std::get_if<GlobalCriterion>(&criterion.definition)) {
+    std::vector<double> values(criterion.selection.n_components());
+    fill(criterion.selection, context, {}, values);
+    if (any_holds(global->test, values)) mark_all(marks);
+  } else {
+    mark_all(marks);
+  }
+}
+
 void DeathCriteria::mark(const OutputContext& context, std::vector<std::uint8_t>& marks) const {
+  for (const Criterion& criterion : criteria_) mark_by(criterion, context, marks);
+}
+
+void DeathCriteria::mark_worst(const OutputContext& context, std::span<const std::uint8_t> may_die,
+                               std::vector<std::uint8_t>& marks, WorstElement& worst) const {
   for (const Criterion& criterion : criteria_) {
-    if (const auto* nodal = std::get_if<NodalCriterion>(&criterion.definition)) {
-      mark_by_nodes(criterion, *nodal, context, marks);
-    } else if (const auto* element = std::get_if<ElementCriterion>(&criterion.definition)) {
-      mark_by_elements(criterion, *element, context, marks);
-    } else if (const auto* global = std::get_if<GlobalCriterion>(&criterion.definition)) {
-      std::vector<double> values(criterion.selection.n_components());
-      fill(criterion.selection, context, {}, values);
-      if (any_holds(global->test, values)) mark_all(marks);
-    } else {
-      mark_all(marks);
+    if (!criterion.is_of_material) {
+      mark_by(criterion, context, marks);
+      continue;
+    }
+    std::vector<std::uint8_t> failed(marks.size(), 0);
+    mark_by(criterion, context, failed);
+    for (const EntityRange& range : criterion.ranges) {
+      const std::size_t first = model_.blocks[range.block].first_element.value + range.first;
+      visit_elements(criterion.selection, context, range, [&](std::size_t i, std::span<const double> values) {
+        if (failed[first + i] == 0 || may_die[first + i] == 0) return;
+        const double value = *std::ranges::max_element(values);
+        if (worst.element && !(value > worst.value)) return;
+        worst = {ElementIndex{static_cast<std::uint32_t>(first + i)}, value};
+      });
     }
   }
 }

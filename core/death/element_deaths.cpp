@@ -78,7 +78,8 @@ void ElementDeaths::degrade(State& state) {
   std::erase_if(state.death.dying, [](const DyingElement& dying) { return dying.n_left == 0; });
 }
 
-bool ElementDeaths::is_due(std::size_t death, const State& state) const {
+bool ElementDeaths::is_due(std::size_t death, const State& state, bool repeats) const {
+  if (repeats) return state.death.checked[death] == state.time;
   const ElementDeath& of = deaths_[death];
   constexpr double round_off = 1e-9;  // of an interval, far above what adding up steps loses
   if (of.start_time && state.time < *of.start_time) return false;
@@ -87,17 +88,40 @@ bool ElementDeaths::is_due(std::size_t death, const State& state) const {
   return state.time - state.death.checked[death] >= (1.0 - round_off) * *of.check_time_interval;
 }
 
-bool ElementDeaths::asks_for_ill_defined(const State& state) const {
+bool ElementDeaths::asks_for_ill_defined(const State& state, DeathRound round) const {
   for (std::size_t i = 0; i < deaths_.size(); ++i) {
-    if (deaths_[i].on_ill_defined_contact && is_due(i, state)) return true;
+    if (deaths_[i].on_ill_defined_contact && is_due(i, state, round.repeats)) return true;
   }
   return false;
 }
 
 void ElementDeaths::check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined) {
   state.death.checked[death] = state.time;
-  const std::int64_t n_steps = deaths_[death].death_steps;
   criteria_[death].mark({model_, state}, marks_);
+  end_check(death, state, ill_defined);
+}
+
+/// As check() of all blocks that are due.
+void ElementDeaths::check_for_worst(State& state, std::span<const ElementIndex> ill_defined, bool repeats) {
+  std::vector<std::uint8_t> may_die = alive_;
+  for (const DyingElement& dying : state.death.dying) may_die[dying.element.value] = 0;
+  for (const ElementIndex dead : dead_) may_die[dead.value] = 0;
+  WorstElement worst;
+  std::int64_t n_steps = 1;
+  for (std::size_t i = 0; i < deaths_.size(); ++i) {
+    if (!is_due(i, state, repeats)) continue;
+    state.death.checked[i] = state.time;
+    const double before = worst.value;
+    criteria_[i].mark_worst({model_, state}, may_die, marks_, worst);
+    if (worst.value != before) n_steps = deaths_[i].death_steps;
+    end_check(i, state, ill_defined);
+  }
+  if (worst.element) begin_to_die(*worst.element, n_steps, state);
+}
+
+/// Has the marked elements of a block begin to die, and those of ill defined contact.
+void ElementDeaths::end_check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined) {
+  const std::int64_t n_steps = deaths_[death].death_steps;
   if (deaths_[death].on_ill_defined_contact) {
     for (const ElementIndex element : ill_defined) marks_[element.value] = 1;
   }
@@ -154,12 +178,14 @@ void ElementDeaths::clean_up(State& state) {
   }
 }
 
-std::span<const ElementIndex> ElementDeaths::step(State& state, std::span<const ElementIndex> ill_defined) {
+std::span<const ElementIndex> ElementDeaths::step(State& state, std::span<const ElementIndex> ill_defined,
+                                                  DeathRound round) {
   dead_.clear();
   degrade(state);
   find_inverted(state);
-  for (std::size_t i = 0; i < deaths_.size(); ++i) {
-    if (is_due(i, state)) check(i, state, ill_defined);
+  if (round.takes_worst) check_for_worst(state, ill_defined, round.repeats);
+  for (std::size_t i = 0; i < deaths_.size() && !round.takes_worst; ++i) {
+    if (is_due(i, state, round.repeats)) check(i, state, ill_defined);
   }
   std::ranges::sort(dead_);
   dead_.erase(std::unique(dead_.begin(), dead_.end()), dead_.end());

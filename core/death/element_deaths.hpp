@@ -12,6 +12,15 @@
 
 namespace contactsim {
 
+/// How a state is looked at.
+struct DeathRound {
+  /// It is another one at the time of the state before: criteria are due that were due there.
+  bool repeats = false;
+  /// Of the elements that fail by their material the worst one alone begins to die: as that relieves others,
+  /// these may live on. Source: Sierra/SM 5.26, 4.7, Control Failure.
+  bool takes_worst = false;
+};
+
 /// The ELEMENT DEATH blocks of a region in a run: who begins to die, who is dead. A dead element has no
 /// stress, sets no limit to the step and keeps its mass at its nodes; what it stored stays in the internal
 /// energy. Once it has begun to die an element goes on. Source: Sierra/SM 5.20, element death.
@@ -29,10 +38,11 @@ class ElementDeaths {
   /// called once for the state of the start and that after every step.
   ///   ill_defined  elements whose contact faces have lost their shape
   /// Returns the elements that are dead from now on, ascending; good until the next call.
-  std::span<const ElementIndex> step(State& state, std::span<const ElementIndex> ill_defined);
+  std::span<const ElementIndex> step(State& state, std::span<const ElementIndex> ill_defined,
+                                     DeathRound round = {});
 
   /// Whether step() would look at `ill_defined`.
-  bool asks_for_ill_defined(const State& state) const;
+  bool asks_for_ill_defined(const State& state, DeathRound round = {}) const;
 
   /// [n_elements] 0 of dead elements, else 1
   std::span<const std::uint8_t> alive() const { return alive_; }
@@ -40,8 +50,10 @@ class ElementDeaths {
 
  private:
   void degrade(State& state);
-  bool is_due(std::size_t death, const State& state) const;
+  bool is_due(std::size_t death, const State& state, bool repeats) const;
   void check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined);
+  void check_for_worst(State& state, std::span<const ElementIndex> ill_defined, bool repeats);
+  void end_check(std::size_t death, State& state, std::span<const ElementIndex> ill_defined);
   void begin_to_die(ElementIndex element, std::int64_t n_steps, State& state);
   double& life_of(ElementIndex element, State& state) const;
   void find_inverted(const State& state);

@@ -83,6 +83,14 @@ struct ControlContact {
   }
 };
 
+/// BEGIN CONTROL FAILURE: a step in which elements die is made anew without them, until no others die.
+/// Source: Sierra/SM 5.26, 4.7.
+struct ControlFailure {
+  DeckName name;
+  std::int64_t max_iterations = 100;                 ///< searches after deaths, in a step
+  std::vector<DuringPeriod<ControlFailure>> during;  ///< in deck order
+};
+
 /// BEGIN LOADSTEP PREDICTOR: where the search of a step begins.
 struct LoadstepPredictor {
   enum class Type : std::uint8_t { secant, scale_factor };
@@ -98,6 +106,7 @@ struct SolverSettings {
   CgSettings cg;
   LoadstepPredictor predictor;
   ControlContact control_contact;
+  std::optional<ControlFailure> control_failure;  ///< absent: the next step finds the equilibrium
 };
 
 /// BEGIN ADAPTIVE TIME STEPPING.

@@ -43,7 +43,10 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
       problem_(model, terms, contact, settings_.cg.reference, state),
       graph_(model.mesh->n_nodes(), *model.mesh, model.blocks, problem_.bodies().size()),
       blocks_(problem_, graph_) {
-  if (settings_.cg.full_tangent) tangent_ = make_tangent(problem_, graph_, *settings_.cg.full_tangent);
+  if (!settings_.cg.full_tangent) return;
+  const FullTangentSettings& full = *settings_.cg.full_tangent;
+  linear_solver_ = choose_linear_solver(problem_, graph_, full.linear_solver);
+  tangent_ = make_tangent(problem_, graph_, full);
 }
 
 void LoadSteps::start(bool takes_over) {
@@ -61,6 +64,7 @@ void LoadSteps::start(bool takes_over) {
       terms_.contact->set_moments(motion, moments.contact);
     }
   }
+  problem_.hold_lifeless(find_lifeless());
   problem_.begin();
   if (takes_over) problem_.let_go_until(schedule_.end_of_period(state_.time));
   state_.velocity.setZero();
@@ -96,10 +100,12 @@ void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
     const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at, true); };
     report_.search = newton(problem_, *tangent_, cg, renew, increment);
     report_.n_evaluations += report_.search.n_evaluations;
+    report_.has_left_newton = false;
     if (report_.search.end == CgReport::End::converged) return;
     increment = begun;
     report_.n_evaluations += blocks_.renew(increment);
   }
+  report_.has_left_newton = tangent_ != nullptr;
   CgSettings nodal = cg;
   const bool is_given = settings_during(settings_.cg, schedule_.period_name(step_begun_)).max_iterations > 0;
   if (!is_given) nodal.max_iterations = nodal_iterations(*model_.mesh);
@@ -115,6 +121,7 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
   const auto is_below = [&](double share) {
     return report_.contact.change <= share * report_.contact.reference;
   };
+  if (control.max_iterations > 0) report_.contact_target = control.target_relative_residual;
   // What an update changes may be less than is looked at as out of balance, over and over.
   CgSettings again = cg;
   again.min_iterations = std::max<std::int64_t>(again.min_iterations, 1);
@@ -145,7 +152,8 @@ void LoadSteps::find_free() {
   const StaticBodies& bodies = problem_.bodies();
   if (!tangent_ && problem_.contact() == nullptr && bodies.empty()) return;
   std::vector<double> shares =
-      find_free_bodies(problem_, graph_, problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
+      find_free_bodies(problem_, living_graph_ ? *living_graph_ : graph_,
+                       problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
   const bool are_any =
       std::ranges::any_of(shares, [](double share) { return share > StaticBodies::least_share; });
   problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()
@@ -157,11 +165,13 @@ void LoadSteps::find_free() {
   if (tangent_) tangent_->set_free(std::move(shares));
 }
 
-bool LoadSteps::try_step(double dt) {
+/// Seeks the equilibrium of a step, which it begins.
+bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
   const CgSettings cg = settings_of(settings_.cg, schedule_.period_name(state_.time), *model_.mesh);
-  Eigen::VectorXd increment = first_guess(dt);
+  increment = first_guess(dt);
   step_begun_ = state_.time;
   problem_.begin_step(dt);
+  report_.n_updates = 0;
   find_free();
   Eigen::VectorXd residual;
   ++report_.n_evaluations;
@@ -180,10 +190,21 @@ bool LoadSteps::try_step(double dt) {
   if (is_found && problem_.contact() != nullptr) is_found = control_contact(cg, increment);
   ++report_.n_evaluations;
   const bool exists = problem_.evaluate(increment, residual);
-  if (!is_found || !exists) {
-    residual_ = exists ? residual : Eigen::VectorXd();
-    return false;
+  report_.search_target =
+      std::max(cg.target_relative_residual, cg.target_residual.value_or(0.0) / report_.search.reference);
+  if (!is_found || !exists) residual_ = exists ? residual : Eigen::VectorXd();
+  return is_found && exists;
+}
+
+bool LoadSteps::try_step(double dt) {
+  Eigen::VectorXd increment;
+  std::int64_t n_iterations = 0;
+  for (std::int64_t n_rounds = 0;; ++n_rounds) {
+    if (!seek(dt, increment)) return false;
+    n_iterations += report_.search.n_iterations;
+    if (!has_deaths(n_rounds)) break;
   }
+  report_.search.n_iterations = n_iterations;
   problem_.accept(increment);
   return true;
 }
@@ -198,7 +219,7 @@ void LoadSteps::advance() {
     problem_.restore();
     if (!schedule_.cut_back(begun)) {
       report_.search = failed;
-      fail(dt);
+      fail(fmt::format("no equilibrium is found with a step of {:.4g}: ", dt));
     }
     ++report_.n_cutbacks;
     dt = schedule_.step_at(begun);
@@ -232,9 +253,8 @@ std::string LoadSteps::free_names() const {
   return fmt::format("; conditions leave rigid motions, which {}, to {}", what, names);
 }
 
-void LoadSteps::fail(double dt) const {
+void LoadSteps::fail(std::string text) const {
   const CgReport& search = report_.search;
-  std::string text = fmt::format("no equilibrium is found with a step of {:.4g}: ", dt);
   if (!(search.reference > 0.0))
     throw SolveError(state_.time, text + "elements turn inside out from the first guess on" + free_names());
   text +=
@@ -249,6 +269,7 @@ void LoadSteps::fail(double dt) const {
 void LoadSteps::archive(StateArchive& saved) {
   schedule_.archive(saved);
   problem_.archive(saved);
+  if (saved.restores()) problem_.hold_lifeless(find_lifeless());
 }
 
 }  // namespace contactsim

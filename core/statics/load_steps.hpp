@@ -2,12 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
 #include "core/statics/nonlinear_cg.hpp"
+#include "core/statics/static_deaths.hpp"
 #include "core/statics/tangent.hpp"
 
 namespace contactsim {
@@ -15,12 +17,22 @@ namespace contactsim {
 /// What a load step came to.
 struct LoadStepReport {
   CgReport search;
+  double search_target = 0.0;      ///< of its forces left over, over their reference [1]
   std::int64_t n_evaluations = 0;  ///< of the residual, preconditioner and predictor included
   std::int64_t n_linear = 0;       ///< iterations of the equation solver, all trials of the step included
   std::int64_t n_cutbacks = 0;     ///< before it found equilibrium
-  std::int64_t n_updates = 0;      ///< of the multipliers of contact, after each of which it was sought anew
-  MultiplierChange contact;        ///< that the multipliers would still have changed by at the end
-  std::int64_t n_negative = 0;     ///< directions of negative stiffness where the last factor was made
+  std::int64_t n_again = 0;        ///< times that equilibrium was sought anew after deaths
+  bool has_deaths_left = false;  ///< it was so as often as CONTROL FAILURE lets it: others may die at the end
+  std::int64_t n_updates = 0;    ///< of the multipliers of contact, after each of which it was sought anew
+  MultiplierChange contact;      ///< that the multipliers would still have changed by at the end
+  std::optional<double> contact_target;  ///< of change over reference; absent where multipliers have no part
+  bool has_left_newton = false;          ///< its tangent led nowhere: nodal blocks found equilibrium
+  std::int64_t n_negative = 0;           ///< directions of negative stiffness where the last factor was made
+
+  /// Whether updates of multipliers ended at their largest number, below what is acceptable alone.
+  bool is_contact_short() const {
+    return contact_target && contact.change > *contact_target * contact.reference;
+  }
 };
 
 /// A quasi-static run: from one equilibrium to the next, as time goes by and nothing moves by inertia. The
@@ -40,12 +52,26 @@ class LoadSteps {
   /// the state is then the last equilibrium.
   void advance();
 
+  /// To be called once elements have died in the state: the next equilibrium is that of the living, and nodes
+  /// without any stay where they are.
+  void note_deaths();
+  /// Has elements die in the steps to come by CONTROL FAILURE, where the deck has it: a step is made anew
+  /// without those that have died in it, until no others do. What has died stays dead where the step is cut
+  /// back then.
+  ///   deaths  must outlive it
+  void follow_deaths(StaticDeaths& deaths) { deaths_ = &deaths; }
+
   const LoadStepReport& report() const { return report_; }
+  /// The solver of the equations of Newton's steps; absent where the deck asks for nodal blocks alone.
+  const std::optional<LinearSolverChoice>& linear_solver() const { return linear_solver_; }
   /// Saves or restores what the next step builds on besides the state.
   void archive(StateArchive& saved);
 
  private:
   bool try_step(double dt);
+  bool seek(double dt, Eigen::VectorXd& increment);
+  bool has_deaths(std::int64_t n_rounds);
+  std::vector<NodeIndex> find_lifeless();
   void find_free();
   std::string name_of(NodeIndex node) const;
   std::string free_names() const;
@@ -54,16 +80,19 @@ class LoadSteps {
   Eigen::VectorXd first_guess(double dt) const;
   void renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements = false);
   bool has_tangent() const;
-  [[noreturn]] void fail(double dt) const;
+  [[noreturn]] void fail(std::string text) const;
 
   const Model& model_;
   ForceTerms terms_;
   SolverSettings settings_;
   LoadSchedule schedule_;
+  StaticDeaths* deaths_ = nullptr;
   State& state_;
   StaticProblem problem_;
   NodeGraph graph_;
+  std::optional<NodeGraph> living_graph_;  // of the elements that live; absent: all do
   NodalBlocks blocks_;
+  std::optional<LinearSolverChoice> linear_solver_;
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
   Eigen::VectorXd residual_;          // of the last evaluation
   double step_begun_ = 0.0;           // [time]

@@ -94,6 +94,8 @@ class MumpsFactor final : public SparseFactor {
 
 }  // namespace
 
+bool has_mumps() { return find_mumps() != nullptr; }
+
 std::unique_ptr<SparseFactor> make_mumps_factor(bool is_symmetric) {
   const Call call = find_mumps();
   return call != nullptr ? std::make_unique<MumpsFactor>(call, is_symmetric) : nullptr;
@@ -105,6 +107,7 @@ std::unique_ptr<SparseFactor> make_mumps_factor(bool is_symmetric) {
 
 namespace contactsim {
 
+bool has_mumps() { return false; }
 std::unique_ptr<SparseFactor> make_mumps_factor(bool /*is_symmetric*/) { return nullptr; }
 
 }  // namespace contactsim

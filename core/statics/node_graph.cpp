@@ -7,30 +7,33 @@ namespace contactsim {
 
 namespace {
 
-/// Calls do_one(nodes) for every element that is not rigid.
+/// Calls do_one(nodes) for every element that is not rigid, and lives.
 template <class Do>
-void for_each_element(const Mesh& mesh, std::span<const ModelBlock> blocks, const Do& do_one) {
+void for_each_element(const Mesh& mesh, std::span<const ModelBlock> blocks,
+                      std::span<const std::uint8_t> alive, const Do& do_one) {
   for (const ModelBlock& block : blocks) {
     if (block.is_rigid) continue;
     const ElementBlock& of_mesh = mesh.blocks()[block.mesh_block];
-    for (std::uint32_t i = 0; i < of_mesh.n_elements; ++i) do_one(of_mesh.element_nodes(i));
+    for (std::uint32_t i = 0; i < of_mesh.n_elements; ++i) {
+      if (alive.empty() || alive[block.first_element.value + i] != 0) do_one(of_mesh.element_nodes(i));
+    }
   }
 }
 
 }  // namespace
 
 NodeGraph::NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks,
-                     std::uint32_t n_bodies)
+                     std::uint32_t n_bodies, std::span<const std::uint8_t> alive)
     : first_(n_nodes + std::size_t{1}, 0) {
   // All pairs with their repetitions first, which are then taken out node by node.
   std::vector<std::size_t> end(n_nodes + std::size_t{1}, 0);
-  for_each_element(mesh, blocks, [&](std::span<const NodeIndex> nodes) {
+  for_each_element(mesh, blocks, alive, [&](std::span<const NodeIndex> nodes) {
     for (const NodeIndex node : nodes) end[node.value + std::size_t{1}] += nodes.size();
   });
   for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];
   std::vector<std::uint32_t> pairs(end.back());
   std::vector<std::size_t> place(end.begin(), end.end() - 1);
-  for_each_element(mesh, blocks, [&](std::span<const NodeIndex> nodes) {
+  for_each_element(mesh, blocks, alive, [&](std::span<const NodeIndex> nodes) {
     for (const NodeIndex node : nodes) {
       for (const NodeIndex other : nodes) pairs[place[node.value]++] = other.value;
     }

@@ -15,8 +15,9 @@ class NodeGraph {
   /// Of the elements that are not rigid.
   ///   n_nodes   of the mesh
   ///   n_bodies  whose pairs of nodes, each other's neighbours, follow those of the mesh
+  ///   alive     [n_elements] 0 of elements that join nothing; empty: all do
   NodeGraph(std::uint32_t n_nodes, const Mesh& mesh, std::span<const ModelBlock> blocks,
-            std::uint32_t n_bodies = 0);
+            std::uint32_t n_bodies = 0, std::span<const std::uint8_t> alive = {});
 
   std::uint32_t n_nodes() const { return static_cast<std::uint32_t>(first_.size() - 1); }
   /// The nodes that share an element with one, itself included, ascending; empty without elements.

@@ -26,6 +26,9 @@ class SparseFactor {
 /// slower from some thousand unknowns on.
 std::unique_ptr<SparseFactor> make_sparse_factor(bool is_symmetric);
 
+/// Whether make_sparse_factor() makes that of MUMPS.
+bool has_mumps();
+
 /// Eigen's factor.
 std::unique_ptr<SparseFactor> make_eigen_factor(bool is_symmetric);
 

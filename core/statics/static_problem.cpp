@@ -103,6 +103,7 @@ void StaticProblem::find_free() {
   bodies_.add_free(free_);
   if (state_.rotations.exist())
     free_rotations_ = model_.rotation_constraints.find_free_directions(state_.time);
+  hold_nodes();
 }
 
 void StaticProblem::begin() {
@@ -160,6 +161,7 @@ void StaticProblem::begin_step(double dt) {
   find_free();
   if (state_.rotations.exist())
     prescribed_.segment(n_, n_mesh_) = increment_of(model_.rotation_constraints, &state_.rotations.angle);
+  let_go_ = has_deaths_ ? unbalanced_at_start() : Eigen::VectorXd();
 }
 
 void StaticProblem::recall_elements() {
@@ -230,13 +232,17 @@ Eigen::VectorXd StaticProblem::moved(const Eigen::VectorXd& increment) const {
 }
 
 void StaticProblem::set_forces(const Motion& motion) {
-  terms_.external.set_forces(motion, state_.forces.external);
-  terms_.internal.set_forces(motion, state_.forces.internal);
-  NodalForces& moments = state_.rotations.moments;
+  set_forces_of_mesh(motion);
   if (contact_ != nullptr && !holds_contact_)
     contact_->try_forces(motion, state_.forces.contact,
-                         state_.rotations.exist() ? &moments.contact : nullptr);
+                         state_.rotations.exist() ? &state_.rotations.moments.contact : nullptr);
+}
+
+void StaticProblem::set_forces_of_mesh(const Motion& motion) {
+  terms_.external.set_forces(motion, state_.forces.external);
+  terms_.internal.set_forces(motion, state_.forces.internal);
   if (!state_.rotations.exist()) return;
+  NodalForces& moments = state_.rotations.moments;
   terms_.internal.set_moments(motion, moments.internal);
   terms_.external.set_moments(motion, moments.external);
 }
@@ -267,6 +273,8 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   if (contact_ != nullptr) {
     const ForceReport report = contact_->accept_trial(motion_of(state_, dt_), state_.forces.contact);
     state_.energies.friction += report.friction_work;
+    state_.energies.external += report.supplied_work;
+    state_.energies.contact += report.supplied_work;
   }
   const Eigen::VectorXd internal = mean_forces(&NodalForces::internal);
   const Eigen::VectorXd external = mean_forces(&NodalForces::external);
@@ -276,6 +284,7 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   const double share = 0.5 * (share_held(time_) + share_held(state_.time));
   Eigen::VectorXd free = all;
   if (share > 0.0) free -= share * held_;
+  if (let_go_.size() > 0) free -= 0.5 * let_go_;
   project(free);
   largest_reference_ = std::max(largest_reference_, reference_now());
   Energies& energies = state_.energies;
@@ -285,11 +294,9 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   energies.external += external.dot(way) - (all - free).dot(increment);
   bodies_.note_forces(free_);
   // What has held a start that was out of balance lets go steadily.
-  if (state_.step == 0 && held_.size() == 0) {
-    Eigen::VectorXd unbalanced = all_forces_of_start();
-    project(unbalanced);
-    energies.external -= 0.5 * unbalanced.dot(increment);
-  }
+  if (state_.step == 0 && held_.size() == 0 && let_go_.size() == 0)
+    energies.external -= 0.5 * unbalanced_at_start().dot(increment);
+  has_deaths_ = false;
   energies.hourglass = 0.0;
   for (const ModelBlockState& block : state_.blocks) energies.hourglass += block.hourglass_work;
   energies.error = energies.internal + energies.contact - energies.external - energies.start;
@@ -355,6 +362,12 @@ double StaticProblem::round_off() const {
 
 void StaticProblem::archive(StateArchive& saved) {
   saved.numbers("run/largest_reference", largest_reference_);
+  const std::string deaths = "run/has_deaths_to_balance";
+  if (saved.restores() ? saved.has(deaths) : has_deaths_) {
+    std::int64_t mark = 1;
+    saved.numbers(deaths, mark);
+    has_deaths_ = true;
+  }
   const std::string name = "run/out_of_balance";
   if (saved.restores() ? !saved.has(name) : held_.size() == 0) return;
   held_.resize(size());

@@ -33,6 +33,12 @@ class StaticProblem final : public Equilibrium {
   /// To be called after it where a state is taken over: what is out of balance in it, such as what inertia
   /// bore, goes on to be held, less and less until a time.
   void let_go_until(double time);
+  /// To be called once elements have died between two steps: forces become those of the living, and what is
+  /// out of balance by that is let go in the step that follows.
+  ///   lifeless  nodes of dead elements alone, of now: they stay where they are, as if held, ascending
+  void note_deaths(std::vector<NodeIndex> lifeless);
+  /// The latter alone, where the state is one that note_deaths() has left.
+  void hold_lifeless(std::vector<NodeIndex> lifeless) { lifeless_ = std::move(lifeless); }
   /// Begins a step at the state: fixed and prescribed directions and what is remembered are those of now.
   ///   dt  of the step [time]
   /// Throws SolveError when a condition has no finite value.
@@ -95,10 +101,13 @@ class StaticProblem final : public Equilibrium {
 
   double reference_now() const;
   double share_held(double time) const;
+  void hold_nodes();
+  Eigen::VectorXd unbalanced_at_start() const;
   void remember();
   void recall_elements();
   void move_to(const Eigen::VectorXd& increment);
   void set_forces(const Motion& motion);
+  void set_forces_of_mesh(const Motion& motion);
   using Part = Eigen::Matrix3Xd NodalForces::*;
   Eigen::VectorXd forces_of(Part part, const NodalForces& forces, const NodalForces& moments) const;
   Eigen::VectorXd forces_of(Part part) const {
@@ -130,8 +139,11 @@ class StaticProblem final : public Equilibrium {
   double increment_ = 0.0;  // largest of a node in the last evaluation [length]
   double longest_motion_ = std::numeric_limits<double>::infinity();  // [length]
   double dt_ = 0.0;
-  double largest_reference_ = 0.0;  // of accepted steps
-  Eigen::VectorXd held_;            // out of balance in what was taken over; empty: nothing
+  std::vector<NodeIndex> lifeless_;  // nodes of dead elements alone
+  bool has_deaths_ = false;          // since the last step
+  Eigen::VectorXd let_go_;           // out of balance by deaths; empty: nothing
+  double largest_reference_ = 0.0;   // of accepted steps
+  Eigen::VectorXd held_;             // out of balance in what was taken over; empty: nothing
   double held_from_ = 0.0, held_until_ = 0.0;
   std::vector<FreeDirections> free_, free_rotations_;
   Eigen::VectorXd prescribed_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/tangent.hpp"
 
+#include <fmt/format.h>
+
 #include "core/statics/full_tangent.hpp"
 #include "core/statics/multigrid_tangent.hpp"
 
@@ -12,25 +14,30 @@ namespace {
 /// fewer the factor, which takes any stiffness, costs hardly more than what it is made of.
 constexpr std::uint32_t most_nodes_of_factor = 5000;
 
-/// What turns, and rigid bodies that conditions do not wholly move: these join all that touches them, which
-/// multigrid would take for one group.
-bool needs_factor(const StaticProblem& problem, const NodeGraph& graph) {
-  return problem.size() > 3 * Eigen::Index{graph.n_nodes()} || problem.bodies().are_free();
+/// Why equations take a factor: what turns, and rigid bodies that conditions do not wholly move, since these
+/// join all that touches them, which multigrid would take for one group. Empty where multigrid does.
+std::string why_factor(const StaticProblem& problem, const NodeGraph& graph) {
+  if (problem.size() > 3 * Eigen::Index{graph.n_nodes()}) return "nodes of shells or beams turn";
+  return problem.bodies().are_free() ? "a rigid body is not wholly held and prescribed" : "";
 }
 
 }  // namespace
 
-LinearSolver choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph) {
-  return needs_factor(problem, graph) || graph.n_nodes() <= most_nodes_of_factor ? LinearSolver::direct
-                                                                                 : LinearSolver::multigrid;
+LinearSolverChoice choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph,
+                                        LinearSolver asked) {
+  if (asked == LinearSolver::direct) return {asked, true, ""};
+  if (const std::string reason = why_factor(problem, graph); !reason.empty())
+    return {LinearSolver::direct, asked == LinearSolver::automatic, reason};
+  if (asked == LinearSolver::multigrid) return {asked, true, ""};
+  const bool is_large = graph.n_nodes() > most_nodes_of_factor;
+  return {is_large ? LinearSolver::multigrid : LinearSolver::direct, true,
+          fmt::format("there are {} {} nodes", is_large ? "more than" : "at most", most_nodes_of_factor)};
 }
 
 std::unique_ptr<Tangent> make_tangent(StaticProblem& problem, const NodeGraph& graph,
                                       const FullTangentSettings& settings) {
-  LinearSolver solver = settings.linear_solver;
-  if (solver == LinearSolver::automatic || needs_factor(problem, graph))
-    solver = choose_linear_solver(problem, graph);
-  if (solver == LinearSolver::multigrid) return std::make_unique<MultigridTangent>(problem, graph, settings);
+  if (choose_linear_solver(problem, graph, settings.linear_solver).solver == LinearSolver::multigrid)
+    return std::make_unique<MultigridTangent>(problem, graph, settings);
   return std::make_unique<FullTangent>(problem, graph, settings);
 }
 

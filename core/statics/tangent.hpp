@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/definition/solver.hpp"
@@ -28,11 +29,19 @@ class Tangent : public Preconditioner {
   virtual std::int64_t n_iterations() const { return 0; }
 };
 
-/// The solver that a deck leaves open: multigrid for solids of so many unknowns that a factor takes longer.
-LinearSolver choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph);
+/// The equation solver of a run.
+struct LinearSolverChoice {
+  LinearSolver solver = LinearSolver::direct;  ///< never automatic
+  bool is_asked_for = true;                    ///< by the deck, or left open by it
+  std::string reason;                          ///< why it is this one; empty where the deck says so
+};
 
-/// Makes the tangent that the settings ask for. Where nodes turn, or a rigid body is not wholly held and
-/// prescribed, it is a factor. All must outlive it.
+/// The solver for what a deck asks for: a factor where nodes turn, or a rigid body is not wholly held and
+/// prescribed, else as asked; left open, multigrid for solids of so many unknowns that a factor takes longer.
+LinearSolverChoice choose_linear_solver(const StaticProblem& problem, const NodeGraph& graph,
+                                        LinearSolver asked);
+
+/// Makes the tangent of choose_linear_solver(). All must outlive it.
 std::unique_ptr<Tangent> make_tangent(StaticProblem& problem, const NodeGraph& graph,
                                       const FullTangentSettings& settings);
 

@@ -89,3 +89,33 @@ def preload(bench, n=4):
                        Check("kinetic energy there, over the strain energy before", 1.0,
                              np.max(kinetic[swings]) / run["internal_energy"][held][0], 0.02)]
     return checks
+
+
+def breaking_mesh():
+    mesh = MeshMaker()
+    for name in ("first", "second", "third"):
+        mesh.lines(name, (0, 0, 0), (1, 0, 0), 1)
+    mesh.lines("grip", (1, 0, 0), (2, 0, 0), 1)
+    mesh.lines("bar", (0, 1, 0), (1, 1, 0), 1)
+    mesh.lines("neck", (1, 1, 0), (2, 1, 0), 1)
+    mesh.node_set("held", lambda x, y, z: x == 0)
+    mesh.node_set("pulled", lambda x, y, z: x == 2 and y == 0)
+    mesh.node_set("end_of_chain", lambda x, y, z: x == 2 and y == 1)
+    return mesh
+
+
+@case()
+def static_breaking(bench):
+    checks = []
+    stiffness = 1e9 * 1e-4
+    for control, living in ((1, [3, 3, 3, 3, 1, 1, 1]), (0, [3, 3, 3, 3, 3, 2, 1])):
+        run = bench.run("static_breaking", breaking_mesh(), control=control)
+        word = "with" if control else "without"
+        for step, n in enumerate(living[3:], 4):
+            force = stiffness * run["Time"][step] * 1e-3 * n / (n + 1)
+            checks.append(Check(f"{word} CONTROL FAILURE, force in step {step} [N]", force, run["force"][step], 1e-3))
+        checks += [Check(f"{word} CONTROL FAILURE, dead elements", 3 if control else 4, run["dead_elements"][-1], 0),
+                   at_most(f"{word} CONTROL FAILURE, force of the broken chain [N]", abs(run["chain_force"][-1]), 1e-6),
+                   Check(f"{word} CONTROL FAILURE, energy balance", 0.0, np.max(np.abs(run["energy_error"])), 1e-6,
+                         np.max(run["internal_energy"]))]
+    return checks

@@ -148,6 +148,18 @@ const Table<ControlContact>& control_contact_table() {
   return table;
 }
 
+const Table<ControlFailure>& control_failure_table() {
+  using C = ControlFailure;
+  static const Table<C> table({
+      during_row("maximum iterations", read::non_negative_integer, &C::max_iterations,
+                 "Searches for equilibrium after deaths in a step at most; 0: the next step finds it [1]"),
+      ignored<C>("level", "= <integer>", "failure is the outermost level"),
+      ignored<C>("iteration plot", "= <integer> [DURING <period> ...]", "results are those of whole steps"),
+      ignored<C>("iteration plot output blocks", "= <block> ...", "results are those of whole steps"),
+  });
+  return table;
+}
+
 const TableText& control_text() {
   static const Table<Nothing> table({
       line("target relative residual", "= <real> [DURING <period> ...]", "residual aimed at [1]"),
@@ -193,8 +205,10 @@ const Table<SolverSettings>& solver_table() {
           "control contact", Naming::optional, control_contact_table,
           [](S& solver, ControlContact control) { solver.control_contact = std::move(control); },
           "How exactly contact holds: updates of its multipliers in each step"),
-      ignored_block<S>("control failure", control_text,
-                       "elements do not fail in quasi-static procedures yet"),
+      block<S, ControlFailure>(
+          "control failure", Naming::optional, control_failure_table,
+          [](S& solver, ControlFailure control) { solver.control_failure = std::move(control); },
+          "Equilibrium is sought anew in the step in which elements have died"),
       ignored_block<S>("control stiffness", control_text, "all stiffness acts from the first iteration on"),
       ignored<S>("level 1 predictor", "= <name>", "there is one level"),
   });

@@ -121,6 +121,21 @@ TEST_CASE("steps without equilibrium end the run with what is left over", "[app]
   CHECK_THAT(err, Contains("no equilibrium is found with a step of 0.0625") && Contains("most at node"));
 }
 
+TEST_CASE("forces left over above the target are told where the deck puts up with them", "[app][statics]") {
+  const BentBar bar;
+  bar.write_deck(
+      "begin solver\nbegin cg\ntarget relative residual = 1e-12\nacceptable relative residual = 1e-2\n"
+      "maximum iterations = 20\nend\nend\n");
+  const auto [code, out, err] = bar.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("acceptable, not below the target"));
+  CHECK_THAT(err, Contains("5 load steps ended above the target, the first at step 1, time 0.25: forces left "
+                           "over are") &&
+                      Contains("where the target is 1e-12"));
+  bar.write_deck(tight);
+  CHECK_THAT(bar.run({"a.i"}).err, !Contains("above the target"));
+}
+
 TEST_CASE("what load steps do not know is refused", "[app][statics]") {
   const BentBar bar;
   const auto refusal = [&](const std::string& region) {

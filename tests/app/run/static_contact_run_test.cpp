@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contact in quasi-static procedures by the program.
+#include <cstdio>
+
 #include "support/catch.hpp"
 #include "support/exodus_file.hpp"
 #include "support/mesh_builder.hpp"
@@ -116,4 +118,66 @@ TEST_CASE("enforcement of load steps is told, and that of explicit steps has no 
   const auto penalty = block.run({"a.i"});
   CHECK(penalty.exit_code == 0);
   CHECK_THAT(penalty.out, !Contains("augmented_lagrange"));
+}
+
+TEST_CASE("multipliers that end above their target are told with change and target", "[app][statics]") {
+  const PressedBlock block;
+  const auto control = [](const std::string& lines) {
+    return "begin solver\nbegin control contact\n" + lines + "end\nend\n";
+  };
+  block.write_deck(sliding + control("target relative residual = 1e-12\nacceptable relative residual = 1\n"
+                                     "maximum iterations = 2\n"));
+  const auto [code, out, err] = block.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains("multipliers change contact forces by") && Contains("not below the target 1e-12"));
+  CHECK_THAT(err, Contains("4 load steps ended above the target, the first at step 1, time 0.25: multipliers "
+                           "would still change contact forces by") &&
+                      Contains("where the target is 1e-12") && !Contains("forces left over are"));
+  // The penalty alone, and multipliers that reach their target, are what the deck asks for.
+  for (const char* lines : {"maximum iterations = 0\n", "target relative residual = 1e-2\n"}) {
+    block.write_deck(sliding + control(lines));
+    const auto asked_for = block.run({"a.i"});
+    CHECK(asked_for.exit_code == 0);
+    CHECK_THAT(asked_for.out + asked_for.err,
+               !Contains("multipliers change contact") && !Contains("above the"));
+  }
+}
+
+TEST_CASE("the work of an overlap that comes in over load steps is external", "[app][statics]") {
+  const PressedBlock block(-0.02);
+  const auto last_line = [](const std::string& text) {
+    return text.substr(text.rfind('\n', text.size() - 2) + 1);
+  };
+  for (const char* formulation : {"face_face", "node_face"}) {
+    block.write_deck("begin fixed displacement\nnode set = top\ncomponents = x y z\nend\n" + full +
+                         "begin heartbeat output\nstream name = b.csv\nat step 0 increment = 1\n"
+                         "global internal_energy as i\nglobal external_energy as e\n"
+                         "global contact_energy as c\nend\n",
+                     std::string("overlap ramp time = 1\nconstraint formulation = ") + formulation + "\n");
+    REQUIRE(block.run({"a.i"}).exit_code == 0);
+    double time = 0.0, internal = 0.0, external = 0.0, contact = 1.0;
+    const std::string line = last_line(block.read("b.csv"));
+    REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf,%lf", &time, &internal, &external, &contact) == 4);
+    CHECK(internal > 10.0);
+    CHECK(external == Approx(internal).epsilon(0.02));
+    CHECK(contact == Approx(0.0).margin(0.02 * internal));
+  }
+}
+
+TEST_CASE("a step that is cut back has all updates of multipliers again", "[app][statics]") {
+  const PressedBlock block;
+  // Steps like the first one go on; those of the second block have to come nearer, which half of one does.
+  block.write_deck(sliding +
+                   "begin solver\nbegin control contact\ntarget relative residual = 1e-9\n"
+                   "acceptable relative residual = 1\nacceptable relative residual = 1.5e-3 during u\n"
+                   "maximum iterations = 4\nend\nend\n");
+  const std::string deck = block.read("a.i");
+  const auto end = deck.find("termination time");
+  block.write("a.i", deck.substr(0, end) +
+                         "begin time stepping block u\nstart time = 0.25\nbegin parameters for adagio region "
+                         "r\ntime increment = 0.25\nend\nend\n" +
+                         deck.substr(end));
+  const auto [code, out, err] = block.run({"a.i"});
+  CHECK(code == 0);
+  CHECK_THAT(out, Contains(" 1        4"));  // cutbacks and updates
 }

@@ -118,3 +118,27 @@ TEST_CASE("a rigid body that nothing holds is named", "[app][statics]") {
     CHECK_THAT(err, Contains("no equilibrium is found") && Contains("which nothing else holds, to 'punch'"));
   }
 }
+
+TEST_CASE("the log tells the equation solver, and why it is not the one of the deck", "[app][statics]") {
+  const Punch punch;
+  const auto with = [](const std::string& solver) {
+    return "begin solver\nbegin cg\nbegin full tangent preconditioner\nlinear solver = " + solver +
+           "\nend\nend\nend\n";
+  };
+  punch.write_deck(weight + tied_contact + with("amg"));
+  const auto free = punch.run({"a.i"});
+  REQUIRE(free.exit_code == 0);
+  CHECK_THAT(free.out, Contains("equilibrium by Newton's steps, equations by DIRECT") &&
+                           Contains("as the deck asks: a rigid body is"));
+  CHECK_THAT(free.err, Contains("LINEAR SOLVER = AMG is DIRECT here: a rigid body is not wholly held"));
+  punch.write_deck(slides + rough_contact + with("amg"));
+  const auto held = punch.run({"a.i"});
+  CHECK_THAT(held.out, Contains("equations by AMG, multigrid\n"));
+  CHECK_THAT(held.err, !Contains("LINEAR SOLVER"));
+  punch.write_deck(slides + rough_contact + with("auto"));
+  CHECK_THAT(punch.run({"a.i"}).out, Contains(": there are at most 5000 nodes"));
+  punch.write_deck(slides + rough_contact);
+  const auto nodal = punch.run({"a.i"});
+  CHECK_THAT(nodal.out, Contains("equilibrium by conjugate gradients with nodal blocks"));
+  CHECK_THAT(nodal.out, Contains("Contact search") && !Contains("stable time step"));
+}

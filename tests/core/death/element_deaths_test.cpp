@@ -213,6 +213,49 @@ TEST_CASE("a material criterion kills where the law has failed", "[core][death]"
   CHECK(dying.step() == "111");
 }
 
+TEST_CASE("of elements that fail by their material the worst may die alone", "[core][death]") {
+  const auto step = [](DyingRunOf<FailingSample>& dying, DeathRound round) {
+    std::vector<std::int64_t> ids;
+    for (const ElementIndex element : dying.deaths.step(dying.run.state, {}, round))
+      ids.push_back(dying.run.mesh.element_id(element));
+    return fmt::format("{}", fmt::join(ids, " "));
+  };
+  const auto fail = [](DyingRunOf<FailingSample>& dying, double of_110, double of_111) {
+    dying.run.set_point_value(1, 0, 7, of_110);
+    dying.run.set_point_value(1, 1, 7, of_111);
+  };
+  DyingRunOf<FailingSample> dying("include all blocks\nmaterial criterion = on\n");
+  fail(dying, 1.1, 1.2);
+  CHECK(step(dying, {.takes_worst = true}) == "111");
+  CHECK(step(dying, {.repeats = true, .takes_worst = true}) == "110");
+  CHECK(step(dying, {.repeats = true, .takes_worst = true}) == "");
+  DyingRunOf<FailingSample> relieved("include all blocks\nmaterial criterion = on\n");
+  fail(relieved, 1.2, 1.1);
+  CHECK(step(relieved, {.takes_worst = true}) == "110");
+  fail(relieved, 1.2, 0.9);
+  CHECK(step(relieved, {.repeats = true, .takes_worst = true}) == "");
+  // What fades is not the worst again; other criteria kill all that meet them.
+  DyingRunOf<FailingSample> fading("include all blocks\nmaterial criterion = on\ndeath steps = 2\n");
+  fail(fading, 1.1, 1.2);
+  CHECK(step(fading, {.takes_worst = true}) == "");
+  CHECK(step(fading, {.repeats = true, .takes_worst = true}) == "111");
+  CHECK(step(fading, {.repeats = true, .takes_worst = true}) == "110");
+  DyingRunOf<FailingSample> all("element = 103 107\ncriterion is always true\n");
+  CHECK(step(all, {.takes_worst = true}) == "103 107");
+}
+
+TEST_CASE("another look at a time takes the criteria that were due there", "[core][death]") {
+  DyingRun dying("block = soft\ncriterion is element value of von_mises > 20\ncheck step interval = 3\n");
+  CHECK(dying.deaths.step(dying.run.state, {}).empty());  // step 0
+  dying.run.set_point_value(0, 3, 0, 21.0);
+  CHECK(dying.deaths.step(dying.run.state, {}, {.repeats = true}).size() == 1);
+  dying.run.state.step = 1;
+  dying.run.state.time = 1.0;
+  dying.run.set_point_value(0, 5, 0, 21.0);
+  CHECK(dying.deaths.step(dying.run.state, {}).empty());
+  CHECK(dying.deaths.step(dying.run.state, {}, {.repeats = true}).empty());
+}
+
 TEST_CASE("death criteria that mean nothing are errors", "[core][death]") {
   CHECK(DyingRun("block = soft\ncriterion is element value of von_mise > 1\n")
             .deck.messages()

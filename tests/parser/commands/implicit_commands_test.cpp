@@ -128,9 +128,22 @@ TEST_CASE("what implicit lines do not do is told", "[parser][implicit]") {
       with_lines("begin implicit dynamics\nend\n").messages ==
       "a.i:5:7: error: block 'implicit dynamics' is not supported and would change the answer; inertia takes "
       "part in explicit procedures alone\n");
-  CHECK(with_lines("begin solver\nbegin control failure\nend\nend\n").messages ==
-        "a.i:6:7: warning: block 'control failure' has no effect here; elements do not fail in quasi-static "
-        "procedures yet [deck-ignored]\n");
+  CHECK(with_lines("begin solver\nbegin control stiffness\nend\nend\n").messages ==
+        "a.i:6:7: warning: block 'control stiffness' has no effect here; all stiffness acts from the first "
+        "iteration on [deck-ignored]\n");
+}
+
+TEST_CASE("control failure says how often equilibrium is sought after deaths", "[parser][implicit]") {
+  const auto failure = [](const std::string& lines) {
+    return with_lines("begin solver\nbegin control failure f\n" + lines + "end\nend\n");
+  };
+  CHECK_FALSE(region_of(with_lines("begin solver\nend\n")).solver->control_failure);
+  CHECK(region_of(failure("")).solver->control_failure->max_iterations == 100);
+  CHECK(region_of(failure("maximum iterations = 0\n")).solver->control_failure->max_iterations == 0);
+  CHECK(failure("level = 1\n").messages ==
+        "a.i:7:1: warning: 'level' has no effect here; failure is the outermost level [deck-ignored]\n");
+  CHECK(failure("maximum iterations = -1\n").messages.find("error") != std::string::npos);
+  CHECK(failure("target residual = 1\n").messages.find("error") != std::string::npos);
 }
 
 TEST_CASE("control contact says how exactly contact holds", "[parser][implicit]") {
