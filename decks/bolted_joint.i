@@ -6,8 +6,12 @@
 # flanges touch, the force in the bolt grows by less than the pull (bolt in bolted_joint.csv), and the force between them falls;
 # once they part (joint is 0) the bolt bears it all. All forces are those of the quarter.
 #
-# pull  what the rim is pulled by at the end [N]
+# pull      what the rim is pulled by at the end [N]
+# friction  between head and flange
 #
+# {ifndef(friction)}
+# {friction = 0.15}
+# {endif}
 # {ifndef(pull)}
 # {pull = 3000}
 # {endif}
@@ -81,8 +85,12 @@ begin sierra bolted joint
         contact surface seat contains seat
         contact surface joint contains joint
         contact surface other_half contains middle_plane
+        begin constant friction model dry
+          friction coefficient = {friction}
+        end
         begin interaction tightened
           surfaces = under_head seat
+          friction model = dry
           overlap ramp time = 1
         end
         begin interaction flanges
@@ -94,10 +102,6 @@ begin sierra bolted joint
         begin cg
           begin full tangent preconditioner
           end
-        end
-        # A hundredth of the contact forces is enough here.
-        begin control contact
-          target relative residual = 1e-2
         end
       end
 

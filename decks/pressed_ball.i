@@ -101,10 +101,6 @@ begin sierra pressed ball
           begin full tangent preconditioner
           end
         end
-        # A hundredth of the contact forces is enough here.
-        begin control contact
-          target relative residual = 1e-2
-        end
       end
 
       begin user output

@@ -133,6 +133,58 @@ TEST_CASE("springs of contact are the derivatives of its forces", "[contact][con
   CHECK(error < 0.02 * largest);
 }
 
+TEST_CASE("springs of faces that are bent and open in places are the derivatives of their forces",
+          "[contact][contact_force][statics]") {
+  StaticPlates plates("");
+  plates.begin();
+  const Eigen::Vector3d down(0, 0, -0.01);
+  constexpr double noise = 0.02, size = 1e-7;
+  const Matrix3Xd base = plates.try_motion(down, noise);
+  const Eigen::Index n = base.cols();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  plates.bodies.contact.visit_springs([&](const ContactSpring& spring) {
+    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+      stiffness.block<3, 3>(3 * a.node, 3 * b.node) += block;
+    });
+  });
+  double error = 0.0, largest = 0.0;
+  std::size_t n_open = 0;
+  for (Eigen::Index node = 0; node < n; ++node) {
+    if (base(2, node) == 0.0) ++n_open;
+    plates.move(down, noise);
+    plates.bodies.x(2, node) += size;
+    Matrix3Xd moved = Matrix3Xd::Zero(3, n);
+    plates.bodies.contact.try_forces(plates.bodies.motion(), moved, nullptr);
+    const Eigen::VectorXd slope = (base - moved).row(2).transpose() / size;
+    for (Eigen::Index other = 0; other < n; ++other)
+      error = std::max(error, std::abs(slope(other) - stiffness(3 * other + 2, 3 * node + 2)));
+    largest = std::max(largest, slope.cwiseAbs().maxCoeff());
+  }
+  CHECK(n_open > 0);
+  CHECK(largest > 0.0);
+  CHECK(error < 0.05 * largest);
+}
+
+TEST_CASE("forces of faces do not jump where lines of two meshes lie on each other",
+          "[contact][contact_force][statics]") {
+  StaticPlates plates("");
+  plates.begin();
+  // Lines of both plates come to lie on each other but for a tilt, which has them cross anywhere.
+  const auto forces_beside = [&](double beside) {
+    const Eigen::Vector3d onto(-0.4 + beside, -0.3, -0.03);
+    plates.move(onto, 0.0);
+    for (Eigen::Index i = 0; i < plates.bodies.x.cols(); ++i)
+      plates.bodies.x(0, i) += 1e-9 * plates.bodies.x(1, i);
+    plates.bodies.x(2, 0) -= 0.01;  // pressures differ from place to place
+    Matrix3Xd forces = Matrix3Xd::Zero(3, plates.bodies.x.cols());
+    plates.bodies.contact.try_forces(plates.bodies.motion(), forces, nullptr);
+    return forces;
+  };
+  const Matrix3Xd left = forces_beside(-1e-8), right = forces_beside(1e-8);
+  CHECK(left.norm() > 0.0);
+  CHECK((left - right).norm() < 1e-6 * left.norm());
+}
+
 TEST_CASE("multipliers grow by what penetrates and go on where contact was",
           "[contact][contact_force][statics]") {
   const std::string form = GENERATE(std::string(), node_face);

@@ -187,3 +187,22 @@ TEST_CASE("gaps at the corners of an overlap are those of the faces, warped or n
     }
   }
 }
+
+TEST_CASE("points for products integrate the fourth degree", "[contact][face_overlap]") {
+  MovingFace first, second;
+  first.x << 0, 0, 2, 2, 0, 3, 3, 0, 0, 0, 0, 0;         // seen from below
+  second.x << 0.5, 3, 3, 0.5, -1, -1, 2, 2, 0, 0, 0, 0;  // in common: 0.5 to 2 and 0 to 2
+  Overlap overlap(first, second);
+  REQUIRE(overlap.polygon.area() == Approx(3.0));
+  place_points_for_products(overlap.polygon, overlap.map_1, overlap.map_2, overlap.points);
+  const auto on_first = [&](const Eigen::Vector3d& at) {
+    return Eigen::Vector3d(overlap.plane.origin + at.x() * overlap.plane.across +
+                           at.y() * overlap.plane.along);
+  };
+  const double found = overlap.sum([&](const Eigen::Vector3d& at, const Eigen::Vector3d& /*on_second*/) {
+    const Eigen::Vector3d x = on_first(at);
+    return x.x() * x.x() * x.y() * x.y() + x.x() * x.x() * x.x() * x.y();
+  });
+  const double exact = (8.0 - 0.125) / 3.0 * 8.0 / 3.0 + (16.0 - 0.0625) / 4.0 * 2.0;
+  CHECK(found == Approx(exact).epsilon(1e-12));
+}
