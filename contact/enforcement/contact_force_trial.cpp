@@ -26,7 +26,6 @@ void ContactForce::begin_trials(const Motion& motion) {
                                             !assembler_.moments().empty());
   trial_->offsets = kinematics_.offsets();
   trial_->multipliers = multipliers_;
-  trial_->has_begun = true;
 }
 
 /// Moves the contact nodes to where a trial has them, and searches if that is too far off.
@@ -171,7 +170,6 @@ void ContactForce::give_up_trials() {
   depths_.undo_begin_step();
   kinematics_.set_offsets(trial_->offsets);
   multipliers_ = trial_->multipliers;
-  trial_->has_begun = false;
 }
 
 ForceReport ContactForce::accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) {
@@ -184,7 +182,6 @@ ForceReport ContactForce::accept_trial(const Motion& motion, Eigen::Matrix3Xd& f
   detection_.weigh_gaps(context, weighted_gaps_);
   add_penalty_points(context);
   write_forces(assembler_, offset_moments_, forces);
-  trial_->has_begun = false;
   ForceReport report;
   report.supplied_work = end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();

@@ -23,8 +23,7 @@ struct ContactTrial {
   // Of the start of the step.
   Eigen::Matrix3Xd offsets;  // of the points of lofts [length]
   ContactMultipliers multipliers;
-  double dt = 0.0;         // of the step [time]
-  bool has_begun = false;  // a step has
+  double dt = 0.0;  // of the step [time]
 };
 
 }  // namespace contactsim

@@ -8,8 +8,6 @@ namespace contactsim {
 void ContactMultipliers::set(std::vector<Entry> entries) {
   entries_ = std::move(entries);
   std::ranges::sort(entries_, {}, key);
-  largest_ = 0.0;
-  for (const Entry& entry : entries_) largest_ = std::max(largest_, entry.depth);
 }
 
 void ContactMultipliers::remap(const ContactRemap& remap) {

@@ -28,8 +28,6 @@ class ContactMultipliers {
   };
 
   bool empty() const { return entries_.empty(); }
-  /// The largest of all [length].
-  double largest() const { return largest_; }
   /// Of a surface node in a pair, 0 without one [length].
   double of_node(PairIndex pair, SurfaceNodeIndex row) const {
     const auto found = std::ranges::lower_bound(entries_, key_of(pair, row), {}, key);
@@ -48,7 +46,6 @@ class ContactMultipliers {
   static std::uint64_t key(const Entry& entry) { return key_of(entry.pair, entry.row); }
 
   std::vector<Entry> entries_;  // by pair and row
-  double largest_ = 0.0;
 };
 
 }  // namespace contactsim

@@ -33,13 +33,6 @@ Eigen::Vector4d Facet::to_face(const Eigen::Vector4d& shares) const {
   return of_face;
 }
 
-Eigen::Vector4d Facet::at_corners(const Eigen::Vector4d& of_face) const {
-  if (number == 0) return of_face;
-  const double middle = of_face.mean();
-  return {of_face[static_cast<Eigen::Index>(number - 1)], of_face[static_cast<Eigen::Index>(number % 4)],
-          middle, middle};
-}
-
 Facets::Facets(const MovingFace& face, double flat) {
   if (!is_warped(face, flat)) {
     facets_[0].face = face;

@@ -17,8 +17,6 @@ struct Facet {
 
   /// The shares that the corners of the face have of those of the facet's [1].
   Eigen::Vector4d to_face(const Eigen::Vector4d& shares) const;
-  /// The values at its corners of what is linear between those of the face.
-  Eigen::Vector4d at_corners(const Eigen::Vector4d& of_face) const;
 };
 
 /// Whether a quadrilateral is out of its plane by more than this height [length].

@@ -116,7 +116,7 @@ def static_cylinder_on_block(bench):
             touched = base[np.argmin(np.sum(run.start[base] ** 2, axis=1))]
             checks += [Check("friction: largest pressure, in the block [MPa]", 3542.69, below, 0.03),
                        Check("friction: lowest point of the cylinder [mm]", -1.30264,
-                             run.nodal("displacement")[-1, touched, 2], 0.01, known_miss=0.012)]
+                             run.nodal("displacement")[-1, touched, 2], 0.01)]
     return checks + balances(runs[:1]) + balances(runs[1:], has_friction=True)
 
 
@@ -224,7 +224,7 @@ def static_rings(bench):
     mean, varying = ring_pressures()
     checks, runs = [], []
     for form, around, smoothing, part_missed, node_missed in (
-            ("face_face", (24, 32), "auto", None, 0.03), ("face_face", (32, 32), "off", 0.11, None),
+            ("face_face", (24, 32), "auto", None, None), ("face_face", (32, 32), "off", None, None),
             ("node_face", (32, 32), "off", 0.15, 0.035)):
         run = bench.run("static_rings", pressed_rings(around), form=form, smoothing=smoothing)
         runs.append(run)

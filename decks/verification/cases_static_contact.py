@@ -52,6 +52,15 @@ def static_cubes(bench):
 
 
 @case(is_long=True)
+def static_deep_balls(bench):
+    """code_aster SSNV104: two balls of 50 mm come closer by 4 mm, in four steps."""
+    run = bench.run("static_hertz", ball_on_ball(50, 1.25, 16, 12), youngs=20e3, nu=0.3, density=2e-9, base="body",
+                    amount=4.0)
+    return [Check("largest pressure [MPa]", 2798.3, -run.element("stress_zz", 1)[-1, 0], 0.05),
+            *balances([run], tolerance=0.1)]
+
+
+@case(is_long=True)
 def static_hertz(bench):
     """ANSYS VM63, and code_aster SSNV104 at a small approach; a/R as in hertz.i."""
     checks, runs = [], []
