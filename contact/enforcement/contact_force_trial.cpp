@@ -130,7 +130,11 @@ bool has_multipliers(const PairRule& rule) {
 
 MultiplierChange ContactForce::update_multipliers(double tolerance) {
   std::map<std::pair<PairIndex, SurfaceNodeIndex>, MultiplierSums> sums;
+  // A node beyond a rim that no more than this share of its area lies before would hold the sliver by any
+  // pressure: the penalty presses there.
+  constexpr double sliver = 0.05;
   for (const WeightedNode& node : weighted_gaps_.nodes()) {
+    if (!(node.area > sliver * contact_mesh_.surface_nodes[node.row].area)) continue;
     if (has_multipliers(rules_[node.pair]))
       sums[{node.pair, node.row}].add(node, rules_[node.pair].begin_gap);
   }

@@ -185,6 +185,24 @@ TEST_CASE("forces of faces do not jump where lines of two meshes lie on each oth
   CHECK((left - right).norm() < 1e-6 * left.norm());
 }
 
+TEST_CASE("a node that only a sliver lies before has no multiplier", "[contact][contact_force][statics]") {
+  StaticPlates plates("");
+  plates.begin();
+  // The upper plate begins at x = 1.98, the lower one ends at 3: a fiftieth of its last faces lies before it.
+  plates.try_motion({1.58, 0, -0.03}, 0.0);
+  ContactForce& contact = plates.bodies.contact;
+  contact.update_multipliers(0.0);
+  double beyond = 0.0, before = 0.0;
+  for (const SurfaceNodeIndex row : indices(contact.contact_mesh().surface_nodes)) {
+    const double x = contact.position(contact.contact_mesh().surface_nodes[row].node).x();
+    double& largest = x > 3.5 ? beyond : before;
+    for (const PairIndex pair : indices(contact.rules().rules()))
+      largest = std::max(largest, contact.multipliers().of_node(pair, row));
+  }
+  CHECK(beyond == 0.0);
+  CHECK(before == Approx(0.03).epsilon(0.1));
+}
+
 TEST_CASE("multipliers grow by what penetrates and go on where contact was",
           "[contact][contact_force][statics]") {
   const std::string form = GENERATE(std::string(), node_face);
