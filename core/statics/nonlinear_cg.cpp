@@ -161,11 +161,10 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
         equilibrium.is_rough() && size > creeping * last && size < near * equilibrium.reference();
     last = size;
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
-    Eigen::VectorXd left = residual;
-    Eigen::VectorXd known = Eigen::VectorXd::Zero(residual.size());
+    Eigen::VectorXd left = residual, known;
     if (is_creeping) known = secants.take_out(left);
     preconditioner.apply(left, z);
-    z += known;
+    if (is_creeping) z += known;
     const Eigen::VectorXd before = increment, residual_before = residual;
     const double longest = equilibrium.longest_step(z);
     const bool may_grow = size > equilibrium.reference() && std::isinf(longest);
@@ -187,7 +186,7 @@ CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, 
       if (!equilibrium.is_rough() || now <= bound) break;
     }
     if (exists) increment.swap(best_trial);
-    if (exists && best < size && size < equilibrium.reference()) {
+    if (equilibrium.is_rough() && exists && best < size && size < equilibrium.reference()) {
       secants.add(increment - before, residual - residual_before);
     } else {
       secants.clear();

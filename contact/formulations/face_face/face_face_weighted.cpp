@@ -25,7 +25,7 @@ struct CountedGap {
 };
 CountedGap counted(double gap, double open) {
   const double share = std::clamp(gap / open, 0.0, 1.0);
-  return {gap > open ? 0.5 * open : gap - 0.5 * share * share * open, 1.0 - share};
+  return {std::min(gap, open) - 0.5 * share * share * open, 1.0 - share};
 }
 
 /// How much an overlap counts whose gap is so wide [1].

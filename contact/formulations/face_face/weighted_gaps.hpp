@@ -47,14 +47,14 @@ struct WeightedNode {
 
 /// The pressure of faces on faces in load steps. It is linear between the nodes of the finer side of a pair;
 /// a node j presses by its multiplier and its weighted gap
-///   g_j = sum over overlaps of c(int N_j g / int N_j) int N_j / A_j,   A_j = sum of int N_j,   p_j = p(m_j -
-///   g_j)
-/// with c(g) = g of what touches and less than that of what is open,
-/// and not by the gap of every point: facets that bend past each other, whose gaps differ by what is large
-/// beside a stiff penalty's depth, then neither part in places nor change stiffness from trial to trial. The
-/// forces are those of a potential, with the stiffness sum of p'_j b_j b_j^T / A_j, b_j = A_j dg_j/du.
-/// Source: weighted gaps and mortar pressure of Puso and Laursen, Comput. Methods Appl. Mech. Eng. 193 (2004)
-/// 601-629 and 4891-4913; active nodes by p_j > 0 of Hueeber and Wohlmuth, 194 (2005) 3147-3166.
+///   p_j = p(m_j - g_j),   A_j = sum over overlaps of int N_j,
+///   g_j = sum over overlaps of c(int N_j g / int N_j) int N_j / A_j,
+/// with c(g) = g of what touches and less than that of what is open, and not by the gap of every point:
+/// facets that bend past each other, whose gaps differ by what is large beside a stiff penalty's depth, then
+/// neither part in places nor change stiffness from trial to trial. The forces are those of a potential, with
+/// the stiffness sum of p'_j b_j b_j^T / A_j, b_j = A_j dg_j/du. Source: weighted gaps and mortar pressure of
+/// Puso and Laursen, Comput. Methods Appl. Mech. Eng. 193 (2004) 601-629 and 4891-4913; active nodes by p_j >
+/// 0 of Hueeber and Wohlmuth, 194 (2005) 3147-3166.
 class WeightedGaps {
  public:
   ///   finer  which side of each pair multipliers stand on
