@@ -62,7 +62,7 @@ void ContactDetection::weigh_gaps(const ContactStepContext& context, WeightedGap
   for (const auto& chunk : chunks) {
     for (const WeightedOverlap& overlap : chunk) gaps.add(contact_mesh_, overlap);
   }
-  gaps.find_pressures(*context.multipliers);
+  gaps.find_tractions(context);
 }
 
 void ContactDetection::find_lost(std::vector<LostContact>& lost) const {

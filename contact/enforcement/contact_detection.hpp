@@ -39,9 +39,9 @@ class ContactDetection {
   std::vector<ContactPoint> visit_points(const ContactStepContext& context, const Take& take);
   /// Finds the weighted gaps of faces in a load step, which visit_points() presses by then.
   void weigh_gaps(const ContactStepContext& context, WeightedGaps& gaps) const;
-  /// FaceFaceContacts::gap_derivatives().
-  std::vector<FaceFaceContacts::NodeMotion> gap_derivatives(const ContactStepContext& context) const {
-    return formulations_.get<FaceFaceContacts>().gap_derivatives(context);
+  /// FaceFaceContacts::node_motions().
+  std::vector<FaceFaceContacts::NodeMotion> node_motions(const ContactStepContext& context) const {
+    return formulations_.get<FaceFaceContacts>().node_motions(context);
   }
   /// Appends the contacts that ended in the last step though they were deep.
   void find_lost(std::vector<LostContact>& lost) const;

@@ -113,6 +113,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void write_forces(const ContactAssembler& assembler, OffsetMoments& moments, Eigen::Matrix3Xd& forces);
   void move_to_trial(const Motion& motion);
   ContactStepContext static_context(double dt, bool is_trial) const;
+  void hold_slips();
   IndexedVector<PairIndex, SurfaceIndex> find_finer_surfaces() const;
   LoftSpins make_spins() const;
   double largest_eigenvalue();
@@ -151,6 +152,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   IndexedVector<SurfaceIndex, double> surface_rates_;  // scratch
   PairHistories histories_;
   ContactMultipliers multipliers_;       // of load steps
+  HeldSlips held_slips_;                 // of the last load step
   WeightedGaps weighted_gaps_;           // of the last trial of a load step
   std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   ContactStep step_share_;

@@ -44,6 +44,7 @@ ContactStepContext ContactForce::static_context(double dt, bool is_trial) const 
   context.is_static = true;
   context.is_trial = is_trial;
   context.multipliers = &multipliers_;
+  context.held_slips = &held_slips_;
   context.weighted_gaps = &weighted_gaps_;
   return context;
 }
@@ -78,7 +79,7 @@ bool is_of_weighted_gaps(const ContactPoint& point) {
 
 void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>& take) const {
   const ContactSprings springs(setup_.model, kinematics_, rules_);
-  const auto motions = detection_.gap_derivatives(static_context(trial_->dt, true));
+  const auto motions = detection_.node_motions(static_context(trial_->dt, true));
   for (auto begin = motions.begin(), end = begin; begin != motions.end(); begin = end) {
     end =
         std::find_if(begin, motions.end(), [&](const auto& other) { return other.number != begin->number; });
@@ -89,6 +90,7 @@ void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>
     if (!is_of_weighted_gaps(point)) take(springs.spring_of(point));
   }
   for (const ContactPoint& point : points) {
+    if (is_of_weighted_gaps(point)) continue;
     if (const auto spring = springs.friction_spring_of(point)) take(*spring);
   }
   const auto ties = detection_.ties();
@@ -148,7 +150,7 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
   MultiplierChange change;
   std::vector<ContactMultipliers::Entry> entries;
   for (const auto& [key, sum] : sums) {
-    const double before = multipliers_.of_node(key.first, key.second);
+    const double before = multipliers_.value_or(key.first, key.second, 0.0);
     const double depth = std::max(0.0, before + sum.depth_area / sum.area);
     if (depth > 0.0) entries.push_back({key.first, key.second, depth});
     const double by = sum.stiffness * (depth - before);
@@ -189,7 +191,16 @@ ForceReport ContactForce::accept_trial(const Motion& motion, Eigen::Matrix3Xd& f
   ForceReport report;
   report.supplied_work = end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
+  hold_slips();
   return report;
+}
+
+void ContactForce::hold_slips() {
+  std::vector<HeldSlips::Entry> held;
+  for (const WeightedNode& node : weighted_gaps_.nodes()) {
+    if (node.has_friction()) held.push_back({node.pair, node.row, node.friction.elastic_slip});
+  }
+  held_slips_.set(std::move(held));
 }
 
 }  // namespace contactsim

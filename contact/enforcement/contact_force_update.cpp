@@ -157,6 +157,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   depths_.remap(remap);
   detection_.remap(remap);
   multipliers_.remap(remap);
+  held_slips_.remap(remap);
   trial_.reset();
   histories_.add_released(detection_.released_faces(), detection_.released_nodes(), contact_mesh_);
   keep_constraints(remap, constraint_forces_);

@@ -68,19 +68,46 @@ ContactSpring ContactSprings::spring_of(const ContactPoint& point) const {
   return spring_between(point, point.stiffness * point.normal * point.normal.transpose());
 }
 
-/// All its ends are one corner, which moves by what the gap grows by.
-ContactSpring ContactSprings::spring_of(const WeightedNode& gap,
+namespace {
+
+/// The directions of a weighted node along the surface: that of its friction, and across.
+std::array<Eigen::Vector3d, 2> slip_directions(const WeightedNode& node) {
+  const Eigen::Vector3d way = node.friction.elastic_slip + node.friction.slip;
+  const Eigen::Vector3d along = way.isZero(0.0) ? node.normal.unitOrthogonal() : way.normalized();
+  return {along, node.normal.cross(along)};
+}
+
+}  // namespace
+
+/// All its ends are one corner, which moves by what the gap grows by, the slip along the friction, and that
+/// across it, which what slides resists by the force that friction has.
+ContactSpring ContactSprings::spring_of(const WeightedNode& node,
                                         std::span<const FaceFaceContacts::NodeMotion> motions) const {
   ContactSpring spring;
   spring.coupling.setZero();
   spring.coupling(0, 0) = 1.0;
   spring.stiffness.setZero();
-  spring.stiffness(0, 0) = gap.slope * gap.area;
+  spring.stiffness(0, 0) = node.slope * node.area;
+  const bool has_friction = node.has_friction();
+  std::array<Eigen::Vector3d, 2> directions;
+  if (has_friction) {
+    directions = slip_directions(node);
+    const FrictionStep& friction = node.friction;
+    const bool slides = !friction.slip.isZero(0.0);
+    const double way = (friction.elastic_slip + friction.slip).norm();
+    spring.stiffness(1, 1) = slides ? 0.0 : node.penalty.stiffness * node.bearing;
+    spring.stiffness(2, 2) = slides ? friction.force.norm() / way * node.bearing : spring.stiffness(1, 1);
+    // What slides is dragged against its way by more where the gap closes.
+    if (slides) spring.unsymmetric(1, 0) = -node.friction_slope * node.slope * node.bearing;
+  }
   for (const FaceFaceContacts::NodeMotion& motion : motions) {
+    Eigen::Matrix3d by = Eigen::Matrix3d::Zero();
+    by.row(0) = motion.opens.transpose();
+    for (Eigen::Index i = 0; has_friction && i < 2; ++i)
+      by.row(i + 1) = motion.slips * directions[static_cast<std::size_t>(i)].transpose();
     const std::size_t begin = spring.ends.size();
     add_corner(0, motion.node, Eigen::Vector3d::Zero(), spring);
-    for (SpringEnd& end : std::span(spring.ends).subspan(begin))
-      end.share = (Eigen::Vector3d::UnitX() * (motion.by.transpose() * end.share)).eval();
+    for (SpringEnd& end : std::span(spring.ends).subspan(begin)) end.share = (by * end.share).eval();
   }
   return spring;
 }

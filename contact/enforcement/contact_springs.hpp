@@ -18,9 +18,9 @@ class ContactSprings {
 
   /// The spring of a contact point that touches along its normal.
   ContactSpring spring_of(const ContactPoint& point) const;
-  /// The spring of a weighted gap that presses.
-  ///   motions  of the contact nodes that it grows by
-  ContactSpring spring_of(const WeightedNode& gap,
+  /// The spring of a weighted gap that presses, with its friction.
+  ///   motions  of the contact nodes that it grows and slips by
+  ContactSpring spring_of(const WeightedNode& node,
                           std::span<const FaceFaceContacts::NodeMotion> motions) const;
   /// Along the surface, as long as a point sticks; what slides resists across the way that it slides by the
   /// force that friction has.

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "contact/formulations/constrained_pairs.hpp"
+#include "contact/formulations/contact_multipliers.hpp"
+#include "contact/formulations/held_slips.hpp"
 #include "contact/formulations/penetration_depths.hpp"
 #include "contact/interface_laws/pair_rules.hpp"
 #include "contact/mesh/contact_kinematics.hpp"
 
 namespace contactsim {
 
-class ContactMultipliers;
 class WeightedGaps;
 
 /// Rows of candidates that are worked on as one piece. Fixed, so that sums do not depend on the number of
@@ -31,6 +32,7 @@ struct ContactStepContext {
   bool is_static = false;
   bool is_trial = false;                            ///< nothing is remembered of what is found
   const ContactMultipliers* multipliers = nullptr;  ///< null without any
+  const HeldSlips* held_slips = nullptr;            ///< of weighted nodes in the last step; null without any
   const WeightedGaps* weighted_gaps = nullptr;      ///< that press faces; null: each of their points does
 
   /// What closes within this time counts as about to touch: the next step must be small enough for the

@@ -37,11 +37,14 @@ bool PairRule::may_act_apart() const {
   return may;
 }
 
+double PairRule::slip_limit(double force, double area, double rate) const {
+  return interface_law == nullptr ? friction * force : interface_law->slip_limit(force, area, rate);
+}
+
 double PairRule::slip_limit(const ContactPoint& point, double dt) const {
   if (interface_law == nullptr) return friction * std::max(point.force, 0.0);
   const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;
-  return interface_law->slip_limit(std::max(point.force, 0.0), point.area,
-                                   dt > 0.0 ? along.norm() / dt : 0.0);
+  return slip_limit(std::max(point.force, 0.0), point.area, dt > 0.0 ? along.norm() / dt : 0.0);
 }
 
 void PairRules::set_laws(IndexedVector<PairIndex, PairInterfaceLaw> laws) {

@@ -43,8 +43,12 @@ struct PairRule {
   bool may_act_apart() const;
   /// Whether the pair has ties and never anything else.
   bool only_ties() const { return law == ContactLaw::tied && !far && !model.is_variant(); }
-  /// The largest tangential force of a contact point that touches, by its force, area and slip of the step
-  /// [force].
+  /// The largest tangential force of what touches [force].
+  ///   force  along the normal, >= 0 [force]
+  ///   area   that touches [length^2]
+  ///   rate   of slip [length/time]
+  double slip_limit(double force, double area, double rate) const;
+  /// The same of a contact point, by its force, area and slip of the step.
   double slip_limit(const ContactPoint& point, double dt) const;
   /// Goes over to a model.
   void take(const InterfaceLaw& taken);

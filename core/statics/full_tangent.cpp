@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/statics/conjugate_gradients.hpp"
+#include "core/statics/gmres.hpp"
 
 namespace contactsim {
 
@@ -74,35 +74,56 @@ bool FullTangent::factorise() const {
   return exists_;
 }
 
-/// Conjugate gradients, which make Newton's steps inexact. Returns false when they take too
-/// long, or have met a direction of negative stiffness.
-bool FullTangent::solve_by_old_factor(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const {
+Eigen::VectorXd FullTangent::to_unknowns(const Eigen::VectorXd& vector) const {
+  Eigen::VectorXd unknowns(static_cast<Eigen::Index>(places_.size()));
+  for (Eigen::Index i = 0; i < unknowns.size(); ++i)
+    unknowns(i) = vector(static_cast<Eigen::Index>(places_[static_cast<std::size_t>(i)]));
+  return unknowns;
+}
+
+Eigen::VectorXd FullTangent::from_unknowns(const Eigen::VectorXd& unknowns) const {
+  Eigen::VectorXd vector = Eigen::VectorXd::Zero(problem_.size());
+  for (Eigen::Index i = 0; i < unknowns.size(); ++i)
+    vector(static_cast<Eigen::Index>(places_[static_cast<std::size_t>(i)])) = unknowns(i);
+  return vector;
+}
+
+void FullTangent::add_unsymmetric(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const {
+  Eigen::VectorXd felt = Eigen::VectorXd::Zero(problem_.size());
+  blocks_.add_unsymmetric(from_unknowns(direction), felt);
+  product += to_unknowns(felt);
+}
+
+/// Conjugate gradients, or minimal residuals, which make Newton's steps inexact.
+bool FullTangent::iterate(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const {
   constexpr double tolerance = 1e-4;
   constexpr int max_iterations = 30;
+  const bool has_unsymmetric = blocks_.has_unsymmetric();
   const auto multiply = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) {
     product = matrix_.selfadjointView<Eigen::Lower>() * direction;
+    if (has_unsymmetric) add_unsymmetric(direction, product);
   };
   const auto precondition = [&](const Eigen::VectorXd& left, Eigen::VectorXd& step) {
     step = factor_->solve(left);
   };
   const LinearSearch search =
-      conjugate_gradients(multiply, precondition, right, tolerance, max_iterations, solution);
+      has_unsymmetric ? gmres(multiply, precondition, right, tolerance, max_iterations, solution)
+                      : conjugate_gradients(multiply, precondition, right, tolerance, max_iterations, solution);
   n_iterations_ += search.n_iterations;
   return search.end == LinearSearch::End::converged;
 }
 
 void FullTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {
-  const auto n = static_cast<Eigen::Index>(places_.size());
-  Eigen::VectorXd right(n), solution;
-  for (Eigen::Index i = 0; i < n; ++i)
-    right(i) = residual(static_cast<Eigen::Index>(places_[static_cast<std::size_t>(i)]));
-  if (is_current_ || !solve_by_old_factor(right, solution)) {
+  const Eigen::VectorXd right = to_unknowns(residual);
+  Eigen::VectorXd solution;
+  if (is_current_ || !iterate(right, solution)) {
     if (!is_current_) factorise();
-    solution = factor_->solve(right);
+    if (!blocks_.has_unsymmetric())
+      solution = factor_->solve(right);
+    else
+      iterate(right, solution);
   }
-  z.setZero(residual.size());
-  for (Eigen::Index i = 0; i < n; ++i)
-    z(static_cast<Eigen::Index>(places_[static_cast<std::size_t>(i)])) = solution(i);
+  z = from_unknowns(solution);
   problem_.project(z);
 }
 

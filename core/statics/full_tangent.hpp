@@ -16,7 +16,7 @@ namespace contactsim {
 ///
 /// A factor of solids is kept for as long as conjugate gradients on the stiffness of now need few iterations
 /// with it: contact changes a few springs in every iteration, and a factor costs as much as a hundred
-/// solutions with it.
+/// solutions with it. What friction that slides adds to the symmetric part comes in by minimal residuals.
 class FullTangent final : public Tangent {
  public:
   /// All must outlive it.
@@ -37,7 +37,12 @@ class FullTangent final : public Tangent {
   SparseFactor::Matrix assemble();
   bool is_symmetric() const { return blocks_.per_node() == 3; }
   bool factorise() const;
-  bool solve_by_old_factor(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const;
+  /// Solves by iterations with the factor that there is. Returns false when they take too long, or have met a
+  /// direction of negative stiffness.
+  bool iterate(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const;
+  void add_unsymmetric(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const;
+  Eigen::VectorXd to_unknowns(const Eigen::VectorXd& vector) const;
+  Eigen::VectorXd from_unknowns(const Eigen::VectorXd& unknowns) const;
 
   StaticProblem& problem_;
   const NodeGraph& graph_;

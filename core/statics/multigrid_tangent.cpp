@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/statics/multigrid_tangent.hpp"
 
-#include "core/statics/conjugate_gradients.hpp"
+#include "core/statics/gmres.hpp"
 #include "core/statics/multigrid/rigid_modes.hpp"
 
 namespace contactsim {
@@ -34,15 +34,20 @@ std::int64_t MultigridTangent::renew(const Eigen::VectorXd& increment, bool may_
 void MultigridTangent::apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const {
   // With contact, whose faces part and meet, Newton's steps gain no more by a step than a tenth.
   const double tolerance = problem_.contact() != nullptr ? 1e-2 : 1e-3;
-  constexpr int max_iterations = 500;
+  const bool has_unsymmetric = blocks_.has_unsymmetric();
   const auto multiply_by_matrix = [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) {
     multiply(matrix_, direction, product);
+    if (has_unsymmetric) blocks_.add_unsymmetric(direction, product);
   };
   const auto precondition = [&](const Eigen::VectorXd& left, Eigen::VectorXd& step) {
     multigrid_->apply(left, step);
   };
+  // Minimal residuals keep a vector of each iteration.
+  constexpr int most_by_gradients = 500, most_by_residuals = 60;
   const LinearSearch search =
-      conjugate_gradients(multiply_by_matrix, precondition, residual, tolerance, max_iterations, z);
+      has_unsymmetric
+          ? gmres(multiply_by_matrix, precondition, residual, tolerance, most_by_residuals, z)
+          : conjugate_gradients(multiply_by_matrix, precondition, residual, tolerance, most_by_gradients, z);
   n_iterations_ += search.n_iterations;
   is_negative_ = is_negative_ || search.end == LinearSearch::End::negative;
   problem_.project(z);

@@ -10,8 +10,8 @@
 namespace contactsim {
 
 /// The inverse of the stiffness of solids to a thousandth, with contact to a hundredth, by conjugate
-/// gradients on its symmetric part with a V-cycle of multigrid: for solids whose factor takes too long or too
-/// much memory. Newton's steps by it are inexact ones. Source: Dembo, Eisenstat and Steihaug, SIAM J. Numer.
+/// gradients on its symmetric part with a V-cycle of multigrid, or by minimal residuals with what friction that
+/// slides adds: for solids whose factor takes too long or too much memory. Newton's steps by it are inexact ones. Source: Dembo, Eisenstat and Steihaug, SIAM J. Numer.
 /// Anal. 19 (1982) 400-408.
 class MultigridTangent final : public Tangent {
  public:

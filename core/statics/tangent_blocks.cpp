@@ -14,7 +14,8 @@ namespace {
 /// The size of springs: another one where some have come, gone, begun to stick or to slide.
 double size_of(const std::vector<ContactSpring>& springs) {
   double size = 0.0;
-  for (const ContactSpring& spring : springs) size += spring.coupling.norm() * spring.stiffness.norm();
+  for (const ContactSpring& spring : springs)
+    size += spring.coupling.norm() * (spring.stiffness.norm() + spring.unsymmetric.norm());
   return size;
 }
 
@@ -167,9 +168,28 @@ TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
     steady(shares);
   }
   spring_size_ = size;
-  join(blocks_of(springs));
+  const bool is_apart = per_node_ == 3;
+  join(blocks_of(springs, is_apart));
+  unsymmetric_.clear();
+  for (const ContactSpring& spring : springs) {
+    if (!is_apart || spring.is_symmetric()) continue;
+    unsymmetric_.push_back(spring);
+    std::erase_if(unsymmetric_.back().ends,
+                  [&](const SpringEnd& end) { return graph_.neighbours(end.node).empty(); });
+  }
   update.exists = true;
   return update;
+}
+
+void TangentBlocks::add_unsymmetric(const Eigen::VectorXd& motion, Eigen::VectorXd& product) const {
+  const auto first_of = [&](const SpringEnd& end) {
+    return static_cast<Eigen::Index>(place(end.node, end.turns ? 3 : 0));
+  };
+  for (const ContactSpring& spring : unsymmetric_) {
+    spring.multiply_unsymmetric(
+        [&](const SpringEnd& end) { return motion.segment<3>(first_of(end)); },
+        [&](const SpringEnd& end, const Eigen::Vector3d& felt) { product.segment<3>(first_of(end)) += felt; });
+  }
 }
 
 /// Gives what nodes of rigid bodies resist to what moves them.
@@ -232,12 +252,16 @@ std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
   return n_evaluations;
 }
 
-std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs) {
+std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs, bool only_symmetric) {
   std::vector<NodeBlock> blocks;
+  const auto take = [&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+    blocks.push_back({a.node, b.node, block, a.turns, b.turns});
+  };
   for (const ContactSpring& spring : springs) {
-    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
-      blocks.push_back({a.node, b.node, block, a.turns, b.turns});
-    });
+    if (only_symmetric)
+      spring.visit_blocks(take);
+    else
+      spring.visit_all_blocks(take);
   }
   return blocks;
 }

@@ -15,7 +15,8 @@ struct NodeBlock {
 };
 
 /// The stiffness of springs by nodes.
-std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs);
+///   only_symmetric  without their unsymmetric part
+std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs, bool only_symmetric);
 
 /// The whole stiffness by blocks of nodes: of the mesh by differences of residuals, and of what else joins
 /// nodes, whether or not they share an element. Fixed and prescribed directions have a stiffness of their own
@@ -44,6 +45,11 @@ class TangentBlocks {
   ///   may_keep   the mesh's own part stays where it is there and contact has other springs than before, or
   ///              hardly anything has moved
   Update update(const Eigen::VectorXd& increment, const std::vector<double>& shares, bool may_keep);
+  /// Whether what joins nodes has an unsymmetric part besides: only where nodes do not turn, else it is with
+  /// the blocks.
+  bool has_unsymmetric() const { return !unsymmetric_.empty(); }
+  /// Adds that part times a motion to a vector. Both [size of the problem].
+  void add_unsymmetric(const Eigen::VectorXd& motion, Eigen::VectorXd& product) const;
   /// Finds the mesh's own part. Returns the evaluations of the residual, 0 where there is none.
   std::int64_t renew(const Eigen::VectorXd& increment);
   /// Takes the parts of what else joins nodes, in place of those before. Nodes without elements are left out.
@@ -106,7 +112,8 @@ class TangentBlocks {
   // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
   std::vector<double> columns_;
   std::vector<NodeBlock> joined_;     // of what else joins nodes
-  std::vector<NodeBlock> of_bodies_;  // between rigid bodies and the mesh
+  std::vector<ContactSpring> unsymmetric_;  // springs of contact that are, where nodes do not turn
+  std::vector<NodeBlock> of_bodies_;        // between rigid bodies and the mesh
   Eigen::VectorXd probed_at_;         // the increment of the mesh's own part
   double largest_ = 0.0;
   double spring_size_ = 0.0;  // of contact, which tells whether its springs have changed

@@ -67,7 +67,7 @@ void FaceFaceContacts::detect_one(const ContactStepContext& context, const Candi
   const double closing = above_zero((b.velocity() - a.velocity()).dot(b.normal()));
   const double closed = closing * context.dt, activation_distance = closing * context.ahead();
   const PairRule& rule = candidate.rule;
-  if (is_weighted(context, candidate)) return add_weighted_point(context, candidate, points);
+  if (is_weighted(context, candidate)) return add_weighted_points(context, candidate, points);
   if (rule.is_balanced != context.balances) return;
   const double margin = context.balances ? closed_share * thinner(candidate) : 0.0;
   const double held = rule.pair->held_gap(thinner(candidate));

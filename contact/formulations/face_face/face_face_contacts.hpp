@@ -45,14 +45,15 @@ class FaceFaceContacts {
   /// Appends the overlaps by whose weighted gaps detect() presses faces in load steps.
   void weigh(const ContactStepContext& context, CandidateRows rows,
              std::vector<WeightedOverlap>& overlaps) const;
-  /// The motion of a contact node that a weighted gap grows by.
+  /// What the motion of a contact node makes of a weighted gap and of the slip there.
   struct NodeMotion {
     std::uint32_t number = 0;  ///< of the gap, in WeightedGaps::nodes()
     std::uint32_t node = 0;    ///< contact node
-    Eigen::Vector3d by;        ///< [1]
+    Eigen::Vector3d opens;     ///< derivative of the gap [1]
+    double slips = 0.0;        ///< derivative of the slip, 0 without friction [1]
   };
   /// Of all weighted gaps that press, by their numbers; that normals and areas change is left out.
-  std::vector<NodeMotion> gap_derivatives(const ContactStepContext& context) const;
+  std::vector<NodeMotion> node_motions(const ContactStepContext& context) const;
   /// How deep each face was in the last step [n_faces], 0 where it did not touch; nothing before the first
   /// [length].
   std::span<const float> depths() const { return history_.depths(); }
@@ -105,8 +106,10 @@ class FaceFaceContacts {
   bool is_weighted(const ContactStepContext& context, const Candidate& candidate) const;
   void weigh_one(const ContactStepContext& context, const Candidate& candidate,
                  std::vector<WeightedOverlap>& overlaps) const;
-  void add_weighted_point(const ContactStepContext& context, const Candidate& candidate,
-                          std::vector<ContactPoint>& points) const;
+  void find_slips(const ContactStepContext& context, const Candidate& candidate, const MeetingFaces& faces,
+                  WeightedOverlap& overlap) const;
+  void add_weighted_points(const ContactStepContext& context, const Candidate& candidate,
+                           std::vector<ContactPoint>& points) const;
   /// The contact points of a pair that is enforced by the elastic penalty.
   void add_penalty_points(const ContactStepContext& context, const Candidate& candidate,
                           const PenaltyPush& push, std::vector<ContactPoint>& points) const;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contact points of two faces in a load step, which the weighted gaps of nodes press.
+// The contact points of two faces in a load step, which weighted gaps press and weighted slips drag.
 #include <algorithm>
 
-#include "contact/formulations/contact_multipliers.hpp"
 #include "contact/formulations/face_face/face_face_contacts.hpp"
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 #include "contact/formulations/flush_rims.hpp"
@@ -82,6 +81,7 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
   overlap.first = candidate.first;
   overlap.second = candidate.second;
   overlap.pair = candidate.pair;
+  overlap.rule = &rule;
   overlap.candidate = candidate.position;
   overlap.is_of_first =
       contact_mesh_.faces[candidate.first].surface == context.weighted_gaps->finer_surface(candidate.pair);
@@ -113,47 +113,57 @@ void FaceFaceContacts::weigh_one(const ContactStepContext& context, const Candid
     overlap.gaps[k] = gap.gap;
     overlap.slopes[k] = gap.slope;
   }
+  if (rule.friction > 0.0) find_slips(context, candidate, faces, overlap);
   overlaps.push_back(overlap);
 }
 
-void FaceFaceContacts::add_weighted_point(const ContactStepContext& context, const Candidate& candidate,
-                                          std::vector<ContactPoint>& points) const {
+void FaceFaceContacts::find_slips(const ContactStepContext& context, const Candidate& candidate,
+                                  const MeetingFaces& faces, WeightedOverlap& overlap) const {
+  const Eigen::Vector3d held = faces.did_touch ? history_.elastic_slip(candidate.position)
+                                               : history_.mean_slip(candidate.first, candidate.second);
+  for (std::size_t k = 0; k < overlap.shares.n; ++k) {
+    const OverlapShare& share = overlap.shares.corners[k];
+    overlap.slips[k] =
+        overlap.sign() * context.dt *
+        (faces.first.velocity_at(share.weights_1) - faces.second.velocity_at(share.weights_2));
+    overlap.held_slips[k] = overlap.sign() * held;
+  }
+}
+
+void FaceFaceContacts::add_weighted_points(const ContactStepContext& context, const Candidate& candidate,
+                                           std::vector<ContactPoint>& points) const {
   const WeightedOverlap* overlap = context.weighted_gaps->find(candidate.position);
   if (overlap == nullptr) return;
-  FaceFaceContact contact;
-  contact.gap = 0.0;
-  double deeper = 0.0;
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
   const MeetingFaces faces = make_meeting_faces(context, candidate);
   for (std::size_t k = 0; k < overlap->shares.n; ++k) {
     const OverlapShare& share = overlap->shares.corners[k];
     const WeightedNode& node = context.weighted_gaps->node_of(*overlap, k);
-    if (!(node.pressure > 0.0) || !(overlap->slopes[k] > 0.0)) continue;
-    const double area = overlap->bearing_area(k), force = area * node.pressure;
-    contact.force += force;
-    const double part = force / contact.force;
-    contact.area += area;
-    contact.stiffness += area * node.slope;
-    contact.weights_1 += part * (share.weights_1 - contact.weights_1);
-    contact.weights_2 += part * (share.weights_2 - contact.weights_2);
-    contact.normal += force * share.normal;
-    place += part * (0.5 * (faces.first.x * share.weights_1 + faces.second.x * share.weights_2) - place);
-    contact.gap += part * (-node.depth() - contact.gap);
-    deeper += part * (node.multiplier - deeper);
-    contact.deepest = std::max(contact.deepest, node.depth());
+    FaceFaceContact contact;
+    contact.area = overlap->bearing_area(k);
+    contact.force = contact.area * node.pressure;
+    if (!(contact.force > 0.0)) continue;
+    contact.stiffness = contact.area * node.slope;
+    contact.normal = share.normal;
+    contact.weights_1 = share.weights_1;
+    contact.weights_2 = share.weights_2;
+    contact.gap = -node.depth();
+    contact.deepest = node.depth();
+    if (faces.are_round()) {
+      const Eigen::Vector3d place = 0.5 * (faces.first.x * share.weights_1 + faces.second.x * share.weights_2);
+      bring_onto_line(faces.first, faces.second, place, contact);
+    }
+    ContactPoint& point = points.emplace_back(make_contact_point(candidate, contact));
+    point.part = share.part;
+    point.begin_gap += node.multiplier;
+    if (!node.has_friction()) continue;
+    point.tangential = overlap->sign() * contact.area * node.friction.force;
+    point.elastic_slip = overlap->sign() * node.friction.elastic_slip;
+    point.slip = overlap->sign() * node.friction.slip;
+    point.dissipated = contact.area * node.friction.dissipated;
   }
-  if (!(contact.force > 0.0)) return;
-  contact.force = contact.normal.norm();
-  contact.normal /= contact.force;
-  if (faces.are_round()) bring_onto_line(faces.first, faces.second, place, contact);
-  ContactPoint& point = points.emplace_back(make_contact_point(candidate, contact));
-  point.begin_gap += deeper;
-  const Eigen::Vector3d apart =
-      faces.first.velocity_at(contact.weights_1) - faces.second.velocity_at(contact.weights_2);
-  add_friction_to(context, candidate, {faces, overlap->penalty, 0.0}, apart, point);
 }
 
-std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::gap_derivatives(
+std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::node_motions(
     const ContactStepContext& context) const {
   std::vector<NodeMotion> motions;
   const WeightedGaps& weighted = *context.weighted_gaps;
@@ -168,11 +178,15 @@ std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::gap_derivatives(
       Eigen::Vector4d of_first = share.weights_1, of_second = share.weights_2;
       if (!candidate.carry.is_zero())
         (candidate.carry.is_of_first ? of_first : of_second) += candidate.carry.weights;
-      const Eigen::Vector3d along = overlap.bearing_area(k) / node.area * share.normal;
+      const double bearing = overlap.bearing_area(k);
+      const Eigen::Vector3d opening = bearing / node.area * share.normal;
+      const double slipping = node.has_friction() ? overlap.sign() * bearing / node.bearing : 0.0;
+      const auto add = [&](std::uint32_t corner, double weight) {
+        if (weight != 0.0) motions.push_back({overlap.nodes[k], corner, weight * opening, weight * slipping});
+      };
       for (std::size_t c = 0; c < 4; ++c) {
-        const auto i = static_cast<Eigen::Index>(c);
-        if (of_first[i] != 0.0) motions.push_back({overlap.nodes[k], first[c], of_first[i] * along});
-        if (of_second[i] != 0.0) motions.push_back({overlap.nodes[k], second[c], -of_second[i] * along});
+        add(first[c], of_first[static_cast<Eigen::Index>(c)]);
+        add(second[c], -of_second[static_cast<Eigen::Index>(c)]);
       }
     }
   }
@@ -180,10 +194,12 @@ std::vector<FaceFaceContacts::NodeMotion> FaceFaceContacts::gap_derivatives(
   std::ranges::stable_sort(motions, {}, key);
   std::vector<NodeMotion> sums;
   for (const NodeMotion& motion : motions) {
-    if (!sums.empty() && key(sums.back()) == key(motion))
-      sums.back().by += motion.by;
-    else
+    if (!sums.empty() && key(sums.back()) == key(motion)) {
+      sums.back().opens += motion.opens;
+      sums.back().slips += motion.slips;
+    } else {
       sums.push_back(motion);
+    }
   }
   return sums;
 }

@@ -43,22 +43,47 @@ void WeightedGaps::add(const ContactMesh& contact_mesh, WeightedOverlap overlap)
     overlap.nodes[k] = number;
     WeightedNode& node = nodes_[number];
     const double area = overlap.weight * share.area;
-    if (!(node.area > 0.0)) node.penalty = overlap.penalty;
+    if (node.rule == nullptr) {
+      node.rule = overlap.rule;
+      node.penalty = overlap.penalty;
+    }
     node.area += area;
     const double part = area / node.area;
     node.gap += part * (overlap.gaps[k] - node.gap);
     node.penalty.stiffness += part * (overlap.penalty.stiffness - node.penalty.stiffness);
+    const double bearing = overlap.bearing_area(k);
+    if (!(overlap.rule->friction > 0.0) || !(bearing > 0.0)) continue;
+    node.bearing += bearing;
+    const double bearing_part = bearing / node.bearing;
+    node.normal += bearing * share.normal;
+    node.slip += bearing_part * (overlap.slips[k] - node.slip);
+    node.elastic_slip += bearing_part * (overlap.held_slips[k] - node.elastic_slip);
   }
   overlaps_.push_back(std::move(overlap));
 }
 
-void WeightedGaps::find_pressures(const ContactMultipliers& multipliers) {
+void WeightedGaps::find_tractions(const ContactStepContext& context) {
   for (WeightedNode& node : nodes_) {
-    node.multiplier = multipliers.of_node(node.pair, node.row);
+    node.multiplier = context.multipliers->value_or(node.pair, node.row, 0.0);
     if (!(node.depth() > 0.0)) continue;
     node.pressure = node.penalty.pressure_at(node.depth());
     node.slope = node.penalty.slope(node.depth());
+    if (node.has_friction()) drag(context, node);
   }
+}
+
+/// What no load step has held yet, the pairs of faces have.
+void WeightedGaps::drag(const ContactStepContext& context, WeightedNode& node) {
+  if (!context.held_slips->empty())
+    node.elastic_slip = context.held_slips->value_or(node.pair, node.row, Eigen::Vector3d::Zero());
+  node.normal.normalize();
+  const Eigen::Vector3d along = node.slip - node.normal.dot(node.slip) * node.normal;
+  const double rate = context.dt > 0.0 ? along.norm() / context.dt : 0.0;
+  const auto limit_at = [&](double pressure) { return node.rule->slip_limit(pressure, 1.0, rate); };
+  constexpr double probe = 1e-3;
+  const double limit = limit_at(node.pressure);
+  node.friction_slope = (limit_at((1.0 + probe) * node.pressure) - limit) / (probe * node.pressure);
+  node.friction = step_friction(node.normal, node.elastic_slip, node.slip, node.penalty.stiffness, limit);
 }
 
 const WeightedOverlap* WeightedGaps::find(std::size_t candidate) const {

@@ -95,7 +95,7 @@ void NodeFaceContacts::add_near_face(const ContactStepContext& context, SurfaceN
   const double of_known = node_history.face_histories.empty() ? 0.0 : any_depth;
   const double deepest = std::max(
       {rule.pair->normal_tolerance.value_or(face.penalty_properties.thickness), 1.5 * closed, of_known});
-  near_face.deeper = context.multipliers ? context.multipliers->of_node(near_face.pair, row) : 0.0;
+  near_face.deeper = context.multipliers ? context.multipliers->value_or(near_face.pair, row, 0.0) : 0.0;
   const double offset =
       context.rules.gap_offsets().of_node(near_face.pair, row) + rule.begin_gap + near_face.deeper;
   const double beyond = allowed_beyond(*rule.pair, bound);

@@ -101,7 +101,7 @@ void NodePlaneContacts::detect_one(const ContactStepContext& context, const Node
   const SurfaceNode& node = setup_.contact_mesh.surface_nodes[candidate.row];
   const Eigen::Vector3d arm = -static_cast<double>(node.radius) * candidate.normal;
   const double deeper =
-      context.multipliers ? context.multipliers->of_node(candidate.pair, candidate.row) : 0.0;
+      context.multipliers ? context.multipliers->value_or(candidate.pair, candidate.row, 0.0) : 0.0;
   const double gap = gap_of(context.kinematics, candidate) -
                      context.rules.gap_offsets().of_node(candidate.pair, candidate.row) - rule.begin_gap -
                      deeper;
