@@ -91,7 +91,7 @@ void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>
   }
   for (const ContactPoint& point : points) {
     if (is_of_weighted_gaps(point)) continue;
-    if (const auto spring = springs.friction_spring_of(point)) take(*spring);
+    if (const auto spring = springs.friction_spring_of(point, trial_->dt)) take(*spring);
   }
   const auto ties = detection_.ties();
   for (const ConstraintForces& held : trial_->constraints) {

@@ -112,14 +112,21 @@ ContactSpring ContactSprings::spring_of(const WeightedNode& node,
   return spring;
 }
 
-std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoint& point) const {
-  if (!(rules_.of(point).friction > 0.0)) return std::nullopt;
+std::optional<ContactSpring> ContactSprings::friction_spring_of(const ContactPoint& point, double dt) const {
+  const PairRule& rule = rules_.of(point);
+  if (!(rule.friction > 0.0)) return std::nullopt;
   const double held = point.tangential.norm(), slips = point.slip.norm();
   const double way = point.elastic_slip.norm() + slips;
-  if (!(held > 0.0) && slips > 0.0) return std::nullopt;
+  const bool slides = slips > 0.0;
+  if (!(held > 0.0) && slides) return std::nullopt;
   Eigen::Matrix3d along = Eigen::Matrix3d::Identity() - point.normal * point.normal.transpose();
-  if (slips > 0.0) along -= point.tangential * point.tangential.transpose() / (held * held);
-  return spring_between(point, (slips > 0.0 ? held / way : point.stiffness) * along);
+  if (slides) along -= point.tangential * point.tangential.transpose() / (held * held);
+  ContactSpring spring = spring_between(point, (slides ? held / way : point.stiffness) * along);
+  if (slides && point.force > 0.0) {
+    const double slope = rule.slip_limit_slope(point.force, point.area, dt > 0.0 ? slips / dt : 0.0);
+    spring.unsymmetric = slope * point.stiffness / held * point.tangential * point.normal.transpose();
+  }
+  return spring;
 }
 
 ContactSpring ContactSprings::spring_of(const Tie& tie) const {

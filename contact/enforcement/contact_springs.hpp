@@ -23,8 +23,9 @@ class ContactSprings {
   ContactSpring spring_of(const WeightedNode& node,
                           std::span<const FaceFaceContacts::NodeMotion> motions) const;
   /// Along the surface, as long as a point sticks; what slides resists across the way that it slides by the
-  /// force that friction has.
-  std::optional<ContactSpring> friction_spring_of(const ContactPoint& point) const;
+  /// force that friction has, and is dragged by more where its gap closes.
+  ///   dt  of the step [time]
+  std::optional<ContactSpring> friction_spring_of(const ContactPoint& point, double dt) const;
   ContactSpring spring_of(const Tie& tie) const;
   /// Of another constraint, whose corners count as fastened by springs of their own.
   ContactSpring spring_of(const InterfaceConstraint& constraint) const;

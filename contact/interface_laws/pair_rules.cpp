@@ -41,6 +41,11 @@ double PairRule::slip_limit(double force, double area, double rate) const {
   return interface_law == nullptr ? friction * force : interface_law->slip_limit(force, area, rate);
 }
 
+double PairRule::slip_limit_slope(double force, double area, double rate) const {
+  constexpr double probe = 1e-3;
+  return (slip_limit((1.0 + probe) * force, area, rate) - slip_limit(force, area, rate)) / (probe * force);
+}
+
 double PairRule::slip_limit(const ContactPoint& point, double dt) const {
   if (interface_law == nullptr) return friction * std::max(point.force, 0.0);
   const Eigen::Vector3d along = point.slip - point.normal.dot(point.slip) * point.normal;

@@ -48,6 +48,8 @@ struct PairRule {
   ///   area   that touches [length^2]
   ///   rate   of slip [length/time]
   double slip_limit(double force, double area, double rate) const;
+  /// Its derivative by the force, by a difference [1]. Precondition: force > 0.
+  double slip_limit_slope(double force, double area, double rate) const;
   /// The same of a contact point, by its force, area and slip of the step.
   double slip_limit(const ContactPoint& point, double dt) const;
   /// Goes over to a model.

@@ -79,10 +79,8 @@ void WeightedGaps::drag(const ContactStepContext& context, WeightedNode& node) {
   node.normal.normalize();
   const Eigen::Vector3d along = node.slip - node.normal.dot(node.slip) * node.normal;
   const double rate = context.dt > 0.0 ? along.norm() / context.dt : 0.0;
-  const auto limit_at = [&](double pressure) { return node.rule->slip_limit(pressure, 1.0, rate); };
-  constexpr double probe = 1e-3;
-  const double limit = limit_at(node.pressure);
-  node.friction_slope = (limit_at((1.0 + probe) * node.pressure) - limit) / (probe * node.pressure);
+  const double limit = node.rule->slip_limit(node.pressure, 1.0, rate);
+  node.friction_slope = node.rule->slip_limit_slope(node.pressure, 1.0, rate);
   node.friction = step_friction(node.normal, node.elastic_slip, node.slip, node.penalty.stiffness, limit);
 }
 
