@@ -31,8 +31,17 @@ class Equilibrium {
   virtual double longest_step(const Eigen::VectorXd& /*direction*/) const {
     return std::numeric_limits<double>::infinity();
   }
-  /// Whether forces come and go with small motions, as those of contact do.
+  /// Whether forces come and go with small motions, as those of contact do: the rough part.
   virtual bool is_rough() const { return false; }
+  /// Has the rough part push as it did in the last evaluation, whatever moves from now on; or lets it follow.
+  virtual void hold_rough(bool /*does*/) {}
+  /// Adds to a vector what the rough part resists a direction with where the last find_springs() was, with no
+  /// part that its large forces soften: far from balance steps by its derivative lead nowhere.
+  virtual void add_springs(const Eigen::VectorXd& /*direction*/, Eigen::VectorXd& /*product*/) const {}
+  /// Finds the springs of the last evaluation.
+  virtual void find_springs() {}
+  /// What makes forces of residuals, of which norm() is the size: 1, and 1/length of moments.
+  virtual Eigen::VectorXd scales(Eigen::Index size) const { return Eigen::VectorXd::Ones(size); }
   /// Takes out of a vector what lies along fixed and prescribed directions.
   virtual void project(Eigen::VectorXd& /*vector*/) const {}
 };
@@ -43,6 +52,11 @@ class Preconditioner {
   virtual ~Preconditioner() = default;
   /// Sets z to the increment that a residual asks for.
   virtual void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const = 0;
+  /// Has apply() follow the stiffness that is known of now where it still has an earlier one. Returns whether it
+  /// had.
+  virtual bool catch_up() { return false; }
+  /// What it holds unknowns to the ground with, which the residual does not have; null: nothing.
+  virtual const Eigen::VectorXd* ground() const { return nullptr; }
 };
 
 }  // namespace contactsim

@@ -14,9 +14,8 @@ namespace contactsim {
 /// spoil; where nodes turn, L U of the true one: shells and beams that turn by a tenth in a step have an
 /// unsymmetric one, and by its symmetric part Newton's steps do not converge.
 ///
-/// A factor of solids is kept for as long as conjugate gradients on the stiffness of now need few iterations
-/// with it: contact changes a few springs in every iteration, and a factor costs as much as a hundred
-/// solutions with it. What friction that slides adds to the symmetric part comes in by minimal residuals.
+/// A factor is kept until catch_up(): contact changes a few springs in every iteration, and a factor costs as
+/// much as a hundred solutions with it.
 class FullTangent final : public Tangent {
  public:
   /// All must outlive it.
@@ -28,34 +27,27 @@ class FullTangent final : public Tangent {
   bool exists() const override { return exists_; }
   /// 0 where nodes turn, whose factor does not tell; of the last factor.
   std::int64_t n_negative() const override { return exists_ ? factor_->n_negative() : 0; }
-  std::int64_t n_iterations() const override { return n_iterations_; }
 
   void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const override;
+  bool catch_up() override;
+  const Eigen::VectorXd* ground() const override { return ground_of(blocks_); }
 
  private:
   void number_unknowns();
-  SparseFactor::Matrix assemble();
+  SparseFactor::Matrix assemble() const;
   bool is_symmetric() const { return blocks_.per_node() == 3; }
-  bool factorise() const;
-  /// Solves by iterations with the factor that there is. Returns false when they take too long, or have met a
-  /// direction of negative stiffness.
-  bool iterate(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const;
-  void add_unsymmetric(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const;
-  Eigen::VectorXd to_unknowns(const Eigen::VectorXd& vector) const;
-  Eigen::VectorXd from_unknowns(const Eigen::VectorXd& unknowns) const;
+  void factorise();
 
   StaticProblem& problem_;
   const NodeGraph& graph_;
-  const FullTangentSettings& settings_;
   TangentBlocks blocks_;
   std::vector<double> free_shares_;  // [n_nodes], or empty [1]
   std::vector<int> numbers_;         // [size] of the unknowns in the matrix, -1 of those without stiffness
   std::vector<std::size_t> places_;  // [n] of the matrix's unknowns in vectors
-  SparseFactor::Matrix matrix_;      // of now; the lower half of a symmetric one
   std::unique_ptr<SparseFactor> factor_;
-  mutable bool exists_ = false;
-  mutable bool is_current_ = false;  // the factor is that of the matrix
-  mutable std::int64_t n_iterations_ = 0;
+  bool exists_ = false;
+  bool is_current_ = false;  // the factor is that of the blocks
+  double spring_size_ = 0.0, spring_size_of_factor_ = 0.0;
 };
 
 }  // namespace contactsim

@@ -47,6 +47,9 @@ LoadSteps::LoadSteps(const Model& model, ForceTerms terms, StaticContact* contac
   const FullTangentSettings& full = *settings_.cg.full_tangent;
   linear_solver_ = choose_linear_solver(problem_, graph_, full.linear_solver);
   tangent_ = make_tangent(problem_, graph_, full);
+  linearised_.emplace(problem_, *tangent_, [this](const Eigen::VectorXd& at, bool may_keep_elements) {
+    renew_preconditioner(at, may_keep_elements);
+  });
 }
 
 void LoadSteps::start(bool takes_over) {
@@ -97,9 +100,10 @@ Eigen::VectorXd LoadSteps::first_guess(double dt) const {
 void LoadSteps::search(const CgSettings& cg, Eigen::VectorXd& increment) {
   const Eigen::VectorXd begun = increment;
   if (has_tangent()) {
-    const Renew renew = [&](const Eigen::VectorXd& at) { renew_preconditioner(at, true); };
-    report_.search = newton(problem_, *tangent_, cg, renew, increment);
+    report_.search = newton(problem_, *linearised_, cg, increment);
     report_.n_evaluations += report_.search.n_evaluations;
+    report_.n_linear += report_.search.n_linear;
+    meets_negative_ = meets_negative_ || report_.search.meets_negative;
     report_.has_left_newton = false;
     if (report_.search.end == CgReport::End::converged) return;
     increment = begun;
@@ -182,7 +186,7 @@ bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
   problem_.project(held);
   const Eigen::VectorXd left = problem_.prescribed() - (increment - held);
   report_.n_evaluations += has_tangent()
-                               ? predict_linearly(problem_, *tangent_, left, 1, increment)
+                               ? predict_by_newton(problem_, *linearised_, left, increment)
                                : predict_linearly(problem_, blocks_, left, cg.max_iterations, increment);
 
   search(cg, increment);
@@ -213,7 +217,7 @@ void LoadSteps::advance() {
   report_ = {};
   double dt = state_.next_dt;
   const double begun = state_.time;
-  const std::int64_t n_linear = tangent_ ? tangent_->n_iterations() : 0;
+  meets_negative_ = false;
   while (!try_step(dt)) {
     const CgReport failed = report_.search;
     problem_.restore();
@@ -225,8 +229,7 @@ void LoadSteps::advance() {
     dt = schedule_.step_at(begun);
   }
   if (has_tangent()) {
-    report_.n_negative = tangent_->n_negative();
-    report_.n_linear = tangent_->n_iterations() - n_linear;
+    report_.n_negative = std::max<std::int64_t>(tangent_->n_negative(), meets_negative_ ? 1 : 0);
   }
   schedule_.note_success(begun, report_.search.n_iterations);
   state_.dt = dt;

@@ -8,7 +8,7 @@
 
 #include "core/statics/load_schedule.hpp"
 #include "core/statics/nodal_blocks.hpp"
-#include "core/statics/nonlinear_cg.hpp"
+#include "core/statics/newton.hpp"
 #include "core/statics/static_deaths.hpp"
 #include "core/statics/tangent.hpp"
 
@@ -94,6 +94,8 @@ class LoadSteps {
   NodalBlocks blocks_;
   std::optional<LinearSolverChoice> linear_solver_;
   std::unique_ptr<Tangent> tangent_;  // null where the deck asks for none
+  std::optional<LinearisedEquilibrium> linearised_;
+  bool meets_negative_ = false;       // in the step
   Eigen::VectorXd residual_;          // of the last evaluation
   double step_begun_ = 0.0;           // [time]
   std::vector<std::uint32_t> free_;   // rigid bodies that conditions do not hold

@@ -64,7 +64,8 @@ std::int64_t NodalBlocks::renew(const Eigen::VectorXd& increment) {
     largest_ = std::max(largest_, blocks.block<3, 3>(0, per_node_ * i).diagonal().maxCoeff());
   BodyBlocks bodies(problem_);
   carry(problem_.bodies(), blocks, bodies);
-  add_contact(problem_.contact_springs(), blocks, bodies);
+  problem_.find_springs();
+  add_contact(problem_.springs(), blocks, bodies);
   const auto n_nodes = static_cast<std::size_t>(probe_.n_nodes());
   parallel_for(n_nodes, threads_for(100 * n_nodes), [&](std::size_t node) {
     const auto first = static_cast<Eigen::Index>(node) * per_node_;

@@ -2,14 +2,33 @@
 #include "core/statics/nonlinear_cg.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "core/statics/secants.hpp"
-
 namespace contactsim {
+
+namespace {
+
+/// Whether a residual is as small as one of two bounds.
+bool is_below(double residual, double reference, std::optional<double> relative,
+              std::optional<double> absolute) {
+  if (!std::isfinite(residual) || !std::isfinite(reference)) return false;
+  return (relative && residual <= *relative * reference) || (absolute && residual <= *absolute);
+}
+
+}  // namespace
+
+bool is_balanced(const Equilibrium& equilibrium, double size, const CgSettings& settings, CgReport& report) {
+  report.residual = size;
+  report.reference = equilibrium.reference();
+  if (report.n_iterations < settings.min_iterations) return false;
+  if (size > equilibrium.round_off() &&
+      !is_below(size, report.reference, settings.target_relative_residual, settings.target_residual))
+    return false;
+  report.end = CgReport::End::converged;
+  return true;
+}
 
 namespace {
 
@@ -106,94 +125,7 @@ bool Search::move() {
   return true;
 }
 
-/// Whether a residual is as small as one of two bounds.
-bool is_below(double residual, double reference, std::optional<double> relative,
-              std::optional<double> absolute) {
-  if (!std::isfinite(residual) || !std::isfinite(reference)) return false;
-  return (relative && residual <= *relative * reference) || (absolute && residual <= *absolute);
-}
-
-/// Notes what a residual comes to. Returns whether it is below the target.
-bool is_balanced(const Equilibrium& equilibrium, double size, const CgSettings& settings, CgReport& report) {
-  report.residual = size;
-  report.reference = equilibrium.reference();
-  if (report.n_iterations < settings.min_iterations) return false;
-  if (size > equilibrium.round_off() &&
-      !is_below(size, report.reference, settings.target_relative_residual, settings.target_residual))
-    return false;
-  report.end = CgReport::End::converged;
-  return true;
-}
-
 }  // namespace
-
-CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, const CgSettings& settings,
-                const Renew& renew, Eigen::VectorXd& increment) {
-  constexpr double slow = 0.1;  // of the residual before: the stiffness is that of elsewhere
-  const int max_idle =
-      equilibrium.is_rough() ? 12 : 6;  // steps without a smaller residual than the least so far
-  constexpr int max_halvings = 10;      // of a step that cannot be evaluated
-  CgReport report;
-  // A residual with contact, from which on a step is halved, is the largest of the last steps as long as it
-  // is larger than what it is compared with: faces that part and meet make it grow on the way to where it
-  // falls. Not so where contact alone holds a body, which would drift away. Source: Grippo, Lampariello and
-  // Lucidi, SIAM J. Numer. Anal. 23 (1986) 707-716.
-  std::array<double, 5> recent;
-  recent.fill(0.0);
-  Eigen::VectorXd residual, moved, z, trial, best_trial;
-  ++report.n_evaluations;
-  bool exists = equilibrium.evaluate(increment, residual);
-  double last = infinity, least = infinity;
-  bool is_limited = false;  // the last step
-  // Near equilibrium, where faces no longer part and meet, what creeps has a stiffness that the steps know.
-  constexpr double creeping = 0.2, near = 0.05;  // of the residual before, of what it is compared with
-  Secants secants;
-  for (int n_idle = 0; exists; ++report.n_iterations) {
-    const double size = equilibrium.norm(residual);
-    if (!std::isfinite(size) || is_balanced(equilibrium, size, settings, report)) break;
-    n_idle = size < least || is_limited ? 0 : n_idle + 1;
-    least = std::min(least, size);
-    if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
-    // The first guess has closed and opened contact.
-    const bool is_first = report.n_iterations == 0 && equilibrium.is_rough();
-    if (is_first || size > slow * last) renew(increment);
-    const bool is_creeping =
-        equilibrium.is_rough() && size > creeping * last && size < near * equilibrium.reference();
-    last = size;
-    recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
-    Eigen::VectorXd left = residual, known;
-    if (is_creeping) known = secants.take_out(left);
-    preconditioner.apply(left, z);
-    if (is_creeping) z += known;
-    const Eigen::VectorXd before = increment, residual_before = residual;
-    const double longest = equilibrium.longest_step(z);
-    const bool may_grow = size > equilibrium.reference() && std::isinf(longest);
-    const double bound = may_grow ? *std::ranges::max_element(recent) : size;
-    is_limited = longest < 1.0;
-    if (is_limited) z *= longest;
-    exists = false;
-    double best = infinity;
-    for (int i = 0; i < max_halvings; ++i, z *= 0.5) {
-      trial = increment + z;
-      ++report.n_evaluations;
-      if (!equilibrium.evaluate(trial, moved) || !moved.allFinite()) continue;
-      const double now = equilibrium.norm(moved);
-      if (now >= best) break;
-      exists = true;
-      best = now;
-      best_trial = trial;
-      residual = moved;
-      if (!equilibrium.is_rough() || now <= bound) break;
-    }
-    if (exists) increment.swap(best_trial);
-    if (equilibrium.is_rough() && exists && best < size && size < equilibrium.reference()) {
-      secants.add(increment - before, residual - residual_before);
-    } else {
-      secants.clear();
-    }
-  }
-  return report;
-}
 
 CgReport nonlinear_cg(Equilibrium& equilibrium, const Preconditioner& preconditioner,
                       const CgSettings& settings, Eigen::VectorXd& increment) {

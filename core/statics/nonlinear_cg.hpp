@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "core/definition/solver.hpp"
 #include "core/statics/equilibrium.hpp"
@@ -19,9 +18,15 @@ struct CgReport {
   End end = End::failed;
   std::int64_t n_iterations = 0;
   std::int64_t n_evaluations = 0;  ///< of the residual
+  std::int64_t n_linear = 0;       ///< iterations of linear equations
+  bool meets_negative = false;     ///< a direction of negative stiffness has been met
   double residual = 0.0;           ///< its size at the end [force]
   double reference = 0.0;          ///< what it is compared with [force]
 };
+
+/// Notes what a residual comes to. Returns whether it is below the target.
+///   size  of the residual [force]
+bool is_balanced(const Equilibrium& equilibrium, double size, const CgSettings& settings, CgReport& report);
 
 /// Searches for equilibrium by preconditioned nonlinear conjugate gradients: directions of Polak and Ribiere
 /// that begin anew where they would turn back, along each of which a secant search finds where the residual
@@ -32,16 +37,6 @@ struct CgReport {
 ///   increment  in: where to begin, which can be evaluated; out: where the search ended
 CgReport nonlinear_cg(Equilibrium& equilibrium, const Preconditioner& preconditioner,
                       const CgSettings& settings, Eigen::VectorXd& increment);
-
-/// Makes the preconditioner anew at an increment.
-using Renew = std::function<void(const Eigen::VectorXd& increment)>;
-
-/// Searches by Newton steps with a preconditioner that is the inverse of the stiffness, made anew where a
-/// step has left more than a tenth: for bodies that bend far, whose residual grows before it falls, so that a
-/// search along lines creeps. Gives up where it has got no smaller for some steps.
-/// Source: Bathe, Finite Element Procedures (1996), 8.4.1.
-CgReport newton(Equilibrium& equilibrium, const Preconditioner& preconditioner, const CgSettings& settings,
-                const Renew& renew, Eigen::VectorXd& increment);
 
 /// Improves an increment by linear conjugate gradients on the equilibrium linearised there, by differences of
 /// residuals, such that prescribed directions may move far without turning elements inside out on the way.

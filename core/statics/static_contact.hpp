@@ -29,38 +29,26 @@ struct ContactSpring {
   /// Beside it what friction that slides resists pressure with, which is not symmetric; the same dimensions.
   Eigen::Matrix3d unsymmetric = Eigen::Matrix3d::Zero();
 
-  bool is_symmetric() const { return unsymmetric.isZero(0.0); }
   /// Calls take(end a, end b, block) with the symmetric stiffness between the motions of every two ends.
   template <class Take>
   void visit_blocks(const Take& take) const {
-    visit_blocks(stiffness, take);
-  }
-  /// The same with all of it.
-  template <class Take>
-  void visit_all_blocks(const Take& take) const {
-    visit_blocks(stiffness + unsymmetric, take);
-  }
-  /// Adds the unsymmetric part times the motions of the ends to what the ends feel.
-  ///   motion_of(end)  [3]
-  ///   add(end, what)
-  template <class MotionOf, class Add>
-  void multiply_unsymmetric(const MotionOf& motion_of, const Add& add) const {
-    Eigen::Matrix<double, 3, max_corners> moved = Eigen::Matrix<double, 3, max_corners>::Zero();
-    for (const SpringEnd& end : ends) moved.col(end.corner) += end.share * motion_of(end);
-    const Eigen::Matrix<double, 3, max_corners> felt = unsymmetric * moved * coupling;
-    for (const SpringEnd& end : ends) add(end, Eigen::Vector3d(end.share.transpose() * felt.col(end.corner)));
-  }
-
- private:
-  template <class Take>
-  void visit_blocks(const Eigen::Matrix3d& of, const Take& take) const {
     for (const SpringEnd& a : ends) {
-      const Eigen::Matrix3d force = a.share.transpose() * of;
+      const Eigen::Matrix3d force = a.share.transpose() * stiffness;
       for (const SpringEnd& b : ends) {
         const double factor = coupling(a.corner, b.corner);
         if (factor != 0.0) take(a, b, Eigen::Matrix3d(factor * force * b.share));
       }
     }
+  }
+  /// Adds all of the stiffness times the motions of the ends to what the ends feel.
+  ///   motion_of(end)   [3]
+  ///   add(end, felt)
+  template <class MotionOf, class Add>
+  void multiply(const MotionOf& motion_of, const Add& add) const {
+    Eigen::Matrix<double, 3, max_corners> moved = Eigen::Matrix<double, 3, max_corners>::Zero();
+    for (const SpringEnd& end : ends) moved.col(end.corner) += end.share * motion_of(end);
+    const Eigen::Matrix<double, 3, max_corners> felt = (stiffness + unsymmetric) * moved * coupling;
+    for (const SpringEnd& end : ends) add(end, Eigen::Vector3d(end.share.transpose() * felt.col(end.corner)));
   }
 };
 

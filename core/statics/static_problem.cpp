@@ -304,9 +304,9 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
     energies.largest = std::max(energies.largest, std::abs(term));
 }
 
-std::vector<ContactSpring> StaticProblem::contact_springs() const {
-  std::vector<ContactSpring> springs;
-  if (contact_ == nullptr) return springs;
+void StaticProblem::find_springs() {
+  springs_.clear();
+  if (contact_ == nullptr) return;
   std::vector<OptionalIndex<std::uint32_t>> held_at(static_cast<std::size_t>(2 * n_ / 3));
   const auto carry = [&](const SpringEnd& end, std::vector<SpringEnd>& ends) {
     for (const Carrier& carrier : bodies_.carriers(end.node, end.turns))
@@ -318,17 +318,27 @@ std::vector<ContactSpring> StaticProblem::contact_springs() const {
     free.push_back(Eigen::Matrix3d::Identity() - held);
   });
   contact_->visit_springs([&](const ContactSpring& spring) {
-    springs.push_back(spring);
+    springs_.push_back(spring);
     if (!bodies_.empty()) {
-      springs.back().ends.clear();
-      for (const SpringEnd& end : spring.ends) carry(end, springs.back().ends);
+      springs_.back().ends.clear();
+      for (const SpringEnd& end : spring.ends) carry(end, springs_.back().ends);
     }
-    for (SpringEnd& end : springs.back().ends) {
+    for (SpringEnd& end : springs_.back().ends) {
       const auto held = held_at[2 * std::size_t{end.node} + (end.turns ? 1 : 0)];
       if (held) end.share *= free[*held];
     }
   });
-  return springs;
+}
+
+void StaticProblem::add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const {
+  const auto first_of = [&](const SpringEnd& end) {
+    return 3 * Eigen::Index{end.node} + (end.turns ? n_ : 0);
+  };
+  for (const ContactSpring& spring : springs_) {
+    spring.multiply(
+        [&](const SpringEnd& end) { return direction.segment<3>(first_of(end)); },
+        [&](const SpringEnd& end, const Eigen::Vector3d& felt) { product.segment<3>(first_of(end)) += felt; });
+  }
 }
 
 Eigen::VectorXd StaticProblem::unknown_scales(std::uint32_t node) const {

@@ -57,10 +57,8 @@ class StaticProblem final : public Equilibrium {
   /// Brings back the state that the step began at.
   void restore();
   void archive(StateArchive& saved);
-  /// Has contact push as it did in the last evaluation, whatever moves from now on; or lets it follow again.
-  void hold_contact(bool does) { holds_contact_ = does; }
-  /// The springs of contact in the last evaluation, without what moves along held directions.
-  std::vector<ContactSpring> contact_springs() const;
+  /// The springs of contact of the last find_springs(), without what moves along held directions.
+  const std::vector<ContactSpring>& springs() const { return springs_; }
   StaticContact* contact() const { return contact_; }
   /// Has no trial of a search move a node by more than a length.
   void limit_motion(double longest) { longest_motion_ = longest; }
@@ -75,8 +73,12 @@ class StaticProblem final : public Equilibrium {
   double norm(const Eigen::VectorXd& residual) const override;
   double reference() const override;
   double round_off() const override;
+  Eigen::VectorXd scales(Eigen::Index /*size*/) const override { return weights_.cwiseSqrt(); }
   double probe_factor(const Eigen::VectorXd& direction) const override;
   bool is_rough() const override { return contact_ != nullptr; }
+  void hold_rough(bool does) override { holds_contact_ = does; }
+  void find_springs() override;
+  void add_springs(const Eigen::VectorXd& direction, Eigen::VectorXd& product) const override;
   double longest_step(const Eigen::VectorXd& direction) const override;
   void project(Eigen::VectorXd& vector) const override;
 
@@ -127,6 +129,7 @@ class StaticProblem final : public Equilibrium {
   const Model& model_;
   ForceTerms terms_;
   StaticContact* contact_;
+  std::vector<ContactSpring> springs_;
   ResidualReference kind_;
   State& state_;
   StaticBodies bodies_;

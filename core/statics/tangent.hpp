@@ -1,22 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/definition/solver.hpp"
 #include "core/statics/node_graph.hpp"
-#include "core/statics/static_problem.hpp"
+#include "core/statics/tangent_blocks.hpp"
 
 namespace contactsim {
 
-/// The inverse of the whole stiffness, for Newton's steps.
+/// Near the inverse of the whole stiffness, for Newton's steps.
 class Tangent : public Preconditioner {
  public:
-  /// Makes it at an increment of the step; the one before stays where it cannot be evaluated. Returns the
-  /// evaluations of the residual.
-  ///   may_keep_elements  where contact has other springs than before, these alone may be made anew
+  /// Finds the stiffness at an increment of the step; the one before stays where it cannot be evaluated. Returns
+  /// the evaluations of the residual.
+  ///   may_keep_elements  the springs of contact alone, which apply() has from catch_up() on, or at once where
+  ///                      they have changed far
   virtual std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) = 0;
   /// Shares of their stiffness that nodes get to the ground [n_nodes]: find_free_bodies().
   virtual void set_free(std::vector<double> shares) = 0;
@@ -24,9 +27,18 @@ class Tangent : public Preconditioner {
   virtual double largest() const = 0;
   virtual bool exists() const = 0;
   /// Directions along which the stiffness is known to be negative: of a body that has buckled.
-  virtual std::int64_t n_negative() const = 0;
-  /// Iterations of its equation solver so far.
-  virtual std::int64_t n_iterations() const { return 0; }
+  virtual std::int64_t n_negative() const { return 0; }
+
+ protected:
+  /// Whether springs are so different from those of apply() that it has to follow.
+  ///   before, now  TangentBlocks::Update::spring_size
+  static bool has_changed_far(double before, double now) {
+    constexpr double far = 0.1;
+    return std::abs(now - before) > far * std::max(now, before);
+  }
+  static const Eigen::VectorXd* ground_of(const TangentBlocks& blocks) {
+    return blocks.ground().size() > 0 ? &blocks.ground() : nullptr;
+  }
 };
 
 /// The equation solver of a run.

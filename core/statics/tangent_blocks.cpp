@@ -14,8 +14,7 @@ namespace {
 /// The size of springs: another one where some have come, gone, begun to stick or to slide.
 double size_of(const std::vector<ContactSpring>& springs) {
   double size = 0.0;
-  for (const ContactSpring& spring : springs)
-    size += spring.coupling.norm() * (spring.stiffness.norm() + spring.unsymmetric.norm());
+  for (const ContactSpring& spring : springs) size += spring.coupling.norm() * spring.stiffness.norm();
   return size;
 }
 
@@ -83,11 +82,12 @@ BlockMatrix<3, 3> without_moved(const BlockMatrix<3, 3>& matrix, const StaticBod
 
 }  // namespace
 
-TangentBlocks::TangentBlocks(StaticProblem& problem, const NodeGraph& graph)
+TangentBlocks::TangentBlocks(StaticProblem& problem, const NodeGraph& graph, double diagonal_scale)
     : problem_(problem),
       graph_(graph),
       probe_(problem, graph, ColourDistance::two_elements),
-      per_node_(static_cast<std::size_t>(probe_.unknowns_per_node())) {
+      per_node_(static_cast<std::size_t>(probe_.unknowns_per_node())),
+      diagonal_scale_(diagonal_scale) {
   std::size_t n_pairs = 0;
   for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
     first_.push_back(n_pairs);
@@ -137,59 +137,24 @@ void TangentBlocks::steady_rotations() {
   }
 }
 
-/// Whether no node is farther from where the stiffness of the mesh was found, or turned by more, than changes
-/// strains by some 1e-5.
-bool TangentBlocks::is_near_last(const Eigen::VectorXd& increment) const {
-  constexpr double steps = 10.0;  // of a probe
-  const Eigen::VectorXd moved = (increment - probed_at_).cwiseAbs();
-  const Eigen::Index n = 3 * Eigen::Index{graph_.n_nodes()};
-  return moved.head(n).maxCoeff() <= steps * problem_.probe_of(0) &&
-         (moved.size() == n || moved.tail(moved.size() - n).maxCoeff() <= steps * problem_.probe_of(n));
-}
-
 TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
                                             const std::vector<double>& shares, bool may_keep) {
-  constexpr double same = 1e-3;
   Eigen::VectorXd residual;
   Update update{.n_evaluations = 1};
   if (!problem_.evaluate(increment, residual)) return update;
-  const std::vector<ContactSpring> springs = problem_.contact_springs();
-  const double size = size_of(springs);
-  const bool has_other_springs = std::abs(size - spring_size_) > same * std::max(size, spring_size_);
-  const bool keeps = may_keep && !columns_.empty() &&
-                     (has_other_springs || (problem_.bodies().empty() && is_near_last(increment)));
-  if (!keeps) {
+  problem_.find_springs();
+  update.spring_size = size_of(problem_.springs());
+  if (!may_keep || columns_.empty()) {
     const std::int64_t n_probes = renew(increment);
     update.n_evaluations += n_probes;
     if (n_probes == 0) return update;
     update.has_new_elements = true;
-    probed_at_ = increment;
     largest_ = find_largest();
     steady(shares);
   }
-  spring_size_ = size;
-  const bool is_apart = per_node_ == 3;
-  join(blocks_of(springs, is_apart));
-  unsymmetric_.clear();
-  for (const ContactSpring& spring : springs) {
-    if (!is_apart || spring.is_symmetric()) continue;
-    unsymmetric_.push_back(spring);
-    std::erase_if(unsymmetric_.back().ends,
-                  [&](const SpringEnd& end) { return graph_.neighbours(end.node).empty(); });
-  }
+  join(blocks_of(problem_.springs()));
   update.exists = true;
   return update;
-}
-
-void TangentBlocks::add_unsymmetric(const Eigen::VectorXd& motion, Eigen::VectorXd& product) const {
-  const auto first_of = [&](const SpringEnd& end) {
-    return static_cast<Eigen::Index>(place(end.node, end.turns ? 3 : 0));
-  };
-  for (const ContactSpring& spring : unsymmetric_) {
-    spring.multiply_unsymmetric(
-        [&](const SpringEnd& end) { return motion.segment<3>(first_of(end)); },
-        [&](const SpringEnd& end, const Eigen::Vector3d& felt) { product.segment<3>(first_of(end)) += felt; });
-  }
 }
 
 /// Gives what nodes of rigid bodies resist to what moves them.
@@ -252,16 +217,12 @@ std::int64_t TangentBlocks::renew(const Eigen::VectorXd& increment) {
   return n_evaluations;
 }
 
-std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs, bool only_symmetric) {
+std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs) {
   std::vector<NodeBlock> blocks;
-  const auto take = [&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
-    blocks.push_back({a.node, b.node, block, a.turns, b.turns});
-  };
   for (const ContactSpring& spring : springs) {
-    if (only_symmetric)
-      spring.visit_blocks(take);
-    else
-      spring.visit_all_blocks(take);
+    spring.visit_blocks([&](const SpringEnd& a, const SpringEnd& b, const Eigen::Matrix3d& block) {
+      blocks.push_back({a.node, b.node, block, a.turns, b.turns});
+    });
   }
   return blocks;
 }
@@ -288,14 +249,23 @@ void TangentBlocks::join(std::vector<NodeBlock> blocks) {
 
 void TangentBlocks::steady(const std::vector<double>& shares) {
   const auto n = static_cast<Eigen::Index>(per_node_);
-  const double largest_of_any = largest();
-  for (std::uint32_t node = 0; node < shares.size(); ++node) {
-    if (!(shares[node] > 0.0) || graph_.neighbours(node).empty()) continue;
+  const double largest_of_any = largest_ > 0.0 ? largest_ : 1.0;
+  ground_.resize(0);
+  const bool has_shares = std::ranges::any_of(shares, [](double share) { return share > 0.0; });
+  if (!has_shares && !(diagonal_scale_ > 0.0)) return;
+  ground_.setZero(problem_.size());
+  for (std::uint32_t node = 0; node < graph_.n_nodes(); ++node) {
+    if (graph_.neighbours(node).empty()) continue;
     Eigen::Map<Eigen::MatrixXd> own(block_of(node, node), n, n);
+    const double share = shares.empty() ? 0.0 : shares[node];
+    Eigen::VectorXd added = diagonal_scale_ * own.diagonal();
     if (problem_.bodies().is_of_mesh(node))
-      own.diagonal() *= 1.0 + shares[node];
+      added += share * own.diagonal();
     else
-      own.diagonal().head<3>().array() += shares[node] * (largest_of_any > 0.0 ? largest_of_any : 1.0);
+      added.head<3>().array() += share * largest_of_any;
+    own.diagonal() += added;
+    for (Eigen::Index i = 0; i < n; ++i)
+      ground_(static_cast<Eigen::Index>(place(node, static_cast<std::size_t>(i)))) = added(i);
   }
 }
 
@@ -310,7 +280,7 @@ double TangentBlocks::find_largest() const {
 }
 
 /// Each pair of blocks across the diagonal is worked out at its earlier node.
-void TangentBlocks::make_symmetric(double diagonal_scale) {
+void TangentBlocks::make_symmetric() {
   parallel_for(graph_.n_nodes(), threads_for(first_.back()), [&](std::uint32_t node) {
     for (const std::uint32_t other : graph_.neighbours(node)) {
       if (other < node) continue;
@@ -319,7 +289,6 @@ void TangentBlocks::make_symmetric(double diagonal_scale) {
       const Eigen::Matrix3d mean = 0.5 * (here.transpose() + across);
       here = mean;
       across = mean.transpose();
-      if (other == node) here.diagonal() *= 1.0 + diagonal_scale;
     }
   });
 }
@@ -338,11 +307,11 @@ std::vector<NodeBlock> TangentBlocks::take_apart() {
   return apart;
 }
 
-BlockMatrix<3, 3> TangentBlocks::take_symmetric(double diagonal_scale, bool keeps) {
+BlockMatrix<3, 3> TangentBlocks::take_symmetric(bool keeps) {
   std::vector<double> kept;
   if (keeps) kept = columns_;
   const std::vector<NodeBlock> apart = take_apart();
-  make_symmetric(diagonal_scale);
+  make_symmetric();
   BlockMatrix<3, 3> matrix;
   matrix.n_columns = graph_.n_nodes();
   matrix.first = first_;

@@ -15,8 +15,7 @@ struct NodeBlock {
 };
 
 /// The stiffness of springs by nodes.
-///   only_symmetric  without their unsymmetric part
-std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs, bool only_symmetric);
+std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs);
 
 /// The whole stiffness by blocks of nodes: of the mesh by differences of residuals, and of what else joins
 /// nodes, whether or not they share an element. Fixed and prescribed directions have a stiffness of their own
@@ -24,7 +23,8 @@ std::vector<NodeBlock> blocks_of(const std::vector<ContactSpring>& springs, bool
 class TangentBlocks {
  public:
   /// All must outlive it.
-  TangentBlocks(StaticProblem& problem, const NodeGraph& graph);
+  ///   diagonal_scale  share of a node's stiffness that it has to the ground, too [1]
+  TangentBlocks(StaticProblem& problem, const NodeGraph& graph, double diagonal_scale = 0.0);
 
   std::size_t per_node() const { return per_node_; }
   /// Where an unknown of a node stands in vectors.
@@ -37,25 +37,23 @@ class TangentBlocks {
     std::int64_t n_evaluations = 0;  ///< of the residual
     bool exists = false;             ///< else the residual cannot be evaluated there: not to be used
     bool has_new_elements = false;   ///< the mesh's own part, too
+    double spring_size = 0.0;        ///< of all springs: what has changed far has another one
   };
   /// Finds the stiffness at an increment of the step: that of the mesh by differences, and the springs of
   /// contact in place of those before. Nodes that move with nothing held get shares of their stiffness to the
   /// ground.
   ///   shares     [n_nodes], or empty [1]
-  ///   may_keep   the mesh's own part stays where it is there and contact has other springs than before, or
-  ///              hardly anything has moved
+  ///   may_keep   the mesh's own part stays where it is there
   Update update(const Eigen::VectorXd& increment, const std::vector<double>& shares, bool may_keep);
-  /// Whether what joins nodes has an unsymmetric part besides: only where nodes do not turn, else it is with
-  /// the blocks.
-  bool has_unsymmetric() const { return !unsymmetric_.empty(); }
-  /// Adds that part times a motion to a vector. Both [size of the problem].
-  void add_unsymmetric(const Eigen::VectorXd& motion, Eigen::VectorXd& product) const;
   /// Finds the mesh's own part. Returns the evaluations of the residual, 0 where there is none.
   std::int64_t renew(const Eigen::VectorXd& increment);
   /// Takes the parts of what else joins nodes, in place of those before. Nodes without elements are left out.
   void join(std::vector<NodeBlock> blocks);
   /// The largest stiffness of a node against moving, of the mesh [force/length].
   double largest() const { return largest_; }
+  /// The stiffness that nodes have to the ground in the last update() that found the mesh's own part [size of
+  /// the problem]; empty without any.
+  const Eigen::VectorXd& ground() const { return ground_; }
   /// The block of a node on the diagonal [per_node x per_node]. Precondition: the node has elements.
   const double* own_block(std::uint32_t node) const { return block_of(node, node); }
   /// Calls take(row, column, block) for every pair of nodes, once or more: the sum is the negative
@@ -80,9 +78,8 @@ class TangentBlocks {
   }
 
   /// The mean of the stiffness and its transpose. Precondition: nodes do not turn.
-  ///   diagonal_scale  share of the diagonal that is added to it [1]
-  ///   keeps           the blocks for update(), which takes their memory twice; else they are given away
-  BlockMatrix<3, 3> take_symmetric(double diagonal_scale, bool keeps);
+  ///   keeps  the blocks for update(), which takes their memory twice; else they are given away
+  BlockMatrix<3, 3> take_symmetric(bool keeps);
 
  private:
   /// Of bodies those of the largest of any node.
@@ -96,13 +93,12 @@ class TangentBlocks {
   std::size_t offset(std::uint32_t node, std::uint32_t neighbour) const;
   bool are_neighbours(std::uint32_t a, std::uint32_t b) const;
   std::vector<NodeBlock> take_apart();
-  bool is_near_last(const Eigen::VectorXd& increment) const;
   double find_largest() const;
   void hold_directions();
   void gather_bodies();
   void take_body(std::uint32_t body, const BodyBlocks::Block& stiffness);
   void steady_rotations();
-  void make_symmetric(double diagonal_scale);
+  void make_symmetric();
 
   StaticProblem& problem_;
   const NodeGraph& graph_;
@@ -112,11 +108,10 @@ class TangentBlocks {
   // Of a node's unknowns, the rows of a neighbour [n_pairs x per_node x per_node].
   std::vector<double> columns_;
   std::vector<NodeBlock> joined_;     // of what else joins nodes
-  std::vector<ContactSpring> unsymmetric_;  // springs of contact that are, where nodes do not turn
-  std::vector<NodeBlock> of_bodies_;        // between rigid bodies and the mesh
-  Eigen::VectorXd probed_at_;         // the increment of the mesh's own part
+  std::vector<NodeBlock> of_bodies_;  // between rigid bodies and the mesh
+  double diagonal_scale_;
+  Eigen::VectorXd ground_;  // [size of the problem], or empty [force/length]
   double largest_ = 0.0;
-  double spring_size_ = 0.0;  // of contact, which tells whether its springs have changed
 };
 
 }  // namespace contactsim

@@ -8,8 +8,8 @@ namespace {
 /// Holds the forces of contact for as long as it lives.
 class HeldContact {
  public:
-  explicit HeldContact(StaticProblem& problem) : problem_(problem) { problem_.hold_contact(true); }
-  ~HeldContact() { problem_.hold_contact(false); }
+  explicit HeldContact(StaticProblem& problem) : problem_(problem) { problem_.hold_rough(true); }
+  ~HeldContact() { problem_.hold_rough(false); }
   HeldContact(const HeldContact&) = delete;
   HeldContact& operator=(const HeldContact&) = delete;
 

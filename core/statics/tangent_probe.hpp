@@ -11,7 +11,7 @@ namespace contactsim {
 
 /// The stiffness of all but contact by differences of residuals in which all nodes of a colour move at once:
 /// exact for every element and material, with whatever its law does on the way from the start of the step.
-/// That of contact, which no pattern of elements holds, is in StaticProblem::contact_springs() afterwards.
+/// That of contact, which no pattern of elements holds, is in StaticProblem::springs() afterwards.
 /// Nodes of rigid bodies count as if they were free: StaticBodies::carriers() says by what they are moved.
 class TangentProbe {
  public:

@@ -2,6 +2,7 @@
 #include "contact/formulations/face_face/weighted_gaps.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -65,9 +66,12 @@ void WeightedGaps::add(const ContactMesh& contact_mesh, WeightedOverlap overlap)
 void WeightedGaps::find_tractions(const ContactStepContext& context) {
   for (WeightedNode& node : nodes_) {
     node.multiplier = context.multipliers->value_or(node.pair, node.row, 0.0);
-    if (!(node.depth() > 0.0)) continue;
-    node.pressure = node.penalty.pressure_at(node.depth());
-    node.slope = node.penalty.slope(node.depth());
+    // What lies on the other side without pressure resists closing.
+    constexpr double closed = 1e-6;
+    if (!(node.depth() > -closed * std::sqrt(node.area))) continue;
+    const double depth = std::max(node.depth(), 0.0);
+    node.pressure = node.penalty.pressure_at(depth);
+    node.slope = node.penalty.slope(depth);
     if (node.has_friction()) drag(context, node);
   }
 }

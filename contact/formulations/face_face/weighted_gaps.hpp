@@ -48,7 +48,7 @@ struct WeightedNode {
   PairPenalty penalty;      ///< its stiffness is the mean by the same
   double multiplier = 0.0;  ///< depth by which it counts as deeper [length]
   double pressure = 0.0;    ///< >= 0 [force/length^2]
-  double slope = 0.0;       ///< of the pressure over the depth, where it presses [force/length^3]
+  double slope = 0.0;       ///< of the pressure over the depth, where it lies on [force/length^3]
 
   // With friction, of its own side, over what bears.
   double bearing = 0.0;                                    ///< area [length^2]

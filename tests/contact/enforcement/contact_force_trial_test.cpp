@@ -133,6 +133,43 @@ TEST_CASE("springs of contact are the derivatives of its forces", "[contact][con
   CHECK(error < 0.02 * largest);
 }
 
+TEST_CASE("what sticks and what slides resist by the derivatives of their forces",
+          "[contact][contact_force][statics]") {
+  const std::string form = GENERATE(std::string(), node_face);
+  const bool slides = GENERATE(false, true);
+  CAPTURE(form, slides);
+  StaticPlates plates(form + rough);
+  plates.begin();
+  const Eigen::Vector3d motion(slides ? 0.05 : 0.002, slides ? 0.02 : 0.001, -0.02);
+  const Matrix3Xd base = plates.try_motion(motion, 0.0);
+  const Eigen::Index n = base.cols();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * n, 3 * n);
+  double unsymmetric = 0.0;
+  plates.bodies.contact.visit_springs([&](const ContactSpring& spring) {
+    unsymmetric += spring.unsymmetric.norm();
+    for (Eigen::Index column = 0; column < 3 * n; ++column) {
+      const Eigen::VectorXd unit = Eigen::VectorXd::Unit(3 * n, column);
+      spring.multiply([&](const SpringEnd& end) { return unit.segment<3>(3 * end.node); },
+                      [&](const SpringEnd& end, const Eigen::Vector3d& felt) {
+                        stiffness.col(column).segment<3>(3 * end.node) += felt;
+                      });
+    }
+  });
+  CHECK((unsymmetric > 0.0) == slides);
+  constexpr double size = 1e-7;
+  double error = 0.0;
+  for (Eigen::Index column = 0; column < 3 * n; ++column) {
+    plates.move(motion, 0.0);
+    plates.bodies.x.reshaped()(column) += size;
+    plates.bodies.v.reshaped()(column) += size / StaticPlates::step;
+    Matrix3Xd moved = Matrix3Xd::Zero(3, n);
+    plates.bodies.contact.try_forces(plates.bodies.motion(), moved, nullptr);
+    const Eigen::VectorXd slope = (base - moved).reshaped() / size;
+    error = std::max(error, (slope - stiffness.col(column)).norm());
+  }
+  CHECK(error < 0.05 * stiffness.colwise().norm().maxCoeff());
+}
+
 TEST_CASE("springs of faces that are bent and open in places are the derivatives of their forces",
           "[contact][contact_force][statics]") {
   StaticPlates plates("");
@@ -197,7 +234,7 @@ TEST_CASE("a node that only a sliver lies before has no multiplier", "[contact][
     const double x = contact.position(contact.contact_mesh().surface_nodes[row].node).x();
     double& largest = x > 3.5 ? beyond : before;
     for (const PairIndex pair : indices(contact.rules().rules()))
-      largest = std::max(largest, contact.multipliers().of_node(pair, row));
+      largest = std::max(largest, contact.multipliers().value_or(pair, row, 0.0));
   }
   CHECK(beyond == 0.0);
   CHECK(before == Approx(0.03).epsilon(0.1));

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+
+#include "core/statics/nonlinear_cg.hpp"
+
+namespace contactsim {
+
+/// Finds the stiffness at an increment anew.
+///   may_keep_elements  contact alone; else that of the mesh, too
+using Renew = std::function<void(const Eigen::VectorXd& increment, bool may_keep_elements)>;
+
+/// The linear equations of Newton's steps: minimal residuals in which the product of stiffness and direction is a
+/// difference of two residuals. Near balance that is all there is: friction that slides, normals that turn,
+/// faces that slide on, materials that harden. Farther off contact resists by its springs, without what its
+/// large forces soften. The preconditioner follows the stiffness when it makes too many iterations. Source: Knoll and Keyes, J. Comput. Phys. 193 (2004) 357-397; inexact steps: Dembo, Eisenstat and
+/// Steihaug, SIAM J. Numer. Anal. 19 (1982) 400-408.
+class LinearisedEquilibrium {
+ public:
+  /// All must outlive it.
+  LinearisedEquilibrium(Equilibrium& equilibrium, Preconditioner& preconditioner, Renew renew)
+      : equilibrium_(equilibrium), preconditioner_(preconditioner), renew_(std::move(renew)) {}
+
+  /// Sets z to what brings a right side to balance on the equilibrium linearised at an increment.
+  ///   residual  at the increment
+  ///   report    which counts are added to
+  void solve(const Eigen::VectorXd& increment, const Eigen::VectorXd& residual, const Eigen::VectorXd& right,
+             CgReport& report, Eigen::VectorXd& z);
+  /// Takes notice that contact may have closed, opened, begun to stick or to slide.
+  void note_contact(const Eigen::VectorXd& increment) { renew_(increment, true); }
+  /// Whether contact is linearised by differences, too.
+  void set_near(bool is_near) { is_near_ = is_near; }
+
+ private:
+  Equilibrium& equilibrium_;
+  Preconditioner& preconditioner_;
+  Renew renew_;
+  bool is_near_ = false;
+  int most_left_behind_ = 20;  // iterations by a preconditioner that is not that of now
+};
+
+/// Searches by Newton's steps: for bodies that bend far, whose residual grows before it falls, so that a search
+/// along lines creeps, and for contact. Gives up where it has got no smaller for some steps.
+/// Source: Bathe, Finite Element Procedures (1996), 8.4.1.
+CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, const CgSettings& settings,
+                Eigen::VectorXd& increment);
+
+/// Improves an increment by what brings it to balance on the equilibrium linearised there: predict_linearly()
+/// with one step of Newton's.
+/// Returns the number of evaluations of the residual.
+std::int64_t predict_by_newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised,
+                               const Eigen::VectorXd& prescribed, Eigen::VectorXd& increment);
+
+}  // namespace contactsim
