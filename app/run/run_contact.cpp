@@ -35,8 +35,8 @@ constexpr int longest_runaway = 20;
 /// What contact has given out that nothing had put into it [energy].
 double made_by_contact(const ContactForce& force, const Energies& energies) {
   const double stored = force.stored() - force.stored_at_start();
-  return stored + energies.friction + energies.contact_damping + std::max(energies.impact, 0.0) -
-         energies.contact;
+  return stored + energies.friction + energies.contact_damping + energies.stabilization +
+         std::max(energies.impact, 0.0) - energies.contact;
 }
 
 /// The pair that has made the most energy; the first without any pairs.

@@ -142,7 +142,7 @@ void Simulation::finish() {
   }
   write(true);
   run.whole_seconds = clock_seconds() - run.begun;
-  run.load_step_warnings.end();
+  run.load_step_warnings.end(run.state);
   if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
   notify(RunEvent::ended);
   if (run.contact) run.contact->write_debug_files();

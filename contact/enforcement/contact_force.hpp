@@ -8,6 +8,7 @@
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
 #include "contact/enforcement/contact_setup.hpp"
+#include "contact/enforcement/contact_stabilization.hpp"
 #include "contact/enforcement/contact_trial.hpp"
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/enforcement/offset_moments.hpp"
@@ -44,6 +45,10 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) override;
   void visit_springs(const std::function<void(const ContactSpring&)>& take) const override;
   MultiplierChange update_multipliers(double tolerance) override;
+  bool is_stabilized() const override { return stabilization_.is_on(); }
+  void stabilize(const StabilizationLevel& level) override { stabilization_.set_level(level); }
+  Stabilization stabilization() const override;
+  double stabilizing_force() const override { return stabilization_.force(); }
   double longest_motion() const override;
   void give_up_trials() override;
   ForceReport accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) override;
@@ -152,6 +157,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   PairHistories histories_;
   ContactMultipliers multipliers_;       // of load steps
   WeightedGaps weighted_gaps_;           // of the last trial of a load step
+  ContactStabilization stabilization_;   // of load steps
   std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   ContactStep step_share_;
   double stored_at_start_ = 0.0;

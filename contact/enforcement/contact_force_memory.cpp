@@ -39,6 +39,7 @@ void ContactForce::archive(const Motion& motion, StateArchive& saved) {
   saved.numbers("contact/impact_loss", last_loss_.friction_after, last_loss_.impact_after);
   histories_.archive(saved);
   multipliers_.archive(saved);
+  stabilization_.archive(contact_mesh_.n_nodes(), saved);
   saved.numbers("contact/step_share", step_share_.share);
   saved.numbers("contact/stored_at_start", stored_at_start_);
   saved.numbers("contact/start_step", start_step_);

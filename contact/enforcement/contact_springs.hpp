@@ -25,12 +25,14 @@ class ContactSprings {
   /// Along the surface, as long as a point sticks; what slides resists across the way that it slides by the
   /// force that friction has.
   std::optional<ContactSpring> friction_spring_of(const ContactPoint& point) const;
+  /// Between the sides of a contact point.
+  ///   stiffness  symmetric [force/length]
+  ContactSpring spring_between(const ContactPoint& point, const Eigen::Matrix3d& stiffness) const;
   ContactSpring spring_of(const Tie& tie) const;
   /// Of another constraint, whose corners count as fastened by springs of their own.
   ContactSpring spring_of(const InterfaceConstraint& constraint) const;
 
  private:
-  ContactSpring spring_between(const ContactPoint& point, const Eigen::Matrix3d& stiffness) const;
   void add_corners(const ContactPoint& point, ContactSpring& spring) const;
   void add_corner(std::size_t corner, std::uint32_t node, const Eigen::Vector3d& beside,
                   ContactSpring& spring) const;
