@@ -54,6 +54,16 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ForceReport accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) override;
   const ContactMultipliers& multipliers() const { return multipliers_; }
 
+  /// Whether contact of load steps before has the same surfaces and pairs, so that take_over() can be called.
+  bool is_like(const ContactForce& earlier) const;
+  /// Takes over what contact of load steps before remembers, in load steps all of it: touch, friction, ties,
+  /// multipliers, sums. In explicit dynamics pairs whose momentum is balanced begin with its forces, and what
+  /// it has pressed counts as just touching as it is; others begin anew. To be called before the first
+  /// forces. Precondition: is_like(earlier).
+  ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
+  ///   motion  of the start
+  void take_over(ContactForce& earlier, const Motion& ended, const Motion& motion);
+
   /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
   /// is gone is over; the energy that it stored is lost.
@@ -128,6 +138,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void foresee(const State& state);
   double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);
+  std::uint64_t surfaces_digest() const;
   void archive_faces(StateArchive& saved);
 
   ContactSetup setup_;

@@ -2,6 +2,7 @@
 #include "contact/enforcement/contact_history.hpp"
 
 #include <algorithm>
+#include <string>
 
 #include "core/base/state_archive.hpp"
 
@@ -47,6 +48,7 @@ bool ContactHistory::find_mean(const IsWanted& is_wanted, Entry& found) const {
     found.traction += share * entries_[i].traction;
     found.held += share * entries_[i].held;
     found.left += share * entries_[i].left;
+    found.zero_gap += share * entries_[i].zero_gap;
   }
   return true;
 }
@@ -84,6 +86,11 @@ void ContactHistory::archive(StateArchive& saved) {
     row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held,
         known.left, known.area);
   });
+  // Of what load steps have pressed before alone.
+  const std::string name = "contact/zero_gaps_of_points";
+  const auto has_gap = [](const KnownPoint& known) { return known.zero_gap != 0.0; };
+  if (saved.restores() ? saved.has(name) : std::ranges::any_of(entries_, has_gap))
+    saved.fixed_rows(name, entries_, [](KnownPoint& known, RowNumbers& row) { row(known.zero_gap); });
   cursor_ = 0;
 }
 

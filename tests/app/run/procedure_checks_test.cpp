@@ -142,7 +142,8 @@ TEST_CASE("what a transfer does not take over is refused", "[app][procedures]") 
                       "PROCEDURAL TRANSFER"));
   Lines pressed = load;
   pressed.region = contact;
-  CHECK_THAT(boxes.check({pressed, go}).err, Contains("contact begins anew in what touches"));
+  CHECK_THAT(boxes.check({pressed, go}).err,
+             Contains("contact of the procedure before is over: this one has none"));
   Lines meeting = go;
   meeting.region = contact;
   CHECK(boxes.check({load, meeting}).exit_code == 0);
