@@ -125,15 +125,6 @@ TEST_CASE("procedures write files of their own, or append to one", "[app][proced
   CHECK_THAT(boxes.error({first, second}), Contains("would overwrite a.rsout"));
 }
 
-TEST_CASE("a restart of several procedures is refused", "[app][procedures]") {
-  Lines second{"presto", "hit", "1", "1.001", take_all, "begin restart data\nat step 0 increment = 1\nend\n"};
-  CHECK_THAT(TwoBoxes().error({load, second}, "restart = automatic\n"),
-             Contains("a restart of a deck with several procedures is not supported"));
-  second.region = "begin restart data\nrestart = automatic\nend\n";
-  CHECK_THAT(TwoBoxes().error({load, second}),
-             Contains("a restart of a deck with several procedures is not supported"));
-}
-
 TEST_CASE("what a transfer does not take over is refused", "[app][procedures]") {
   const TwoBoxes boxes;
   const Lines hit{"presto", "hit", "0", "1", "", contact}, go{"presto", "go", "1", "1.001", take_all};

@@ -179,3 +179,33 @@ TEST_CASE("contact of other pairs begins anew after a transfer, which is told", 
       loading + PressedBlocks::procedure("presto", "hold", "1", "1.001", "enforcement = penalty\n"));
   CHECK_THAT(elastic.err, Contains("ENFORCEMENT = PENALTY begins anew"));
 }
+
+TEST_CASE("a deck of several procedures goes on from a stored state with the same bytes",
+          "[app][procedures]") {
+  const std::string second = GENERATE(std::string("presto"), std::string("adagio"));
+  const PressedBlocks blocks;
+  const auto data = [](const std::string& name) {
+    return "begin restart data\noutput database name = " + name + ".rsout\ninput database name = " + name +
+           ".rsout\nat step 0 increment = 2\nend\n";
+  };
+  const std::string procedures = PressedBlocks::procedure("adagio", "load", "0", "1", "", data("load")) +
+                                 PressedBlocks::procedure(second, "rest", "1", "1.02", "", data("rest"));
+  REQUIRE(blocks.run_deck(procedures).exit_code == 0);
+  const std::string loaded = blocks.read("load.csv"), rest = blocks.read("rest.csv");
+  const auto ends_with = [](const std::string& text, const std::string& resumed) {
+    const std::string lines = resumed.substr(resumed.find('\n') + 1);
+    return lines.size() > 40 && text.ends_with(lines);
+  };
+  // In the middle of the first, at the border, in the second.
+  const auto in_first = blocks.run_deck(procedures, "restart time = 0.5\n");
+  REQUIRE(in_first.exit_code == 0);
+  CHECK(ends_with(loaded, blocks.read("load.csv-s0002")));
+  CHECK(blocks.read("rest.csv") == rest);
+  const auto at_border = blocks.run_deck(procedures, "restart time = 1\n");
+  REQUIRE(at_border.exit_code == 0);
+  CHECK(blocks.read("rest.csv") == rest);
+  const auto in_second = blocks.run_deck(procedures, "restart time = 1.01\n");
+  REQUIRE(in_second.exit_code == 0);
+  CHECK_THAT(in_second.out, Contains("The procedure load is not run: rest goes on from its stored state."));
+  CHECK(ends_with(rest, blocks.read("rest.csv-s0002")));
+}
