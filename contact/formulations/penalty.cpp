@@ -38,9 +38,7 @@ PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyPrope
   // Where one side of a shell alone takes part, nothing comes near its other one.
   const double share = pair.is_polar() ? 1.0 : deep;
   PairPenalty penalty;
-  penalty.stiffness =
-      pair.penalty_stiffness.value_or(stiffness_of_sides(first, second)) *
-      pair.penalty_scale;
+  penalty.stiffness = pair.penalty_stiffness.value_or(stiffness_of_sides(first, second)) * pair.penalty_scale;
   const double mass = of_sides(first, second, &PenaltyProperties::mass_per_area);
   penalty.damping = 2.0 * pair.damping_fraction * std::sqrt(penalty.stiffness * mass);
   const double thickness = second ? std::min(first.thickness, second->thickness) : first.thickness;
