@@ -18,6 +18,10 @@ constexpr double gap_recovery = 0.2, fastest_recovery = 2e-4, slip_recovery = 0.
 /// more would throw apart what folds hold in.
 constexpr double max_recovery = 0.1;
 
+/// What load steps have pressed just touches as it is, up to this gap or depth over the thickness: their gaps
+/// are closed in the mean of a node's surroundings, and not at every point. What is farther is beside it.
+constexpr double pressed_gap = 1e-3;
+
 /// How far a point may penetrate at the end of a step [length].
 double left_penetration(double gap, double thickness) {
   return std::max({0.0, -(1.0 - gap_recovery) * gap, -gap - fastest_recovery * thickness});
@@ -97,7 +101,9 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
-  const std::optional<ContactHistory::Entry> known = recall(contact_point);
+  std::optional<ContactHistory::Entry> known = recall(contact_point);
+  if (known && std::isnan(known->zero_gap))
+    known->zero_gap = std::abs(contact_point.gap) <= pressed_gap * thickness ? contact_point.gap : 0.0;
   ContactPoint measured = contact_point;
   if (known) measured.gap -= known->zero_gap;
   row.zero_gap = known ? known->zero_gap : 0.0;

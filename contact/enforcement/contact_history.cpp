@@ -2,6 +2,7 @@
 #include "contact/enforcement/contact_history.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "core/base/state_archive.hpp"
@@ -30,7 +31,10 @@ bool ContactHistory::recall(const ContactPoint& point, Entry& found) {
     return id.kind == wanted.kind && id.first == wanted.first;
   };
   const auto is_of_pair = [&](const PointId& id) { return is_of_first(id) && id.second == wanted.second; };
-  return find_mean(is_of_pair, found) || find_mean(is_of_first, found);
+  if (find_mean(is_of_pair, found)) return true;
+  // What load steps have pressed is known of these two alone: what else is before the first may be apart.
+  const bool is_of_load_steps = !entries_.empty() && std::isnan(entries_.front().zero_gap);
+  return !is_of_load_steps && find_mean(is_of_first, found);
 }
 
 /// The mean over area of the entries about the cursor that are wanted.
