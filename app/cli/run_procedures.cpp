@@ -12,6 +12,7 @@
 #include "app/reports/procedure_report.hpp"
 #include "app/reports/run_head.hpp"
 #include "app/reports/run_log.hpp"
+#include "app/run/run_restart.hpp"
 #include "app/run/simulation.hpp"
 
 namespace contactsim {
@@ -82,7 +83,12 @@ class ProcedureRuns {
   ExitCode run() {
     for (const auto& simulation : simulations_)
       std::ranges::copy(simulation->output_paths(), std::back_inserter(way_.draft.output_paths));
-    for (std::size_t i = 0; i < regions_.size(); ++i) {
+    const std::size_t first = find_resumed();
+    for (std::size_t i = 0; i < first; ++i)
+      way_.log.write(fmt::format("\nThe procedure {} is not run: {} goes on from its stored state.\n",
+                                 regions_[i].procedure.name.text, regions_[first].procedure.name.text));
+    for (std::size_t i = first + 1; i < regions_.size(); ++i) simulations_[i]->begin_at_start();
+    for (std::size_t i = first; i < regions_.size(); ++i) {
       write_heading(i);
       const ExitCode code = run(i);
       const auto& end = simulations_[i]->end();
@@ -96,6 +102,27 @@ class ProcedureRuns {
   }
 
  private:
+  /// The procedure that goes on from a stored state: of those that have one the last of the run that began
+  /// last, or that of the state next to RESTART TIME; the first without any.
+  std::size_t find_resumed() const {
+    std::size_t resumed = 0;
+    std::optional<StoredState> best;
+    double nearest = 0.0;
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
+      const RunRestart& restart = simulations_[i]->restart();
+      const std::optional<StoredState> state = restart.find_best();
+      if (!state) continue;
+      const double distance = restart.distance_to(*state);
+      const bool is_better =
+          !best || distance < nearest || (distance == nearest && state->head.begun >= best->head.begun);
+      if (!is_better) continue;
+      best = state;
+      nearest = distance;
+      resumed = i;
+    }
+    return resumed;
+  }
+
   bool are_several() const { return regions_.size() > 1; }
 
   /// The command line's results file is that of the last procedure.

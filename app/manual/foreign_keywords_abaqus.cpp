@@ -67,6 +67,9 @@ std::span<const ForeignKeyword> abaqus_keywords() {
       ForeignKeyword{"Abaqus", "*CONTACT PAIR, SMALL SLIDING", P::interaction,
                      "INTERACTION BEHAVIOR = INFINITESIMAL_SLIDING",
                      "partners of the start are kept; finite sliding is the default"},
+      ForeignKeyword{"Abaqus", "*CONTACT STABILIZATION", P::interaction, "CONTACT STABILIZATION = ON",
+                     "of load steps; TANGENT FRACTION is STABILIZATION TANGENTIAL FRACTION, RANGE is "
+                     "STABILIZATION RANGE; *CONTACT CONTROLS, STABILIZE is the same of contact pairs"},
       ForeignKeyword{"Abaqus", "*CONTACT CONTROLS ASSIGNMENT, TYPE=SCALE PENALTY", P::interaction,
                      "ENFORCEMENT = PENALTY\nPENALTY SCALE = 0.1",
                      "of one pair; of all in BEGIN ENFORCEMENT OPTIONS"},

@@ -51,8 +51,9 @@ std::span<const ForeignKeyword> optistruct_keywords() {
       ForeignKeyword{"OptiStruct", "TRACK=FINITE, CONSLI", P::interaction, "INTERACTION BEHAVIOR = SLIDING",
                      "the default: partners are followed in every step, friction or not"},
       ForeignKeyword{"OptiStruct", "CNTSTB", P::interaction,
-                     "ENFORCEMENT = PENALTY\nCONTACT DAMPING FRACTION = 0.1",
-                     "at all times: damping has no periods of its own"},
+                     "CONTACT STABILIZATION = ON\nSTABILIZATION TANGENTIAL FRACTION = 0.1",
+                     "of load steps; SCALE is the number in place of ON, S1 is STABILIZATION REMAINING "
+                     "FRACTION, LMTGAP is STABILIZATION RANGE; S0 is 1 in every time stepping block"},
       ForeignKeyword{"OptiStruct", "GAPGPRJ=SHORT", P::none, "",
                      "the rule: beyond the edge of a face the nearest point counts"},
   };

@@ -79,7 +79,7 @@ std::map<std::string, double> energies_of(const DeckRun& run) {
           {"external", energies.external}, {"contact", energies.contact},
           {"friction", energies.friction}, {"contact_damping", energies.contact_damping},
           {"impact", energies.impact},     {"hourglass", energies.hourglass},
-          {"error", energies.error}};
+          {"error", energies.error},       {"stabilization", energies.stabilization}};
 }
 
 /// Steps until a time or the end; Python's interrupts are heard after every step.

@@ -47,15 +47,17 @@ Json wall_time_json(const SummaryRun& run) {
 }
 
 Json energies_json(const Energies& e) {
-  return {{"kinetic", finite_or_null(e.kinetic)},
-          {"internal", finite_or_null(e.internal)},
-          {"external", finite_or_null(e.external)},
-          {"contact", finite_or_null(e.contact)},
-          {"friction", finite_or_null(e.friction)},
-          {"contact_damping", finite_or_null(e.contact_damping)},
-          {"contact_impact", finite_or_null(e.impact)},
-          {"error", finite_or_null(e.error)},
-          {"error_share", e.largest > 0.0 ? finite_or_null(e.error / e.largest) : Json(0.0)}};
+  Json json{{"kinetic", finite_or_null(e.kinetic)},
+            {"internal", finite_or_null(e.internal)},
+            {"external", finite_or_null(e.external)},
+            {"contact", finite_or_null(e.contact)},
+            {"friction", finite_or_null(e.friction)},
+            {"contact_damping", finite_or_null(e.contact_damping)},
+            {"contact_impact", finite_or_null(e.impact)},
+            {"error", finite_or_null(e.error)},
+            {"error_share", e.largest > 0.0 ? finite_or_null(e.error / e.largest) : Json(0.0)}};
+  if (e.stabilization != 0.0) json["contact_stabilization"] = finite_or_null(e.stabilization);
+  return json;
 }
 
 Json run_json(const SummaryRun& run) {

@@ -93,7 +93,7 @@ std::string format_energy_balance(const Energies& energies, double stored_at_sta
   };
   const double impact = energies.impact + given_out_by_overlaps + ramped;
   const double overlap_energy = stored_at_start + given_out_by_overlaps;
-  const double lost = energies.friction + energies.contact_damping + impact;
+  const double lost = energies.friction + energies.contact_damping + energies.stabilization + impact;
   add("start, between half steps", energies.start);
   add("put in by the start, overlaps", overlap_energy);
   add("work of loads and motion", energies.external);
@@ -102,6 +102,7 @@ std::string format_energy_balance(const Energies& energies, double stored_at_sta
   add("held by contact", overlap_energy + energies.contact - lost);
   add("lost to friction", energies.friction);
   add("lost to contact damping", energies.contact_damping);
+  if (energies.stabilization != 0.0) add("lost to stabilization", energies.stabilization);
   add("lost where sides met", impact);
   add("error of the balance", energies.error);
   return text;

@@ -33,6 +33,8 @@ std::string format_load_step(const State& state, const LoadStepReport& report, b
   if (report.is_contact_short())
     remark += fmt::format("  multipliers change contact forces by {:.2g}, not below the target {:.2g}",
                           report.contact.change / report.contact.reference, *report.contact_target);
+  if (report.stabilizing_force.value_or(0.0) > 0.0)
+    remark += fmt::format("  stabilization bears {:.2g}", *report.stabilizing_force);
   if (report.n_again > 0) remark += fmt::format("  anew after deaths: {}", report.n_again);
   if (report.has_left_newton) remark += "  by nodal blocks, the full tangent led nowhere";
   if (report.n_negative > 0) remark += fmt::format("  not stable along {} directions", report.n_negative);

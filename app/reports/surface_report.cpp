@@ -152,6 +152,12 @@ Json to_json(const ContactModel& model, const SurfacePair& pair) {
                    {"ignore_initial_overlap", pair.gap.ignore_initial_overlap.value_or(false)},
                    {"overlap_ramp_time", to_json(pair.gap.overlap_ramp_time)}};
   }
+  if (const StabilizationSettings& own = pair.stabilization; own.is_on()) {
+    json["stabilization"] = {{"scale", *own.scale},
+                             {"tangential_fraction", to_json(own.tangential_fraction)},
+                             {"remaining_fraction", to_json(own.remaining_fraction)},
+                             {"range", to_json(own.range)}};
+  }
   if (pair.smoothing) json["smoothing"] = model.smoothings[*pair.smoothing].name;
   return json;
 }

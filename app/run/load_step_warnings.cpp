@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "core/base/pluralize.hpp"
 
 namespace contactsim {
@@ -17,6 +19,7 @@ void LoadStepWarnings::Steps::add(const State& state, double share_now, double t
   share = share_now;
   target = target_now;
   worst = state.step;
+  worst_time = state.time;
 }
 
 std::string LoadStepWarnings::Steps::format(const char* what, const char* reference) const {
@@ -44,11 +47,35 @@ void LoadStepWarnings::note_deaths_left(const State& state) {
 void LoadStepWarnings::step(const State& state, const LoadStepReport& report) {
   if (report.search.end == CgReport::End::acceptable)
     searches_.add(state, report.search.residual / report.search.reference, report.search_target);
+  if (report.ends_block && report.stabilizing_force.value_or(0.0) > report.search_target)
+    stabilized_.add(state, *report.stabilizing_force, report.search_target);
   if (report.is_contact_short())
     updates_.add(state, report.contact.change / report.contact.reference, *report.contact_target);
 }
 
-void LoadStepWarnings::end() const {
+void LoadStepWarnings::warn_of_stabilization(const Energies& energies) const {
+  constexpr double worrying = 0.05;
+  if (stabilized_.n > 0)
+    warnings_.add_warning(
+        "stabilization-remains", {},
+        fmt::format("contact stabilization still bears {:.3g} of the forces as the time stepping block ends "
+                    "at time {:.6g}, the largest of {}: the equilibrium is not that of the loads alone",
+                    stabilized_.share, stabilized_.worst_time,
+                    pluralize(static_cast<std::size_t>(stabilized_.n), "such end")),
+        "STABILIZATION REMAINING FRACTION = 0 lets go of it");
+  if (energies.stabilization > worrying * std::abs(energies.internal))
+    warnings_.add_warning(
+        "stabilization-energy", {},
+        fmt::format(
+            "contact stabilization has taken up {:.3g} of energy, {:.3g} of the internal energy {:.3g}: "
+            "the way to the equilibrium may have been another one without it",
+            energies.stabilization, energies.stabilization / std::abs(energies.internal), energies.internal),
+        "loads that grow from 0 move what does not touch yet with little energy; a smaller CONTACT "
+        "STABILIZATION takes up less along surfaces that slide");
+}
+
+void LoadStepWarnings::end(const State& state) const {
+  warn_of_stabilization(state.energies);
   if (searches_.n > 0)
     warnings_.add_warning("equilibrium-acceptable", {},
                           searches_.format("forces left over are", "their reference"),

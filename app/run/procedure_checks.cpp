@@ -69,21 +69,6 @@ void check_files(const SimulationDefinition& definition, Diagnostics& diagnostic
   }
 }
 
-void refuse_restart(const SimulationDefinition& definition, Diagnostics& diagnostics) {
-  const auto refuse = [&](const DeckName& name) {
-    diagnostics.add_error(name.location, "a restart of a deck with several procedures is not supported",
-                          "a deck with the procedure that stored the state goes on from it", length_of(name));
-  };
-  if (definition.restart.is_automatic || definition.restart.time)
-    return refuse(definition.procedures[1].name);
-  for (const Procedure& procedure : definition.procedures) {
-    for (const Region& region : procedure.regions) {
-      for (const RestartData& restart : region.restart_data)
-        if (restart.is_automatic || restart.restart_time) refuse(restart.name);
-    }
-  }
-}
-
 /// Warns of a state that is taken over at another time than it was reached at.
 void check_times(const Procedure& before, const Procedure& procedure, Diagnostics& diagnostics) {
   if (!before.time_control || !procedure.time_control) return;
@@ -124,7 +109,6 @@ void check_procedures(const SimulationDefinition& definition, Diagnostics& diagn
     check_transfer(procedures[i - 1], procedures[i], diagnostics);
   if (procedures.size() < 2) return;
   check_files(definition, diagnostics);
-  refuse_restart(definition, diagnostics);
 }
 
 }  // namespace contactsim

@@ -7,7 +7,7 @@
 namespace contactsim {
 
 /// What the deck alone shows of procedures that follow each other. Errors: PROCEDURAL TRANSFER in the first,
-/// files of one name in two, RESTART of a deck with several. Warnings: a procedure that starts from the mesh,
+/// files of one name in two. Warnings: a procedure that starts from the mesh,
 /// and one that takes over a state of another time.
 void check_procedures(const SimulationDefinition& definition, Diagnostics& diagnostics);
 

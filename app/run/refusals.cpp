@@ -75,11 +75,6 @@ void TransferRefusals::refuse_earlier() const {
   if (has_contact && !is_static)
     refuse_here(location, "contact in an explicit procedure before",
                 "the state of contact is not taken over yet");
-  if (has_contact && is_static)
-    diagnostics_.add_warning("contact-begins-anew", location,
-                             "contact begins anew in what touches: what friction held along surfaces in the "
-                             "procedure before is not taken over",
-                             "");
   if (!earlier.model().rigid.empty())
     refuse_here(location, "a rigid body in the procedure before",
                 "a block of an elastic material 1000 times as stiff takes its place");

@@ -9,6 +9,7 @@
 
 #include "app/run/energy_watch.hpp"
 #include "app/run/reach_warnings.hpp"
+#include "app/run/simulation.hpp"
 #include "app/run/smoothing_warnings.hpp"
 #include "app/run/start_overlap.hpp"
 #include "app/run/start_warnings.hpp"
@@ -35,8 +36,8 @@ constexpr int longest_runaway = 20;
 /// What contact has given out that nothing had put into it [energy].
 double made_by_contact(const ContactForce& force, const Energies& energies) {
   const double stored = force.stored() - force.stored_at_start();
-  return stored + energies.friction + energies.contact_damping + std::max(energies.impact, 0.0) -
-         energies.contact;
+  return stored + energies.friction + energies.contact_damping + energies.stabilization +
+         std::max(energies.impact, 0.0) - energies.contact;
 }
 
 /// The pair that has made the most energy; the first without any pairs.
@@ -63,6 +64,8 @@ RunContact::RunContact(const RunInput& input, const Model& model)
       offset_overlaps_(find_offset_overlaps(input)),
       force_(ContactSetup{*input.region.contact, contact_, model,
                           input.procedure.time_control->time_stepping_blocks, input.definition.functions}),
+      begins_pressed_(input.earlier != nullptr && !input.procedure.transfers.empty() &&
+                      input.earlier->contact_force() != nullptr),
       output_(force_, contact_, model),
       debug_(contact_debug_files(input.definition, input.region.contact->debug)) {}
 
@@ -129,7 +132,7 @@ void RunContact::add_suffix(const std::string& suffix) {
 
 bool RunContact::came_out_of_overlap(PairIndex pair) const {
   if (!force_.rules()[pair].is_balanced) return false;
-  return offset_overlaps_[pair] > 0.0 ||
+  return begins_pressed_ || offset_overlaps_[pair] > 0.0 ||
          std::ranges::any_of(input_.overlaps,
                              [&](const StartOverlap& overlap) { return overlap.pair == pair; });
 }

@@ -60,7 +60,8 @@ class RunContact {
   /// whose contact ended though it was deep; of those that have penetrated by more than a tenth of their
   /// thickness; and of those that have slid off their faces of the start, or lost them to deaths.
   void warn_of_end(const State& state, Diagnostics& warnings) const;
-  /// What pairs without springs gave out to come out of overlaps of the mesh [energy].
+  /// What pairs without springs gave out to come out of overlaps of the mesh, or of what the procedure before
+  /// had pressed [energy].
   double given_out_by_overlaps() const;
   /// To be called after every step: throws SolveError naming the pair when contact has for some steps given
   /// out more energy from nowhere than all that was put into the model.
@@ -80,6 +81,7 @@ class RunContact {
   UntiedParts untied_;                                // of the start
   IndexedVector<PairIndex, double> offset_overlaps_;  // made by offsets at the start [length]
   ContactForce force_;
+  bool begins_pressed_;  // by contact of the procedure before
   ContactOutput output_;
   ContactDebugFiles debug_;
   std::optional<SurfaceTracker> living_;  // only when elements may die

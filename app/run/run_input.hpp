@@ -29,7 +29,7 @@ struct RunInput {
   std::span<const StartOverlap> overlaps = {};
   /// That of the procedure before, over when this one begins: what PROCEDURAL TRANSFER takes its state from,
   /// until then; null: there is none.
-  const Simulation* earlier = nullptr;
+  Simulation* earlier = nullptr;
 };
 
 /// What a run needs for its outputs besides its input.

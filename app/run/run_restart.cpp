@@ -58,13 +58,22 @@ std::vector<StoredState> RunRestart::stored_states(Diagnostics& warnings) const 
   std::vector<std::string> unusable;
   std::vector<StoredState> states = find_stored_states(input_, unusable);
   for (const std::string& problem : unusable) warnings.add_warning("restart-file-damaged", {}, problem);
-  if (time_) {
-    const auto distance = [&](const StoredState& state) { return std::abs(state.head.time - *time_); };
-    std::ranges::stable_sort(states, {}, distance);
-  }
+  if (time_)
+    std::ranges::stable_sort(states, {}, [&](const StoredState& state) { return distance_to(state); });
   if (states.empty() && !unusable.empty())
     throw FileError(input_, "none of the restart files of this name can be used");
   return states;
+}
+
+double RunRestart::distance_to(const StoredState& state) const {
+  return time_ ? std::abs(state.head.time - *time_) : 0.0;
+}
+
+std::optional<StoredState> RunRestart::find_best() const {
+  if (!resumes_) return std::nullopt;
+  Diagnostics discarded;  // told by find_state()
+  const std::vector<StoredState> states = stored_states(discarded);
+  return states.empty() ? std::nullopt : std::optional(states.front());
 }
 
 void RunRestart::check_overwriting() const {

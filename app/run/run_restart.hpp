@@ -27,6 +27,12 @@ class RunRestart {
   ///   outputs  that the run is to write, whose files of earlier runs must be kept
   /// Throws FileError when there is none and the deck does not allow that.
   void find_state(const std::vector<std::string>& outputs, Diagnostics& warnings);
+  /// The state that find_state() would take first; absent where there is none, or the deck asks for none.
+  std::optional<StoredState> find_best() const;
+  /// How far a state is from the time that the deck asks for, 0 where it asks for the latest [time].
+  double distance_to(const StoredState& state) const;
+  /// From now on it is a run that begins at its start: of several procedures another one resumes.
+  void begin_at_start() { resumes_ = false; }
   /// The state to resume from; null when the run begins at its start.
   const SavedState* earlier() const { return earlier_ ? &*earlier_ : nullptr; }
   /// Whether its time becomes the start time of the run: SHIFT TO START TIME.

@@ -142,7 +142,7 @@ void Simulation::finish() {
   }
   write(true);
   run.whole_seconds = clock_seconds() - run.begun;
-  run.load_step_warnings.end();
+  run.load_step_warnings.end(run.state);
   if (run.contact) run.contact->warn_of_end(run.state, run.diagnostics);
   notify(RunEvent::ended);
   if (run.contact) run.contact->write_debug_files();
@@ -170,6 +170,7 @@ const State& Simulation::state() const { return parts_->state; }
 const TimeStepControl& Simulation::control() const { return parts_->setup.control; }
 const RunDeath* Simulation::deaths() const { return parts_->death.get(); }
 const RunRestart& Simulation::restart() const { return parts_->restart; }
+void Simulation::begin_at_start() { parts_->restart.begin_at_start(); }
 std::vector<std::string> Simulation::output_paths() const { return parts_->outputs.paths(); }
 const LoadSteps* Simulation::load_steps() const {
   return parts_->load_steps ? &*parts_->load_steps : nullptr;
@@ -184,6 +185,7 @@ std::vector<PartTime> Simulation::part_times() const { return parts_->times(); }
 const ContactForce* Simulation::contact_force() const {
   return parts_->contact ? &parts_->contact->force() : nullptr;
 }
+ContactForce* Simulation::contact_force() { return parts_->contact ? &parts_->contact->force() : nullptr; }
 
 const ContactModel* Simulation::contact_model() const {
   return parts_->contact ? &parts_->contact->model() : nullptr;

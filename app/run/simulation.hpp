@@ -97,12 +97,15 @@ class Simulation {
   const State& state() const;
   const TimeStepControl& control() const;
   const ContactForce* contact_force() const;  ///< null without contact
+  ContactForce* contact_force();
   const LoadSteps* load_steps() const;        ///< null in explicit procedures
   const ContactModel* contact_model() const;  ///< of the living elements; null without contact
   IndexedSpan<PairIndex, const UntiedPart> untied()
       const;                       ///< of each pair at the start; empty without contact
   const RunDeath* deaths() const;  ///< null when nothing can die
   const RunRestart& restart() const;
+  /// To be called before begin(): it begins at its start though the deck asks to resume.
+  void begin_at_start();
   std::vector<std::string> output_paths() const;
 
   const StepReport& start_report() const;             ///< of begin(), unless it resumed

@@ -13,6 +13,7 @@
 #include "app/run/stop_on_errors.hpp"
 #include "contact/interface_laws/refuse_laws.hpp"
 #include "core/definition/simulation.hpp"
+#include "core/dynamics/state_motion.hpp"
 
 namespace contactsim {
 
@@ -77,6 +78,7 @@ Simulation::Parts::Parts(const RunInput& run_input, RunSettings run_settings, Di
     timed_contact.emplace(contact->force());
     state.forces.contact = Eigen::Matrix3Xd::Zero(3, input.mesh.n_nodes());
   }
+  warn_of_new_contact();
   if (!setup.load_schedule) return;
   const SolverSettings solver = input.region.solver.value_or(SolverSettings{});
   load_steps.emplace(setup.model, terms(), contact ? &contact->force() : nullptr, solver,
@@ -112,11 +114,41 @@ std::optional<EarlyEnd> Simulation::Parts::find_end() {
   return removes_overlap_alone ? EarlyEnd{"OVERLAP REMOVAL ONLY"} : found;
 }
 
+/// Warns of contact that the procedure takes over nothing of, or not all.
+void Simulation::Parts::warn_of_new_contact() {
+  const ContactForce* earlier = setup.transfer ? std::as_const(*input.earlier).contact_force() : nullptr;
+  if (earlier == nullptr) return;
+  takes_over_contact = contact && setup.transfer->is_whole() && contact->force().is_like(*earlier);
+  const auto is_elastic = [](const SurfacePair& pair) { return pair.enforcement == Enforcement::penalty; };
+  const bool begins_elastic =
+      takes_over_contact && !setup.load_schedule && std::ranges::any_of(contact->model().pairs, is_elastic);
+  const auto warn = [&](std::string text, std::string hint = "") {
+    diagnostics.add_warning("contact-begins-anew", input.procedure.transfers.front().name.location,
+                            std::move(text), std::move(hint));
+  };
+  if (!contact) {
+    warn("contact of the procedure before is over: this one has none");
+  } else if (!takes_over_contact) {
+    warn(
+        "contact begins anew in what touches: it has other surfaces or pairs than in the procedure before, "
+        "or not all blocks are taken over, so that nothing holds or presses as it did there");
+  } else if (begins_elastic) {
+    warn(
+        "contact by ENFORCEMENT = PENALTY begins anew: it presses by its overlaps alone, which multipliers "
+        "of load steps have closed",
+        "ENFORCEMENT = MOMENTUM_BALANCE begins with the forces of the procedure before");
+  }
+}
+
 void Simulation::Parts::take_over() {
   if (!setup.transfer) return;
   contactsim::take_over(*setup.transfer, input.earlier->model(), input.earlier->state(), setup.model, state);
   if (death) death->begin(state);
   if (!contact) return;
+  // Not where deaths have left other surfaces.
+  if (takes_over_contact && contact->force().is_like(*input.earlier->contact_force()))
+    return contact->force().take_over(*input.earlier->contact_force(), motion_of(input.earlier->state(), 0.0),
+                                      motion_of(state));
   overlaps = find_start_overlaps(contact->model(), input.mesh.with_coordinates(state.coordinates),
                                  *input.region.contact);
   input.overlaps = overlaps;

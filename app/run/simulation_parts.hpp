@@ -35,6 +35,7 @@ struct Simulation::Parts {
   void check_files() const;
   /// The state that the procedure before has come to becomes that of the start, as far as it is taken over.
   void take_over();
+  void warn_of_new_contact();
   /// Finds the forces of the start, and what they warn of.
   void start_anew();
   /// Moves the state by a step, explicit or to the next equilibrium. Throws SolveError.
@@ -47,6 +48,7 @@ struct Simulation::Parts {
 
   RunInput input;
   std::vector<StartOverlap> overlaps;  // of contact with what was taken over
+  bool takes_over_contact = false;     // from load steps
   const RunSettings settings;
   Diagnostics& diagnostics;
   Setup setup;

@@ -55,7 +55,7 @@ void ContactAssembler::begin_step() {
   std::fill(pairs_.begin(), pairs_.end(), PairStep{});
 }
 
-void ContactAssembler::add(const ContactPoint& point) {
+void ContactAssembler::add_forces(const ContactPoint& point) {
   NodeVector on_first, on_second;
   const Eigen::Vector3d force = point.force_on_first();
   on_first << force, point.stiffness;
@@ -67,6 +67,11 @@ void ContactAssembler::add(const ContactPoint& point) {
   }
   add_moment(point.first, -point.first.radius * point.normal, force);
   add_moment(point.second, point.second.radius * point.normal, -force);
+}
+
+void ContactAssembler::add(const ContactPoint& point) {
+  add_forces(point);
+  const Eigen::Vector3d force = point.force_on_first();
   PairStep& pair = pairs_[point.pair];
   pair.is_near = true;
   if (!point.touches()) return;

@@ -60,6 +60,8 @@ class ContactAssembler {
     work_.begin_step(kinematics, dt);
   }
   void add(const ContactPoint& point);
+  /// Adds the forces of a point at nodes, and to no pair.
+  void add_forces(const ContactPoint& point);
   /// Takes note that the overlap at a contact point of the step comes in by a ramp.
   ///   depth  of all of it [length]
   void note_ramp(const ContactPoint& point, double depth) {

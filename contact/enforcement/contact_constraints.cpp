@@ -18,6 +18,10 @@ constexpr double gap_recovery = 0.2, fastest_recovery = 2e-4, slip_recovery = 0.
 /// more would throw apart what folds hold in.
 constexpr double max_recovery = 0.1;
 
+/// What load steps have pressed just touches as it is, up to this gap or depth over the thickness: their gaps
+/// are closed in the mean of a node's surroundings, and not at every point. What is farther is beside it.
+constexpr double pressed_gap = 1e-3;
+
 /// How far a point may penetrate at the end of a step [length].
 double left_penetration(double gap, double thickness) {
   return std::max({0.0, -(1.0 - gap_recovery) * gap, -gap - fastest_recovery * thickness});
@@ -66,12 +70,11 @@ void ContactConstraints::add_friction(const ContactPoint& contact_point, const P
   grip.slip = dt_ * in_plane(relative_velocity(contact_point, false), contact_point.normal);
 }
 
-/// Begins with a share of the forces of the step before.
-void ContactConstraints::take_over(const ContactPoint& contact_point, double allowed, Row& row) {
-  ContactHistory::Entry known;
-  if (!history_.recall(contact_point, known)) return;
+/// Begins with a share of the forces of the step before, with all of those of load steps.
+void ContactConstraints::take_over(const ContactPoint& contact_point, const ContactHistory::Entry& known,
+                                   double allowed, Row& row) {
   if (allowed > 0.0) row.start -= std::min(known.left, allowed);
-  const double share = taken_over * contact_point.area;
+  const double share = (begins_pressed_ ? 1.0 : taken_over) * contact_point.area;
   Eigen::Vector3d force = share * known.pressure * contact_point.normal;
   if (row.grip) {
     force += share * in_plane(known.traction, contact_point.normal);
@@ -98,11 +101,17 @@ void ContactConstraints::add(const ContactPoint& contact_point, const PairRule& 
   if (!is_constraint) return;
   Row row;
   row.point = static_cast<std::uint32_t>(points_.size() - 1);
-  const double allowed = -left_gap(contact_point, thickness);
-  row.start = contact_point.gap - contact_point.closing + allowed;
+  std::optional<ContactHistory::Entry> known = recall(contact_point);
+  if (known && std::isnan(known->zero_gap))
+    known->zero_gap = std::abs(contact_point.gap) <= pressed_gap * thickness ? contact_point.gap : 0.0;
+  ContactPoint measured = contact_point;
+  if (known) measured.gap -= known->zero_gap;
+  row.zero_gap = known ? known->zero_gap : 0.0;
+  const double allowed = -left_gap(measured, thickness);
+  row.start = measured.gap - contact_point.closing + allowed;
   row.pulls = contact_point.pulls;
   if (rule.friction > 0.0) add_friction(contact_point, rule, row);
-  take_over(contact_point, allowed, row);
+  if (known) take_over(contact_point, *known, allowed, row);
   if (group == &alone) {
     alone.normal = node_vector(contact_point.normal);
     alone.first_row = static_cast<std::uint32_t>(rows_.size());
@@ -238,6 +247,7 @@ ContactLoss ContactConstraints::finish() {
            loss);
   });
   history_.end();
+  begins_pressed_ = false;
   return loss;
 }
 
@@ -267,6 +277,7 @@ void ContactConstraints::finish(const Row& row, double force, const NodeVector& 
   ContactHistory::Entry entry{force / point.area};
   const double left = -(row.start + point.normal.dot(changed));
   entry.area = point.area;
+  entry.zero_gap = row.zero_gap;
   entry.left = std::clamp(left, 0.0, std::max(0.0, max_recovery * force * row.softness));
   if (row.grip) {
     Grip& grip = grips_[*row.grip];

@@ -59,6 +59,9 @@ class ContactConstraints {
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactPoint>& points) { points_.swap(points); }
   ContactHistory& memory() { return history_; }
+  /// Begins with contact points of load steps before the first step: their forces are those to begin with,
+  /// and gaps of what they have pressed count from where they are.
+  void begin_pressed(std::span<const ContactPoint> points);
 
  private:
   using Terms = PointCarriers::Terms;
@@ -68,6 +71,7 @@ class ContactConstraints {
     NodeVector force = NodeVector::Zero();  // on the first side [force]
     NodeVector ahead = NodeVector::Zero();  // that the next pass looks at [force]
     double start = 0.0;     // gap at the end of the step without forces, less what it may be [length]
+    double zero_gap = 0.0;  // at which it just touches [length]
     double softness = 0.0;  // gap per force of this point when all have its pressure, at most [length/force]
     std::uint32_t point = 0;             // in points_
     OptionalIndex<std::uint32_t> grip;   // of a point with friction
@@ -99,7 +103,9 @@ class ContactConstraints {
   }
   bool is_of_last_group(const ContactPoint& contact_point) const;
   void add_friction(const ContactPoint& contact_point, const PairRule& rule, Row& row);
-  void take_over(const ContactPoint& contact_point, double allowed, Row& row);
+  std::optional<ContactHistory::Entry> recall(const ContactPoint& contact_point);
+  void take_over(const ContactPoint& contact_point, const ContactHistory::Entry& known, double allowed,
+                 Row& row);
   double area_of(const Row& row) const { return points_[row.point].area; }
   static PointCarriers::Direction direction(const Group& group, const Row& row) {
     return {group.normal, row.grip.has_value()};
@@ -126,6 +132,7 @@ class ContactConstraints {
   std::vector<std::pair<const Group*, std::uint32_t>> light_points_;  // with rows, of light carriers
   std::vector<Grip> grips_;
   ContactHistory history_;
+  bool begins_pressed_ = false;  // the history is that of load steps
 };
 
 }  // namespace contactsim

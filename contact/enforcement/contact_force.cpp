@@ -54,7 +54,8 @@ ContactForce::ContactForce(const ContactSetup& setup)
           std::ranges::any_of(contact_mesh_.edges, [](const ContactEdge& edge) { return !edge.is_sharp(); })),
       offset_moments_(contact_mesh_, kinematics_, assembler_),
       histories_(setup.contact.pairs.size()),
-      weighted_gaps_(find_finer_surfaces()) {
+      weighted_gaps_(find_finer_surfaces()),
+      stabilization_(setup_, rules_, kinematics_of_mesh(contact_mesh_, *setup.model.mesh)) {
   kinematics_.turn_by(make_spins());
   balances_ = std::ranges::any_of(rules_.rules(), &PairRule::is_balanced);
   has_penalty_ = !std::ranges::all_of(rules_.rules(), &PairRule::is_balanced);

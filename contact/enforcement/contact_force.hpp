@@ -8,6 +8,7 @@
 #include "contact/enforcement/contact_detection.hpp"
 #include "contact/enforcement/contact_mobility.hpp"
 #include "contact/enforcement/contact_setup.hpp"
+#include "contact/enforcement/contact_stabilization.hpp"
 #include "contact/enforcement/contact_trial.hpp"
 #include "contact/enforcement/momentum_balance.hpp"
 #include "contact/enforcement/offset_moments.hpp"
@@ -44,10 +45,24 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) override;
   void visit_springs(const std::function<void(const ContactSpring&)>& take) const override;
   MultiplierChange update_multipliers(double tolerance) override;
+  bool is_stabilized() const override { return stabilization_.is_on(); }
+  void stabilize(const StabilizationLevel& level) override { stabilization_.set_level(level); }
+  Stabilization stabilization() const override;
+  double stabilizing_force() const override { return stabilization_.force(); }
   double longest_motion() const override;
   void give_up_trials() override;
   ForceReport accept_trial(const Motion& motion, Eigen::Matrix3Xd& forces) override;
   const ContactMultipliers& multipliers() const { return multipliers_; }
+
+  /// Whether contact of load steps before has the same surfaces and pairs, so that take_over() can be called.
+  bool is_like(const ContactForce& earlier) const;
+  /// Takes over what contact of load steps before remembers, in load steps all of it: touch, friction, ties,
+  /// multipliers, sums. In explicit dynamics pairs whose momentum is balanced begin with its forces, and what
+  /// it has pressed counts as just touching as it is; others begin anew. To be called before the first
+  /// forces. Precondition: is_like(earlier).
+  ///   ended   motion at the end of the procedure before, where nothing moves any more (dt 0)
+  ///   motion  of the start
+  void take_over(ContactForce& earlier, const Motion& ended, const Motion& motion);
 
   /// Goes over to the surfaces that the setup's contact has now, after deaths of elements. What contact
   /// remembers of faces and nodes that are still there stays: touch, slip, ties, sums. What held a side that
@@ -124,6 +139,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   void foresee(const State& state);
   double thinner_side(const ContactPoint& point) const;
   void remap(const ContactRemap& remap);
+  std::uint64_t surfaces_digest() const;
   void archive_faces(StateArchive& saved);
 
   ContactSetup setup_;
@@ -154,6 +170,7 @@ class ContactForce final : public ForceTerm, public StaticContact {
   ContactMultipliers multipliers_;       // of load steps
   HeldSlips held_slips_;                 // of the last load step
   WeightedGaps weighted_gaps_;           // of the last trial of a load step
+  ContactStabilization stabilization_;   // of load steps
   std::unique_ptr<ContactTrial> trial_;  // null before the first load step
   ContactStep step_share_;
   double stored_at_start_ = 0.0;

@@ -24,6 +24,7 @@ void ContactForce::begin_trials(const Motion& motion) {
   if (!trial_)
     trial_ = std::make_unique<ContactTrial>(contact_mesh_, kinematics_, setup_.contact.pairs.size(),
                                             !assembler_.moments().empty());
+  stabilization_.begin_step(kinematics_, motion);
   trial_->offsets = kinematics_.offsets();
   trial_->multipliers = multipliers_;
 }
@@ -64,6 +65,8 @@ void ContactForce::try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Ei
   for (const ContactPoint& point : trial.points) trial.assembler.add(point);
   detection_.detect_constraints(context, constrained_, trial.constraints);
   for (const ConstraintForces& held : trial.constraints) trial.assembler.add(held.constraint, held.forces);
+  stabilization_.find_forces(kinematics_);
+  stabilization_.add_to(trial.assembler);
   write_forces(trial.assembler, trial.moments, forces);
   if (moments != nullptr) trial.moments.set(setup_.model, *moments);
 }
@@ -98,6 +101,7 @@ void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>
     const bool is_tie = held.index < ties.size() && ties[held.index].nodes == held.constraint.nodes;
     take(is_tie ? springs.spring_of(ties[held.index]) : springs.spring_of(held.constraint));
   }
+  stabilization_.visit_springs(springs, take);
 }
 
 namespace {
@@ -163,6 +167,12 @@ MultiplierChange ContactForce::update_multipliers(double tolerance) {
   return change;
 }
 
+Stabilization ContactForce::stabilization() const {
+  Stabilization now{stabilization_.largest_share(), stabilization_.nodes()};
+  for (std::uint32_t& node : now.nodes) node = contact_mesh_.mesh_nodes[node];
+  return now;
+}
+
 /// The size of the smallest face: what comes in by that is pushed out to the side that it came from.
 double ContactForce::longest_motion() const {
   double smallest = std::numeric_limits<double>::infinity();
@@ -187,8 +197,11 @@ ForceReport ContactForce::accept_trial(const Motion& motion, Eigen::Matrix3Xd& f
   const ContactStepContext context = static_context(motion.dt, false);
   detection_.weigh_gaps(context, weighted_gaps_);
   add_penalty_points(context);
+  stabilization_.find_forces(kinematics_);
+  stabilization_.add_to(assembler_);
   write_forces(assembler_, offset_moments_, forces);
   ForceReport report;
+  report.stabilization_work = stabilization_.end_step(kinematics_);
   report.supplied_work = end_step(motion.time, motion.dt);
   report.friction_work = assembler_.dissipated();
   hold_slips();

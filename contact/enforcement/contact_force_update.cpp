@@ -134,9 +134,7 @@ LoftSpins ContactForce::make_spins() const {
 /// The stiffness behind faces and nodes as elements have it, limited by what masses and conditions allow now.
 ///   start  the faces at the start
 void ContactForce::limit_stiffness(const ContactKinematics& start) {
-  // Of load steps, which no stable step limits: it leaves a few hundredths of what an element gives way by.
-  constexpr double static_scale = 10.0;
-  const double scale = setup_.is_static() ? static_scale : 1.0;
+  const double scale = setup_.is_static() ? static_penalty_scale : 1.0;
   std::size_t n = 0;
   const bool is_new = element_stiffness_.empty();
   const auto begin_anew = [&](auto& items) {
@@ -158,6 +156,7 @@ void ContactForce::remap(const ContactRemap& remap) {
   detection_.remap(remap);
   multipliers_.remap(remap);
   held_slips_.remap(remap);
+  stabilization_.forget_forces();
   trial_.reset();
   histories_.add_released(detection_.released_faces(), detection_.released_nodes(), contact_mesh_);
   keep_constraints(remap, constraint_forces_);

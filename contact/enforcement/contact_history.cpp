@@ -2,6 +2,8 @@
 #include "contact/enforcement/contact_history.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "core/base/state_archive.hpp"
 
@@ -29,7 +31,10 @@ bool ContactHistory::recall(const ContactPoint& point, Entry& found) {
     return id.kind == wanted.kind && id.first == wanted.first;
   };
   const auto is_of_pair = [&](const PointId& id) { return is_of_first(id) && id.second == wanted.second; };
-  return find_mean(is_of_pair, found) || find_mean(is_of_first, found);
+  if (find_mean(is_of_pair, found)) return true;
+  // What load steps have pressed is known of these two alone: what else is before the first may be apart.
+  const bool is_of_load_steps = !entries_.empty() && std::isnan(entries_.front().zero_gap);
+  return !is_of_load_steps && find_mean(is_of_first, found);
 }
 
 /// The mean over area of the entries about the cursor that are wanted.
@@ -47,6 +52,7 @@ bool ContactHistory::find_mean(const IsWanted& is_wanted, Entry& found) const {
     found.traction += share * entries_[i].traction;
     found.held += share * entries_[i].held;
     found.left += share * entries_[i].left;
+    found.zero_gap += share * entries_[i].zero_gap;
   }
   return true;
 }
@@ -84,6 +90,11 @@ void ContactHistory::archive(StateArchive& saved) {
     row(known.kind, known.first, known.second, known.part, known.pressure, known.traction, known.held,
         known.left, known.area);
   });
+  // Of what load steps have pressed before alone.
+  const std::string name = "contact/zero_gaps_of_points";
+  const auto has_gap = [](const KnownPoint& known) { return known.zero_gap != 0.0; };
+  if (saved.restores() ? saved.has(name) : std::ranges::any_of(entries_, has_gap))
+    saved.fixed_rows(name, entries_, [](KnownPoint& known, RowNumbers& row) { row(known.zero_gap); });
   cursor_ = 0;
 }
 

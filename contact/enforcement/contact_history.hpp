@@ -22,6 +22,8 @@ class ContactHistory {
     Eigen::Vector3d held = Eigen::Vector3d::Zero();      ///< slip that friction holds [length]
     double left = 0.0;                                   ///< penetration that the passes have left [length]
     double area = 0.0;                                   ///< [length^2]
+    /// At which it just touches, of what load steps before pressed; NaN before the first step [length]
+    double zero_gap = 0.0;
   };
 
   /// What is known of a contact point. A new one takes over the mean over area of what is known of its pair

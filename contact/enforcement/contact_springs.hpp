@@ -26,12 +26,14 @@ class ContactSprings {
   /// force that friction has, and is dragged by more where its gap closes.
   ///   dt  of the step [time]
   std::optional<ContactSpring> friction_spring_of(const ContactPoint& point, double dt) const;
+  /// Between the sides of a contact point.
+  ///   stiffness  symmetric [force/length]
+  ContactSpring spring_between(const ContactPoint& point, const Eigen::Matrix3d& stiffness) const;
   ContactSpring spring_of(const Tie& tie) const;
   /// Of another constraint, whose corners count as fastened by springs of their own.
   ContactSpring spring_of(const InterfaceConstraint& constraint) const;
 
  private:
-  ContactSpring spring_between(const ContactPoint& point, const Eigen::Matrix3d& stiffness) const;
   void add_corners(const ContactPoint& point, ContactSpring& spring) const;
   void add_corner(std::size_t corner, std::uint32_t node, const Eigen::Vector3d& beside,
                   ContactSpring& spring) const;

@@ -62,6 +62,8 @@ class MomentumBalance {
   /// Hands over the points, for others in exchange.
   void swap_points(std::vector<ContactPoint>& points) { contacts_.swap_points(points); }
 
+  /// Begins with contact points of load steps before the first step: ContactConstraints::begin_pressed().
+  void begin_pressed(std::span<const ContactPoint> points) { contacts_.begin_pressed(points); }
   /// Goes over to other faces and nodes.
   void remap(const ContactRemap& remap);
   void archive(StateArchive& saved);

@@ -11,6 +11,10 @@ namespace contactsim {
 /// stiffness: the stable step shrinks by a tenth at most.
 inline constexpr double penalty_share = 0.25;
 
+/// The stiffness of the penalty in load steps over that of explicit dynamics: no stable step limits it, and
+/// it leaves a few hundredths of what an element gives way by.
+inline constexpr double static_penalty_scale = 10.0;
+
 /// Says what is rigid, held or driven, and lowers the stiffness behind faces and nodes where nodes are too
 /// light for it: a node of mass m and contact area A, as seen along the face's normal, gets no more than
 /// 4 share m / (A dt^2) per area, twice what it may have against a wall as soft as itself. The sides of a

@@ -26,6 +26,10 @@ double of_sides(const PenaltyProperties& first, const PenaltyProperties* second,
 
 }  // namespace
 
+double stiffness_of_sides(const PenaltyProperties& first, const PenaltyProperties* second) {
+  return of_sides(first, second, &PenaltyProperties::stiffness);
+}
+
 PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyProperties* second,
                               const SurfacePair& pair) {
   // Of the thinner element. What is right in its middle, such as a sheet that stands on another's, is on
@@ -34,9 +38,7 @@ PairPenalty make_pair_penalty(const PenaltyProperties& first, const PenaltyPrope
   // Where one side of a shell alone takes part, nothing comes near its other one.
   const double share = pair.is_polar() ? 1.0 : deep;
   PairPenalty penalty;
-  penalty.stiffness =
-      pair.penalty_stiffness.value_or(of_sides(first, second, &PenaltyProperties::stiffness)) *
-      pair.penalty_scale;
+  penalty.stiffness = pair.penalty_stiffness.value_or(stiffness_of_sides(first, second)) * pair.penalty_scale;
   const double mass = of_sides(first, second, &PenaltyProperties::mass_per_area);
   penalty.damping = 2.0 * pair.damping_fraction * std::sqrt(penalty.stiffness * mass);
   const double thickness = second ? std::min(first.thickness, second->thickness) : first.thickness;

@@ -8,6 +8,11 @@
 
 namespace contactsim {
 
+/// The springs of two sides in series, as elements have them; that of the deformable side alone where the
+/// other is rigid, held or driven [force/length^3].
+///   second  absent: rigid
+double stiffness_of_sides(const PenaltyProperties& first, const PenaltyProperties* second);
+
 /// Stiffness and damping of two sides that meet: the springs of both sides in series, K/t of each the bulk
 /// modulus over the thickness of its element, times the pair's scale; or the pair's own stiffness. A rigid,
 /// held or driven side has no spring and an infinite mass where the other gives way; two such sides have

@@ -38,6 +38,11 @@ class ContactSearch {
 
   /// Takes notice of other reaches of the pairs. A search has to follow.
   void renew_reaches() { set_surface_margins(); }
+  /// Has searches reach at least as far as these gaps [n_pairs] [length]. A search has to follow.
+  void reach_at_least(IndexedVector<PairIndex, double> gaps) {
+    least_reach_ = std::move(gaps);
+    set_surface_margins();
+  }
   /// Searches reach as far as what is held at the start may be apart, the first ones do; or only as far as
   /// what may touch before the next search. A search has to follow.
   void reach_for_start(bool does);
@@ -150,6 +155,7 @@ class ContactSearch {
   bool has_eroded_nodes_ = false;
   bool has_start_reach_ = false, reaches_for_start_ = true;
   IndexedVector<SurfaceIndex, double> activation_distance_;               // of the models [length]
+  IndexedVector<PairIndex, double> least_reach_;                          // or empty [length]
   IndexedVector<FaceIndex, float> face_margin_;                           // [length]
   std::vector<float> node_margin_;                                        // [n_contact_nodes] [length]
   IndexedVector<SurfaceIndex, double> widest_margin_, narrowest_margin_;  // [length]

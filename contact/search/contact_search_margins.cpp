@@ -60,7 +60,9 @@ void ContactSearch::set_surface_margins() {
   const IndexedVector<SurfaceIndex, double> thickest = thickest_elements(contact_mesh);
   for (const PairIndex i : indices(rules_.rules())) {
     const SurfacePair& pair = *rules_[i].pair;
-    const double given = std::max(pair.normal_tolerance.value_or(0.0), pair.tracking_distance.value_or(0.0));
+    const double least = least_reach_.empty() ? 0.0 : least_reach_[i];
+    const double given =
+        std::max({least, pair.normal_tolerance.value_or(0.0), pair.tracking_distance.value_or(0.0)});
     // Ties, partners that are kept and clearances reach as far as the deck says; what is held needs no search
     // later.
     const bool looks_far =

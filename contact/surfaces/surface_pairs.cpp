@@ -59,6 +59,7 @@ SurfacePair common_pair(const PairSettings& settings, const ContactDefinition& c
   if (settings.penalty_stiffness) pair.penalty_stiffness = settings.penalty_stiffness->given;
   set_enforcement(settings, contact, pair);
   pair.damping_fraction = contact.enforcement.is_static ? 0.0 : settings.damping_fraction.value_or(0.0);
+  if (contact.enforcement.is_static) pair.stabilization = settings.stabilization;
   return pair;
 }
 
@@ -252,6 +253,21 @@ void warn_of_foreign_enforcement(const ContactDefinition& contact, Diagnostics& 
     look_at(interaction.pair.enforcement, interaction.name);
 }
 
+/// Warns of stabilization where inertia holds bodies.
+void warn_of_idle_stabilization(const ContactDefinition& contact, Diagnostics& diagnostics) {
+  if (contact.enforcement.is_static) return;
+  const auto look_at = [&](const PairSettings& pair, const DeckName& name) {
+    if (pair.stabilization.is_on())
+      diagnostics.add_warning("stabilization-of-other-procedures", name.location,
+                              "CONTACT STABILIZATION has no effect in an explicit procedure, where inertia "
+                              "holds what does not touch yet",
+                              "CONTACT DAMPING FRACTION with ENFORCEMENT = PENALTY damps contact there");
+  };
+  if (contact.interaction_defaults)
+    look_at(contact.interaction_defaults->pair, contact.interaction_defaults->name);
+  for (const Interaction& interaction : contact.interactions) look_at(interaction.pair, interaction.name);
+}
+
 }  // namespace
 
 SurfacePairs make_surface_pairs(const ContactDefinition& contact, const ContactSurfaces& surfaces,
@@ -264,6 +280,7 @@ SurfacePairs make_surface_pairs(const ContactDefinition& contact, const ContactS
   }
   for (std::size_t i = 0; i < contact.interactions.size(); ++i) maker.add_interaction(i);
   warn_of_foreign_enforcement(contact, diagnostics);
+  warn_of_idle_stabilization(contact, diagnostics);
   SurfacePairs pairs = maker.take();
   if (pairs.empty() && !diagnostics.has_errors()) {
     diagnostics.add_warning("contact-without-pairs", contact.name.location,

@@ -56,6 +56,7 @@ struct SurfacePair {
   double penalty_scale = 1.0;               ///< the pair's times that of all pairs [1]
   std::optional<double> penalty_stiffness;  ///< absent: automatic [force/length^3]
   double damping_fraction = 0.0;            ///< of critical damping [1]
+  StabilizationSettings stabilization;      ///< of load steps
   ActivePeriods periods;                    ///< of the interaction, less those in which others act
 
   /// Whether nodes are moved onto the other side before the first step.

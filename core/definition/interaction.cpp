@@ -45,6 +45,10 @@ PairSettings with_defaults(PairSettings own, const PairSettings& defaults) {
   fill(own.penalty_scale, defaults.penalty_scale);
   fill(own.penalty_stiffness, defaults.penalty_stiffness);
   fill(own.damping_fraction, defaults.damping_fraction);
+  fill(own.stabilization.scale, defaults.stabilization.scale);
+  fill(own.stabilization.tangential_fraction, defaults.stabilization.tangential_fraction);
+  fill(own.stabilization.remaining_fraction, defaults.stabilization.remaining_fraction);
+  fill(own.stabilization.range, defaults.stabilization.range);
   return own;
 }
 

@@ -39,6 +39,18 @@ struct GapSettings {
   }
 };
 
+/// CONTACT STABILIZATION of load steps: sides that are near each other resist their relative motion, less and
+/// less until a time stepping block ends. Source: Abaqus, *CONTACT STABILIZATION; OptiStruct, CNTSTB.
+struct StabilizationSettings {
+  std::optional<double> scale;                ///< of the automatic coefficient, >= 0; program: 0 [1]
+  std::optional<double> tangential_fraction;  ///< of it along the surface, >= 0; program: 0.1 [1]
+  std::optional<double> remaining_fraction;   ///< of both at the end of a block, 0 to 1; program: 0 [1]
+  std::optional<double> range;  ///< gap from which on nothing resists, > 0; program: the mean edge [length]
+  bool operator==(const StabilizationSettings&) const = default;
+
+  bool is_on() const { return scale.value_or(0.0) > 0.0; }
+};
+
 /// GAP CLOSURE TOLERANCE = AUTO or a number: gaps up to it are closed by moving nodes before the first step.
 struct GapClosureTolerance {
   std::optional<double> given;  ///< absent: AUTO, a share of the mean edge of the faces; >= 0 [length]
@@ -78,6 +90,7 @@ struct PairSettings {
   std::optional<double> penalty_scale;                ///< of the automatic stiffness, > 0; program: 1 [1]
   std::optional<PenaltyStiffness> penalty_stiffness;  ///< program: automatic
   std::optional<double> damping_fraction;             ///< of critical damping, >= 0; program: 0 [1]
+  StabilizationSettings stabilization;
 };
 
 /// The settings of a pair with what is absent taken from the defaults.

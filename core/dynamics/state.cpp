@@ -47,6 +47,10 @@ void archive(Energies& energies, StateArchive& saved) {
                 energies.bulk_viscosity, energies.external, energies.contact, energies.friction,
                 energies.contact_damping, energies.impact, energies.error, energies.unseen, energies.start,
                 energies.largest);
+  // Of load steps with contact stabilization alone.
+  const std::string name = "run/stabilization_energy";
+  if (saved.restores() ? saved.has(name) : energies.stabilization != 0.0)
+    saved.numbers(name, energies.stabilization);
 }
 
 void archive(std::vector<RigidBodyState>& bodies, StateArchive& saved) {

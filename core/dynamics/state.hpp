@@ -40,10 +40,11 @@ struct Energies {
   double hourglass = 0.0;        ///< part of internal [energy]
   double bulk_viscosity = 0.0;   ///< part of internal [energy]
   double external = 0.0;         ///< work of loads, gravity and prescribed motion [energy]
-  double contact = 0.0;          ///< taken up by contact forces, the three below included [energy]
+  double contact = 0.0;          ///< taken up by contact forces, the four below included [energy]
   double friction = 0.0;         ///< part of contact, lost for good [energy]
   double contact_damping = 0.0;  ///< part of contact, lost for good [energy]
   double impact = 0.0;           ///< part of contact, lost where sides met without rebound [energy]
+  double stabilization = 0.0;    ///< part of contact, lost to contact stabilization of load steps [energy]
   /// What appeared from nowhere: kinetic + internal + contact - external less its value at the start. The
   /// kinetic energy here is the product of the velocities half a step before and behind, for which central
   /// differences conserve the sum to round-off, so that only real errors show [energy].

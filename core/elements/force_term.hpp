@@ -34,6 +34,7 @@ struct ForceReport {
   double friction_work = 0.0;                                    ///< of the step, lost to friction [energy]
   double contact_damping_work = 0.0;  ///< of the step, lost to contact damping [energy]
   double impact_work = 0.0;           ///< of the step, lost where sides met without rebound [energy]
+  double stabilization_work = 0.0;    ///< of the step, lost to contact stabilization [energy]
   double supplied_work = 0.0;         ///< of the step, put into contact by overlaps that are ramped [energy]
   std::span<const std::uint32_t> balanced_nodes = {};  ///< of the mesh, whose forces balance() has changed
 };

@@ -108,6 +108,9 @@ std::span<const OutputRow> global_output_rows() {
                                              "Part of contact_energy, lost to contact damping [energy]"),
       energy_row<&Energies::impact>("contact_impact_energy",
                                     "Part of contact_energy, lost where sides met without rebound [energy]"),
+      energy_row<&Energies::stabilization>(
+          "contact_stabilization_energy",
+          "Part of contact_energy, lost to CONTACT STABILIZATION of load steps [energy]"),
       always(energy_row<&Energies::error>(
           "energy_error", "Energy that appeared from nowhere: what the balance lacks [energy]")),
       OutputRow{"strain_energy", L::global, S::scalar, false, fill_strain_energy,

@@ -21,6 +21,8 @@ struct Body {
   std::size_t n_nodes = 0;
   double size = 0.0;                     ///< of the node farthest from there [length]
   ModeMatrix held = ModeMatrix::Zero();  ///< what conditions hold of its rigid motions [1]
+  bool is_free = false;
+  bool is_stabilized = false;
 };
 
 /// Calls take(node) for the nodes that a node moves with, by elements or as parts of a rigid body.
@@ -81,8 +83,8 @@ double ground_share(const Body& body) {
 
 }  // namespace
 
-std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGraph& graph,
-                                     const Eigen::Matrix3Xd& coordinates) {
+FreeBodies find_free_bodies(const StaticProblem& problem, const NodeGraph& graph,
+                            const Eigen::Matrix3Xd& coordinates, const Stabilization& stabilization) {
   const StaticBodies& rigid = problem.bodies();
   const auto body_of = number_bodies(graph, rigid);
   std::vector<Body> bodies;
@@ -111,16 +113,30 @@ std::vector<double> find_free_bodies(const StaticProblem& problem, const NodeGra
       body.held.bottomRightCorner<3, 3>() += held;
     }
   });
-  std::vector<double> body_shares;
-  for (const Body& body : bodies) body_shares.push_back(is_free(body) ? ground_share(body) : 0.0);
-  std::vector<double> shares(graph.n_nodes(), 0.0);
+  for (Body& body : bodies) body.is_free = is_free(body);
+  for (const std::uint32_t node : stabilization.nodes) {
+    if (stabilization.share > 0.0 && body_of[node]) bodies[*body_of[node]].is_stabilized = true;
+  }
+  FreeBodies free;
+  free.shares.assign(graph.n_nodes(), 0.0);
   for (std::uint32_t node = 0; node < graph.n_nodes(); ++node) {
     if (!body_of[node]) continue;
-    const double share = body_shares[*body_of[node]];
-    const double least = share > 0.0 ? StaticBodies::ground_share : StaticBodies::least_share;
-    shares[node] = rigid.is_of_mesh(node) ? share : least;
+    const Body& body = bodies[*body_of[node]];
+    const double part = body.is_stabilized ? std::min(stabilization.share, 1.0) : 1.0;
+    double& share = free.shares[node];
+    if (rigid.is_of_mesh(node)) {
+      share = body.is_free ? part * ground_share(body) : 0.0;
+    } else {
+      share = body.is_free ? std::max(part * StaticBodies::ground_share, StaticBodies::least_share)
+                           : StaticBodies::least_share;
+    }
+    free.are_any = free.are_any || body.is_free;
   }
-  return shares;
+  for (std::uint32_t i = 0; i < rigid.size(); ++i) {
+    const auto& body = body_of[rigid.centre_node(i)];
+    if (body && bodies[*body].is_free) free.rigid.push_back(i);
+  }
+  return free;
 }
 
 }  // namespace contactsim

@@ -35,7 +35,8 @@ class LoadSchedule {
   double step_at(double time) const;
   /// Where a step of such a size ends: at the end of the period itself, when it comes that near.
   double end_of(double time, double dt) const;
-  /// The end of the period that a step belongs to which begins there [time].
+  /// The start and the end of the period that a step belongs to which begins there [time].
+  double start_of_period(double time) const { return period_at(time).start; }
   double end_of_period(double time) const { return period_at(time).end; }
   /// Whether the last period has ended.
   bool is_over(double time) const { return time >= periods_.back().end; }

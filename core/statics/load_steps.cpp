@@ -155,18 +155,15 @@ bool LoadSteps::control_contact(const CgSettings& cg, Eigen::VectorXd& increment
 void LoadSteps::find_free() {
   const StaticBodies& bodies = problem_.bodies();
   if (!tangent_ && problem_.contact() == nullptr && bodies.empty()) return;
-  std::vector<double> shares =
+  StaticContact* contact = problem_.contact();
+  const Stabilization stabilization = contact != nullptr ? contact->stabilization() : Stabilization{};
+  FreeBodies free =
       find_free_bodies(problem_, living_graph_ ? *living_graph_ : graph_,
-                       problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())));
-  const bool are_any =
-      std::ranges::any_of(shares, [](double share) { return share > StaticBodies::least_share; });
-  problem_.limit_motion(are_any && problem_.contact() != nullptr ? problem_.contact()->longest_motion()
-                                                                 : std::numeric_limits<double>::infinity());
-  free_.clear();
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (shares[bodies.centre_node(i)] > StaticBodies::least_share) free_.push_back(i);
-  }
-  if (tangent_) tangent_->set_free(std::move(shares));
+                       problem_.coordinates_at(Eigen::VectorXd::Zero(problem_.size())), stabilization);
+  problem_.limit_motion(free.are_any && contact != nullptr ? contact->longest_motion()
+                                                           : std::numeric_limits<double>::infinity());
+  free_ = std::move(free.rigid);
+  if (tangent_) tangent_->set_free(std::move(free.shares));
 }
 
 /// Seeks the equilibrium of a step, which it begins.
@@ -176,6 +173,7 @@ bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
   step_begun_ = state_.time;
   problem_.begin_step(dt);
   report_.n_updates = 0;
+  begin_stabilization(dt);
   find_free();
   Eigen::VectorXd residual;
   ++report_.n_evaluations;
@@ -191,11 +189,14 @@ bool LoadSteps::seek(double dt, Eigen::VectorXd& increment) {
 
   search(cg, increment);
   bool is_found = report_.search.end != CgReport::End::failed;
+  if (is_found) is_found = end_stabilization(dt, cg, increment);
   if (is_found && problem_.contact() != nullptr) is_found = control_contact(cg, increment);
   ++report_.n_evaluations;
   const bool exists = problem_.evaluate(increment, residual);
   report_.search_target =
       std::max(cg.target_relative_residual, cg.target_residual.value_or(0.0) / report_.search.reference);
+  if (exists && problem_.contact() != nullptr && problem_.contact()->is_stabilized())
+    report_.stabilizing_force = problem_.contact()->stabilizing_force() / report_.search.reference;
   if (!is_found || !exists) residual_ = exists ? residual : Eigen::VectorXd();
   return is_found && exists;
 }

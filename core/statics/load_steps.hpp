@@ -26,8 +26,10 @@ struct LoadStepReport {
   std::int64_t n_updates = 0;    ///< of the multipliers of contact, after each of which it was sought anew
   MultiplierChange contact;      ///< that the multipliers would still have changed by at the end
   std::optional<double> contact_target;  ///< of change over reference; absent where multipliers have no part
-  bool has_left_newton = false;          ///< its tangent led nowhere: nodal blocks found equilibrium
-  std::int64_t n_negative = 0;           ///< directions of negative stiffness where the last factor was made
+  std::optional<double> stabilizing_force;  ///< of contact that is stabilized, over the reference [1]
+  bool ends_block = false;                  ///< of time stepping, where that is to be gone
+  bool has_left_newton = false;             ///< its tangent led nowhere: nodal blocks found equilibrium
+  std::int64_t n_negative = 0;  ///< directions of negative stiffness where the last factor was made
 
   /// Whether updates of multipliers ended at their largest number, below what is acceptable alone.
   bool is_contact_short() const {
@@ -77,6 +79,8 @@ class LoadSteps {
   std::string free_names() const;
   void search(const CgSettings& cg, Eigen::VectorXd& increment);
   bool control_contact(const CgSettings& cg, Eigen::VectorXd& increment);
+  void begin_stabilization(double dt);
+  bool end_stabilization(double dt, const CgSettings& cg, Eigen::VectorXd& increment);
   Eigen::VectorXd first_guess(double dt) const;
   void renew_preconditioner(const Eigen::VectorXd& increment, bool may_keep_elements = false);
   bool has_tangent() const;
@@ -99,6 +103,7 @@ class LoadSteps {
   Eigen::VectorXd residual_;          // of the last evaluation
   double step_begun_ = 0.0;           // [time]
   std::vector<std::uint32_t> free_;   // rigid bodies that conditions do not hold
+  StabilizationLevel stabilization_;  // of the step as it is sought now
   LoadStepReport report_;
 };
 

@@ -58,6 +58,18 @@ struct MultiplierChange {
   double reference = 0.0;  ///< size of these forces [force]
 };
 
+/// How much stabilization a load step has.
+struct StabilizationLevel {
+  double ramp = 0.0;     ///< 1 as its time stepping block begins, 0 as it ends [1]
+  double n_steps = 1.0;  ///< of such a size in the block [1]
+};
+
+/// What resists the motion of sides that do not touch yet.
+struct Stabilization {
+  double share = 0.0;                ///< the largest of the stiffness behind faces, of the step [1]
+  std::vector<std::uint32_t> nodes;  ///< of the mesh that it acts on, each once or more
+};
+
 /// Contact whose forces are asked for again and again until a load step has found equilibrium: nothing that a
 /// trial finds is remembered.
 class StaticContact {
@@ -76,6 +88,13 @@ class StaticContact {
   /// less than a tolerance.
   ///   tolerance  of their size [1]
   virtual MultiplierChange update_multipliers(double tolerance) = 0;
+  /// Whether sides that are near each other resist their motion in load steps: CONTACT STABILIZATION.
+  virtual bool is_stabilized() const = 0;
+  /// Has them do so by as much from the next trial on.
+  virtual void stabilize(const StabilizationLevel& level) = 0;
+  virtual Stabilization stabilization() const = 0;
+  /// The size of the forces of that in the last trial [force].
+  virtual double stabilizing_force() const = 0;
   /// How far a node may move in one trial without getting past what it should touch [length].
   virtual double longest_motion() const = 0;
   /// Ends a step that found no equilibrium: what is known is that of its start.

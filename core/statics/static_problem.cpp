@@ -273,6 +273,7 @@ void StaticProblem::accept(const Eigen::VectorXd& increment) {
   if (contact_ != nullptr) {
     const ForceReport report = contact_->accept_trial(motion_of(state_, dt_), state_.forces.contact);
     state_.energies.friction += report.friction_work;
+    state_.energies.stabilization += report.stabilization_work;
     state_.energies.external += report.supplied_work;
     state_.energies.contact += report.supplied_work;
   }

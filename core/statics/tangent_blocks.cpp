@@ -144,12 +144,13 @@ TangentBlocks::Update TangentBlocks::update(const Eigen::VectorXd& increment,
   if (!problem_.evaluate(increment, residual)) return update;
   problem_.find_springs();
   update.spring_size = size_of(problem_.springs());
-  if (!may_keep || columns_.empty()) {
+  if (!may_keep || columns_.empty() || shares != shares_) {
     const std::int64_t n_probes = renew(increment);
     update.n_evaluations += n_probes;
     if (n_probes == 0) return update;
     update.has_new_elements = true;
     largest_ = find_largest();
+    shares_ = shares;
     steady(shares);
   }
   join(blocks_of(problem_.springs()));

@@ -43,7 +43,7 @@ class TangentBlocks {
   /// contact in place of those before. Nodes that move with nothing held get shares of their stiffness to the
   /// ground.
   ///   shares     [n_nodes], or empty [1]
-  ///   may_keep   the mesh's own part stays where it is there
+  ///   may_keep   the mesh's own part stays where it is there with the same shares
   Update update(const Eigen::VectorXd& increment, const std::vector<double>& shares, bool may_keep);
   /// Finds the mesh's own part. Returns the evaluations of the residual, 0 where there is none.
   std::int64_t renew(const Eigen::VectorXd& increment);
@@ -110,7 +110,8 @@ class TangentBlocks {
   std::vector<NodeBlock> joined_;     // of what else joins nodes
   std::vector<NodeBlock> of_bodies_;  // between rigid bodies and the mesh
   double diagonal_scale_;
-  Eigen::VectorXd ground_;  // [size of the problem], or empty [force/length]
+  std::vector<double> shares_;  // of the last update() that found the mesh's own part
+  Eigen::VectorXd ground_;      // [size of the problem], or empty [force/length]
   double largest_ = 0.0;
 };
 

@@ -8,6 +8,7 @@ import numpy as np
 from cases import FORMULATIONS, balances, case
 from cases_hertz import ball, ball_on_ball, contact_size
 from cases_static import blocks
+from mesh_maker import MeshMaker
 from runs import Check, at_most
 
 
@@ -75,4 +76,35 @@ def static_hertz(bench):
                           amount=0.1))
     force = 4 / 3 * 10e3 / 0.91 * math.sqrt(25) * 0.1 ** 1.5
     checks.append(Check("two balls: force", force, 4 * runs[-1]["force"][-1], 0.03))
+    return checks + balances(runs, tolerance=0.1)
+
+
+def hanging(stack):
+    """A block held at its bottom, and blocks above it with gaps of a tenth of their height."""
+    mesh = MeshMaker()
+    mesh.hexes("lower", (0, 0, 0), (1, 1, 0.5), (3, 3, 2))
+    for i, name in enumerate(["between", "upper"][2 - stack:]):
+        mesh.new_body()
+        first = mesh.hexes(name, (0.2, 0.2, 0.55 * (i + 1)), (0.6, 0.6, 0.5), (2, 2, 2))
+    mesh.node_set("bottom", lambda x, y, z: z == 0)
+    mesh.node_set("axis", lambda x, y, z: z > 0.5 and abs(x - 0.5) < 1e-9 and abs(y - 0.5) < 1e-9)
+    mesh.node_set("beside", lambda x, y, z: z > 0.5 and x < 0.3 and abs(y - 0.5) < 1e-9)
+    mesh.side_set("top", [(first + 4 + i, 6) for i in range(4)])
+    return mesh
+
+
+@case()
+def static_hanging(bench):
+    """Blocks that nothing holds come to rest on another one as those do that are held along their axis."""
+    checks, runs = [], []
+    variants = [("ten steps", {}), ("one step", {"steps": 1}), ("a tenth of the coefficient", {"stabilization": 0.1}),
+                ("ten times the coefficient", {"stabilization": 10})]
+    for stack, form in ((1, "face_face"), (2, "face_face"), (1, "node_face")):
+        guided = bench.run("static_hanging", hanging(stack), stack=stack, form=form, guided=1, stabilization=0)
+        for label, variables in variants:
+            run = bench.run("static_hanging", hanging(stack), stack=stack, form=form, **variables)
+            about = f"{form}, {stack} above, {label}"
+            checks += [Check(f"{about}: force", guided["force"][-1], run["force"][-1], 1e-4),
+                       Check(f"{about}: way", guided["way"][-1], run["way"][-1], 1e-4)]
+            runs.append(run)
     return checks + balances(runs, tolerance=0.1)

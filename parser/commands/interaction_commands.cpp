@@ -4,6 +4,7 @@
 #include "parser/commands/block_rows.hpp"
 #include "parser/commands/condition_line_commands.hpp"
 #include "parser/commands/smoothing_commands.hpp"
+#include "parser/commands/stabilization_commands.hpp"
 
 namespace contactsim {
 
@@ -179,7 +180,8 @@ std::vector<Row<PairSettings>> pair_rows() {
                                side_rows(),
                                adjustment_rows(),
                                {smoothing_row()},
-                               lift_all(gap_rows(), &PairSettings::gap)});
+                               lift_all(gap_rows(), &PairSettings::gap),
+                               lift_all(stabilization_rows(), &PairSettings::stabilization)});
 }
 
 Row<InteractionDefaults> exclusion_row() {

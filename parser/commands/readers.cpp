@@ -28,6 +28,16 @@ namespace read {
 const Reader<double> real{"<real>", &Arguments::real, show_real};
 const Reader<double> positive{"<real > 0>", &Arguments::positive, show_real};
 const Reader<double> non_negative{"<real >= 0>", &Arguments::non_negative, show_real};
+const Reader<double> share{"<real 0 to 1>",
+                           [](Arguments& arguments) {
+                             const Word* written = arguments.at_end() ? nullptr : &arguments.peek();
+                             const double value = arguments.real();
+                             if (value < 0.0 || value > 1.0)
+                               arguments.fail(*written, fmt::format("'{}' must be from 0 to 1, found '{}'",
+                                                                    arguments.what(), written->text));
+                             return value;
+                           },
+                           [](const double& value) { return fmt::format("{}", value); }};
 const Reader<std::int64_t> integer{"<integer>", &Arguments::integer, show_integer};
 const Reader<std::int64_t> positive_integer{"<integer > 0>", &Arguments::positive_integer, show_integer};
 const Reader<std::int64_t> non_negative_integer{"<integer >= 0>", &Arguments::non_negative_integer,

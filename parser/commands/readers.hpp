@@ -25,7 +25,7 @@ struct Reader {
 };
 
 namespace read {
-extern const Reader<double> real, positive, non_negative;
+extern const Reader<double> real, positive, non_negative, share;  ///< the last from 0 to 1
 extern const Reader<std::int64_t> integer, positive_integer, non_negative_integer;
 extern const Reader<bool> on_off;
 extern const Reader<DeckName> name;

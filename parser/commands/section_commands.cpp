@@ -17,20 +17,6 @@ struct SectionOf {
   Properties properties;
 };
 
-Reader<double> share() {
-  return {"<real 0 to 1>",
-          [](Arguments& arguments) {
-            const Word* written = arguments.at_end() ? nullptr : &arguments.peek();
-            const double value = arguments.real();
-            if (value < 0.0 || value > 1.0) {
-              arguments.fail(*written, fmt::format("'{}' must be from 0 to 1, found '{}'", arguments.what(),
-                                                   written->text));
-            }
-            return value;
-          },
-          [](const double& value) { return fmt::format("{}", value); }};
-}
-
 std::vector<Row<SolidSection>> rows_of(const SolidSection&) {
   using S = SolidSection;
   const auto total = choice_of<bool>({"incremental", "total"});
@@ -38,7 +24,7 @@ std::vector<Row<SolidSection>> rows_of(const SolidSection&) {
   return {
       row("formulation", read::name, &S::formulation, "Element formulation"),
       row("strain incrementation", read::name, &S::strain_incrementation, "How strain increments are formed"),
-      row("deviatoric parameter", share(), &S::deviatoric_parameter,
+      row("deviatoric parameter", read::share, &S::deviatoric_parameter,
           "Share of full integration of the deviatoric stress [1]"),
       row("hourglass formulation", total, &S::is_hourglass_total, "How hourglass forces are formed"),
       row("hourglass rotation", scaled, &S::is_hourglass_rotation_scaled,
@@ -69,7 +55,7 @@ std::vector<Row<S>> thickness_rows() {
           "Factor of the thickness [1]"),
       row("thickness mesh variable", read::name, &S::thickness_mesh_variable,
           "Attribute or variable of the mesh that holds the thickness [length]"),
-      row("lofting factor", share(), &S::lofting_factor,
+      row("lofting factor", read::share, &S::lofting_factor,
           "Share of the thickness on the side of the mesh surface's normal [1]"),
       row("formulation", read::name, &S::formulation, "Element formulation"),
   };
@@ -93,7 +79,7 @@ std::vector<Row<ShellSection>> rows_of(const ShellSection&) {
 
 std::vector<Row<MembraneSection>> rows_of(const MembraneSection&) {
   auto rows = thickness_rows<MembraneSection>();
-  rows.push_back(row("deviatoric parameter", share(), &MembraneSection::deviatoric_parameter,
+  rows.push_back(row("deviatoric parameter", read::share, &MembraneSection::deviatoric_parameter,
                      "Share of full integration of the deviatoric stress [1]"));
   return rows;
 }

@@ -125,15 +125,6 @@ TEST_CASE("procedures write files of their own, or append to one", "[app][proced
   CHECK_THAT(boxes.error({first, second}), Contains("would overwrite a.rsout"));
 }
 
-TEST_CASE("a restart of several procedures is refused", "[app][procedures]") {
-  Lines second{"presto", "hit", "1", "1.001", take_all, "begin restart data\nat step 0 increment = 1\nend\n"};
-  CHECK_THAT(TwoBoxes().error({load, second}, "restart = automatic\n"),
-             Contains("a restart of a deck with several procedures is not supported"));
-  second.region = "begin restart data\nrestart = automatic\nend\n";
-  CHECK_THAT(TwoBoxes().error({load, second}),
-             Contains("a restart of a deck with several procedures is not supported"));
-}
-
 TEST_CASE("what a transfer does not take over is refused", "[app][procedures]") {
   const TwoBoxes boxes;
   const Lines hit{"presto", "hit", "0", "1", "", contact}, go{"presto", "go", "1", "1.001", take_all};
@@ -142,7 +133,8 @@ TEST_CASE("what a transfer does not take over is refused", "[app][procedures]") 
                       "PROCEDURAL TRANSFER"));
   Lines pressed = load;
   pressed.region = contact;
-  CHECK_THAT(boxes.check({pressed, go}).err, Contains("contact begins anew in what touches"));
+  CHECK_THAT(boxes.check({pressed, go}).err,
+             Contains("contact of the procedure before is over: this one has none"));
   Lines meeting = go;
   meeting.region = contact;
   CHECK(boxes.check({load, meeting}).exit_code == 0);

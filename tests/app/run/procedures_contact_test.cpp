@@ -12,6 +12,76 @@ using Catch::Matchers::Contains;
 using contactsim::test::csv_column;
 using contactsim::test::MeshBuilder;
 using contactsim::test::ProgramDirectory;
+using contactsim::test::ProgramOutput;
+
+namespace {
+
+constexpr std::size_t pressed_by = 1, pushed_by = 2, moves_by = 3, stored_by = 4;
+
+/// A block on another one of other meshes, pressed down and aside by load steps up to time 1.
+struct PressedBlocks : ProgramDirectory {
+  PressedBlocks() {
+    const auto is_top = [](const Eigen::Vector3d& x) { return x.z() == 1.0; };
+    contactsim::test::write_exodus(
+        path("a.g"),
+        MeshBuilder()
+            .add_hexes({1, "low", {3, 3, 2}, {0, 0, 0}, {1, 1, 0.5}})
+            .add_hexes({2, "high", {2, 2, 2}, {0, 0, 0.5}, {1, 1, 0.5}, false})
+            .add_node_set(1, "bottom", [](const Eigen::Vector3d& x) { return x.z() == 0.0; })
+            .add_node_set(2, "top", is_top)
+            .add_side_set(1, "above",
+                          [=](const contactsim::test::CandidateSide& side) { return is_top(side.centroid); })
+            .build());
+  }
+  /// One of load steps ("adagio"), which lets go aside after time 1, or of explicit dynamics ("presto").
+  static std::string procedure(const std::string& kind, const std::string& name, const std::string& start,
+                               const std::string& end, const std::string& pair_lines,
+                               const std::string& more = "") {
+    const bool is_static = kind == "adagio";
+    return "begin " + kind + " procedure " + name + "\n" +
+           (start == "0" ? "" : "begin procedural transfer\ninclude all blocks\nend\n") +
+           "begin time control\nbegin time stepping block t\nstart time = " + start +
+           "\nbegin parameters for " + kind + " region " + name + "\n" +
+           (is_static ? "number of time steps = 4\n" : "") + "end\nend\ntermination time = " + end +
+           "\nend\nbegin " + kind + " region " + name +
+           "\nuse finite element model f\n"
+           "begin fixed displacement\nnode set = bottom\ncomponents = x y z\nend\n"
+           "begin pressure\nsurface = above\nfunction = press\nscale factor = 1e3\nend\n"
+           "begin prescribed force\nnode set = top\ncomponent = x\nfunction = " +
+           (is_static ? "aside" : "press") +
+           "\nscale factor = 20\nend\n"
+           "begin contact definition\nskin all blocks = on\nbegin constant friction model rough\n"
+           "friction coefficient = 0.5\nend\nbegin interaction defaults\ngeneral contact = on\n"
+           "friction model = rough\n" +
+           pair_lines + "end\nend\n" +
+           (is_static ? "begin solver\nbegin cg\ntarget relative residual = 1e-8\nbegin full tangent "
+                        "preconditioner\nend\nend\nbegin control contact\ntarget relative residual = 1e-6\n"
+                        "end\nend\n"
+                      : "") +
+           "begin user output\nblock = low\ncompute global force as sum of nodal force_contact\nend\n"
+           "begin heartbeat output\nstream name = " +
+           name +
+           ".csv\nprecision = 17\nat step 0 increment = 1\nglobal force(z)\nglobal force(x)\n"
+           "global kinetic_energy as kinetic\nglobal strain_energy as strain\nend\n" +
+           more + "end\nend\n";
+  }
+  ProgramOutput run_deck(const std::string& procedures, const std::string& sierra = "") const {
+    write("a.i", "begin sierra\n" + sierra +
+                     "begin material m\ndensity = 1000\nbegin parameters for model elastic\n"
+                     "youngs modulus = 1e6\npoissons ratio = 0.3\nend\nend\n"
+                     "begin function press\ntype = piecewise linear\nbegin values\n0 0\n1 1\n2 1\nend\nend\n"
+                     "begin function aside\ntype = piecewise linear\nbegin values\n0 0\n1 1\n2 0\nend\nend\n"
+                     "begin finite element model f\nbegin parameters for block low high\nmaterial = m\n"
+                     "model = elastic\nend\nend\n" +
+                     procedures + "end\n");
+    return run({"a.i"});
+  }
+  std::vector<double> column(const std::string& name, std::size_t i) const {
+    return csv_column(read(name + ".csv"), i);
+  }
+};
+
+}  // namespace
 
 TEST_CASE("contact meets what a preload has moved", "[app][procedures]") {
   ProgramDirectory boxes;
@@ -55,4 +125,87 @@ TEST_CASE("contact meets what a preload has moved", "[app][procedures]") {
   CHECK(place.front() == Approx(-0.4));
   CHECK(*std::ranges::min_element(place) == Approx(-0.5).margin(0.01));  // where the low box is
   CHECK_THAT(run("-0.6").err, Contains("[overlap-at-start]"));
+}
+
+TEST_CASE("an explicit run from a contact preload does not ring", "[app][procedures]") {
+  const std::string form = GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
+  const PressedBlocks blocks;
+  const auto run = blocks.run_deck(PressedBlocks::procedure("adagio", "load", "0", "1", form) +
+                                   PressedBlocks::procedure("presto", "hold", "1", "1.5", form));
+  REQUIRE(run.exit_code == 0);
+  CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  const std::vector<double> moving = blocks.column("hold", moves_by),
+                            loads = blocks.column("load", pressed_by);
+  REQUIRE(moving.size() > 100);
+  const double stored = blocks.column("load", stored_by).back();
+  CHECK(*std::max_element(moving.begin(), moving.begin() + 101) < 1e-4 * stored);
+  CHECK(blocks.column("hold", pressed_by).front() == Approx(loads.back()).epsilon(1e-3));
+  CHECK(blocks.column("hold", pushed_by).front() ==
+        Approx(blocks.column("load", pushed_by).back()).epsilon(1e-3));
+}
+
+TEST_CASE("contact of load steps that follow others goes on with what these remember", "[app][procedures]") {
+  const std::string form = GENERATE(std::string(), std::string("constraint formulation = node_face\n"));
+  const PressedBlocks blocks;
+  const std::string loading = PressedBlocks::procedure("adagio", "load", "0", "1", form);
+  const auto run = blocks.run_deck(loading + PressedBlocks::procedure("adagio", "rest", "1", "2", form));
+  REQUIRE(run.exit_code == 0);
+  CHECK_THAT(run.err, !Contains("[contact-begins-anew]"));
+  for (const std::size_t i : {pressed_by, pushed_by}) {
+    CHECK(blocks.column("rest", i).front() == Approx(blocks.column("load", i).back()).epsilon(1e-6));
+  }
+  // As one procedure of two time stepping blocks.
+  std::string whole = PressedBlocks::procedure("adagio", "whole", "0", "2", form);
+  const auto end = whole.find("termination time");
+  whole.insert(end,
+               "begin time stepping block u\nstart time = 1\nbegin parameters for adagio region whole\n"
+               "number of time steps = 4\nend\nend\n");
+  REQUIRE(blocks.run_deck(whole).exit_code == 0);
+  CHECK(blocks.column("rest", pushed_by).back() ==
+        Approx(blocks.column("whole", pushed_by).back()).margin(1e-3));
+  CHECK(blocks.column("rest", stored_by).back() ==
+        Approx(blocks.column("whole", stored_by).back()).epsilon(1e-6));
+}
+
+TEST_CASE("contact of other pairs begins anew after a transfer, which is told", "[app][procedures]") {
+  const PressedBlocks blocks;
+  const std::string loading = PressedBlocks::procedure("adagio", "load", "0", "1", "");
+  const auto other =
+      blocks.run_deck(loading + PressedBlocks::procedure("presto", "hold", "1", "1.001",
+                                                         "constraint formulation = node_face\n"));
+  CHECK(other.exit_code == 0);
+  CHECK_THAT(other.err, Contains("[contact-begins-anew]"));
+  const auto elastic = blocks.run_deck(
+      loading + PressedBlocks::procedure("presto", "hold", "1", "1.001", "enforcement = penalty\n"));
+  CHECK_THAT(elastic.err, Contains("ENFORCEMENT = PENALTY begins anew"));
+}
+
+TEST_CASE("a deck of several procedures goes on from a stored state with the same bytes",
+          "[app][procedures]") {
+  const std::string second = GENERATE(std::string("presto"), std::string("adagio"));
+  const PressedBlocks blocks;
+  const auto data = [](const std::string& name) {
+    return "begin restart data\noutput database name = " + name + ".rsout\ninput database name = " + name +
+           ".rsout\nat step 0 increment = 2\nend\n";
+  };
+  const std::string procedures = PressedBlocks::procedure("adagio", "load", "0", "1", "", data("load")) +
+                                 PressedBlocks::procedure(second, "rest", "1", "1.02", "", data("rest"));
+  REQUIRE(blocks.run_deck(procedures).exit_code == 0);
+  const std::string loaded = blocks.read("load.csv"), rest = blocks.read("rest.csv");
+  const auto ends_with = [](const std::string& text, const std::string& resumed) {
+    const std::string lines = resumed.substr(resumed.find('\n') + 1);
+    return lines.size() > 40 && text.ends_with(lines);
+  };
+  // In the middle of the first, at the border, in the second.
+  const auto in_first = blocks.run_deck(procedures, "restart time = 0.5\n");
+  REQUIRE(in_first.exit_code == 0);
+  CHECK(ends_with(loaded, blocks.read("load.csv-s0002")));
+  CHECK(blocks.read("rest.csv") == rest);
+  const auto at_border = blocks.run_deck(procedures, "restart time = 1\n");
+  REQUIRE(at_border.exit_code == 0);
+  CHECK(blocks.read("rest.csv") == rest);
+  const auto in_second = blocks.run_deck(procedures, "restart time = 1.01\n");
+  REQUIRE(in_second.exit_code == 0);
+  CHECK_THAT(in_second.out, Contains("The procedure load is not run: rest goes on from its stored state."));
+  CHECK(ends_with(rest, blocks.read("rest.csv-s0002")));
 }

@@ -106,6 +106,35 @@ TEST_CASE("a body that only contact holds drifts until it touches", "[app][stati
   }
 }
 
+TEST_CASE("stabilization is gone as a time stepping block ends, and told where it is not", "[app][statics]") {
+  const PressedBlock block(0.05);
+  const std::string free =
+      "begin pressure\nsurface = above\nfunction = ramp\nscale factor = 1e4\nend\n" + full;
+  const std::string stored = "begin restart data\nat step 0 increment = 2\nend\n";
+  block.write_deck(free + stored, "contact stabilization = on\n");
+  const auto [code, out, err] = block.run({"a.i", "--threads", "1"});
+  REQUIRE(code == 0);
+  CHECK(block.last_force() == Approx(-1e4 * 1.5 * 1.5).epsilon(0.02));
+  CHECK_THAT(out, Contains("stabilization bears") && Contains("lost to stabilization"));
+  CHECK_THAT(err, !Contains("[stabilization-remains]"));
+  const std::string straight = block.read("a.csv");
+  block.write_deck(free, "contact stabilization = on\n");
+  REQUIRE(block.run({"a.i", "--threads", "2"}).exit_code == 0);
+  CHECK(block.read("a.csv") == straight);
+  block.write_deck(free + stored, "contact stabilization = on\n");
+  const std::string deck = block.read("a.i");
+  block.write("a.i", "begin sierra\nrestart time = 0.5\n" + deck.substr(deck.find('\n') + 1));
+  REQUIRE(block.run({"a.i"}).exit_code == 0);
+  const std::string rest = block.read("a.csv-s0002");
+  const std::string lines = rest.substr(rest.find('\n') + 1);
+  CHECK(lines.size() > 40);
+  CHECK(straight.substr(straight.size() - lines.size()) == lines);
+  block.write_deck(free, "contact stabilization = on\nstabilization remaining fraction = 1\n");
+  const auto remains = block.run({"a.i"});
+  CHECK(remains.exit_code == 0);
+  CHECK_THAT(remains.err, Contains("[stabilization-remains]"));
+}
+
 TEST_CASE("enforcement of load steps is told, and that of explicit steps has no effect", "[app][statics]") {
   const PressedBlock block;
   block.write_deck(sliding);
