@@ -80,6 +80,10 @@ bool is_of_weighted_gaps(const ContactPoint& point) {
 
 }  // namespace
 
+bool ContactForce::is_differentiable() const {
+  return std::ranges::all_of(trial_->points, is_of_weighted_gaps);
+}
+
 void ContactForce::visit_springs(const std::function<void(const ContactSpring&)>& take) const {
   const ContactSprings springs(setup_.model, kinematics_, rules_);
   const auto motions = detection_.node_motions(static_context(trial_->dt, true));

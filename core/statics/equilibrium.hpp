@@ -33,6 +33,8 @@ class Equilibrium {
   }
   /// Whether forces come and go with small motions, as those of contact do: the rough part.
   virtual bool is_rough() const { return false; }
+  /// Whether the rough part has a derivative where it was evaluated last, which steps near balance may use.
+  virtual bool is_differentiable() const { return true; }
   /// Has the rough part push as it did in the last evaluation, whatever moves from now on; or lets it follow.
   virtual void hold_rough(bool /*does*/) {}
   /// Adds to a vector what the rough part resists a direction with where the last find_springs() was, with no
@@ -52,8 +54,8 @@ class Preconditioner {
   virtual ~Preconditioner() = default;
   /// Sets z to the increment that a residual asks for.
   virtual void apply(const Eigen::VectorXd& residual, Eigen::VectorXd& z) const = 0;
-  /// Has apply() follow the stiffness that is known of now where it still has an earlier one. Returns whether it
-  /// had.
+  /// Has apply() follow the stiffness that is known of now where it still has an earlier one. Returns whether
+  /// it had.
   virtual bool catch_up() { return false; }
   /// What it holds unknowns to the ground with, which the residual does not have; null: nothing.
   virtual const Eigen::VectorXd* ground() const { return nullptr; }

@@ -18,12 +18,12 @@ struct LinearSearch {
 };
 
 /// Solves equations with any matrix by generalised minimal residuals, preconditioned from the right: what it
-/// ends with leaves no more of the right side than any fewer iterations. Every `cycle` iterations it begins anew
-/// with what is left, since each keeps a vector.
+/// ends with leaves no more of the right side than any fewer iterations. Every `cycle` iterations it begins
+/// anew with what is left, since each keeps a vector.
 ///   multiply(direction, product), precondition(residual, step)  set the latter; both are linear
 ///   tolerance  of the size of the right side [1]
-/// Source: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869; Saad, Iterative Methods for Sparse Linear
-/// Systems, 2nd ed. (2003), algorithm 9.5.
+/// Source: Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869; Saad, Iterative Methods for Sparse
+/// Linear Systems, 2nd ed. (2003), algorithm 9.5.
 template <class Multiply, class Precondition>
 LinearSearch gmres(const Multiply& multiply, const Precondition& precondition, const Eigen::VectorXd& right,
                    double tolerance, int max_iterations, Eigen::VectorXd& solution, int cycle = 60) {
@@ -37,8 +37,8 @@ LinearSearch gmres(const Multiply& multiply, const Precondition& precondition, c
       search.end = LinearSearch::End::exhausted;
       break;
     }
-    const auto most = static_cast<Eigen::Index>(
-        std::min<std::int64_t>(cycle, max_iterations - search.n_iterations));
+    const auto most =
+        static_cast<Eigen::Index>(std::min<std::int64_t>(cycle, max_iterations - search.n_iterations));
     std::vector<Eigen::VectorXd> basis{left / size};
     // Of the least squares problem: its matrix, made triangular column by column, and its right side.
     Eigen::MatrixXd triangle = Eigen::MatrixXd::Zero(most + 1, most);

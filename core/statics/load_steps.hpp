@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/statics/load_schedule.hpp"
-#include "core/statics/nodal_blocks.hpp"
 #include "core/statics/newton.hpp"
+#include "core/statics/nodal_blocks.hpp"
 #include "core/statics/static_deaths.hpp"
 #include "core/statics/tangent.hpp"
 

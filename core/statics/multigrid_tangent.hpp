@@ -9,8 +9,8 @@
 
 namespace contactsim {
 
-/// A V-cycle of multigrid on the symmetric part of the stiffness: for solids whose factor takes too long or too
-/// much memory. It is kept until catch_up(), as a factor is.
+/// A V-cycle of multigrid on the symmetric part of the stiffness: for solids whose factor takes too long or
+/// too much memory. It is kept until catch_up(), as a factor is.
 class MultigridTangent final : public Tangent {
  public:
   /// All must outlive it. Precondition: nodes do not turn.
@@ -35,7 +35,7 @@ class MultigridTangent final : public Tangent {
   std::optional<Multigrid> multigrid_;  // of the matrix
   bool is_current_ = false;             // the levels are those of the blocks
   double spring_size_ = 0.0, spring_size_of_levels_ = 0.0;
-  Eigen::VectorXd at_;                  // the increment of the last renew()
+  Eigen::VectorXd at_;  // the increment of the last renew()
 };
 
 }  // namespace contactsim

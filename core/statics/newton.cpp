@@ -89,7 +89,8 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
     least = std::min(least, size);
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
     if (equilibrium.is_rough()) linearised.note_contact(increment);
-    linearised.set_near(size <= near_balance * report.reference && !was_idle);
+    const bool is_near = size <= near_balance * report.reference && equilibrium.is_differentiable();
+    linearised.set_near(is_near && !was_idle);
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
     linearised.solve(increment, residual, residual, report, z);
     const double longest = equilibrium.longest_step(z);

@@ -11,10 +11,11 @@ namespace contactsim {
 ///   may_keep_elements  contact alone; else that of the mesh, too
 using Renew = std::function<void(const Eigen::VectorXd& increment, bool may_keep_elements)>;
 
-/// The linear equations of Newton's steps: minimal residuals in which the product of stiffness and direction is a
-/// difference of two residuals. Near balance that is all there is: friction that slides, normals that turn,
-/// faces that slide on, materials that harden. Farther off contact resists by its springs, without what its
-/// large forces soften. The preconditioner follows the stiffness when it makes too many iterations. Source: Knoll and Keyes, J. Comput. Phys. 193 (2004) 357-397; inexact steps: Dembo, Eisenstat and
+/// The linear equations of Newton's steps: minimal residuals in which the product of stiffness and direction
+/// is a difference of two residuals. Near balance that is all there is: friction that slides, normals that
+/// turn, faces that slide on, materials that harden. Farther off contact resists by its springs, without what
+/// its large forces soften. The preconditioner follows the stiffness when it makes too many iterations.
+/// Source: Knoll and Keyes, J. Comput. Phys. 193 (2004) 357-397; inexact steps: Dembo, Eisenstat and
 /// Steihaug, SIAM J. Numer. Anal. 19 (1982) 400-408.
 class LinearisedEquilibrium {
  public:
@@ -27,6 +28,8 @@ class LinearisedEquilibrium {
   ///   report    which counts are added to
   void solve(const Eigen::VectorXd& increment, const Eigen::VectorXd& residual, const Eigen::VectorXd& right,
              CgReport& report, Eigen::VectorXd& z);
+  /// Begins a load step, for which the preconditioner is new: a restart then goes the same way.
+  void begin_step() { most_left_behind_ = least_left_behind; }
   /// Takes notice that contact may have closed, opened, begun to stick or to slide.
   void note_contact(const Eigen::VectorXd& increment) { renew_(increment, true); }
   /// Whether contact is linearised by differences, too.
@@ -37,12 +40,13 @@ class LinearisedEquilibrium {
   Preconditioner& preconditioner_;
   Renew renew_;
   bool is_near_ = false;
-  int most_left_behind_ = 20;  // iterations by a preconditioner that is not that of now
+  static constexpr int least_left_behind = 20;
+  int most_left_behind_ = least_left_behind;  // iterations by a preconditioner that is not that of now
 };
 
-/// Searches by Newton's steps: for bodies that bend far, whose residual grows before it falls, so that a search
-/// along lines creeps, and for contact. Gives up where it has got no smaller for some steps.
-/// Source: Bathe, Finite Element Procedures (1996), 8.4.1.
+/// Searches by Newton's steps: for bodies that bend far, whose residual grows before it falls, so that a
+/// search along lines creeps, and for contact. Gives up where it has got no smaller for some steps. Source:
+/// Bathe, Finite Element Procedures (1996), 8.4.1.
 CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, const CgSettings& settings,
                 Eigen::VectorXd& increment);
 

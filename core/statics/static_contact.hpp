@@ -82,6 +82,9 @@ class StaticContact {
   /// Sets the forces of contact after a motion from the start of the step. Throws SolveError.
   ///   forces, moments  [3 x n_nodes] [force] [force length]; the latter null where no node turns
   virtual void try_forces(const Motion& motion, Eigen::Matrix3Xd& forces, Eigen::Matrix3Xd* moments) = 0;
+  /// Whether the forces of the last trial have a derivative: not where the area before a node jumps as it
+  /// goes from face to face.
+  virtual bool is_differentiable() const = 0;
   /// Calls take(spring) for all that held in the last trial.
   virtual void visit_springs(const std::function<void(const ContactSpring&)>& take) const = 0;
   /// Adds what penetrates in the last trial to the multipliers, unless that changes the forces of contact by

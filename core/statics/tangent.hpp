@@ -16,9 +16,10 @@ namespace contactsim {
 /// Near the inverse of the whole stiffness, for Newton's steps.
 class Tangent : public Preconditioner {
  public:
-  /// Finds the stiffness at an increment of the step; the one before stays where it cannot be evaluated. Returns
-  /// the evaluations of the residual.
-  ///   may_keep_elements  the springs of contact alone, which apply() has from catch_up() on, or at once where
+  /// Finds the stiffness at an increment of the step; the one before stays where it cannot be evaluated.
+  /// Returns the evaluations of the residual.
+  ///   may_keep_elements  the springs of contact alone, which apply() has from catch_up() on, or at once
+  ///   where
   ///                      they have changed far
   virtual std::int64_t renew(const Eigen::VectorXd& increment, bool may_keep_elements = false) = 0;
   /// Shares of their stiffness that nodes get to the ground [n_nodes]: find_free_bodies().

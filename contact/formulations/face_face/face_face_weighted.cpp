@@ -123,9 +123,8 @@ void FaceFaceContacts::find_slips(const ContactStepContext& context, const Candi
                                                : history_.mean_slip(candidate.first, candidate.second);
   for (std::size_t k = 0; k < overlap.shares.n; ++k) {
     const OverlapShare& share = overlap.shares.corners[k];
-    overlap.slips[k] =
-        overlap.sign() * context.dt *
-        (faces.first.velocity_at(share.weights_1) - faces.second.velocity_at(share.weights_2));
+    overlap.slips[k] = overlap.sign() * context.dt *
+                       (faces.first.velocity_at(share.weights_1) - faces.second.velocity_at(share.weights_2));
     overlap.held_slips[k] = overlap.sign() * held;
   }
 }
@@ -149,7 +148,8 @@ void FaceFaceContacts::add_weighted_points(const ContactStepContext& context, co
     contact.gap = -node.depth();
     contact.deepest = node.depth();
     if (faces.are_round()) {
-      const Eigen::Vector3d place = 0.5 * (faces.first.x * share.weights_1 + faces.second.x * share.weights_2);
+      const Eigen::Vector3d place =
+          0.5 * (faces.first.x * share.weights_1 + faces.second.x * share.weights_2);
       bring_onto_line(faces.first, faces.second, place, contact);
     }
     ContactPoint& point = points.emplace_back(make_contact_point(candidate, contact));

@@ -24,10 +24,10 @@ struct WeightedOverlap {
   const PairRule* rule = nullptr;
   PairPenalty penalty;
   CornerShares shares;
-  std::array<double, 4> gaps{};          ///< that the mean one of each share counts as [length]
-  std::array<double, 4> slopes{};        ///< over the mean one [1]
-  /// Of the side with the corners along the other in the step, and what pairs of faces have held before, where
-  /// there is friction [length].
+  std::array<double, 4> gaps{};    ///< that the mean one of each share counts as [length]
+  std::array<double, 4> slopes{};  ///< over the mean one [1]
+  /// Of the side with the corners along the other in the step, and what pairs of faces have held before,
+  /// where there is friction [length].
   std::array<Eigen::Vector3d, 4> slips, held_slips;
   std::array<std::uint32_t, 4> nodes{};  ///< of each share, number in WeightedGaps::nodes()
 
@@ -70,12 +70,13 @@ struct WeightedNode {
 /// with c(g) = g of what touches and less than that of what is open, and not by the gap of every point:
 /// facets that bend past each other, whose gaps differ by what is large beside a stiff penalty's depth, then
 /// neither part in places nor change stiffness from trial to trial. The forces are those of a potential, with
-/// the stiffness sum of p'_j b_j b_j^T / A_j, b_j = A_j dg_j/du. Friction is that of the node too: its slip is
+/// the stiffness sum of p'_j b_j b_j^T / A_j, b_j = A_j dg_j/du. Friction is that of the node too: its slip
+/// is
 ///   s_j = sum over overlaps of c' int N_j (u_1 - u_2) / B_j,   B_j = sum of c' int N_j,
-/// and a traction t_j by the return mapping of step_friction(), up to the limit for p_j, drags each overlap by
-/// its part of B_j t_j. Source: weighted gaps and mortar pressure of Puso and Laursen, Comput. Methods Appl. Mech.
-/// Eng. 193 (2004) 601-629, friction 4891-4913; active nodes by p_j > 0 of Hueeber and Wohlmuth, 194 (2005)
-/// 3147-3166.
+/// and a traction t_j by the return mapping of step_friction(), up to the limit for p_j, drags each overlap
+/// by its part of B_j t_j. Source: weighted gaps and mortar pressure of Puso and Laursen, Comput. Methods
+/// Appl. Mech. Eng. 193 (2004) 601-629, friction 4891-4913; active nodes by p_j > 0 of Hueeber and Wohlmuth,
+/// 194 (2005) 3147-3166.
 class WeightedGaps {
  public:
   ///   finer  which side of each pair multipliers stand on

@@ -16,13 +16,16 @@ struct Equations {
     matrix.diagonal() += Eigen::VectorXd::LinSpaced(n, 5.0, 500.0);
   }
   LinearSearch solve(double tolerance, int max_iterations, int cycle, Eigen::VectorXd& solution) const {
-    return gmres([&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) { product = matrix * direction; },
-                 [&](const Eigen::VectorXd& left, Eigen::VectorXd& step) {
-                   step = left.cwiseQuotient(matrix.diagonal());
-                 },
-                 right, tolerance, max_iterations, solution, cycle);
+    return gmres(
+        [&](const Eigen::VectorXd& direction, Eigen::VectorXd& product) { product = matrix * direction; },
+        [&](const Eigen::VectorXd& left, Eigen::VectorXd& step) {
+          step = left.cwiseQuotient(matrix.diagonal());
+        },
+        right, tolerance, max_iterations, solution, cycle);
   }
-  double left(const Eigen::VectorXd& solution) const { return (right - matrix * solution).norm() / right.norm(); }
+  double left(const Eigen::VectorXd& solution) const {
+    return (right - matrix * solution).norm() / right.norm();
+  }
 
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
@@ -30,7 +33,8 @@ struct Equations {
 
 }  // namespace
 
-TEST_CASE("minimal residuals solve unsymmetric equations, with and without beginning anew", "[core][statics]") {
+TEST_CASE("minimal residuals solve unsymmetric equations, with and without beginning anew",
+          "[core][statics]") {
   const Equations equations(30);
   const int cycle = GENERATE(60, 4);
   Eigen::VectorXd solution;
@@ -41,7 +45,8 @@ TEST_CASE("minimal residuals solve unsymmetric equations, with and without begin
   CHECK((solution - equations.matrix.lu().solve(equations.right)).norm() < 1e-7 * solution.norm());
 }
 
-TEST_CASE("minimal residuals leave less by each iteration, and tell when these are too few", "[core][statics]") {
+TEST_CASE("minimal residuals leave less by each iteration, and tell when these are too few",
+          "[core][statics]") {
   const Equations equations(30);
   Eigen::VectorXd solution;
   double last = 1.0;

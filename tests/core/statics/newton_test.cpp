@@ -9,8 +9,8 @@ using namespace contactsim;
 
 namespace {
 
-/// A block on springs of its own that slides over a floor which it is pressed onto: friction makes the stiffness
-/// unsymmetric, and the floor is rough.
+/// A block on springs of its own that slides over a floor which it is pressed onto: friction makes the
+/// stiffness unsymmetric, and the floor is rough.
 class Slider final : public Equilibrium {
  public:
   bool evaluate(const Eigen::VectorXd& increment, Eigen::VectorXd& residual) override {
