@@ -81,7 +81,7 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
   bool exists = equilibrium.evaluate(increment, residual);
   double least = infinity;
   bool is_limited = false;  // the last step
-  bool was_idle = false;    // the last step left more than half
+  bool was_idle = false;    // the last step left more than half: the next one takes contact the other way
   for (int n_idle = 0; exists; ++report.n_iterations) {
     const double size = equilibrium.norm(residual);
     if (!std::isfinite(size) || is_balanced(equilibrium, size, settings, report)) break;
@@ -89,8 +89,8 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
     least = std::min(least, size);
     if (n_idle > max_idle || report.n_iterations >= settings.max_iterations) break;
     if (equilibrium.is_rough()) linearised.note_contact(increment);
-    const bool is_near = size <= near_balance * report.reference && equilibrium.is_differentiable();
-    linearised.set_near(is_near && !was_idle);
+    const bool is_near = size <= near_balance * report.reference;
+    linearised.set_near(is_near && equilibrium.is_differentiable() != was_idle);
     recent[static_cast<std::size_t>(report.n_iterations) % recent.size()] = size;
     linearised.solve(increment, residual, residual, report, z);
     const double longest = equilibrium.longest_step(z);
@@ -112,7 +112,7 @@ CgReport newton(Equilibrium& equilibrium, LinearisedEquilibrium& linearised, con
       residual = moved;
       if (!equilibrium.is_rough() || now <= bound) break;
     }
-    was_idle = !was_idle && best > 0.5 * size;
+    was_idle = is_near && !was_idle && best > 0.5 * size;
     if (exists) increment.swap(best_trial);
   }
   return report;
